@@ -1,0 +1,5 @@
+/** x */
+@NullMarked
+package robosim.geometry.model;
+
+import org.jspecify.annotations.NullMarked;
