@@ -10,6 +10,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
 
 /** A world of objects and the questions about it (its signatures; being written). */
+@SuppressWarnings("DoNotCallSuggester")
 public final class Geometry {
     public Geometry() {
         this(1000, 1000, 1000);

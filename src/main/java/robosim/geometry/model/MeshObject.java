@@ -69,7 +69,7 @@ public final class MeshObject extends Placed<MeshObject> implements GeometryObje
         return coordinates;
     }
 
-    private static int[][] copy(int[][] faces) {
+    static int[][] copy(int[][] faces) {
         return Arrays.stream(Checks.present("faces", faces))
                 .map(face -> face == null ? null : face.clone())
                 .toArray(int[][]::new);

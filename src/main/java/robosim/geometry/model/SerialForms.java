@@ -12,6 +12,7 @@ import robosim.geometry.exact.Attitude;
  * What objects are on the wire: records that make the object again through its constructor, so that none can come into
  * being that the constructor would refuse.
  */
+@SuppressWarnings("ArrayRecordComponent") // never compared, and the numbers are checked and copied on the way in
 public final class SerialForms {
     private SerialForms() {}
 
@@ -112,7 +113,9 @@ public final class SerialForms {
 
         @Serial
         private Object readResolve() {
-            TriangleMesh triangles = new TriangleMesh(coordinates, faces);
+            // Copied first: the stream may hold another reference to the same arrays.
+            TriangleMesh triangles =
+                    new TriangleMesh(Checks.present("vertices", coordinates).clone(), MeshObject.copy(faces));
             MeshObject mesh = new MeshObject(place.tag(), place.pose(), triangles, false, null).bounded(boundingVolume);
             return solid ? mesh.solid() : mesh;
         }

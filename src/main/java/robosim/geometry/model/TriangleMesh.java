@@ -183,10 +183,9 @@ public final class TriangleMesh {
         }
         return uses.entrySet().stream()
                 .filter(use -> use.getValue() % 2 != 0)
-                .map(Map.Entry::getKey)
-                .min(Long::compare)
-                .map(edge -> "the edge of vertices " + (edge >> 32) + " and " + (edge & 0xffffffffL) + " is used "
-                        + uses.get(edge) + (uses.get(edge) == 1 ? " time" : " times"))
+                .min(Map.Entry.comparingByKey())
+                .map(use -> "the edge of vertices " + (use.getKey() >> 32) + " and " + (use.getKey() & 0xffffffffL)
+                        + " is used " + use.getValue() + (use.getValue() == 1 ? " time" : " times"))
                 .orElse(null);
     }
 
