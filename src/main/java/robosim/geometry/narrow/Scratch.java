@@ -4,4 +4,17 @@ package robosim.geometry.narrow;
  * Working memory of the kernels, so that a query allocates nothing. One for each owner of queries; never shared
  * between threads.
  */
-public final class Scratch {}
+public final class Scratch {
+    final MeshWalk outer = new MeshWalk();
+    final MeshWalk inner = new MeshWalk();
+    final MeshWalk around = new MeshWalk();
+
+    /** A placed triangle of the first and of the second mesh, as leaf rows. */
+    final double[] triangleA = new double[Leaf.STRIDE];
+
+    final double[] triangleB = new double[Leaf.STRIDE];
+
+    final double[] box = new double[6];
+    final double[] triangleBox = new double[6];
+    final double[] meshBox = new double[6];
+}
