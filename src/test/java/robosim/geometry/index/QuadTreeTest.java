@@ -104,6 +104,7 @@ class QuadTreeTest {
         QuadTree.Cursor cursor = tree.cursor();
         int hits = 0;
         int misses = 0;
+        int entriesChecked = 0;
         for (int step = 0; step < 900; step++) {
             churn(tree, boxes, random.nextInt(boxes.length), scene, random, step);
             if (step % 3 != 0) {
@@ -112,6 +113,7 @@ class QuadTreeTest {
             double[] ray = ray(boxes, scene, random);
             double limit = random.nextInt(3) == 0 ? random.nextDouble(3) : Double.POSITIVE_INFINITY;
             BitSet ids = collectRay(cursor, ray, limit);
+            entriesChecked += assertEntries(cursor, ray, boxes);
             for (int id = 0; id < boxes.length; id++) {
                 BigDecimal truth = boxes[id] == null ? null : Entry.exact(ray, boxes[id]);
                 boolean hit = truth != null
@@ -126,6 +128,7 @@ class QuadTreeTest {
             }
         }
         assertThat(hits).isGreaterThan(50);
+        assertThat(entriesChecked).isGreaterThan(50);
         assertThat(misses).isGreaterThan(scene == Scene.ONE_CORNER ? 0 : 50);
     }
 
@@ -140,7 +143,7 @@ class QuadTreeTest {
         int near = 0;
         for (int step = 0; step < 900; step++) {
             churn(tree, boxes, random.nextInt(boxes.length), scene, random, step);
-            double[] at = scene.box(random);
+            double[] at = random.nextInt(3) == 0 ? touching(boxes, random) : scene.box(random);
             double limit = random.nextInt(4) == 0 ? 0 : random.nextDouble(scene == Scene.OUTSIDE ? 1e8 : 300);
             double last = 0;
             BitSet ids = new BitSet();
@@ -164,7 +167,7 @@ class QuadTreeTest {
             }
         }
         assertThat(near).isGreaterThan(100);
-        assertThat(inside).isGreaterThan(scene == Scene.ONE_CORNER || scene == Scene.OUTSIDE ? -1 : 0);
+        assertThat(inside).isPositive();
     }
 
     @Test
@@ -418,6 +421,21 @@ class QuadTreeTest {
             last = cursor.entry();
         }
         return ids;
+    }
+
+    // Rounded down, and by little.
+    private static int assertEntries(QuadTree.Cursor cursor, double[] ray, double[][] boxes) {
+        int checked = 0;
+        cursor.startRay(ray[0], ray[1], ray[2], ray[3], Double.POSITIVE_INFINITY);
+        for (int id = cursor.next(Double.POSITIVE_INFINITY); id >= 0; id = cursor.next(Double.POSITIVE_INFINITY)) {
+            BigDecimal truth = Entry.exact(ray, boxes[id]);
+            if (truth != null) {
+                assertThat(new BigDecimal(cursor.entry())).isLessThanOrEqualTo(truth);
+                assertThat(cursor.entry() * (1 + 1e-14) + 1e-300).isGreaterThanOrEqualTo(truth.doubleValue());
+                checked++;
+            }
+        }
+        return checked;
     }
 
     /** The exact twin of a ray against a box. */
