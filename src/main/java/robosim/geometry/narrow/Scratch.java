@@ -17,4 +17,14 @@ public final class Scratch {
     final double[] box = new double[6];
     final double[] triangleBox = new double[6];
     final double[] meshBox = new double[6];
+    /** The projections of the two leaves of a planar question. */
+    final PlanarShape planarA = new PlanarShape();
+
+    final PlanarShape planarB = new PlanarShape();
+    final PlanarBracket planarBracket = new PlanarBracket();
+
+    /** A direction and the depth along it. */
+    final double[] planarNormal = new double[3];
+
+    final double[] planarBounds = new double[6];
 }
