@@ -6,4 +6,5 @@ package robosim.geometry.narrow;
  */
 public final class Scratch {
     final SweepScratch sweep = new SweepScratch();
+    final Gjk gjk = new Gjk();
 }

@@ -109,25 +109,36 @@ final class TurnDisc {
         double c = nx * x0 + nz * z0;
         double a = nx * px + nz * pz;
         double b = nz * px - nx * pz;
-        if (closed && Math.abs(a - c - limit) <= 2 * error) {
-            double share = ((px - x0) * ex + (pz - z0) * ez) / length;
-            if (share > -2 * error && share < length + 2 * error) {
-                return TurnOutline.rising(a, b, error);
-            }
-        }
-        double h = (c + limit + error) / rho;
-        if (h > 1 || h < -1) {
-            return Double.POSITIVE_INFINITY;
-        }
         double phase = StrictMath.atan2(b, a);
-        double arc = StrictMath.acos(h);
-        double t = phase + arc;
-        double spread = StrictMath.acos(Math.max(-1, h - 4 * error / rho)) - arc;
-        double slack = rho * spread + 2 * error;
+        double t;
+        double slack;
+        if (closed && isBeside(px, pz, x0, z0, ex, ez, length, 2 * error) && Math.abs(a - c - limit) <= 2 * error) {
+            double free = TurnOutline.rising(a, b, error);
+            if (free == 0 || free >= FULL) {
+                return free;
+            }
+            t = free; // back on this line, perhaps no more beside the edge
+            slack = 8 * error;
+        } else {
+            double h = (c + limit + error) / rho;
+            if (h > 1 || h < -1) {
+                return Double.POSITIVE_INFINITY;
+            }
+            double arc = StrictMath.acos(h);
+            t = phase + arc;
+            slack = rho * (StrictMath.acos(Math.max(-1, h - 4 * error / rho)) - arc) + 2 * error;
+        }
         double cos = StrictMath.cos(t);
         double sin = StrictMath.sin(t);
-        double share = ((px * cos - pz * sin - x0) * ex + (px * sin + pz * cos - z0) * ez) / length;
-        return share < -slack || share > length + slack ? Double.POSITIVE_INFINITY : ahead(t);
+        return isBeside(px * cos - pz * sin, px * sin + pz * cos, x0, z0, ex, ez, length, slack)
+                ? ahead(t)
+                : Double.POSITIVE_INFINITY;
+    }
+
+    private static boolean isBeside(
+            double x, double z, double x0, double z0, double ex, double ez, double length, double slack) {
+        double share = ((x - x0) * ex + (z - z0) * ez) / length;
+        return share >= -slack && share <= length + slack;
     }
 
     /** The next time that an angle comes up, a margin early; one that rounding has put just behind is now. */

@@ -23,8 +23,8 @@ class PlanarSweepTest {
         for (int k = 0; k < 12; k++) {
             for (int kindA : KINDS) {
                 for (int kindB : KINDS) {
-                    double[] a = Rows.random(kindA, 2, random);
-                    double[] b = Rows.random(kindB, 2, random);
+                    double[] a = SweepRows.random(kindA, 2, random);
+                    double[] b = SweepRows.random(kindB, 2, random);
                     check(kindA, a, random.nextDouble(-4, 4), random.nextDouble(-4, 4), kindB, b);
                 }
             }
@@ -37,8 +37,8 @@ class PlanarSweepTest {
         for (int k = 0; k < 12; k++) {
             for (int kindA : KINDS) {
                 for (int kindB : KINDS) {
-                    double[] a = Rows.onGrid(kindA, 3, random);
-                    double[] b = Rows.onGrid(kindB, 3, random);
+                    double[] a = SweepRows.onGrid(kindA, 3, random);
+                    double[] b = SweepRows.onGrid(kindB, 3, random);
                     check(kindA, a, random.nextInt(-5, 6), random.nextInt(-5, 6), kindB, b);
                 }
             }

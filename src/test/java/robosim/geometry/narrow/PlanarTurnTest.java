@@ -25,8 +25,8 @@ class PlanarTurnTest {
         for (int k = 0; k < 25; k++) {
             for (int kindA : KINDS) {
                 for (int kindB : KINDS) {
-                    double[] a = Rows.random(kindA, 1.6, random);
-                    double[] b = Rows.random(kindB, 1.6, random);
+                    double[] a = SweepRows.random(kindA, 1.6, random);
+                    double[] b = SweepRows.random(kindB, 1.6, random);
                     double px = k % 3 == 0 ? centre(kindA, a, 0) : random.nextDouble(-2, 2);
                     double pz = k % 3 == 0 ? centre(kindA, a, 2) : random.nextDouble(-2, 2);
                     check(kindA, a, px, pz, random.nextDouble(-400, 400), kindB, b);

@@ -1,36 +1,36 @@
 package robosim.geometry.narrow;
 
 import java.util.SplittableRandom;
-import robosim.geometry.exact.Rotations;
 
-/** Rows for the tests: leaves of every kind, random and given. */
+/** Rows of leaves for tests. */
 final class Rows {
     private Rows() {}
 
-    static double[] uprightBox(double x, double y, double z, double hx, double hy, double hz, double yaw) {
+    static double[] box(double x, double y, double z, double hx, double hy, double hz, double[] r) {
         double[] row = new double[Leaf.STRIDE];
-        fill(row, x, y, z, hx, hy, hz);
-        Rotations.yaw(yaw, 0, row, Leaf.ROTATION);
+        row[0] = x;
+        row[1] = y;
+        row[2] = z;
+        row[3] = hx;
+        row[4] = hy;
+        row[5] = hz;
+        System.arraycopy(r, 0, row, Leaf.ROTATION, 9);
         return row;
     }
 
-    static double[] box(
-            double x, double y, double z, double hx, double hy, double hz, double yaw, double pitch, double more) {
-        double[] row = uprightBox(x, y, z, hx, hy, hz, yaw);
-        Rotations.turnOwnX(row, Leaf.ROTATION, pitch);
-        Rotations.turnOwnY(row, Leaf.ROTATION, more);
-        return row;
-    }
-
-    static double[] cylinder(double x, double y, double z, double r, double h, double yaw, double pitch, double more) {
-        double[] row = box(x, y, z, r, h, 0, yaw, pitch, more);
-        return row;
-    }
-
-    static double[] disc(double x, double y, double z, double r, double h) {
+    static double[] cylinder(double x, double y, double z, double radius, double halfHeight, double[] r) {
         double[] row = new double[Leaf.STRIDE];
-        fill(row, x, y, z, r, h, 0);
+        row[0] = x;
+        row[1] = y;
+        row[2] = z;
+        row[3] = radius;
+        row[4] = halfHeight;
+        System.arraycopy(r, 0, row, Leaf.ROTATION, 9);
         return row;
+    }
+
+    static double[] sphere(double x, double y, double z, double radius) {
+        return new double[] {x, y, z, radius, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     }
 
     static double[] triangle(double... corners) {
@@ -39,90 +39,86 @@ final class Rows {
         return row;
     }
 
-    /** The prism around a few points. */
-    static double[] prism(double... points) {
-        double[] row = new double[Leaf.STRIDE];
-        for (int k = 0; k < 10; k += 2) {
-            row[k] = Double.POSITIVE_INFINITY;
-            row[k + 1] = Double.NEGATIVE_INFINITY;
-        }
-        for (int k = 0; k < points.length; k += 3) {
-            double[] reach = {
-                points[k], points[k + 2], points[k] + points[k + 2], points[k] - points[k + 2], points[k + 1]
-            };
-            for (int m = 0; m < 5; m++) {
-                row[2 * m] = Math.min(row[2 * m], Math.nextDown(reach[m]));
-                row[2 * m + 1] = Math.max(row[2 * m + 1], Math.nextUp(reach[m]));
-            }
-        }
-        return row;
+    static double[] identity() {
+        return new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1};
     }
 
-    /** A leaf of a kind, of sizes up to 1, its centre within {@code spread} of the origin. */
-    static double[] random(int kind, double spread, SplittableRandom random) {
-        double x = random.nextDouble(-spread, spread);
-        double y = random.nextDouble(-spread, spread);
-        double z = random.nextDouble(-spread, spread);
-        double p = random.nextDouble(0.05, 1);
-        double q = random.nextDouble(0.05, 1);
-        double r = random.nextDouble(0.05, 1);
-        double yaw = random.nextDouble(-180, 180);
-        double pitch = random.nextDouble(-180, 180);
-        double more = random.nextDouble(-180, 180);
-        return switch (kind) {
-            case Leaf.UPRIGHT_BOX -> uprightBox(x, y, z, p, q, r, yaw);
-            case Leaf.BOX -> box(x, y, z, p, q, r, yaw, pitch, more);
-            case Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE -> disc(x, y, z, p, kind == Leaf.SPHERE ? 0 : q);
-            case Leaf.CYLINDER -> cylinder(x, y, z, p, q, yaw, pitch, more);
-            case Leaf.TRIANGLE -> triangle(points(x, y, z, 3, random));
-            default -> prism(points(x, y, z, 6, random));
+    /** The matrix of an upright attitude. */
+    static double[] yaw(double radians) {
+        double c = StrictMath.cos(radians);
+        double s = StrictMath.sin(radians);
+        return new double[] {c, 0, s, 0, 1, 0, -s, 0, c};
+    }
+
+    /** A random rotation, from a quaternion. */
+    static double[] rotation(SplittableRandom random) {
+        double a = random.nextDouble(-1, 1);
+        double b = random.nextDouble(-1, 1);
+        double c = random.nextDouble(-1, 1);
+        double d = random.nextDouble(-1, 1);
+        double n = Math.sqrt(a * a + b * b + c * c + d * d);
+        if (n < 0.1) {
+            return identity();
+        }
+        a /= n;
+        b /= n;
+        c /= n;
+        d /= n;
+        return new double[] {
+            1 - 2 * (c * c + d * d),
+            2 * (b * c - a * d),
+            2 * (b * d + a * c),
+            2 * (b * c + a * d),
+            1 - 2 * (b * b + d * d),
+            2 * (c * d - a * b),
+            2 * (b * d - a * c),
+            2 * (c * d + a * b),
+            1 - 2 * (b * b + c * c)
         };
     }
 
-    /** The same leaf with coordinates and sizes on a coarse grid and quarter turns: full of ties. */
-    static double[] onGrid(int kind, int spread, SplittableRandom random) {
+    /** A random leaf of a kind, of size about 1, with its centre in a cube of the given half width. */
+    static double[] random(int kind, SplittableRandom random, double spread) {
+        double x = random.nextDouble(-spread, spread);
+        double y = random.nextDouble(-spread, spread);
+        double z = random.nextDouble(-spread, spread);
+        double p = random.nextDouble(0.2, 1);
+        double q = random.nextDouble(0.2, 1);
+        double r = random.nextDouble(0.2, 1);
+        return switch (kind) {
+            case Leaf.UPRIGHT_BOX -> box(x, y, z, p, q, r, yaw(random.nextDouble(-3, 3)));
+            case Leaf.BOX -> box(x, y, z, p, q, r, rotation(random));
+            case Leaf.UPRIGHT_CYLINDER -> cylinder(x, y, z, p, q, identity());
+            case Leaf.CYLINDER -> cylinder(x, y, z, p, q, rotation(random));
+            case Leaf.SPHERE -> sphere(x, y, z, p);
+            case Leaf.PRISM -> prism(x, y, z, p, q, r, random);
+            case Leaf.TRIANGLE -> {
+                double[] corners = new double[9];
+                for (int k = 0; k < 9; k += 3) {
+                    corners[k] = x + random.nextDouble(-1, 1);
+                    corners[k + 1] = y + random.nextDouble(-1, 1);
+                    corners[k + 2] = z + random.nextDouble(-1, 1);
+                }
+                yield triangle(corners);
+            }
+            default -> throw new IllegalArgumentException("no such kind (got: " + kind + ")");
+        };
+    }
+
+    private static double[] prism(double x, double y, double z, double p, double q, double r, SplittableRandom random) {
         double[] row = new double[Leaf.STRIDE];
-        if (kind == Leaf.TRIANGLE) {
-            for (int k = 0; k < 9; k++) {
-                row[k] = random.nextInt(-spread, spread + 1);
-            }
-        } else if (kind == Leaf.PRISM) {
-            double[] points = new double[9];
-            for (int k = 0; k < 9; k++) {
-                points[k] = random.nextInt(-spread, spread + 1);
-            }
-            row = prism(points);
-            for (int k = 0; k < 10; k++) {
-                row[k] = Math.rint(row[k]);
-            }
-        } else {
-            boolean round = kind == Leaf.UPRIGHT_CYLINDER || kind == Leaf.SPHERE;
-            fill(
-                    row,
-                    random.nextInt(-spread, spread + 1),
-                    random.nextInt(-spread, spread + 1),
-                    random.nextInt(-spread, spread + 1),
-                    random.nextInt(0, 3),
-                    kind == Leaf.SPHERE ? 0 : random.nextInt(0, 3),
-                    round ? 0 : random.nextInt(0, 3));
-            if (!round) {
-                Rotations.yaw(90 * random.nextInt(4), 0, row, Leaf.ROTATION);
-            }
-        }
+        double s = random.nextDouble(Math.max(p, r), p + r);
+        double d = random.nextDouble(Math.max(p, r), p + r);
+        row[0] = x - p;
+        row[1] = x + p;
+        row[2] = z - r;
+        row[3] = z + r;
+        row[4] = x + z - s;
+        row[5] = x + z + s;
+        row[6] = x - z - d;
+        row[7] = x - z + d;
+        row[8] = y - q;
+        row[9] = y + q;
         return row;
-    }
-
-    private static double[] points(double x, double y, double z, int count, SplittableRandom random) {
-        double[] points = new double[3 * count];
-        for (int k = 0; k < points.length; k += 3) {
-            points[k] = x + random.nextDouble(-1, 1);
-            points[k + 1] = y + random.nextDouble(-1, 1);
-            points[k + 2] = z + random.nextDouble(-1, 1);
-        }
-        return points;
-    }
-
-    private static void fill(double[] row, double... values) {
-        System.arraycopy(values, 0, row, 0, 6);
     }
 }
