@@ -27,4 +27,6 @@ public final class Scratch {
     final double[] planarNormal = new double[3];
 
     final double[] planarBounds = new double[6];
+    final SweepScratch sweep = new SweepScratch();
+    final Gjk gjk = new Gjk();
 }
