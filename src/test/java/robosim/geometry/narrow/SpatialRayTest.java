@@ -47,7 +47,8 @@ class SpatialRayTest {
             if (d[0] == 0 && d[1] == 0 && d[2] == 0) {
                 continue;
             }
-            d[random.nextInt(3)] *= -1; // minus zero too
+            int signed = random.nextInt(3);
+            d[signed] = d[signed] == 0 ? -0.0 : d[signed];
             if (i % 3 == 0) {
                 // Seen from far away, still exactly.
                 double[] far = {o[0] - d[0] * 4096, o[1] - d[1] * 4096, o[2] - d[2] * 4096};
