@@ -29,4 +29,5 @@ public final class Scratch {
     final double[] planarBounds = new double[6];
     final SweepScratch sweep = new SweepScratch();
     final Gjk gjk = new Gjk();
+    final RayInterval ray = new RayInterval();
 }
