@@ -195,6 +195,6 @@ public final class Cast {
             row = s.triangleA;
             at = 0;
         }
-        Normals.at(px, py, pz, ux, uy, uz, kind, row, at, out, dimension);
+        Normals.at(px, py, pz, ux, uy, uz, kind, row, at, out, dimension, s);
     }
 }
