@@ -47,6 +47,9 @@ public final class Geometry {
     private final double[] vector = new double[6];
     private final double[] box = new double[6];
 
+    /** The leaves of an object that is asked about. */
+    private final LeafColumn candidate = new LeafColumn(1);
+
     /** A world of 1000 x 1000 x 1000 world units, SPATIAL and EXACT. */
     public Geometry() {
         this(1000, 1000, 1000);
@@ -143,14 +146,14 @@ public final class Geometry {
     }
 
     private boolean fits(GeometryObject object) {
-        LeafColumn leaves = OwnLeaves.placed(object);
-        return border.holds(leaves, 0, leaves.size());
+        OwnLeaves.placed(object, candidate);
+        return border.holds(candidate, 0, candidate.size());
     }
 
     private boolean collides(Level at, GeometryObject object, int but) {
-        LeafColumn leaves = at.placed(object);
-        at.boundsOf(leaves, 0, leaves.size(), box, 0);
-        return ranging.collides(at, leaves, box, but);
+        at.placed(object, candidate);
+        at.boundsOf(candidate, 0, candidate.size(), box, 0);
+        return ranging.collides(at, candidate, box, but);
     }
 
     /**

@@ -37,6 +37,7 @@ final class Level {
     /** Leaves that no object uses any more. */
     private int unused;
 
+    private final LeafColumn incoming = new LeafColumn(1);
     private final Sweep boundsOfMesh = new Sweep(new Scratch());
     private final double[] part = new double[6];
     private final double[] attitude = new double[Attitude.STRIDE];
@@ -81,27 +82,38 @@ final class Level {
         }
     }
 
-    /** What stands here for an object that is not, or not yet, in the world. */
-    LeafColumn placed(GeometryObject object) {
+    /** Makes a column hold what stands here for an object that is not, or not yet, in the world. */
+    void placed(GeometryObject object, LeafColumn column) {
+        if (accuracy == Accuracy.EXACT) {
+            OwnLeaves.placed(object, column);
+            return;
+        }
         Form form = new Form(object, accuracy);
-        LeafColumn column = new LeafColumn(form.size());
+        column.clear();
         column.append(form.size());
-        object.pose().attitude(attitude, 0);
-        Point c = object.center();
-        place(form, c.x(), c.y(), c.z(), attitude, 0, column, 0);
-        return column;
+        placeForm(form, object, column, 0);
     }
 
-    /** Takes an object in under an id that it has elsewhere. */
-    void add(int id, GeometryObject object) {
-        reserve(id);
-        Form form = new Form(object, accuracy);
-        forms[id] = object.isMoveable() ? form : null;
-        first[id] = leaves.append(form.size());
-        count[id] = form.size();
+    private void placeForm(Form form, GeometryObject object, LeafColumn column, int firstLeaf) {
         object.pose().attitude(attitude, 0);
         Point c = object.center();
-        place(form, c.x(), c.y(), c.z(), attitude, 0, leaves, first[id]);
+        place(form, c.x(), c.y(), c.z(), attitude, 0, column, firstLeaf);
+    }
+
+    /** Takes an object in under an id that it has elsewhere; in a world of moveable and static ones. */
+    void add(int id, GeometryObject object) {
+        reserve(id);
+        if (object.isMoveable()) {
+            Form form = new Form(object, accuracy);
+            forms[id] = form;
+            first[id] = leaves.append(form.size());
+            count[id] = form.size();
+            placeForm(form, object, leaves, first[id]);
+        } else {
+            placed(object, incoming);
+            first[id] = leaves.appendCopy(incoming, 0, incoming.size());
+            count[id] = incoming.size();
+        }
         measure(id);
         if (!object.isMoveable()) {
             int b = 6 * id;

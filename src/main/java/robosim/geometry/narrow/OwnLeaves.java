@@ -1,6 +1,5 @@
 package robosim.geometry.narrow;
 
-import robosim.geometry.exact.Attitude;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
@@ -30,16 +29,56 @@ public final class OwnLeaves {
         return leaves;
     }
 
-    /** The leaves of an object where it stands. */
+    /** The leaves of an object where it stands, in a column of their own. */
     public static LeafColumn placed(GeometryObject object) {
-        OwnLeaves own = of(object);
-        LeafColumn leaves = new LeafColumn(own.size());
-        leaves.append(own.size());
-        double[] attitude = new double[Attitude.STRIDE];
-        object.pose().attitude(attitude, 0);
-        Point c = object.center();
-        own.place(c.x(), c.y(), c.z(), attitude, 0, leaves, 0);
+        LeafColumn leaves = new LeafColumn(1);
+        placed(object, leaves);
         return leaves;
+    }
+
+    /** Makes a column hold the leaves of an object where it stands, and nothing else. */
+    public static void placed(GeometryObject object, LeafColumn leaves) {
+        leaves.clear();
+        switch (object.kind()) {
+            case BOX, CYLINDER, SPHERE -> placeSimple(object, leaves);
+            case MESH, GROUP -> {
+                OwnLeaves own = of(object);
+                leaves.append(own.size());
+                double[] rotation = object.rotation();
+                Point c = object.center();
+                own.place(c.x(), c.y(), c.z(), rotation, 0, leaves, 0);
+            }
+        }
+    }
+
+    /** A single leaf is its own frame's: placed, it has the object's centre and rotation to the bit. */
+    private static void placeSimple(GeometryObject object, LeafColumn leaves) {
+        int leaf = leaves.append(1);
+        double[] row = leaves.rows();
+        Point c = object.center();
+        row[0] = c.x();
+        row[1] = c.y();
+        row[2] = c.z();
+        object.pose().rotation(row, Leaf.ROTATION);
+        int kind = size(object, row, 0);
+        leaves.setKind(leaf, Canonical.kind(kind, row, 0));
+    }
+
+    /** Writes the sizes of a box, cylinder or sphere and answers its kind. */
+    private static int size(GeometryObject object, double[] row, int at) {
+        if (object instanceof BoxObject box) {
+            row[at + 3] = box.width() / 2;
+            row[at + 4] = box.height() / 2;
+            row[at + 5] = box.length() / 2;
+            return Leaf.BOX;
+        }
+        if (object instanceof CylinderObject cylinder) {
+            row[at + 3] = cylinder.radius();
+            row[at + 4] = cylinder.height() / 2;
+            return Leaf.CYLINDER;
+        }
+        row[at + 3] = ((SphereObject) object).radius();
+        return Leaf.SPHERE;
     }
 
     /** How many leaves there are. */
@@ -55,20 +94,10 @@ public final class OwnLeaves {
     /** The shape of an object, placed by the frame: a centre and a rotation, laid out as a leaf's. */
     private void add(GeometryObject object, double[] frame) {
         switch (object.kind()) {
-            case BOX -> {
-                BoxObject box = (BoxObject) object;
+            case BOX, CYLINDER, SPHERE -> {
                 int at = row(Leaf.BOX, frame);
-                own.rows()[at + 3] = box.width() / 2;
-                own.rows()[at + 4] = box.height() / 2;
-                own.rows()[at + 5] = box.length() / 2;
+                own.setKind(own.size() - 1, size(object, own.rows(), at));
             }
-            case CYLINDER -> {
-                CylinderObject cylinder = (CylinderObject) object;
-                int at = row(Leaf.CYLINDER, frame);
-                own.rows()[at + 3] = cylinder.radius();
-                own.rows()[at + 4] = cylinder.height() / 2;
-            }
-            case SPHERE -> own.rows()[row(Leaf.SPHERE, frame) + 3] = ((SphereObject) object).radius();
             case MESH -> {
                 MeshObject mesh = (MeshObject) object;
                 row(mesh.isSolid() ? Leaf.SOLID_MESH : Leaf.MESH, frame);
