@@ -1,0 +1,259 @@
+package robosim.geometry.exact;
+
+import java.math.BigInteger;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A number {@code mantissa * 2^exponent}, held exactly; immutable.
+ *
+ * <p>The slow and certain way to a sign: kernels come here only where a filter in plain doubles is in doubt. Every
+ * finite double is such a number, and sums, differences and products stay exact at any magnitude.
+ */
+public final class Dyadic implements Comparable<Dyadic> {
+    public static final Dyadic ZERO = new Dyadic(BigInteger.ZERO, 0);
+    public static final Dyadic ONE = new Dyadic(BigInteger.ONE, 0);
+
+    private static final int LEAST_EXPONENT = -1074;
+    private static final int GREATEST_EXPONENT = 971;
+
+    private final BigInteger mantissa;
+    private final int exponent;
+
+    private Dyadic(BigInteger mantissa, int exponent) {
+        this.mantissa = mantissa;
+        this.exponent = exponent;
+    }
+
+    /**
+     * The value of a double.
+     *
+     * @throws IllegalArgumentException where it is NaN or infinite
+     */
+    public static Dyadic of(double value) {
+        if (!Double.isFinite(value)) {
+            throw new IllegalArgumentException("value must be finite (got: " + value + ")");
+        }
+        if (value == 0) {
+            return ZERO;
+        }
+        int exponent = Math.max(Math.getExponent(value), Double.MIN_EXPONENT) - 52;
+        long fraction = Double.doubleToRawLongBits(value) & 0xF_FFFF_FFFF_FFFFL;
+        long whole = Math.abs(value) >= Double.MIN_NORMAL ? fraction | 0x10_0000_0000_0000L : fraction;
+        int zeros = Long.numberOfTrailingZeros(whole);
+        long odd = whole >> zeros;
+        return new Dyadic(BigInteger.valueOf(value < 0 ? -odd : odd), exponent + zeros);
+    }
+
+    /** The difference {@code a - b} of two doubles, without rounding. */
+    public static Dyadic difference(double a, double b) {
+        return of(a).subtract(of(b));
+    }
+
+    /** The product {@code a * b} of two doubles, without rounding. */
+    public static Dyadic product(double a, double b) {
+        return of(a).multiply(of(b));
+    }
+
+    public Dyadic add(Dyadic other) {
+        if (mantissa.signum() == 0) {
+            return other;
+        }
+        if (other.mantissa.signum() == 0) {
+            return this;
+        }
+        int common = Math.min(exponent, other.exponent);
+        return new Dyadic(at(common).add(other.at(common)), common);
+    }
+
+    public Dyadic subtract(Dyadic other) {
+        return add(other.negate());
+    }
+
+    public Dyadic multiply(Dyadic other) {
+        if (mantissa.signum() == 0 || other.mantissa.signum() == 0) {
+            return ZERO;
+        }
+        return new Dyadic(mantissa.multiply(other.mantissa), Math.addExact(exponent, other.exponent));
+    }
+
+    public Dyadic square() {
+        return multiply(this);
+    }
+
+    /** This number times {@code 2^power}. */
+    public Dyadic scale(int power) {
+        return mantissa.signum() == 0 ? this : new Dyadic(mantissa, Math.addExact(exponent, power));
+    }
+
+    public Dyadic negate() {
+        return new Dyadic(mantissa.negate(), exponent);
+    }
+
+    public Dyadic abs() {
+        return mantissa.signum() < 0 ? negate() : this;
+    }
+
+    public Dyadic min(Dyadic other) {
+        return compareTo(other) <= 0 ? this : other;
+    }
+
+    public Dyadic max(Dyadic other) {
+        return compareTo(other) >= 0 ? this : other;
+    }
+
+    public int signum() {
+        return mantissa.signum();
+    }
+
+    @Override
+    public int compareTo(Dyadic other) {
+        int sign = signum();
+        int otherSign = other.signum();
+        if (sign != otherSign || sign == 0) {
+            return Integer.compare(sign, otherSign);
+        }
+        int top = exponent + mantissa.abs().bitLength();
+        int otherTop = other.exponent + other.mantissa.abs().bitLength();
+        if (top != otherTop) {
+            return top > otherTop ? sign : -sign;
+        }
+        int common = Math.min(exponent, other.exponent);
+        return at(common).compareTo(other.at(common));
+    }
+
+    /** The nearest double, ties to even; infinite beyond the largest finite one. */
+    public double doubleValue() {
+        int step = step();
+        BigInteger magnitude = mantissa.abs();
+        int drop = step - exponent;
+        long whole = shift(magnitude, -drop).longValue();
+        if (drop > 0 && magnitude.testBit(drop - 1)) {
+            boolean tie = magnitude.getLowestSetBit() == drop - 1;
+            if (!tie || (whole & 1) != 0) {
+                whole++;
+            }
+        }
+        return signum() * scaled(whole, step);
+    }
+
+    /** The largest double that is not above this number; {@code -Infinity} where there is no finite one. */
+    public double floor() {
+        return signum() < 0 ? -negate().away() : towardsZero();
+    }
+
+    /** The smallest double that is not below this number; {@code +Infinity} where there is no finite one. */
+    public double ceiling() {
+        return signum() < 0 ? -negate().towardsZero() : away();
+    }
+
+    /**
+     * Sign of {@code a + b + c}, exact, without allocation in all ordinary cases.
+     */
+    public static int signOfSum(double a, double b, double c) {
+        // The exact sum of a and b is s + e; growing (e, s) by c gives three parts that do not overlap (Shewchuk 1997,
+        // 2.4).
+        double s = a + b;
+        double e = DoubleDouble.sumTail(a, b, s);
+        double q = c + e;
+        double low = DoubleDouble.sumTail(c, e, q);
+        double high = q + s;
+        double middle = DoubleDouble.sumTail(q, s, high);
+        if (!(Math.abs(high) + Math.abs(middle) < Double.POSITIVE_INFINITY)) {
+            return of(a).add(of(b)).add(of(c)).signum();
+        }
+        return sign(high, middle, low, 0);
+    }
+
+    /** Sign of {@code a + b + c + d}, exact, without allocation in all ordinary cases. */
+    public static int signOfSum(double a, double b, double c, double d) {
+        double s = a + b;
+        double e = DoubleDouble.sumTail(a, b, s);
+        double q = c + e;
+        double low = DoubleDouble.sumTail(c, e, q);
+        double high = q + s;
+        double middle = DoubleDouble.sumTail(q, s, high);
+        double q1 = d + low;
+        double h1 = DoubleDouble.sumTail(d, low, q1);
+        double q2 = q1 + middle;
+        double h2 = DoubleDouble.sumTail(q1, middle, q2);
+        double q3 = q2 + high;
+        double h3 = DoubleDouble.sumTail(q2, high, q3);
+        if (!(Math.abs(q3) + Math.abs(h3) < Double.POSITIVE_INFINITY)) {
+            return of(a).add(of(b)).add(of(c)).add(of(d)).signum();
+        }
+        return sign(q3, h3, h2, h1);
+    }
+
+    /** Compares {@code a + b} with {@code c}: sign of {@code a + b - c}, exact. */
+    public static int compareSum(double a, double b, double c) {
+        return signOfSum(a, b, -c);
+    }
+
+    /** Compares {@code a + b} with {@code c + d}: sign of {@code a + b - c - d}, exact. */
+    public static int compareSums(double a, double b, double c, double d) {
+        return signOfSum(a, b, -c, -d);
+    }
+
+    @Override
+    public boolean equals(@Nullable Object other) {
+        return other instanceof Dyadic dyadic && compareTo(dyadic) == 0;
+    }
+
+    @Override
+    public int hashCode() {
+        if (mantissa.signum() == 0) {
+            return 0;
+        }
+        int zeros = mantissa.getLowestSetBit();
+        return 31 * mantissa.shiftRight(zeros).hashCode() + exponent + zeros;
+    }
+
+    @Override
+    public String toString() {
+        return mantissa + " * 2^" + exponent;
+    }
+
+    // Parts that do not overlap, largest first: the first that is not zero has the sign of the sum.
+    private static int sign(double a, double b, double c, double d) {
+        double leading = a != 0 ? a : b != 0 ? b : c != 0 ? c : d;
+        return leading > 0 ? 1 : leading < 0 ? -1 : 0;
+    }
+
+    private BigInteger at(int lower) {
+        return shift(mantissa, exponent - lower);
+    }
+
+    private static BigInteger shift(BigInteger value, int left) {
+        return left == 0 ? value : value.shiftLeft(left);
+    }
+
+    // The exponent of the last bit that a double of this magnitude has.
+    private int step() {
+        return Math.max(exponent + mantissa.abs().bitLength() - 53, LEAST_EXPONENT);
+    }
+
+    private double towardsZero() {
+        int step = step();
+        if (signum() != 0 && step > GREATEST_EXPONENT) {
+            return Double.MAX_VALUE;
+        }
+        return scaled(shift(mantissa, exponent - step).longValue(), step);
+    }
+
+    private double away() {
+        int step = step();
+        long whole = shift(mantissa, exponent - step).longValue();
+        boolean exact = signum() == 0 || exponent + mantissa.getLowestSetBit() >= step;
+        return scaled(exact ? whole : whole + 1, step);
+    }
+
+    private static double scaled(long whole, int step) {
+        if (whole == 0) {
+            return 0;
+        }
+        // Two factors, because 2^step itself may be no double.
+        int half = Math.max(Math.min(step, 2 * Double.MAX_EXPONENT) / 2, LEAST_EXPONENT / 2);
+        int rest = Math.max(Math.min(step, 2 * Double.MAX_EXPONENT) - half, LEAST_EXPONENT / 2);
+        return StrictMath.scalb((double) whole, half) * StrictMath.scalb(1.0, rest);
+    }
+}

@@ -1,0 +1,186 @@
+package robosim.geometry.exact;
+
+/**
+ * Exact arithmetic on sums of doubles that do not overlap, smallest first, in an array with a length beside it (Shewchuk
+ * 1997, "Adaptive precision floating-point arithmetic and fast robust geometric predicates"). Zeros are left out; the
+ * number zero has length 0.
+ *
+ * <p>Exact only where nothing over- or underflows: who multiplies asks {@link #fits} for every double that goes in, and
+ * takes {@link Dyadic} where it says no.
+ */
+public final class Expansion {
+    private Expansion() {}
+
+    /**
+     * Whether a double is harmless in polynomials of this degree in differences of such doubles.
+     *
+     * <p>A double of magnitude {@code 2^-k} or more is a whole multiple of {@code 2^(-k - 52)}; a product of {@code degree} of
+     * them is one of {@code 2^(-degree * (k + 52))}, and so is every part of every expansion on the way. None is lost while
+     * that is at least {@code 2^-1074}, and none overflows below {@code 2^1000}.
+     */
+    public static boolean fits(double value, int degree) {
+        if (value == 0) {
+            return true;
+        }
+        int exponent = Math.getExponent(value);
+        return exponent >= 53 - 1074 / degree && exponent <= 1000 / degree - 4;
+    }
+
+    /** Writes {@code a - b}; two places. */
+    public static int difference(double a, double b, double[] h) {
+        double d = a - b;
+        return pair(d, DoubleDouble.differenceTail(a, b, d), h);
+    }
+
+    /** Writes {@code a * b}; two places. */
+    public static int product(double a, double b, double[] h) {
+        double p = a * b;
+        return pair(p, DoubleDouble.productTail(a, b, p), h);
+    }
+
+    /** Adds a double to an expansion in place; one place more. */
+    public static int grow(double[] e, int n, double b) {
+        double q = b;
+        int length = 0;
+        for (int i = 0; i < n; i++) {
+            double sum = q + e[i];
+            double tail = DoubleDouble.sumTail(q, e[i], sum);
+            q = sum;
+            if (tail != 0) {
+                e[length++] = tail;
+            }
+        }
+        if (q != 0) {
+            e[length++] = q;
+        }
+        return length;
+    }
+
+    /** Writes {@code e + f} to another array; {@code n + m} places. */
+    public static int sum(double[] e, int n, double[] f, int m, double[] h) {
+        int i = 0;
+        int j = 0;
+        int length = 0;
+        double q = 0;
+        for (int k = 0; k < n + m; k++) {
+            boolean takeE = j == m || (i < n && Math.abs(e[i]) < Math.abs(f[j]));
+            double next = takeE ? e[i++] : f[j++];
+            double sum = q + next;
+            double tail = DoubleDouble.sumTail(q, next, sum);
+            q = sum;
+            if (tail != 0) {
+                h[length++] = tail;
+            }
+        }
+        if (q != 0) {
+            h[length++] = q;
+        }
+        return length;
+    }
+
+    /** Writes {@code e * b} to another array; {@code 2 * n} places. */
+    public static int scale(double[] e, int n, double b, double[] h) {
+        int length = 0;
+        double q = 0;
+        for (int i = 0; i < n; i++) {
+            double product = e[i] * b;
+            double low = DoubleDouble.productTail(e[i], b, product);
+            double sum = q + low;
+            double tail = DoubleDouble.sumTail(q, low, sum);
+            if (tail != 0) {
+                h[length++] = tail;
+            }
+            q = product + sum;
+            tail = sum - (q - product);
+            if (tail != 0) {
+                h[length++] = tail;
+            }
+        }
+        if (q != 0) {
+            h[length++] = q;
+        }
+        return length;
+    }
+
+    /** Writes {@code e * f} to another array; {@code 2 * n * m} places. */
+    public static int product(double[] e, int n, double[] f, int m, double[] h) {
+        double[] part = new double[2 * n];
+        double[] before = new double[2 * n * m];
+        int length = 0;
+        for (int j = 0; j < m; j++) {
+            int partLength = scale(e, n, f[j], part);
+            System.arraycopy(h, 0, before, 0, length);
+            length = sum(before, length, part, partLength, h);
+        }
+        return length;
+    }
+
+    /** Changes the sign in place. */
+    public static void negate(double[] e, int n) {
+        for (int i = 0; i < n; i++) {
+            e[i] = -e[i];
+        }
+    }
+
+    /** Sign of an expansion: that of its largest part. */
+    public static int sign(double[] e, int n) {
+        for (int i = n - 1; i >= 0; i--) {
+            if (e[i] != 0) {
+                return e[i] > 0 ? 1 : -1;
+            }
+        }
+        return 0;
+    }
+
+    /** Packs an expansion in place into as few parts as it needs; the largest is then within an ulp of the whole. */
+    public static int compress(double[] e, int n) {
+        if (n == 0) {
+            return 0;
+        }
+        double q = e[n - 1];
+        int bottom = n - 1;
+        for (int i = n - 2; i >= 0; i--) {
+            double sum = q + e[i];
+            double tail = e[i] - (sum - q);
+            q = sum;
+            if (tail != 0) {
+                e[bottom--] = q;
+                q = tail;
+            }
+        }
+        e[bottom] = q;
+        int top = 0;
+        for (int i = bottom + 1; i < n; i++) {
+            double sum = e[i] + q;
+            double tail = q - (sum - e[i]);
+            q = sum;
+            if (tail != 0) {
+                e[top++] = tail;
+            }
+        }
+        if (q != 0) {
+            e[top++] = q;
+        }
+        return top;
+    }
+
+    /** The value within a few ulp. */
+    public static double estimate(double[] e, int n) {
+        double sum = 0;
+        for (int i = 0; i < n; i++) {
+            sum += e[i];
+        }
+        return sum;
+    }
+
+    private static int pair(double hi, double lo, double[] h) {
+        int length = 0;
+        if (lo != 0) {
+            h[length++] = lo;
+        }
+        if (hi != 0) {
+            h[length++] = hi;
+        }
+        return length;
+    }
+}

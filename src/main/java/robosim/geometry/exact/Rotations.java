@@ -1,0 +1,140 @@
+package robosim.geometry.exact;
+
+/**
+ * Rotation matrices as nine doubles in an array, row by row; the columns are an object's own axes in the world.
+ */
+public final class Rotations {
+    /** How many numbers a rotation is. */
+    public static final int SIZE = 9;
+
+    /** How far from orthonormal a given rotation may be, in each product of two of its columns. */
+    private static final double ORTHONORMAL = 1e-9;
+
+    private Rotations() {}
+
+    /** Writes the rotation that turns nothing. */
+    public static void identity(double[] r, int at) {
+        upright(1, 0, r, at);
+    }
+
+    /** Writes the rotation about the vertical by the compensated angle {@code hi + lo} degrees. */
+    public static void yaw(double hi, double lo, double[] r, int at) {
+        upright(Degrees.cos(hi, lo), Degrees.sin(hi, lo), r, at);
+    }
+
+    /** Writes the rotation about the vertical with this cosine and sine. */
+    public static void upright(double cos, double sin, double[] r, int at) {
+        r[at] = cos;
+        r[at + 1] = 0;
+        r[at + 2] = sin;
+        r[at + 3] = 0;
+        r[at + 4] = 1;
+        r[at + 5] = 0;
+        r[at + 6] = 0.0 - sin;
+        r[at + 7] = 0;
+        r[at + 8] = cos;
+    }
+
+    /** Turns about the own Y axis: {@code R <- R * Ry(degrees)}. Quarter turns only permute columns and change signs. */
+    public static void turnOwnY(double[] r, int at, double degrees) {
+        double c = Degrees.cos(degrees);
+        double s = Degrees.sin(degrees);
+        for (int row = at; row < at + SIZE; row += 3) {
+            double x = r[row];
+            double z = r[row + 2];
+            r[row] = c * x - s * z + 0.0;
+            r[row + 2] = s * x + c * z + 0.0;
+        }
+        if (c != 0 && s != 0) {
+            orthonormalise(r, at);
+        }
+    }
+
+    /** Turns about the own X axis: {@code R <- R * Rx(degrees)}. Quarter turns only permute columns and change signs. */
+    public static void turnOwnX(double[] r, int at, double degrees) {
+        double c = Degrees.cos(degrees);
+        double s = Degrees.sin(degrees);
+        for (int row = at; row < at + SIZE; row += 3) {
+            double y = r[row + 1];
+            double z = r[row + 2];
+            r[row + 1] = c * y + s * z + 0.0;
+            r[row + 2] = c * z - s * y + 0.0;
+        }
+        if (c != 0 && s != 0) {
+            orthonormalise(r, at);
+        }
+    }
+
+    /** Writes the product {@code a * b}, which may replace either factor. Not re-orthonormalised. */
+    public static void multiply(double[] a, int i, double[] b, int j, double[] out, int at) {
+        double b00 = b[j];
+        double b01 = b[j + 1];
+        double b02 = b[j + 2];
+        double b10 = b[j + 3];
+        double b11 = b[j + 4];
+        double b12 = b[j + 5];
+        double b20 = b[j + 6];
+        double b21 = b[j + 7];
+        double b22 = b[j + 8];
+        // Row by row, and against the overlap: where out follows a inside one array, a row is read before it is
+        // written.
+        for (int row = 0; row < SIZE; row += 3) {
+            double x = a[i + row];
+            double y = a[i + row + 1];
+            double z = a[i + row + 2];
+            out[at + row] = x * b00 + y * b10 + z * b20 + 0.0;
+            out[at + row + 1] = x * b01 + y * b11 + z * b21 + 0.0;
+            out[at + row + 2] = x * b02 + y * b12 + z * b22 + 0.0;
+        }
+    }
+
+    /** Whether the columns are orthonormal to 1e-9 and right-handed; false for NaN. */
+    public static boolean isOrthonormal(double[] r, int at) {
+        for (int p = 0; p < 3; p++) {
+            for (int q = p; q < 3; q++) {
+                double product = columns(r, at, p, q);
+                if (!(Math.abs(product - (p == q ? 1 : 0)) <= ORTHONORMAL)) {
+                    return false;
+                }
+            }
+        }
+        return determinant(r, at) > 0;
+    }
+
+    /** Whether the own Y axis is exactly the world's, and the other two exactly level. */
+    public static boolean isUpright(double[] r, int at) {
+        return r[at + 1] == 0 && r[at + 3] == 0 && r[at + 4] == 1 && r[at + 5] == 0 && r[at + 7] == 0;
+    }
+
+    public static double determinant(double[] r, int at) {
+        return r[at] * (r[at + 4] * r[at + 8] - r[at + 5] * r[at + 7])
+                - r[at + 1] * (r[at + 3] * r[at + 8] - r[at + 5] * r[at + 6])
+                + r[at + 2] * (r[at + 3] * r[at + 7] - r[at + 4] * r[at + 6]);
+    }
+
+    /**
+     * One Newton step towards the nearest orthonormal matrix, {@code R <- R (3I - R'R) / 2}: an error e becomes some e*e.
+     * Axes that are exactly along the world's stay there.
+     */
+    public static void orthonormalise(double[] r, int at) {
+        double xx = columns(r, at, 0, 0);
+        double xy = columns(r, at, 0, 1);
+        double xz = columns(r, at, 0, 2);
+        double yy = columns(r, at, 1, 1);
+        double yz = columns(r, at, 1, 2);
+        double zz = columns(r, at, 2, 2);
+        for (int row = at; row < at + SIZE; row += 3) {
+            double x = r[row];
+            double y = r[row + 1];
+            double z = r[row + 2];
+            // As a small correction: the rounding of the factor 3 - xx then does not matter.
+            r[row] = x + 0.5 * (x * (1 - xx) - y * xy - z * xz);
+            r[row + 1] = y + 0.5 * (y * (1 - yy) - x * xy - z * yz);
+            r[row + 2] = z + 0.5 * (z * (1 - zz) - x * xz - y * yz);
+        }
+    }
+
+    private static double columns(double[] r, int at, int p, int q) {
+        return r[at + p] * r[at + q] + r[at + 3 + p] * r[at + 3 + q] + r[at + 6 + p] * r[at + 6 + q];
+    }
+}
