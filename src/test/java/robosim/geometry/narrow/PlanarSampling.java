@@ -51,7 +51,9 @@ final class PlanarSampling {
                             double x = (p[2] * q[1] - p[1] * q[2]) / det;
                             double z = (p[0] * q[2] - p[2] * q[0]) / det;
                             if (isWithin(row, x, z)) {
-                                points.add(new double[] {x, z});
+                                // one corner, however often its planes meet
+                                points.add(
+                                        new double[] {Math.rint(x * 0x1p40) / 0x1p40, Math.rint(z * 0x1p40) / 0x1p40});
                             }
                         }
                     }
@@ -85,8 +87,8 @@ final class PlanarSampling {
 
     /** The widest gap between the two along 720 directions; not below the truth by more than a share of the distance. */
     static double gap(int kindA, double[] a, int kindB, double[] b) {
-        List<double[]> p = corners(points(kindA, a));
-        List<double[]> q = corners(points(kindB, b));
+        List<double[]> p = points(kindA, a);
+        List<double[]> q = points(kindB, b);
         double widest = Double.NEGATIVE_INFINITY;
         for (int k = 0; k < 720; k++) {
             double nx = Math.cos(Math.PI * k / 360);
@@ -101,15 +103,71 @@ final class PlanarSampling {
         return curved ? 1 : 0;
     }
 
-    private static List<double[]> corners(List<double[]> points) {
-        return points;
-    }
-
     static double support(List<double[]> points, double nx, double nz) {
         double most = Double.NEGATIVE_INFINITY;
         for (double[] p : points) {
             most = Math.max(most, nx * p[0] + nz * p[1]);
         }
         return most;
+    }
+
+    /** Where a ray first meets the hull of points; they have some area. */
+    static double ray(double ox, double oz, double ux, double uz, List<double[]> points) {
+        // The hull, as seen by its lines: the ray enters behind the last of those that it crosses inward.
+        List<double[]> hull = hull(points);
+        double in = 0;
+        double out = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < hull.size(); k++) {
+            double[] a = hull.get(k);
+            double[] b = hull.get((k + 1) % hull.size());
+            double nx = b[1] - a[1];
+            double nz = a[0] - b[0];
+            double beyond = nx * (ox - a[0]) + nz * (oz - a[1]);
+            double way = nx * ux + nz * uz;
+            if (way < 0) {
+                in = Math.max(in, -beyond / way);
+            } else if (way > 0) {
+                out = Math.min(out, -beyond / way);
+            } else if (beyond > 0) {
+                return Double.POSITIVE_INFINITY;
+            }
+        }
+        return in <= out ? in : Double.POSITIVE_INFINITY;
+    }
+
+    /** How far a point is inside the hull; negative outside. */
+    static double depth(double x, double z, List<double[]> points) {
+        List<double[]> hull = hull(points);
+        double depth = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < hull.size(); k++) {
+            double[] a = hull.get(k);
+            double[] b = hull.get((k + 1) % hull.size());
+            double length = StrictMath.hypot(b[0] - a[0], b[1] - a[1]);
+            depth = Math.min(depth, ((b[0] - a[0]) * (z - a[1]) - (b[1] - a[1]) * (x - a[0])) / length);
+        }
+        return depth;
+    }
+
+    // Andrew's chain.
+    static List<double[]> hull(List<double[]> points) {
+        List<double[]> sorted = new ArrayList<>(points);
+        sorted.sort((a, b) -> a[0] != b[0] ? Double.compare(a[0], b[0]) : Double.compare(a[1], b[1]));
+        List<double[]> hull = new ArrayList<>();
+        for (int side = 0; side < 2; side++) {
+            int from = hull.size();
+            for (int k = 0; k < sorted.size(); k++) {
+                double[] p = sorted.get(side == 0 ? k : sorted.size() - 1 - k);
+                while (hull.size() >= from + 2 && !isLeft(hull.get(hull.size() - 2), hull.get(hull.size() - 1), p)) {
+                    hull.remove(hull.size() - 1);
+                }
+                hull.add(p);
+            }
+            hull.remove(hull.size() - 1);
+        }
+        return hull;
+    }
+
+    private static boolean isLeft(double[] a, double[] b, double[] p) {
+        return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) > 0;
     }
 }
