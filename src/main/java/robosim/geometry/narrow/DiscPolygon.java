@@ -13,6 +13,9 @@ final class DiscPolygon {
     static boolean touch(double px, double pz, double r, int kind, double[] b, int j, Scratch s) {
         PlanarShape q = s.planarB;
         q.set(kind, b, j, px, pz);
+        if (q.isTiny()) {
+            return doubtfulTouch(px, pz, r, kind, b, j);
+        }
         double error = FILTER * q.error + 8 * U * r;
         double outline = Math.sqrt(PointPolygon.squareToOutline(0, 0, q));
         if (outline < r - error) {
@@ -25,6 +28,10 @@ final class DiscPolygon {
         if (side < 0 && outline > r + error) {
             return false;
         }
+        return doubtfulTouch(px, pz, r, kind, b, j);
+    }
+
+    private static boolean doubtfulTouch(double px, double pz, double r, int kind, double[] b, int j) {
         return kind == Leaf.PRISM || ExactPlanar.of(kind, b, j).touchesDisc(px, pz, r);
     }
 

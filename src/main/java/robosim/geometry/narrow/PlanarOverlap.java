@@ -32,7 +32,7 @@ public final class PlanarOverlap {
         if (familyB == PlanarShape.DISC) {
             return discPolygon(b, j, kindA, a, i, s);
         }
-        return kindA == Leaf.UPRIGHT_BOX && kindB == Leaf.UPRIGHT_BOX
+        return (kindA == Leaf.UPRIGHT_BOX && kindB == Leaf.UPRIGHT_BOX)
                 ? RectangleRectangle.touch(a, i, b, j)
                 : PolygonPolygon.touch(kindA, a, i, kindB, b, j, s);
     }

@@ -16,9 +16,9 @@ final class PlanarShape {
     static final int CORNERS = 8;
 
     // Each coordinate is made by at most eight roundings of numbers no larger than the sum of the magnitudes that go
-    // in; the sum itself is rounded too. The last term is for products that underflow.
+    // in; the sum itself is rounded too.
     private static final double ROUNDING = 9 * 0x1p-53;
-    private static final double UNDERFLOW = 0x1p-960;
+    private static final double BLUR = 16;
 
     int family;
 
@@ -64,6 +64,20 @@ final class PlanarShape {
         };
     }
 
+    /** Whether it is so small and so near that products of its numbers would vanish: then no filter holds. */
+    boolean isTiny() {
+        return error < 0x1p-448;
+    }
+
+    /** Whether a side is so short that rounding of its ends may turn it anywhere. */
+    boolean isBlurred(double ex, double ez) {
+        return Math.abs(ex) + Math.abs(ez) <= BLUR * error;
+    }
+
+    private static double bound(double size) {
+        return size < 0x1p-450 ? 2 * size + Double.MIN_VALUE : ROUNDING * size;
+    }
+
     /** A point near a leaf to see it and others from: its centre, or one corner. */
     static double originX(int kind, double[] row, int at) {
         return kind == Leaf.PRISM ? (row[at] + row[at + 1]) / 2 : row[at];
@@ -100,7 +114,7 @@ final class PlanarShape {
         centerX = row[at] - ox;
         centerZ = row[at + 2] - oz;
         radius = row[at + Leaf.SIZE];
-        error = ROUNDING * (Math.abs(centerX) + Math.abs(centerZ) + radius) + UNDERFLOW;
+        error = bound(Math.abs(centerX) + Math.abs(centerZ) + radius);
     }
 
     private void oval(double[] row, int at, double ox, double oz) {
@@ -117,7 +131,7 @@ final class PlanarShape {
         reach = row[at + Leaf.SIZE + 1] * level;
         axisX = level > 0 ? ax / level : 1;
         axisZ = level > 0 ? az / level : 0;
-        error = ROUNDING * (Math.abs(centerX) + Math.abs(centerZ) + 2 * radius + reach) + UNDERFLOW;
+        error = bound(Math.abs(centerX) + Math.abs(centerZ) + 2 * radius + reach);
     }
 
     private void triangle(double[] row, int at, double ox, double oz) {
@@ -129,7 +143,7 @@ final class PlanarShape {
         double z2 = row[at + 8] - oz;
         double size = Math.max(
                 Math.abs(x0) + Math.abs(z0), Math.max(Math.abs(x1) + Math.abs(z1), Math.abs(x2) + Math.abs(z2)));
-        error = ROUNDING * size + UNDERFLOW;
+        error = bound(size);
         double turn = (x1 - x0) * (z2 - z0) - (z1 - z0) * (x2 - x0);
         if (turn > 0) {
             corner(x0, z0);
@@ -195,7 +209,7 @@ final class PlanarShape {
             sumZ += gz;
             spans = insert(spans, gx, gz);
         }
-        error = ROUNDING * size + UNDERFLOW;
+        error = bound(size);
         double px = -sumX;
         double pz = -sumZ;
         if (spans == 0) {
@@ -249,7 +263,7 @@ final class PlanarShape {
                 + Math.abs(row[at + 2])
                 + Math.abs(row[at + 3])
                 + 2 * (Math.abs(ox) + Math.abs(oz));
-        error = 4 * ROUNDING * size + UNDERFLOW;
+        error = bound(4 * size);
         // The planes are rounded outward, so that one may lie beyond the corner of its neighbours: draw each back to
         // where the others let it touch.
         for (int pass = 0; pass < 2; pass++) {

@@ -31,7 +31,7 @@ final class PointPolygon {
             return vx * vx + vz * vz;
         }
         double across = ex * wz - ez * wx;
-        return across * across / length;
+        return across / length * across;
     }
 
     /**
@@ -47,6 +47,9 @@ final class PointPolygon {
             int previous = k == 0 ? last : k - 1;
             double ex = q.x[k] - q.x[previous];
             double ez = q.z[k] - q.z[previous];
+            if (q.isBlurred(ex, ez)) {
+                continue;
+            }
             double slack = error * (Math.abs(ex) + Math.abs(ez));
             double left = ex * (pz - q.z[previous]) - ez * (px - q.x[previous]);
             if (left < -slack) {

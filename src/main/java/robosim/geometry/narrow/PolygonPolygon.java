@@ -6,6 +6,7 @@ final class PolygonPolygon {
     // roundings of the two coordinates, which the shapes' errors (nine roundings of all that went in) cover too: 4 of
     // each side's error in a difference of two such values.
     private static final double FILTER = 4;
+    private static final double UNDERFLOW = 0x1p-960;
 
     private PolygonPolygon() {}
 
@@ -52,9 +53,9 @@ final class PolygonPolygon {
             // Outward, as the corners run from x to z.
             double nx = p.z[k] - p.z[previous];
             double nz = p.x[previous] - p.x[k];
-            double slack = error * (Math.abs(nx) + Math.abs(nz));
-            double edge = nx * p.x[k] + nz * p.z[k];
-            double gap = -q.support(-nx, -nz) - edge;
+            double slack = error * (Math.abs(nx) + Math.abs(nz)) + UNDERFLOW;
+            // Not the side's own level: one between two corners that rounding parts may point anywhere.
+            double gap = -q.support(-nx, -nz) - p.support(nx, nz);
             if (gap > slack) {
                 return 2;
             }
@@ -66,7 +67,7 @@ final class PolygonPolygon {
     }
 
     private static int apartAlong(PlanarShape p, PlanarShape q, double nx, double nz, double error) {
-        double slack = error * (Math.abs(nx) + Math.abs(nz));
+        double slack = error * (Math.abs(nx) + Math.abs(nz)) + UNDERFLOW;
         double gap = Math.max(-q.support(-nx, -nz) - p.support(nx, nz), -p.support(-nx, -nz) - q.support(nx, nz));
         return gap > slack ? 2 : gap < -slack ? 0 : 1;
     }

@@ -8,6 +8,7 @@ final class RayPolygon {
     // with the direction or with a side add three more of the same size.
     private static final double FILTER = 2;
     private static final double SIDE_FILTER = 8;
+    private static final double UNDERFLOW = 0x1p-960;
 
     private RayPolygon() {}
 
@@ -16,7 +17,7 @@ final class RayPolygon {
         PlanarShape q = s.planarB;
         q.set(kind, b, j, ox, oz);
         double speed = Math.abs(ux) + Math.abs(uz);
-        double doubt = FILTER * q.error * speed;
+        double doubt = FILTER * q.error * speed + UNDERFLOW;
         double left = -Double.MAX_VALUE;
         double right = Double.MAX_VALUE;
         double nearest = Double.MAX_VALUE;
@@ -60,8 +61,9 @@ final class RayPolygon {
             double nz = q.x[previous] - q.x[k];
             double beyond = -(nx * q.x[k] + nz * q.z[k]);
             double nearing = -(nx * ux + nz * uz);
-            double doubt = SIDE_FILTER * q.error * (Math.abs(nx) + Math.abs(nz) + Math.abs(q.x[k]) + Math.abs(q.z[k]));
-            double nearingDoubt = SIDE_FILTER * q.error * speed;
+            double doubt = SIDE_FILTER * q.error * (Math.abs(nx) + Math.abs(nz) + Math.abs(q.x[k]) + Math.abs(q.z[k]))
+                    + UNDERFLOW;
+            double nearingDoubt = SIDE_FILTER * q.error * speed + UNDERFLOW;
             if (beyond > doubt && nearing < -nearingDoubt) {
                 return -1;
             }
@@ -82,7 +84,7 @@ final class RayPolygon {
             double nz = q.x[previous] - q.x[k];
             double ahead = DoubleDouble.sumOfProducts(nx, q.x[k], nz, q.z[k]);
             double way = DoubleDouble.sumOfProducts(nx, ux, nz, uz);
-            if (ahead < 0 && way < 0) {
+            if (ahead < 0 && way < 0 && !q.isBlurred(nx, nz)) {
                 share = Math.max(share, ahead / way);
             }
         }
