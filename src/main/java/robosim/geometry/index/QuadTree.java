@@ -17,26 +17,16 @@ public final class QuadTree {
     /** Greatest id: four numbers for each must fit one array. */
     public static final int MAX_ID = (1 << 28) - 2;
 
-    private static final int NONE = -1;
+    private static final int NONE = Regions.NONE;
     private static final int ABSENT = -2;
-    private static final int EMPTY = Integer.MIN_VALUE;
-    /** In a link: the region has more objects than its first. */
+    private static final int EMPTY = Regions.EMPTY;
+    // The link of a region that is not cut is ~id of its only object, or ~(id | MORE) of the first of several, or
+    // EMPTY.
     private static final int MORE = 1 << 29;
 
     private final Cells cells;
 
-    // By region, four numbers each: min x, min z, max x, max z of what lives in it.
-    double[] bounds = new double[4 * 65];
-    // By region: its first quarter, or ~id of its only object, or ~(id | MORE) of its first, or EMPTY.
-    int[] links = new int[65];
-
-    // By cut, the quarters of cut c being regions 4c + 1 to 4c + 4: a cell within, and which bit of a cell tells the
-    // quarters.
-    private long[] cutX = new long[16];
-    private long[] cutZ = new long[16];
-    private byte[] cutBit = new byte[16];
-    private int cuts;
-    private int freeCut = NONE;
+    final Regions regions = new Regions();
 
     // By id: the box, and the next object of the same region.
     double[] boxes = new double[4 * 64];
@@ -49,7 +39,6 @@ public final class QuadTree {
     public QuadTree(double minX, double minZ, double maxX, double maxZ) {
         cells = new Cells(minX, minZ, maxX, maxZ);
         Arrays.fill(next, ABSENT);
-        clear(0);
     }
 
     public int size() {
@@ -62,11 +51,7 @@ public final class QuadTree {
 
     /** How many regions there are, cut and uncut. */
     public int regions() {
-        int free = 0;
-        for (int cut = freeCut; cut != NONE; cut = (int) cutX[cut]) {
-            free++;
-        }
-        return 4 * (cuts - free) + 1;
+        return regions.count();
     }
 
     /** A cursor over this tree; it sees the tree as it is when a query starts. */
@@ -94,32 +79,37 @@ public final class QuadTree {
         boxes[at + 1] = minZ;
         boxes[at + 2] = maxX;
         boxes[at + 3] = maxZ;
-        ensureCut();
-        long x = cells.x(boxes, at);
-        long z = cells.z(boxes, at);
+        regions.reserve();
+        int region = regionFor(at);
+        regions.grow(region, boxes, at);
+        next[id] = first(regions.links[region]);
+        regions.links[region] = next[id] == NONE ? ~id : ~(id | MORE);
+        size++;
+    }
+
+    // The uncut region that is to hold a box, cut out for it where needed; all regions above it are grown by the box.
+    private int regionFor(int box) {
+        long x = cells.x(boxes, box);
+        long z = cells.z(boxes, box);
         int region = 0;
         while (true) {
-            int link = links[region];
+            int link = regions.links[region];
             if (link == EMPTY) {
-                break;
+                return region;
             }
-            int cut = link >= 0 ? cutOf(link) : NONE;
-            long apart = (x ^ heldX(link)) | (z ^ heldZ(link));
-            if (link < 0 && apart == 0) {
-                break;
+            boolean isCut = link >= 0;
+            long heldX = isCut ? regions.x(link) : cells.x(boxes, 4 * first(link));
+            long heldZ = isCut ? regions.z(link) : cells.z(boxes, 4 * first(link));
+            int bit = Long.SIZE - 1 - Long.numberOfLeadingZeros((x ^ heldX) | (z ^ heldZ));
+            if (isCut && bit <= regions.bit(link)) {
+                regions.grow(region, boxes, box);
+                region = link + Cells.quarter(regions.bit(link), x, z);
+            } else if (bit < 0) {
+                return region; // the same cell: no cut tells them apart
+            } else {
+                regions.cut(region, bit, heldX, heldZ);
             }
-            int bit = Long.SIZE - 1 - Long.numberOfLeadingZeros(apart);
-            if (link < 0 || bit > cutBit[cut]) {
-                cut(region, bit);
-                continue;
-            }
-            grow(region, at);
-            region = link + Cells.quarter(cutBit[cut], x, z);
         }
-        grow(region, at);
-        next[id] = first(links[region]);
-        links[region] = next[id] == NONE ? ~id : ~(id | MORE);
-        size++;
     }
 
     /** Takes an object out; false where it is not in the tree. */
@@ -131,20 +121,21 @@ public final class QuadTree {
         long z = cells.z(boxes, 4 * id);
         int depth = 0;
         int region = 0;
-        while (links[region] >= 0) {
+        while (regions.links[region] >= 0) {
             path[depth++] = region;
-            region = links[region] + Cells.quarter(cutBit[cutOf(links[region])], x, z);
+            int link = regions.links[region];
+            region = link + Cells.quarter(regions.bit(link), x, z);
         }
         unlink(region, id);
         while (depth > 0) {
-            tighten(path[--depth]);
+            regions.tighten(path[--depth]);
         }
         size--;
         return true;
     }
 
     private void unlink(int region, int id) {
-        int first = first(links[region]);
+        int first = first(regions.links[region]);
         if (first == id) {
             first = next[id];
         } else {
@@ -155,114 +146,11 @@ public final class QuadTree {
             next[before] = next[id];
         }
         next[id] = ABSENT;
-        clear(region);
+        regions.clear(region);
         for (int other = first; other != NONE; other = next[other]) {
-            grow(region, 4 * other);
+            regions.grow(region, boxes, 4 * other);
         }
-        links[region] = first == NONE ? EMPTY : next[first] == NONE ? ~first : ~(first | MORE);
-    }
-
-    // Bounds anew from the quarters; a cut with one quarter left in use is undone.
-    private void tighten(int region) {
-        int link = links[region];
-        int used = 0;
-        int last = link;
-        for (int quarter = link; quarter < link + 4; quarter++) {
-            if (links[quarter] != EMPTY) {
-                used++;
-                last = quarter;
-            }
-        }
-        clear(region);
-        for (int quarter = link; quarter < link + 4; quarter++) {
-            growBy(region, bounds, 4 * quarter);
-        }
-        links[region] = used > 1 ? link : links[last];
-        if (used <= 1) {
-            int cut = cutOf(link);
-            cutX[cut] = freeCut;
-            freeCut = cut;
-        }
-    }
-
-    // Puts a cut above what the region holds; everything in it agrees with its first object's cell above the bit.
-    private void cut(int region, int bit) {
-        int link = links[region];
-        long x = heldX(link);
-        long z = heldZ(link);
-        int cut = newCut();
-        cutX[cut] = x;
-        cutZ[cut] = z;
-        cutBit[cut] = (byte) bit;
-        int first = 4 * cut + 1;
-        for (int quarter = first; quarter < first + 4; quarter++) {
-            clear(quarter);
-        }
-        int held = first + Cells.quarter(bit, x, z);
-        links[held] = link;
-        System.arraycopy(bounds, 4 * region, bounds, 4 * held, 4);
-        links[region] = first;
-    }
-
-    private int newCut() {
-        if (freeCut == NONE) {
-            return cuts++;
-        }
-        int cut = freeCut;
-        freeCut = (int) cutX[cut];
-        return cut;
-    }
-
-    // Room for one cut more. Growing puts the cuts in the order of a descent: what is near in the world is near in
-    // memory.
-    private void ensureCut() {
-        if (freeCut != NONE || cuts < cutX.length) {
-            return;
-        }
-        int[] order = new int[cuts];
-        int[] places = new int[cuts];
-        listCuts(links[0], order, 0);
-        for (int place = 0; place < cuts; place++) {
-            places[order[place]] = place;
-        }
-        long[] oldX = cutX;
-        long[] oldZ = cutZ;
-        byte[] oldBit = cutBit;
-        int[] oldLinks = links;
-        double[] oldBounds = bounds;
-        cutX = new long[2 * cuts];
-        cutZ = new long[2 * cuts];
-        cutBit = new byte[2 * cuts];
-        links = new int[8 * cuts + 1];
-        bounds = new double[4 * links.length];
-        System.arraycopy(oldBounds, 0, bounds, 0, 4);
-        links[0] = moved(oldLinks[0], places);
-        for (int cut = 0; cut < cuts; cut++) {
-            int old = order[cut];
-            cutX[cut] = oldX[old];
-            cutZ[cut] = oldZ[old];
-            cutBit[cut] = oldBit[old];
-            System.arraycopy(oldBounds, 16 * old + 4, bounds, 16 * cut + 4, 16);
-            for (int quarter = 1; quarter <= 4; quarter++) {
-                links[4 * cut + quarter] = moved(oldLinks[4 * old + quarter], places);
-            }
-        }
-    }
-
-    private int listCuts(int link, int[] order, int from) {
-        if (link < 0) {
-            return from;
-        }
-        order[from] = cutOf(link);
-        int to = from + 1;
-        for (int quarter = link; quarter < link + 4; quarter++) {
-            to = listCuts(links[quarter], order, to);
-        }
-        return to;
-    }
-
-    private static int moved(int link, int[] places) {
-        return link < 0 ? link : 4 * places[cutOf(link)] + 1;
+        regions.links[region] = first == NONE ? EMPTY : next[first] == NONE ? ~first : ~(first | MORE);
     }
 
     private void ensureId(int id) {
@@ -276,43 +164,9 @@ public final class QuadTree {
         boxes = Arrays.copyOf(boxes, 4 * length);
     }
 
-    private void clear(int region) {
-        links[region] = EMPTY;
-        int at = 4 * region;
-        bounds[at] = Double.POSITIVE_INFINITY;
-        bounds[at + 1] = Double.POSITIVE_INFINITY;
-        bounds[at + 2] = Double.NEGATIVE_INFINITY;
-        bounds[at + 3] = Double.NEGATIVE_INFINITY;
-    }
-
-    private void grow(int region, int box) {
-        growBy(region, boxes, box);
-    }
-
-    private void growBy(int region, double[] by, int box) {
-        int at = 4 * region;
-        bounds[at] = Math.min(bounds[at], by[box]);
-        bounds[at + 1] = Math.min(bounds[at + 1], by[box + 1]);
-        bounds[at + 2] = Math.max(bounds[at + 2], by[box + 2]);
-        bounds[at + 3] = Math.max(bounds[at + 3], by[box + 3]);
-    }
-
-    private static int cutOf(int firstQuarter) {
-        return (firstQuarter - 1) >> 2;
-    }
-
     // The first object of a region that is not cut.
     private static int first(int link) {
         return link == EMPTY ? NONE : ~link & ~MORE;
-    }
-
-    // A cell within what a region holds.
-    private long heldX(int link) {
-        return link >= 0 ? cutX[cutOf(link)] : cells.x(boxes, 4 * first(link));
-    }
-
-    private long heldZ(int link) {
-        return link >= 0 ? cutZ[cutOf(link)] : cells.z(boxes, 4 * first(link));
     }
 
     private static boolean finite(double a, double b) {
@@ -354,7 +208,7 @@ public final class QuadTree {
             this.maxX = maxX;
             this.maxZ = maxZ;
             clear();
-            if (meets(tree.bounds, 0)) {
+            if (meets(tree.regions.bounds, 0)) {
                 stack[top++] = 0;
             }
         }
@@ -373,7 +227,7 @@ public final class QuadTree {
                     return -1;
                 }
                 visited++;
-                int link = tree.links[stack[--top]];
+                int link = tree.regions.links[stack[--top]];
                 if (link < 0) {
                     int id = first(link);
                     if (link == ~id) {
@@ -383,7 +237,7 @@ public final class QuadTree {
                     continue;
                 }
                 for (int quarter = link + 3; quarter >= link; quarter--) {
-                    if (meets(tree.bounds, 4 * quarter)) {
+                    if (meets(tree.regions.bounds, 4 * quarter)) {
                         stack[top++] = quarter;
                     }
                 }
@@ -442,7 +296,7 @@ public final class QuadTree {
             double key = itsKey;
             while (region >= 0) {
                 visited++;
-                int link = tree.links[region];
+                int link = tree.regions.links[region];
                 if (link < 0) {
                     int id = first(link);
                     if (link != ~id) {
@@ -455,7 +309,7 @@ public final class QuadTree {
                 double least = Double.POSITIVE_INFINITY;
                 int nearest = NONE;
                 for (int quarter = link; quarter < link + 4; quarter++) {
-                    double its = keys.key(tree.bounds, 4 * quarter);
+                    double its = keys.key(tree.regions.bounds, 4 * quarter);
                     if (its < least) {
                         push(least, nearest, within);
                         least = its;
@@ -478,7 +332,7 @@ public final class QuadTree {
         private void startOrdered(double limit) {
             clear();
             entry = 0;
-            push(keys.key(tree.bounds, 0), 0, keys.inner(limit));
+            push(keys.key(tree.regions.bounds, 0), 0, keys.inner(limit));
         }
 
         private void clear() {
