@@ -74,7 +74,7 @@ class BoxTreeTest {
                 asked += tree.size();
             }
         }
-        assertThat(found).isBetween(100, asked * 9 / 10);
+        assertThat(found).isBetween(40, asked * 9 / 10);
     }
 
     @ParameterizedTest
