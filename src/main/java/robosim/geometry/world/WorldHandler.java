@@ -100,7 +100,7 @@ final class WorldHandler extends DefaultHandler {
                         + " characters (got: " + attributes.getValue(k).length() + ")");
             }
         }
-        Element element = new Element(open, name, attributes, line(), column());
+        Element element = new Element(open, uri, name, attributes, line(), column());
         open = element;
         if (element.groups() > Limits.MAX_GROUPS) {
             throw refusal("groups must be at most " + Limits.MAX_GROUPS + " within each other (got: one more)");
