@@ -27,7 +27,7 @@ import org.xml.sax.XMLReader;
  * is refused. A world is read whole or not at all.
  */
 public final class WorldReader {
-    /** In which language parser and validator speak; it must be one that {@link SchemaErrors} reads. */
+    /** Parser and validator are made to speak English, their root language: it is what {@link SchemaErrors} reads. */
     private static final String LOCALE = "http://apache.org/xml/properties/locale";
 
     private WorldReader() {}
@@ -60,7 +60,7 @@ public final class WorldReader {
         ValidatorHandler validator = SchemaHolder.SCHEMA.newValidatorHandler();
         WorldHandler handler = new WorldHandler(source, base, validator);
         try {
-            validator.setProperty(LOCALE, Locale.ENGLISH);
+            validator.setProperty(LOCALE, Locale.ROOT);
             XMLReader reader = hardenedReader();
             reader.setContentHandler(handler);
             reader.setErrorHandler(handler);
@@ -90,7 +90,7 @@ public final class WorldReader {
         factory.setFeature("http://apache.org/xml/features/nonvalidating/load-external-dtd", false);
         factory.setXIncludeAware(false);
         XMLReader reader = factory.newSAXParser().getXMLReader();
-        reader.setProperty(LOCALE, Locale.ENGLISH);
+        reader.setProperty(LOCALE, Locale.ROOT);
         return reader;
     }
 
