@@ -45,11 +45,9 @@ final class AllowedClasses {
 
     private final Map<String, Class<?>> named = new HashMap<>();
     private final Set<Class<?>> all = new HashSet<>(MADE);
-    private final Set<Class<?>> translated;
 
     AllowedClasses(Set<Class<?>> translated) {
-        this.translated = Set.copyOf(translated);
-        for (Set<Class<?>> some : List.of(BUNDLES, VALUES, SerialForms.classes(), this.translated)) {
+        for (Set<Class<?>> some : List.of(BUNDLES, VALUES, SerialForms.classes(), translated)) {
             for (Class<?> type : some) {
                 named.put(type.getName(), type);
             }
@@ -65,10 +63,6 @@ final class AllowedClasses {
 
     boolean holds(Class<?> type) {
         return all.contains(type);
-    }
-
-    boolean isTranslated(Class<?> type) {
-        return translated.contains(type);
     }
 
     private static Class<?> listForm() {

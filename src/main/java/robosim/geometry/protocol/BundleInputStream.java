@@ -5,11 +5,8 @@ import java.io.InvalidClassException;
 import java.io.ObjectInputFilter;
 import java.io.ObjectInputStream;
 import java.io.ObjectStreamClass;
-import java.util.Collection;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
@@ -114,15 +111,11 @@ final class BundleInputStream extends ObjectInputStream {
         throw new InvalidClassException("a proxy class is not on the list of a message's classes");
     }
 
-    /** Sees each object when it is made, before the object around it is: the innermost of a nest of bombs comes first. */
+    /** Sees each object when it is made, before the object around it is: what grows level by level is stopped on its way. */
     @Override
     protected Object resolveObject(Object made) throws IOException {
-        if (made instanceof Set || made instanceof Map) {
-            if (!allowed.isTranslated(made.getClass())) {
-                throw new InvalidClassException("a set or map is not on the list of a message's classes");
-            }
-        } else if (made instanceof Collection<?> items) {
-            count(items);
+        if (made instanceof List<?> items && !items.isEmpty() && items.get(0) instanceof GeometryObject) {
+            add(sum(items));
         } else if (made instanceof MeshObject mesh) {
             add(partsOf(mesh));
         } else if (made instanceof ObjectGroup group) {
@@ -131,13 +124,7 @@ final class BundleInputStream extends ObjectInputStream {
         return made;
     }
 
-    private void count(Collection<?> items) throws IOException {
-        if (items instanceof List<?> list && !list.isEmpty() && list.get(0) instanceof GeometryObject) {
-            add(sum(list));
-        }
-    }
-
-    private long sum(Collection<?> items) {
+    private long sum(List<?> items) {
         long sum = 0;
         for (Object item : items) {
             sum += item instanceof GeometryObject object ? partsOf(object) : 1;

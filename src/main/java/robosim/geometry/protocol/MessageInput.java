@@ -41,7 +41,9 @@ final class MessageInput extends InputStream {
             next++;
             first = peek();
         }
-        pace.begun();
+        if (first != NONE) {
+            pace.begun();
+        }
         count = 0;
         afterReset = resetFirst;
         return first;
