@@ -21,7 +21,7 @@ public final class Limits {
      * an object stream keeps them all until then: a sender must reset its stream, best after each message. A mesh of a million
      * triangles has a million arrays, a world of 100,000 boxes 400,000 objects.
      */
-    public static final int MAX_REFERENCES = 8_000_000;
+    public static final int MAX_REFERENCES = 4_000_000;
 
     /** Longest array of numbers. A mesh of a million vertices has 3,000,000 coordinates. */
     public static final int MAX_ARRAY_LENGTH = 4_000_000;
