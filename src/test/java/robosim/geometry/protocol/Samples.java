@@ -1,0 +1,59 @@
+package robosim.geometry.protocol;
+
+import java.util.List;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.SphereObject;
+
+/** One of everything that can be sent. The stored bytes of the first release hold these: do not change them, add. */
+public final class Samples {
+    private Samples() {}
+
+    /** Every shape, named and nameless, static and moveable, upright and turned, with and without bounding volumes. */
+    public static List<GeometryObject> everyShape() {
+        BoxObject box = new BoxObject(new Point(1, 2, -3), 0.1, 2, 3);
+        MeshObject tetrahedron = new MeshObject(
+                        List.of(new Point(), new Point(1, 0, 0), new Point(0, 1, 0), new Point(0, 0, 1)),
+                        new int[][] {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}},
+                        new SphereObject(new Point(0.25, 0.25, 0.25), 1))
+                .solid();
+        MeshObject quad = new MeshObject(
+                List.of(new Point(), new Point(1, 0, 0), new Point(1, 0.5, 1), new Point(0, 0, 1)),
+                new int[][] {{0, 1, 2, 3}});
+        ObjectGroup group = new ObjectGroup(
+                List.of(box, new ObjectGroup(List.of(new SphereObject(new Point(0, 1, 0), 0.5), quad))),
+                new BoxObject(new Point(), 20, 20, 20));
+        return List.of(
+                box,
+                box.named("wall"),
+                box.moveable("robot").turned(0, 0.1).turned(0, 33.3),
+                new CylinderObject(new Point(4, 0, 4), 0.5, 0).turned(30, 45).named("turned"),
+                new SphereObject(new Point(0x1p100, -0x1p-1074, 0), 0).moveable("\u00e9\u4e2d\ud83e\udd16"),
+                tetrahedron.movedTo(new Point(7, 0, 0)).moveable("mesh"),
+                quad,
+                group.turned(0, 90).movedTo(new Point(-9, 0, 9)).moveable("group"));
+    }
+
+    /** One of each bundle, with every optional part given and left out. */
+    public static List<Bundle> everyBundle() {
+        WorldSettings settings = new WorldSettings(40, 3, 30.5, Dimension.SPATIAL, Accuracy.DOP);
+        return List.of(
+                new InitBundle(List.of()),
+                new InitBundle(everyShape(), settings),
+                new MoveBundle(List.of()),
+                new MoveBundle(List.of(
+                        new MoveRequest("robot", 0.1, -0.0, 1e-300, Math.PI / 2, -0.0),
+                        new MoveRequest("", -1, 0, 0, 0, 3 * Math.PI))),
+                new SonarRequestBundle(List.of(
+                        new SonarRequest("robot", 1, 0),
+                        new SonarRequest("mesh", -0.0, -1, new Beam(0.5, 0.5, Math.nextDown(Math.PI))),
+                        new SonarRequest("mesh", 1, 2, Beam.LINE))),
+                new DistanceBundle(List.of(0.0, 0x1.23456789abcdep-3, Double.POSITIVE_INFINITY, Double.NaN)));
+    }
+}
