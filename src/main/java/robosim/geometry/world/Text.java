@@ -1,0 +1,75 @@
+package robosim.geometry.world;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** The text of an element, cut at white space, that still knows where each piece stood in the file. */
+final class Text {
+    private final StringBuilder characters = new StringBuilder();
+    private final List<Chunk> chunks = new ArrayList<>();
+    private int from;
+    private int to;
+
+    /** A piece as the parser gave it: where it begins in the text, and where in the file it ends. */
+    private record Chunk(int begin, int end, int endLine, int endColumn) {}
+
+    void add(char[] source, int start, int length, int endLine, int endColumn) {
+        int begin = characters.length();
+        characters.append(source, start, length);
+        chunks.add(new Chunk(begin, characters.length(), endLine, endColumn));
+    }
+
+    /** Goes to the next piece between white space; false at the end. */
+    boolean next() {
+        from = to;
+        while (from < characters.length() && isSpace(characters.charAt(from))) {
+            from++;
+        }
+        to = from;
+        while (to < characters.length() && !isSpace(characters.charAt(to))) {
+            to++;
+        }
+        return from < to;
+    }
+
+    String token() {
+        return characters.substring(from, to);
+    }
+
+    /** The line of the current piece in the file. */
+    int line() {
+        Chunk chunk = chunk();
+        int line = chunk.endLine;
+        for (int k = to; k < chunk.end; k++) {
+            line -= characters.charAt(k) == '\n' ? 1 : 0;
+        }
+        return line;
+    }
+
+    /** The column after the current piece; 0 where the parser does not tell. */
+    int column() {
+        Chunk chunk = chunk();
+        int end = to;
+        while (end < chunk.end && characters.charAt(end) != '\n') {
+            end++;
+        }
+        if (end == chunk.end) {
+            return chunk.endColumn - (end - to);
+        }
+        int begin = characters.lastIndexOf("\n", from);
+        return begin < chunk.begin ? 0 : to - begin;
+    }
+
+    // The one that holds the piece's last character.
+    private Chunk chunk() {
+        int k = 0;
+        while (chunks.get(k).end < to) {
+            k++;
+        }
+        return chunks.get(k);
+    }
+
+    private static boolean isSpace(char c) {
+        return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+    }
+}
