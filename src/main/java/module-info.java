@@ -5,4 +5,8 @@ module robosim.geometry {
 
     exports robosim.geometry;
     exports robosim.geometry.model;
+    exports robosim.geometry.net;
+    exports robosim.geometry.protocol;
+
+    uses robosim.geometry.protocol.MessageTranslator;
 }

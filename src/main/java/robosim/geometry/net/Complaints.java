@@ -1,0 +1,34 @@
+package robosim.geometry.net;
+
+import java.util.HashSet;
+import java.util.Set;
+
+/** Log lines of one session, each said once for a world, and not without end: a peer must not fill the disk. */
+final class Complaints {
+    private static final int MOST = 1000;
+
+    private final System.Logger log;
+    private final String session;
+    private final Set<String> said = new HashSet<>();
+
+    Complaints(System.Logger log, String session) {
+        this.log = log;
+        this.session = session;
+    }
+
+    /** A new world: what was said about the last one may be said again. */
+    void forget() {
+        said.clear();
+    }
+
+    void warn(String complaint) {
+        if (said.size() < MOST && said.add(complaint)) {
+            log.log(System.Logger.Level.WARNING, session + ": " + complaint);
+            if (said.size() == MOST) {
+                log.log(
+                        System.Logger.Level.WARNING,
+                        session + ": " + MOST + " warnings about this world; more are not logged");
+            }
+        }
+    }
+}

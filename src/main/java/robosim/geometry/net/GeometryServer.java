@@ -1,0 +1,172 @@
+package robosim.geometry.net;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * Waits for environments that dial in, and holds a session of its own with each, on a thread of its own.
+ *
+ * <p>It listens from the moment that it is made until it is closed; its threads keep the process alive. Nobody is asked
+ * who he is: listen on the loopback address, or where only friends can dial.
+ */
+public final class GeometryServer implements AutoCloseable {
+    private static final System.Logger LOG = System.getLogger(GeometryServer.class.getPackageName());
+    private static final long GRACE_NANOS = TimeUnit.SECONDS.toNanos(2);
+
+    private final ServerSocket listening;
+    private final NetOptions options;
+    private final Map<Connection, Thread> connections = new ConcurrentHashMap<>();
+    private final Thread acceptor;
+    private volatile boolean closed;
+
+    /**
+     * Listens on the loopback address.
+     *
+     * @param port 1 to 65535, or 0 for any that is free
+     * @throws UncheckedIOException where it cannot listen there
+     */
+    public GeometryServer(int port) {
+        this(InetAddress.getLoopbackAddress(), port, NetOptions.defaults());
+    }
+
+    /**
+     * Listens.
+     *
+     * @param address where; the wildcard address for everywhere
+     * @param port    1 to 65535, or 0 for any that is free
+     * @param options how to treat connections
+     * @throws UncheckedIOException where it cannot listen there
+     */
+    public GeometryServer(InetAddress address, int port, NetOptions options) {
+        Arguments.present("address", address);
+        Arguments.port(port, 0);
+        this.options = Arguments.present("options", options);
+        this.listening = listen(address, port, options.connections());
+        this.acceptor = new Thread(this::accept, "geometry-server-" + listening.getLocalPort());
+        acceptor.start();
+    }
+
+    private static ServerSocket listen(InetAddress address, int port, int backlog) {
+        try {
+            return new ServerSocket(port, backlog, address);
+        } catch (IOException e) {
+            throw new UncheckedIOException("cannot listen on " + address + ":" + port + ": " + e.getMessage(), e);
+        }
+    }
+
+    /** The port that it listens on. */
+    public int port() {
+        return listening.getLocalPort();
+    }
+
+    /** The address that it listens on. */
+    public InetSocketAddress address() {
+        return (InetSocketAddress) listening.getLocalSocketAddress();
+    }
+
+    /** How many connections there are. */
+    public int connections() {
+        return connections.size();
+    }
+
+    private void accept() {
+        boolean full = false;
+        while (!closed) {
+            try {
+                Socket socket = listening.accept();
+                boolean refused = connections.size() >= options.connections();
+                if (refused) {
+                    socket.close();
+                    if (!full) {
+                        LOG.log(
+                                System.Logger.Level.WARNING,
+                                "server " + port() + ": connections are refused, there are " + options.connections());
+                    }
+                } else {
+                    serve(socket);
+                }
+                full = refused;
+            } catch (IOException | OutOfMemoryError e) { // no more files or threads, for the moment
+                if (!closed) {
+                    LOG.log(System.Logger.Level.WARNING, "server " + port() + ": cannot accept: " + e.getMessage());
+                    pause();
+                }
+            }
+        }
+    }
+
+    private void serve(Socket socket) throws IOException {
+        String name = "server " + port() + ", peer " + socket.getRemoteSocketAddress();
+        Connection connection = new Connection(socket, name, options);
+        Thread thread = new Thread(
+                () -> {
+                    try {
+                        connection.run();
+                    } finally {
+                        connections.remove(connection);
+                    }
+                },
+                "geometry-session-" + port() + "-" + socket.getPort());
+        connections.put(connection, thread);
+        try {
+            thread.start();
+        } catch (OutOfMemoryError e) {
+            connections.remove(connection);
+            socket.close();
+            throw e;
+        }
+    }
+
+    private static void pause() {
+        try {
+            TimeUnit.MILLISECONDS.sleep(100);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /**
+     * Accepts no more, answers what has been read, for at most 2 seconds, and closes every connection. When it returns,
+     * no thread and no socket is left. Does nothing the second time.
+     */
+    @Override
+    public void close() {
+        closed = true;
+        try {
+            listening.close();
+        } catch (IOException e) {
+            LOG.log(System.Logger.Level.DEBUG, "the listening socket could not be closed", e);
+        }
+        try {
+            join(acceptor, System.nanoTime() + GRACE_NANOS);
+            connections.keySet().forEach(Connection::stop);
+            joinAll();
+            connections.keySet().forEach(Connection::abort);
+            joinAll();
+        } catch (InterruptedException e) {
+            connections.keySet().forEach(Connection::abort);
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private void joinAll() throws InterruptedException {
+        long deadline = System.nanoTime() + GRACE_NANOS;
+        for (Thread thread : connections.values()) {
+            join(thread, deadline);
+        }
+    }
+
+    private static void join(Thread thread, long deadline) throws InterruptedException {
+        long millis = TimeUnit.NANOSECONDS.toMillis(deadline - System.nanoTime());
+        if (millis > 0 && thread != Thread.currentThread()) { // a listener may close its own server
+            thread.join(millis);
+        }
+    }
+}

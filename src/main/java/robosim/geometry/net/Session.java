@@ -1,0 +1,213 @@
+package robosim.geometry.net;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.MoveResult;
+import robosim.geometry.exact.Degrees;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Move;
+import robosim.geometry.protocol.Beam;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.DistanceBundle;
+import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.protocol.MoveRequest;
+import robosim.geometry.protocol.SonarRequest;
+import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.Text;
+import robosim.geometry.protocol.WorldSettings;
+
+/**
+ * A conversation about one world at a time: a request bundle in, an answer bundle or nothing out. It knows no bytes and
+ * no sockets, and belongs to one thread at a time.
+ *
+ * <ul>
+ *   <li>An {@link InitBundle} makes a new world, which replaces the one before when it is whole; where it cannot be made
+ *       at all, the one before stays. Objects are added unchecked and may overlap. One that cannot be added, because its
+ *       name is taken or it leaves the world, is left out and logged by name.
+ *   <li>A {@link MoveBundle} is answered by the moves that were made, in order, each tried in the world that the earlier
+ *       ones left. The answer holds the very requests, with their own bits.
+ *   <li>A {@link SonarRequestBundle} is answered by one distance for each request, in order.
+ *   <li>A name that is unknown, static or left out, and a request that its world refuses (in a planar world, a sonar that
+ *       looks straight up), is logged: the move is left out of the answer, the distance is NaN. Before the first
+ *       InitBundle every name is unknown. The session goes on.
+ * </ul>
+ *
+ * <p>Angles come in radians and are converted here: the double nearest to k pi / 2 becomes exactly 90 k degrees. A warning
+ * is logged once for a world.
+ */
+public final class Session {
+    private static final System.Logger LOG = System.getLogger(Session.class.getPackageName());
+
+    private final SessionOptions options;
+    private final SessionListener listener;
+    private final World.Maker maker;
+    private final Complaints complaints;
+
+    private @Nullable World world;
+    private Set<String> moveable = Set.of();
+
+    /** With RoboSim's options. */
+    public Session() {
+        this(SessionOptions.ROBOSIM, SessionListener.NONE, "session");
+    }
+
+    /**
+     * With options of its own.
+     *
+     * @param name what its log lines begin with
+     */
+    public Session(SessionOptions options, SessionListener listener, String name) {
+        this(options, listener, name, World::of);
+    }
+
+    Session(SessionOptions options, SessionListener listener, String name, World.Maker maker) {
+        this.options = Arguments.present("options", options);
+        this.listener = Arguments.present("listener", listener);
+        this.complaints = new Complaints(LOG, Arguments.present("name", name));
+        this.maker = maker;
+    }
+
+    /**
+     * Carries a request out.
+     *
+     * @return the answer; null after an {@link InitBundle}
+     * @throws IllegalArgumentException where it is a {@link DistanceBundle}, which is an answer and no request
+     */
+    public @Nullable Bundle answer(Bundle request) {
+        long start = System.nanoTime();
+        Bundle answer;
+        if (request instanceof InitBundle init) {
+            replaceWorld(init);
+            answer = null;
+        } else if (request instanceof MoveBundle moves) {
+            answer = move(moves);
+        } else if (request instanceof SonarRequestBundle sonars) {
+            answer = measure(sonars);
+        } else {
+            throw new IllegalArgumentException(
+                    "request must be an InitBundle, a MoveBundle or a SonarRequestBundle (got: "
+                            + (request == null ? "null" : request.getClass().getSimpleName()) + ")");
+        }
+        listener.answered(request, answer, System.nanoTime() - start);
+        return answer;
+    }
+
+    private void replaceWorld(InitBundle init) {
+        complaints.forget();
+        World made;
+        try {
+            made = maker.make(settings(init));
+        } catch (IllegalArgumentException e) {
+            complaints.warn("this world cannot be, the one before stays: " + reason(e));
+            return;
+        }
+        Set<String> names = new HashSet<>();
+        Set<String> movers = new HashSet<>();
+        int index = 0;
+        for (GeometryObject object : init.objects()) {
+            if (add(made, object, index++, names) && object.isMoveable() && object.name() != null) {
+                movers.add(object.name());
+            }
+        }
+        world = made;
+        moveable = movers;
+    }
+
+    private WorldSettings settings(InitBundle init) {
+        if (init.settings() != null) {
+            return init.settings();
+        }
+        double[] sizes = Extent.worldFor(init.objects());
+        return new WorldSettings(sizes[0], sizes[1], sizes[2], options.dimension(), options.accuracy());
+    }
+
+    private boolean add(World made, GeometryObject object, int index, Set<String> names) {
+        String name = object.name();
+        String label = name == null ? "objects[" + index + "]" : "object " + Text.quoted(name);
+        if (name != null && names.contains(name)) {
+            complaints.warn(label + " was not added: an earlier object has its name");
+            return false;
+        }
+        try {
+            if (!made.add(object)) {
+                complaints.warn(label + " was not added: it would leave the world");
+                return false;
+            }
+        } catch (IllegalArgumentException e) {
+            complaints.warn(label + " was not added: " + reason(e));
+            return false;
+        }
+        if (name != null) {
+            names.add(name);
+        }
+        return true;
+    }
+
+    private MoveBundle move(MoveBundle bundle) {
+        List<MoveRequest> made = new ArrayList<>();
+        for (MoveRequest request : bundle.moves()) {
+            World asked = worldOf(request.objectName(), "its moves are left out");
+            if (asked != null && move(asked, request)) {
+                made.add(request);
+            }
+        }
+        return new MoveBundle(made);
+    }
+
+    private boolean move(World asked, MoveRequest request) {
+        MoveResult result;
+        try {
+            double rx = Degrees.toDegrees(request.rx());
+            double ry = Degrees.toDegrees(request.ry());
+            result = asked.move(request.objectName(), new Move(request.x(), request.y(), request.z(), rx, ry));
+        } catch (IllegalArgumentException e) {
+            complaints.warn("a move of object " + Text.quoted(request.objectName()) + " is left out: " + reason(e));
+            return false;
+        }
+        listener.tried(request, result);
+        return result.allowed();
+    }
+
+    private DistanceBundle measure(SonarRequestBundle bundle) {
+        List<Double> distances = new ArrayList<>(bundle.requests().size());
+        for (SonarRequest request : bundle.requests()) {
+            World asked = worldOf(request.objectName(), "its distances are NaN");
+            distances.add(asked == null ? Double.NaN : measure(asked, request));
+        }
+        return new DistanceBundle(distances);
+    }
+
+    private double measure(World asked, SonarRequest request) {
+        Beam beam = request.beam() == null ? options.beam() : request.beam();
+        try {
+            return asked.sonar(
+                    request.objectName(),
+                    request.xOffset(),
+                    request.zOffset(),
+                    beam.min(),
+                    beam.max(),
+                    Degrees.toDegrees(beam.width()));
+        } catch (IllegalArgumentException e) {
+            complaints.warn("a distance of object " + Text.quoted(request.objectName()) + " is NaN: " + reason(e));
+            return Double.NaN;
+        }
+    }
+
+    /** The world where it has a moveable object of that name; else null, and a line in the log. */
+    private @Nullable World worldOf(String name, String consequence) {
+        if (moveable.contains(name)) {
+            return world;
+        }
+        complaints.warn("no moveable object " + Text.quoted(name) + (world == null ? ", there is no world yet" : "")
+                + ": " + consequence);
+        return null;
+    }
+
+    private static String reason(IllegalArgumentException e) {
+        return e.getMessage() == null ? e.getClass().getSimpleName() : Text.line(e.getMessage());
+    }
+}

@@ -1,0 +1,27 @@
+package robosim.geometry.net;
+
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.MoveResult;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.MoveRequest;
+
+/**
+ * Sees what a session does, on the thread that does it, before the answer is sent. What a listener throws ends the
+ * session's connection.
+ */
+public interface SessionListener {
+    /** Sees nothing. */
+    SessionListener NONE = new SessionListener() {};
+
+    /** A move of a moveable object was tried; {@code result} tells what blocked it. */
+    default void tried(MoveRequest request, MoveResult result) {}
+
+    /**
+     * A request was carried out.
+     *
+     * @param request     what came
+     * @param answer      what will be sent; null after an InitBundle
+     * @param nanoseconds the time between, without reading and writing
+     */
+    default void answered(Bundle request, @Nullable Bundle answer, long nanoseconds) {}
+}

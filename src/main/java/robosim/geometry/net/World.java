@@ -1,0 +1,45 @@
+package robosim.geometry.net;
+
+import robosim.geometry.Geometry;
+import robosim.geometry.MoveResult;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Move;
+import robosim.geometry.protocol.WorldSettings;
+
+/** What a session asks of a world; angles in degrees. */
+interface World {
+    /** False where the object would leave the world. */
+    boolean add(GeometryObject object);
+
+    MoveResult move(String name, Move move);
+
+    double sonar(String name, double x, double z, double min, double max, double width);
+
+    /** Makes worlds. */
+    @FunctionalInterface
+    interface Maker {
+        World make(WorldSettings settings);
+    }
+
+    /** The module's own. */
+    static World of(WorldSettings settings) {
+        Geometry geometry = new Geometry(
+                settings.width(), settings.height(), settings.length(), settings.dimension(), settings.accuracy());
+        return new World() {
+            @Override
+            public boolean add(GeometryObject object) {
+                return geometry.addObjectUnchecked(object);
+            }
+
+            @Override
+            public MoveResult move(String name, Move move) {
+                return geometry.move(name, move);
+            }
+
+            @Override
+            public double sonar(String name, double x, double z, double min, double max, double width) {
+                return geometry.getSonarDistance(name, x, z, min, max, width);
+            }
+        };
+    }
+}

@@ -1,0 +1,81 @@
+package robosim.geometry.protocol;
+
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.SerialForms;
+import robosim.geometry.model.SphereObject;
+
+/** The list of a message's classes: those that a stream may name, and those that these turn into while they are read. */
+final class AllowedClasses {
+    /** What {@link List#of} and its kin are on the wire; package-private in the JDK, but named in its documentation. */
+    private static final Class<?> LIST_FORM = listForm();
+
+    private static final Set<Class<?>> BUNDLES = Set.of(
+            InitBundle.class,
+            WorldSettings.class,
+            MoveBundle.class,
+            MoveRequest.class,
+            SonarRequestBundle.class,
+            SonarRequest.class,
+            Beam.class,
+            DistanceBundle.class);
+
+    /** {@code Number} and {@code Enum} are described beside their subclasses. */
+    private static final Set<Class<?>> VALUES =
+            Set.of(Double.class, Number.class, Enum.class, double[].class, int[].class, int[][].class, LIST_FORM);
+
+    private static final Set<Class<?>> MADE = Set.of(
+            BoxObject.class,
+            CylinderObject.class,
+            SphereObject.class,
+            MeshObject.class,
+            ObjectGroup.class,
+            Object[].class,
+            String.class,
+            List.of().getClass(),
+            List.of(0).getClass());
+
+    private final Map<String, Class<?>> named = new HashMap<>();
+    private final Set<Class<?>> all = new HashSet<>(MADE);
+    private final Set<Class<?>> translated;
+
+    AllowedClasses(Set<Class<?>> translated) {
+        this.translated = Set.copyOf(translated);
+        for (Set<Class<?>> some : List.of(BUNDLES, VALUES, SerialForms.classes(), this.translated)) {
+            for (Class<?> type : some) {
+                named.put(type.getName(), type);
+            }
+            all.addAll(some);
+        }
+    }
+
+    /** The class of that exact name, or null. */
+    @Nullable
+    Class<?> byName(String name) {
+        return named.get(name);
+    }
+
+    boolean holds(Class<?> type) {
+        return all.contains(type);
+    }
+
+    boolean isTranslated(Class<?> type) {
+        return translated.contains(type);
+    }
+
+    private static Class<?> listForm() {
+        try {
+            return Class.forName("java.util.CollSer");
+        } catch (ClassNotFoundException e) {
+            throw new IllegalStateException("this Java has no java.util.CollSer, by which its lists are serialized", e);
+        }
+    }
+}

@@ -1,0 +1,32 @@
+package robosim.geometry.protocol;
+
+import java.io.Serial;
+import java.io.Serializable;
+
+/**
+ * Range and width of a sonar.
+ *
+ * @param min   blind range, world units; a nearer echo is reported as {@code min} and still hides what is behind it
+ * @param max   range, world units, {@code min <= max}; may be infinite
+ * @param width full opening angle in <b>radians</b>, from 0 (a line) up to, not including, pi
+ */
+public record Beam(double min, double max, double width) implements Serializable {
+    @Serial
+    private static final long serialVersionUID = 1;
+
+    /** RoboSim's own: a line without an end. */
+    public static final Beam LINE = new Beam(0, Double.POSITIVE_INFINITY, 0);
+
+    /** Refuses what is NaN or out of range. */
+    public Beam {
+        Checks.size("min", min);
+        if (!(max >= min && (max <= Checks.LIMIT || max == Double.POSITIVE_INFINITY))) {
+            throw new IllegalArgumentException(
+                    "max must be a number from min, " + min + ", to 2^100, or infinite (got: " + max + ")");
+        }
+        if (!(width >= 0 && width < Math.PI)) {
+            throw new IllegalArgumentException(
+                    "width must be an angle in radians from 0 up to, not including, pi (got: " + width + ")");
+        }
+    }
+}

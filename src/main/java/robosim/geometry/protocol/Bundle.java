@@ -1,0 +1,7 @@
+package robosim.geometry.protocol;
+
+import java.io.Serializable;
+
+/** One message, whole. */
+public sealed interface Bundle extends Serializable
+        permits InitBundle, MoveBundle, SonarRequestBundle, DistanceBundle {}

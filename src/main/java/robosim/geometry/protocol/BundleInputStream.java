@@ -1,0 +1,163 @@
+package robosim.geometry.protocol;
+
+import java.io.IOException;
+import java.io.InvalidClassException;
+import java.io.ObjectInputFilter;
+import java.io.ObjectInputStream;
+import java.io.ObjectStreamClass;
+import java.util.Collection;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
+
+/**
+ * An object stream that believes nothing: classes come from a list by their exact names, and depth, references, lengths
+ * and what the objects will cost are judged before and while they are made.
+ */
+final class BundleInputStream extends ObjectInputStream {
+    private final MessageInput input;
+    private final AllowedClasses allowed;
+
+    /** Parts of the groups that the sender may still refer to. */
+    private final IdentityHashMap<ObjectGroup, Long> groups = new IdentityHashMap<>();
+
+    private long parts;
+    private long claimedBytes;
+    private long references;
+    private long referencesBefore;
+    private @Nullable String refusal;
+
+    BundleInputStream(MessageInput input, AllowedClasses allowed) throws IOException {
+        super(input);
+        this.input = input;
+        this.allowed = allowed;
+        setObjectInputFilter(this::judge);
+        enableResolveObject(true);
+    }
+
+    /** The next message; why it was refused is in {@link #refusal()}. */
+    Object readMessage() throws IOException, ClassNotFoundException {
+        claimedBytes = 0;
+        parts = 0;
+        if (input.afterReset()) {
+            referencesBefore = references;
+            groups.clear();
+        }
+        return readObject();
+    }
+
+    /** What the filter found, which the stream's own exception does not say. */
+    @Nullable
+    String refusal() {
+        return refusal;
+    }
+
+    private ObjectInputFilter.Status judge(ObjectInputFilter.FilterInfo info) {
+        references = info.references();
+        if (info.depth() > Limits.MAX_DEPTH) {
+            return refuse("nesting must be at most " + Limits.MAX_DEPTH + " deep (got: more)");
+        }
+        if (references - referencesBefore > Limits.MAX_REFERENCES) {
+            return refuse("there must be at most " + Limits.MAX_REFERENCES
+                    + " objects in a message and what came since its sender last reset the stream (got: more)");
+        }
+        Class<?> type = info.serialClass();
+        if (type != null && !allowed.holds(type)) {
+            return refuse("class " + type.getName() + " is not on the list of a message's classes");
+        }
+        return type != null && info.arrayLength() >= 0
+                ? judgeArray(type, info.arrayLength())
+                : ObjectInputFilter.Status.ALLOWED;
+    }
+
+    /** An array is allocated before its items have come: what it claims must fit into what the message may still have. */
+    private ObjectInputFilter.Status judgeArray(Class<?> type, long length) {
+        Class<?> item = type.getComponentType();
+        boolean numbers = item != null && item.isPrimitive();
+        int most = numbers ? Limits.MAX_ARRAY_LENGTH : Limits.MAX_LIST_LENGTH;
+        if (length > most) {
+            return refuse("a" + (numbers ? "n array" : " list") + " must have at most " + most + " items (got: "
+                    + length + ")");
+        }
+        // An int takes 4 bytes, a double 8, an object at least the 5 of a reference to an earlier one.
+        claimedBytes += length * (item == double.class || item == long.class ? 8 : numbers ? 4 : 5);
+        if (claimedBytes > Limits.MAX_MESSAGE_BYTES) {
+            return refuse(
+                    "a message's lists and arrays must fit into " + Limits.MAX_MESSAGE_BYTES + " bytes (got: more)");
+        }
+        return ObjectInputFilter.Status.ALLOWED;
+    }
+
+    private ObjectInputFilter.Status refuse(String reason) {
+        refusal = reason;
+        return ObjectInputFilter.Status.REJECTED;
+    }
+
+    /** No class is looked up by a name that a peer sent. */
+    @Override
+    protected Class<?> resolveClass(ObjectStreamClass description) throws IOException {
+        Class<?> type = allowed.byName(description.getName());
+        if (type == null) {
+            throw new InvalidClassException(
+                    "class " + Text.quoted(description.getName()) + " is not on the list of a message's classes");
+        }
+        return type;
+    }
+
+    @Override
+    protected Class<?> resolveProxyClass(String[] interfaces) throws IOException {
+        throw new InvalidClassException("a proxy class is not on the list of a message's classes");
+    }
+
+    /** Sees each object when it is made, before the object around it is: the innermost of a nest of bombs comes first. */
+    @Override
+    protected Object resolveObject(Object made) throws IOException {
+        if (made instanceof Set || made instanceof Map) {
+            if (!allowed.isTranslated(made.getClass())) {
+                throw new InvalidClassException("a set or map is not on the list of a message's classes");
+            }
+        } else if (made instanceof Collection<?> items) {
+            count(items);
+        } else if (made instanceof MeshObject mesh) {
+            add(partsOf(mesh));
+        } else if (made instanceof ObjectGroup group) {
+            groups.put(group, sum(group.members()));
+        }
+        return made;
+    }
+
+    private void count(Collection<?> items) throws IOException {
+        if (items instanceof List<?> list && !list.isEmpty() && list.get(0) instanceof GeometryObject) {
+            add(sum(list));
+        }
+    }
+
+    private long sum(Collection<?> items) {
+        long sum = 0;
+        for (Object item : items) {
+            sum += item instanceof GeometryObject object ? partsOf(object) : 1;
+        }
+        return sum;
+    }
+
+    private long partsOf(GeometryObject object) {
+        return switch (object.kind()) {
+            case BOX, CYLINDER, SPHERE -> 1;
+            case MESH -> ((MeshObject) object).triangles().size();
+            case GROUP -> groups.getOrDefault((ObjectGroup) object, 1L);
+        };
+    }
+
+    private void add(long more) throws IOException {
+        parts += more;
+        if (parts > Limits.MAX_PARTS) {
+            throw new InvalidClassException("a message's objects must have at most " + Limits.MAX_PARTS
+                    + " parts, counted in every place that names them (got: more)");
+        }
+    }
+}

@@ -1,0 +1,50 @@
+package robosim.geometry.protocol;
+
+import java.util.List;
+
+/** The rules for what comes from outside; each message names the argument and its value. Bits are kept as given. */
+final class Checks {
+    /** The largest coordinate, size or angle, as everywhere in the module. */
+    static final double LIMIT = 0x1p100;
+
+    private Checks() {}
+
+    static double coordinate(String argument, double value) {
+        if (!(Math.abs(value) <= LIMIT)) { // written so that NaN fails it
+            throw new IllegalArgumentException(
+                    argument + " must be a number from -2^100 to 2^100 (got: " + value + ")");
+        }
+        return value;
+    }
+
+    static double size(String argument, double value) {
+        if (!(value >= 0 && value <= LIMIT)) {
+            throw new IllegalArgumentException(argument + " must be a number from 0 to 2^100 (got: " + value + ")");
+        }
+        return value;
+    }
+
+    static double radians(String argument, double value) {
+        if (!(Math.abs(value) <= LIMIT)) {
+            throw new IllegalArgumentException(
+                    argument + " must be an angle in radians from -2^100 to 2^100 (got: " + value + ")");
+        }
+        return value;
+    }
+
+    static <T> T present(String argument, T value) {
+        if (value == null) {
+            throw new IllegalArgumentException(argument + " must be given (got: null)");
+        }
+        return value;
+    }
+
+    /** An immutable copy; a null list or item is refused by its place. */
+    static <T> List<T> copy(String argument, List<T> items) {
+        int k = 0;
+        for (T item : present(argument, items)) {
+            present(argument + "[" + k++ + "]", item);
+        }
+        return List.copyOf(items);
+    }
+}

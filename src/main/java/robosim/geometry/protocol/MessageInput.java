@@ -1,0 +1,120 @@
+package robosim.geometry.protocol;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.ObjectStreamConstants;
+
+/**
+ * The bytes under an object stream: buffered, and counted from the beginning of each message, because the object stream's
+ * own count runs over its whole life.
+ */
+final class MessageInput extends InputStream {
+    private static final int NONE = -1;
+
+    private final InputStream source;
+    private final MessagePace pace;
+    private final byte[] buffer = new byte[8192];
+    private int next;
+    private int end;
+    private int count;
+
+    /** A reset that was taken off the stream while it was idle and is handed on with the message that follows it. */
+    private boolean resetFirst;
+
+    private boolean afterReset;
+
+    MessageInput(InputStream source, MessagePace pace) {
+        this.source = source;
+        this.pace = pace;
+    }
+
+    /**
+     * Waits for the next message.
+     *
+     * @return its first byte, which is still to be read, or -1 at the end of the stream
+     */
+    int awaitMessage() throws IOException {
+        pace.idle();
+        int first = peek();
+        while (first == ObjectStreamConstants.TC_RESET) {
+            resetFirst = true; // what a sender writes after a message; the next one may come much later
+            next++;
+            first = peek();
+        }
+        pace.begun();
+        count = 0;
+        afterReset = resetFirst;
+        return first;
+    }
+
+    /** Whether the sender reset its stream before this message, which then refers to no earlier one. */
+    boolean afterReset() {
+        return afterReset;
+    }
+
+    /** Bytes of the message so far. */
+    int count() {
+        return count;
+    }
+
+    private int peek() throws IOException {
+        return next < end || fill() ? buffer[next] & 0xff : NONE;
+    }
+
+    private boolean fill() throws IOException {
+        int got = source.read(buffer, 0, buffer.length);
+        next = 0;
+        end = Math.max(got, 0);
+        return got > 0;
+    }
+
+    /** An object stream reads the code of what follows alone, and a text's or an array's bytes never. */
+    @Override
+    public int read() throws IOException {
+        if (resetFirst) {
+            resetFirst = false;
+            return ObjectStreamConstants.TC_RESET;
+        }
+        int value = peek();
+        if (value == ObjectStreamConstants.TC_LONGSTRING) {
+            throw new ProtocolException("a text must have at most " + Limits.MAX_TEXT_BYTES + " bytes (got: more)");
+        }
+        if (value != NONE) {
+            take(1);
+        }
+        return value;
+    }
+
+    @Override
+    public int read(byte[] into, int at, int length) throws IOException {
+        if (length == 0) {
+            return 0;
+        }
+        if (resetFirst) {
+            resetFirst = false;
+            into[at] = ObjectStreamConstants.TC_RESET;
+            return 1;
+        }
+        if (peek() == NONE) {
+            return NONE;
+        }
+        int taken = Math.min(length, end - next);
+        System.arraycopy(buffer, next, into, at, taken);
+        take(taken);
+        return taken;
+    }
+
+    private void take(int bytes) throws IOException {
+        next += bytes;
+        count += bytes;
+        if (count > Limits.MAX_MESSAGE_BYTES) {
+            throw new ProtocolException(
+                    "a message must have at most " + Limits.MAX_MESSAGE_BYTES + " bytes (got: more)");
+        }
+    }
+
+    @Override
+    public int available() {
+        return end - next;
+    }
+}

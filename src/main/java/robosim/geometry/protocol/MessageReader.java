@@ -1,0 +1,94 @@
+package robosim.geometry.protocol;
+
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.ObjectStreamConstants;
+import java.net.SocketTimeoutException;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Reads bundles from a stream, bounded by {@link Limits} and by a list of exact classes. It reads ahead; after an
+ * exception nothing more can be read.
+ *
+ * <p>The first byte of the stream tells the encoding; {@code AC} (of {@code AC ED 00 05}) is Java serialization, the one
+ * that there is. Nothing is read before {@link #read}, so that both ends may write their stream headers first.
+ */
+public final class MessageReader {
+    private static final int JAVA = ObjectStreamConstants.STREAM_MAGIC >> 8 & 0xff;
+
+    private final MessageInput input;
+    private final MessageTranslator translator;
+    private @Nullable BundleInputStream objects;
+
+    /** Reads the module's own records. */
+    public MessageReader(InputStream in) {
+        this(in, MessageTranslator.RECORDS, MessagePace.NONE);
+    }
+
+    /** Reads what a translator understands, and tells when a message begins. */
+    public MessageReader(InputStream in, MessageTranslator translator, MessagePace pace) {
+        this.input = new MessageInput(Objects.requireNonNull(in, "in"), Objects.requireNonNull(pace, "pace"));
+        this.translator = Objects.requireNonNull(translator, "translator");
+    }
+
+    /**
+     * Waits for the next bundle.
+     *
+     * @return null where the stream ends, between two messages
+     * @throws ProtocolException where bytes are no message, or the stream fails or ends inside of one
+     */
+    public @Nullable Bundle read() throws ProtocolException {
+        try {
+            boolean open = objects != null || open();
+            return open && input.awaitMessage() >= 0 ? decode() : null;
+        } catch (ProtocolException e) {
+            throw e;
+        } catch (IOException | ClassNotFoundException | RuntimeException | StackOverflowError | OutOfMemoryError e) {
+            throw new ProtocolException(reason(e), e);
+        }
+    }
+
+    private boolean open() throws IOException {
+        int first = input.awaitMessage();
+        if (first < 0) {
+            return false;
+        }
+        if (first != JAVA) {
+            throw new ProtocolException(
+                    "a stream must begin with AC ED 00 05, Java serialization (got: %02X)".formatted(first));
+        }
+        objects = new BundleInputStream(input, new AllowedClasses(translator.classes()));
+        return true;
+    }
+
+    private Bundle decode() throws IOException, ClassNotFoundException {
+        Object message = Objects.requireNonNull(objects).readMessage();
+        if (message == null) {
+            throw new ProtocolException("a message must be a bundle (got: null)");
+        }
+        return Objects.requireNonNull(translator.decode(message), "the translator gave no bundle");
+    }
+
+    /** Bytes of the message that was read last, without a reset before it. */
+    public int messageBytes() {
+        return input.count();
+    }
+
+    private String reason(Throwable failure) {
+        String refusal = objects == null ? null : objects.refusal();
+        if (refusal != null) {
+            return refusal;
+        }
+        if (failure instanceof EOFException) {
+            return "the stream ended inside a message, after " + input.count() + " bytes of it";
+        }
+        if (failure instanceof SocketTimeoutException) {
+            return "a message stalled after " + input.count() + " bytes of it";
+        }
+        String text = failure.getMessage();
+        String kind = failure.getClass().getSimpleName();
+        return "bytes that are no message: " + kind + (text == null ? "" : ", " + Text.line(text));
+    }
+}

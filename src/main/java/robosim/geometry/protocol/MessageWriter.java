@@ -1,0 +1,37 @@
+package robosim.geometry.protocol;
+
+import java.io.BufferedOutputStream;
+import java.io.IOException;
+import java.io.ObjectOutputStream;
+import java.io.OutputStream;
+import java.util.Objects;
+
+/**
+ * Writes bundles to a stream, each forgotten when it is written, so that neither end keeps what has passed.
+ *
+ * <p>The stream's header is written and flushed at once: two ends that first wait for each other's header wait for ever,
+ * so make the writer before the reader.
+ */
+public final class MessageWriter {
+    private final MessageTranslator translator;
+    private final ObjectOutputStream objects;
+
+    /** Writes the module's own records. */
+    public MessageWriter(OutputStream out) throws IOException {
+        this(out, MessageTranslator.RECORDS);
+    }
+
+    /** Writes what a translator makes of the bundles. */
+    public MessageWriter(OutputStream out, MessageTranslator translator) throws IOException {
+        this.translator = Objects.requireNonNull(translator, "translator");
+        this.objects = new ObjectOutputStream(new BufferedOutputStream(Objects.requireNonNull(out, "out"), 8192));
+        objects.flush();
+    }
+
+    /** Writes one message, whole, and flushes it. */
+    public void write(Bundle bundle) throws IOException {
+        objects.writeObject(translator.encode(Objects.requireNonNull(bundle, "bundle")));
+        objects.reset();
+        objects.flush();
+    }
+}

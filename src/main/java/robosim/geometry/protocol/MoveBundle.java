@@ -1,0 +1,19 @@
+package robosim.geometry.protocol;
+
+import java.io.Serial;
+import java.util.List;
+
+/**
+ * Moves to make, in their order; and as the answer the moves that were made, in the same order.
+ *
+ * @param moves the moves, each carried out in the world that the earlier ones left
+ */
+public record MoveBundle(List<MoveRequest> moves) implements Bundle {
+    @Serial
+    private static final long serialVersionUID = 1;
+
+    /** Refuses a list or a move that is null. */
+    public MoveBundle {
+        moves = Checks.copy("moves", moves);
+    }
+}

@@ -1,0 +1,39 @@
+package robosim.geometry.protocol;
+
+import java.io.Serial;
+import java.io.Serializable;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A distance from the centre of an object towards {@code (xOffset, 0, zOffset)} in its own frame; the object itself does
+ * not echo.
+ *
+ * @param objectName the name of a moveable object
+ * @param xOffset    forward part of the direction, of any length
+ * @param zOffset    part to the right of forward; not zero together with {@code xOffset}
+ * @param beam       range and width; null for the session's own
+ */
+public record SonarRequest(
+        String objectName,
+        double xOffset,
+        double zOffset,
+        @Nullable Beam beam) implements Serializable {
+    @Serial
+    private static final long serialVersionUID = 1;
+
+    /** Refuses a name that is null, numbers that are NaN or beyond 2<sup>100</sup>, and a direction of zero. */
+    public SonarRequest {
+        Checks.present("objectName", objectName);
+        Checks.coordinate("xOffset", xOffset);
+        Checks.coordinate("zOffset", zOffset);
+        if (xOffset == 0 && zOffset == 0) {
+            throw new IllegalArgumentException(
+                    "xOffset and zOffset must not both be zero (got: " + xOffset + ", " + zOffset + ")");
+        }
+    }
+
+    /** With the session's own beam. */
+    public SonarRequest(String objectName, double xOffset, double zOffset) {
+        this(objectName, xOffset, zOffset, null);
+    }
+}

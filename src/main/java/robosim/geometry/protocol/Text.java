@@ -1,0 +1,45 @@
+package robosim.geometry.protocol;
+
+/** What a peer sent, made fit for a line of a log. */
+public final class Text {
+    private static final int LONGEST_QUOTE = 100;
+    private static final int LONGEST_LINE = 500;
+
+    private Text() {}
+
+    /** A name in quotes, on one line, of bearable length. */
+    public static String quoted(String name) {
+        return '"' + plain(name.replace("\\", "\\\\").replace("\"", "\\\""), LONGEST_QUOTE) + '"';
+    }
+
+    /** A sentence that may hold what a peer sent, on one line, of bearable length. */
+    public static String line(String sentence) {
+        return plain(sentence, LONGEST_LINE);
+    }
+
+    private static String plain(String text, int longest) {
+        StringBuilder plain = new StringBuilder();
+        for (int k = 0; k < Math.min(text.length(), longest); k++) {
+            char c = text.charAt(k);
+            if (isPlain(c)) {
+                plain.append(c);
+            } else {
+                plain.append(String.format("\\u%04x", (int) c));
+            }
+        }
+        return plain.append(text.length() > longest ? "..." : "").toString();
+    }
+
+    // A control, a direction mark or half of a pair could forge or garble a line.
+    private static boolean isPlain(char c) {
+        return switch (Character.getType(c)) {
+            case Character.CONTROL,
+                    Character.FORMAT,
+                    Character.SURROGATE,
+                    Character.LINE_SEPARATOR,
+                    Character.PARAGRAPH_SEPARATOR,
+                    Character.UNASSIGNED -> false;
+            default -> true;
+        };
+    }
+}

@@ -1,0 +1,30 @@
+package robosim.geometry.protocol;
+
+import java.io.Serial;
+import java.io.Serializable;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
+
+/**
+ * The size and kind of a world, a box that is centred at the origin.
+ *
+ * @param width     extent along X, world units
+ * @param height    extent along Y
+ * @param length    extent along Z
+ * @param dimension whether heights count
+ * @param accuracy  how closely objects are compared
+ */
+public record WorldSettings(double width, double height, double length, Dimension dimension, Accuracy accuracy)
+        implements Serializable {
+    @Serial
+    private static final long serialVersionUID = 1;
+
+    /** Refuses what is null and a size that is NaN, negative or above 2<sup>100</sup>. */
+    public WorldSettings {
+        Checks.size("width", width);
+        Checks.size("height", height);
+        Checks.size("length", length);
+        Checks.present("dimension", dimension);
+        Checks.present("accuracy", accuracy);
+    }
+}
