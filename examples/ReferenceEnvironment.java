@@ -59,7 +59,8 @@ public final class ReferenceEnvironment {
               --speed V      world units a robot advances in a step (default 0.05)
               --record DIR   writes what was sent to DIR/to-module.bin and what came back to DIR/from-module.bin,
                              and the numbers of the run to DIR/environment.properties
-              --quiet        no progress bar""";
+              --progress     shows the progress bar even where the output is no terminal
+              --quiet        shows none""";
 
     private final Options options;
     private final World world;
@@ -112,18 +113,33 @@ public final class ReferenceEnvironment {
             socket.setTcpNoDelay(true);
             Connection connection = new Connection(socket, sent, received);
             connection.send(init());
-            Progress progress = new Progress(steps, options.has("quiet"));
+            Progress progress = new Progress(steps, options.has("progress") || (!options.has("quiet") && isTerminal()));
             for (long step = 0; step < steps; step++) {
                 range(connection);
                 move(connection);
                 progress.show(step + 1);
             }
             progress.end();
+            // What the robots see where they have come to rest.
+            range(connection);
         }
         if (!folder.isEmpty()) {
             Files.writeString(record(folder, "environment.properties"), tally.properties(steps, robots.size()));
         }
         System.out.print(tally.text(steps, robots.size()));
+    }
+
+    private static boolean isTerminal() {
+        Console console = System.console();
+        if (console == null) {
+            return false;
+        }
+        try {
+            // From Java 22 on there is a console without a terminal too, and this method tells.
+            return (boolean) Console.class.getMethod("isTerminal").invoke(console);
+        } catch (ReflectiveOperationException before22) {
+            return true;
+        }
     }
 
     private static Path record(String folder, String name) throws IOException {
@@ -402,6 +418,7 @@ public final class ReferenceEnvironment {
             values.put("robots", robots);
             values.put("moves.asked", asked);
             values.put("moves.made", made);
+            values.put("sonar.bundles", sonarNanos.size);
             values.put("distances", distances);
             values.put("echoes", echoes);
             values.put("sonar.median.us", sonarNanos.micros(0.5));
@@ -465,9 +482,9 @@ public final class ReferenceEnvironment {
         private final long begin = System.nanoTime();
         private long lastShown = begin - 1_000_000_000;
 
-        Progress(long steps, boolean quiet) {
+        Progress(long steps, boolean shown) {
             this.steps = steps;
-            this.shown = !quiet && isTerminal();
+            this.shown = shown;
         }
 
         void show(long done) {
@@ -494,22 +511,9 @@ public final class ReferenceEnvironment {
                 System.err.println();
             }
         }
-
-        private static boolean isTerminal() {
-            Console console = System.console();
-            if (console == null) {
-                return false;
-            }
-            try {
-                // From Java 22 on there is a console without a terminal too, and this method tells.
-                return (boolean) Console.class.getMethod("isTerminal").invoke(console);
-            } catch (ReflectiveOperationException before22) {
-                return true;
-            }
-        }
     }
 
-    /** Arguments: {@code --name value}, and {@code --quiet} alone. */
+    /** Arguments: {@code --name value}, and two names alone. */
     private static final class Options {
         private static final List<String> NAMES =
                 List.of("world", "connect", "listen", "steps", "seed", "speed", "record");
@@ -518,7 +522,7 @@ public final class ReferenceEnvironment {
         Options(String[] arguments) {
             for (int k = 0; k < arguments.length; k++) {
                 String name = arguments[k].startsWith("--") ? arguments[k].substring(2) : "";
-                if (name.equals("quiet")) {
+                if (name.equals("quiet") || name.equals("progress")) {
                     values.put(name, "");
                 } else if (NAMES.contains(name) && k + 1 < arguments.length) {
                     values.put(name, arguments[++k]);

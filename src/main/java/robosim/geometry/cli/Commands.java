@@ -22,13 +22,18 @@ final class Commands {
     private Commands() {}
 
     static int run(String... arguments) {
-        return run(new PrintWriter(System.out, true), new PrintWriter(System.err, true), arguments);
+        return run(new CommandLine(new Commands()), arguments);
     }
 
+    /** Runs a command that writes elsewhere. */
     static int run(PrintWriter out, PrintWriter err, String... arguments) {
         CommandLine line = new CommandLine(new Commands());
         line.setOut(out);
         line.setErr(err);
+        return run(line, arguments);
+    }
+
+    private static int run(CommandLine line, String... arguments) {
         line.setCaseInsensitiveEnumValuesAllowed(true);
         line.setExecutionExceptionHandler((failure, command, parsed) -> {
             String message = failure.getMessage();
@@ -36,7 +41,7 @@ final class Commands {
             return UNUSABLE;
         });
         if (arguments.length == 0) {
-            line.usage(err);
+            line.usage(line.getErr());
             return UNUSABLE;
         }
         return line.execute(arguments);

@@ -19,7 +19,8 @@ final class Pictures {
         for (WorldObject object : world.objects()) {
             things.add(new Scene.Thing(object.object(), colour(object)));
         }
-        String subtitle = things.size() + (things.size() == 1 ? " object, " : " objects, ")
+        String subtitle = things.size()
+                + (things.size() == 1 ? " object, " : " objects, ")
                 + world.dimension().name().toLowerCase(java.util.Locale.ROOT);
         return Scene.of(title, view(world, things), things).described(subtitle, unit(world));
     }

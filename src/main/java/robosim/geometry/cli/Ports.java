@@ -9,8 +9,7 @@ final class Ports {
 
     static void check(CommandSpec spec, int port, int least) {
         if (port < least || port > 65535) {
-            throw new ParameterException(
-                    spec.commandLine(), "PORT must be " + least + " to 65535 (got: " + port + ")");
+            throw new ParameterException(spec.commandLine(), "PORT must be " + least + " to 65535 (got: " + port + ")");
         }
     }
 }

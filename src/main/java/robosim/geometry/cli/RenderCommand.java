@@ -40,8 +40,7 @@ final class RenderCommand implements Callable<Integer> {
     public Integer call() throws Exception {
         String name = output.toString().toLowerCase(Locale.ROOT);
         if (!name.endsWith(".svg") && !name.endsWith(".png")) {
-            throw new ParameterException(
-                    spec.commandLine(), "FILE must end in .svg or .png (got: " + output + ")");
+            throw new ParameterException(spec.commandLine(), "FILE must end in .svg or .png (got: " + output + ")");
         }
         if (!Files.isRegularFile(world)) {
             throw new ParameterException(spec.commandLine(), "WORLD must be a file (got: " + world + ")");

@@ -27,7 +27,8 @@ final class ServeCommand implements Callable<Integer> {
             names = "--host",
             paramLabel = "ADDRESS",
             defaultValue = "localhost",
-            description = "where to listen; 0.0.0.0 for everywhere (default: ${DEFAULT-VALUE}). Nobody is asked who he is.")
+            description =
+                    "where to listen; 0.0.0.0 for everywhere (default: ${DEFAULT-VALUE}). Nobody is asked who he is.")
     private String host = "localhost";
 
     private ServeCommand() {}

@@ -45,7 +45,8 @@ final class Timings implements SessionListener {
     }
 
     private static String place(GeometryObject object) {
-        return "(" + (float) object.center().x() + ", " + (float) object.center().z() + ")";
+        return "(" + (float) object.center().x() + ", "
+                + (float) object.center().z() + ")";
     }
 
     @Override
