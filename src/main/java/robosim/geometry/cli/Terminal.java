@@ -7,6 +7,7 @@ final class Terminal {
     private Terminal() {}
 
     /** Whether this process reads from and writes to a terminal. */
+    @SuppressWarnings("SystemConsoleNull") // null before Java 22 only; from then on isTerminal tells
     static boolean isPresent() {
         Console console = System.console();
         if (console == null) {
