@@ -31,8 +31,8 @@ final class GridPainter {
             canvas.line(left, y, right, y, Style.line(Palette.GRID, k == 0 ? 1.6 : 0.8, 1));
             canvas.text(left - 8, y + 4, number(k, step), Canvas.Anchor.END, 11, Palette.QUIET);
         }
-        canvas.text(right + 8, bottom + 17, "x", Canvas.Anchor.START, 12, Palette.QUIET);
-        canvas.text(left - 8, top - 8, "z", Canvas.Anchor.END, 12, Palette.QUIET);
+        canvas.text(right + 22, bottom + 17, "x", Canvas.Anchor.START, 12, Palette.QUIET);
+        canvas.text(left - 8, top - 12, "z", Canvas.Anchor.END, 12, Palette.QUIET);
         canvas.rectangle(
                 left,
                 top,

@@ -14,7 +14,7 @@ final class ThingPainter {
         Ink ink = colour == null ? Palette.of(object.kind()) : new Ink(colour, Shade.dimmed(colour));
         Ink edge = new Ink(Shade.mix(ink.light(), 0x000000, 0.38), Shade.mix(ink.dark(), 0xffffff, 0.35));
         canvas.open("object " + role(object), text(object));
-        draw(object, Style.filled(ink, 0.9).outlined(edge, 1, 0.9), frame, canvas);
+        draw(object, Style.filled(ink, 1).outlined(edge, 1, 0.9), frame, canvas);
         canvas.close();
     }
 
