@@ -9,12 +9,8 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.narrow.Enclosure;
-import robosim.geometry.narrow.Leaf;
-import robosim.geometry.narrow.LeafBounds;
 import robosim.geometry.narrow.LeafColumn;
 import robosim.geometry.narrow.OwnLeaves;
-import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.Sweep;
 
 /**
  * A world as it is seen at one accuracy: every object's leaves in one column, their bounds, and the quadtree of the
@@ -38,7 +34,6 @@ final class Level {
     private int unused;
 
     private final LeafColumn incoming = new LeafColumn(1);
-    private final Sweep boundsOfMesh = new Sweep(new Scratch());
     private final double[] part = new double[6];
     private final double[] attitude = new double[Attitude.STRIDE];
 
@@ -171,12 +166,7 @@ final class Level {
             out[at + 3 + k] = Double.NEGATIVE_INFINITY;
         }
         for (int leaf = from; leaf < from + number; leaf++) {
-            if (Leaf.isMesh(column.kind(leaf))) {
-                boundsOfMesh.translation(dimension, 0, 0, 0);
-                boundsOfMesh.bounds(column, leaf, part);
-            } else {
-                LeafBounds.of(column.kind(leaf), column.rows(), leaf * Leaf.STRIDE, part);
-            }
+            column.bounds(leaf, part);
             for (int k = 0; k < 3; k++) {
                 out[at + k] = Math.min(out[at + k], part[k]);
                 out[at + 3 + k] = Math.max(out[at + 3 + k], part[3 + k]);

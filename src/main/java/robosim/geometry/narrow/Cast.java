@@ -117,7 +117,7 @@ public final class Cast {
             s.outer.startRay(column, leaf, ox, oy, oz, ux, uy, uz);
             return true;
         }
-        s.outer.bounds(column, leaf, s.meshBox);
+        column.bounds(leaf, s.meshBox);
         box[0] = ox;
         box[1] = dimension == Dimension.PLANAR ? s.meshBox[1] : oy;
         box[2] = oz;

@@ -74,7 +74,7 @@ public final class Distance {
                 || (Overlap.hasInside(dimension, b, j) && Inside.holdsMesh(b, j, a, i, s))) {
             return 0;
         }
-        s.inner.bounds(b, j, s.box);
+        b.bounds(j, s.box);
         overMesh(dimension, a, i, s.box);
         s.outer.startNearest(a, i, s.box);
         double best = Double.POSITIVE_INFINITY;
@@ -99,7 +99,7 @@ public final class Distance {
     /** In PLANAR, gives the box the heights of the mesh, so that they do not count. */
     private void overMesh(Dimension dimension, LeafColumn mesh, int leaf, double[] box) {
         if (dimension == Dimension.PLANAR) {
-            s.around.bounds(mesh, leaf, s.meshBox);
+            mesh.bounds(leaf, s.meshBox);
             box[1] = s.meshBox[1];
             box[4] = s.meshBox[4];
         }
@@ -120,14 +120,14 @@ public final class Distance {
         if (Leaf.isMesh(kindA) || Leaf.isMesh(kindB)) {
             between(dimension, a, i, b, j, Double.POSITIVE_INFINITY);
             if (triangleA >= 0) {
-                s.outer.bounds(a, i, s.meshBox);
+                s.outer.open(a, i);
                 s.outer.corners(triangleA, s.triangleA, 0);
                 kindA = Leaf.TRIANGLE;
                 rowA = s.triangleA;
                 atA = 0;
             }
             if (triangleB >= 0) {
-                s.outer.bounds(b, j, s.meshBox);
+                s.outer.open(b, j);
                 s.outer.corners(triangleB, s.triangleB, 0);
                 kindB = Leaf.TRIANGLE;
                 rowB = s.triangleB;

@@ -48,7 +48,7 @@ final class Inside {
     /** Whether a point that is not on the surface lies inside. */
     static boolean holds(LeafColumn mesh, int leaf, double px, double py, double pz, Scratch s) {
         double[] box = s.meshBox;
-        s.around.bounds(mesh, leaf, box);
+        mesh.bounds(leaf, box);
         boolean out = px < box[0] || px > box[3] || py < box[1] || py > box[4] || pz < box[2] || pz > box[5];
         if (out) {
             return false;

@@ -2,6 +2,7 @@ package robosim.geometry.narrow;
 
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.index.BoxTree;
 import robosim.geometry.model.TriangleMesh;
 
 /** Leaves beside each other: a kind, a row of {@link Leaf#STRIDE} doubles and, for meshes, the triangles of each. */
@@ -80,6 +81,36 @@ public final class LeafColumn {
             }
         }
         throw new IllegalStateException("leaf must be a mesh (got: leaf " + leaf + " of kind " + kinds[leaf] + ")");
+    }
+
+    /** The outward bounds of a leaf: least x, y and z, then greatest. */
+    public void bounds(int leaf, double[] out) {
+        if (Leaf.isMesh(kinds[leaf])) {
+            meshBounds(leaf, out);
+        } else {
+            LeafBounds.of(kinds[leaf], rows, leaf * Leaf.STRIDE, out);
+        }
+    }
+
+    /** Where the box of the mesh in its own frame comes to stand, widened as {@link MeshWalk} widens a question. */
+    private void meshBounds(int leaf, double[] out) {
+        BoxTree tree = mesh(leaf).tree();
+        double[] b = tree.bounds();
+        int r = 6 * tree.root();
+        int at = leaf * Leaf.STRIDE;
+        for (int k = 0; k < 3; k++) {
+            double middle = rows[at + k];
+            double half = 0;
+            double size = Math.abs(middle);
+            for (int j = 0; j < 3; j++) {
+                double turn = rows[at + Leaf.ROTATION + 3 * k + j];
+                middle += turn * (b[r + j] / 2 + b[r + 3 + j] / 2);
+                half += Math.abs(turn) * (b[r + 3 + j] / 2 - b[r + j] / 2);
+                size += Math.abs(b[r + j]) + Math.abs(b[r + 3 + j]);
+            }
+            out[k] = middle - half - MeshWalk.WIDEN * size;
+            out[3 + k] = middle + half + MeshWalk.WIDEN * size;
+        }
     }
 
     void setMesh(int leaf, TriangleMesh mesh) {

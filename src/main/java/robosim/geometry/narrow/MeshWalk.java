@@ -15,7 +15,7 @@ final class MeshWalk {
      * How much a question is widened for each unit of the coordinates that it was computed from. Taking a point into
      * the own frame is 3 products and 5 sums of unit-length rows, off by less than 16 u; so is the placed triangle.
      */
-    private static final double WIDEN = 0x1p-46;
+    static final double WIDEN = 0x1p-46;
 
     private final double[] low = new double[3];
     private final double[] high = new double[3];
@@ -40,7 +40,8 @@ final class MeshWalk {
     @SuppressWarnings("NullAway.Init") // start sets what is asked
     MeshWalk() {}
 
-    private void open(LeafColumn column, int leaf) {
+    /** Takes a mesh up, for its corners alone or for a question. */
+    void open(LeafColumn column, int leaf) {
         mesh = column.mesh(leaf);
         tree = mesh.tree();
         place = column.rows();
@@ -48,26 +49,6 @@ final class MeshWalk {
         depth = 0;
         item = 0;
         end = 0;
-    }
-
-    /** The bounds of the placed mesh, outward. */
-    void bounds(LeafColumn column, int leaf, double[] out) {
-        open(column, leaf);
-        double[] b = tree.bounds();
-        int r = 6 * tree.root();
-        for (int k = 0; k < 3; k++) {
-            double middle = place[at + k];
-            double half = 0;
-            double size = Math.abs(middle);
-            for (int j = 0; j < 3; j++) {
-                double turn = place[at + Leaf.ROTATION + 3 * k + j];
-                middle += turn * (b[r + j] / 2 + b[r + 3 + j] / 2);
-                half += Math.abs(turn) * (b[r + 3 + j] / 2 - b[r + j] / 2);
-                size += Math.abs(b[r + j]) + Math.abs(b[r + 3 + j]);
-            }
-            out[k] = middle - half - WIDEN * size;
-            out[3 + k] = middle + half + WIDEN * size;
-        }
     }
 
     /** Tight bounds of the placed vertices that faces use. */
@@ -91,7 +72,8 @@ final class MeshWalk {
      * infinite ones.
      */
     void startBox(LeafColumn column, int leaf, double[] world) {
-        bounds(column, leaf, box);
+        open(column, leaf);
+        column.bounds(leaf, box);
         for (int k = 0; k < 3; k++) {
             box[k] = Math.max(box[k], world[k]);
             box[3 + k] = Math.min(box[3 + k], world[3 + k]);

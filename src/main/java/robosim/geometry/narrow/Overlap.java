@@ -42,7 +42,7 @@ public final class Overlap {
     }
 
     private static boolean meshes(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, Scratch s) {
-        s.inner.bounds(b, j, s.box);
+        b.bounds(j, s.box);
         widen(dimension, s.box);
         s.outer.startBox(a, i, s.box);
         for (int t = s.outer.next(0); t >= 0; t = s.outer.next(0)) {

@@ -66,7 +66,7 @@ public final class Sweep {
             return;
         }
         double[] box = s.meshBox;
-        s.around.bounds(column, leaf, box);
+        column.bounds(leaf, box);
         double[] row = s.triangleB; // the mesh's bounds, as a box that moves
         boxRow(box, row);
         bounds(Leaf.UPRIGHT_BOX, row, 0, out);
@@ -123,7 +123,7 @@ public final class Sweep {
     private double[] reach(LeafColumn a, int i) {
         double[] box = s.box;
         if (turns) {
-            s.around.bounds(a, i, box);
+            a.bounds(i, box);
         } else {
             System.arraycopy(s.triangleBox, 0, box, 0, 6);
             double slack = 0x1p-46
@@ -151,11 +151,7 @@ public final class Sweep {
     }
 
     private void obstacleBounds(LeafColumn b, int j) {
-        if (Leaf.isMesh(b.kind(j))) {
-            s.around.bounds(b, j, s.triangleBox);
-        } else {
-            LeafBounds.of(b.kind(j), b.rows(), j * Leaf.STRIDE, s.triangleBox);
-        }
+        b.bounds(j, s.triangleBox);
     }
 
     private boolean meets(double[] a, double[] b) {
