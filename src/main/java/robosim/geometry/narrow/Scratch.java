@@ -6,4 +6,8 @@ package robosim.geometry.narrow;
  */
 public final class Scratch {
     final RayInterval ray = new RayInterval();
+    final NearestFace face = new NearestFace();
+    final Cone cone = new Cone();
+    final ConePolytope conePolytope = new ConePolytope();
+    final ConeCylinder coneCylinder = new ConeCylinder();
 }
