@@ -1,10 +1,13 @@
 package robosim.geometry.narrow;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.exact.Rotations;
 
 class SpatialConeTest {
     private static final int SAMPLES = 400;
@@ -50,8 +53,6 @@ class SpatialConeTest {
                 thin++;
             } else if (found <= answer * (1 + 1e-5)) {
                 attained++;
-            } else {
-                System.out.println(found / answer + " " + name);
             }
         }
         assertThat(heard).isBetween(100, 390);
@@ -79,6 +80,118 @@ class SpatialConeTest {
             }
         }
         assertThat(hits).isGreaterThan(60);
+    }
+
+    /** Where the cone's axis is level and the cylinder tall and upright, the nearest place is on the level. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 4})
+    void aTallCylinderOnTheLevelIsADisc(int kind) {
+        SplittableRandom random = new SplittableRandom(70 + kind);
+        int heard = 0;
+        for (int i = 0; i < 2000; i++) {
+            double half = random.nextDouble(0.01, 1.5);
+            double[] row = new double[Leaf.STRIDE];
+            double angle = half + random.nextDouble(0.001, 0.5);
+            double far = random.nextDouble(2, 20);
+            Rotations.identity(row, Leaf.ROTATION);
+            row[0] = far * StrictMath.cos(angle);
+            row[1] = random.nextDouble(-1, 1);
+            row[2] = far * StrictMath.sin(angle);
+            row[3] = random.nextDouble(0.1, 1.9);
+            row[4] = 3;
+            double cos = StrictMath.cos(half);
+            double sin = Math.sqrt((1 - cos) * (1 + cos));
+            double ahead = row[0] * cos + row[2] * sin;
+            double aside = row[2] * cos - row[0] * sin;
+            double answer = cone(new double[3], new double[] {2, 0, 0}, cos, kind, row);
+            if (aside > row[3]) {
+                assertThat(answer).isInfinite();
+                continue;
+            }
+            double truth = ahead - Math.sqrt((row[3] - aside) * (row[3] + aside));
+            if (aside < row[3] * (1 - 1e-3)) {
+                heard++;
+                assertThat(answer).isBetween(truth * (1 - 0x1p-40), truth * (1 + 1e-14));
+            }
+        }
+        assertThat(heard).isBetween(200, 1900);
+    }
+
+    /** U4: a pole of a thousandth, between the rays of any fan. */
+    @Test
+    void aThinPoleIsHeard() {
+        double[] pole = {10, 0, 0.123, 0.001, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+        double[] d = {1, 0, 0};
+        double answer = cone(new double[3], d, StrictMath.cos(0.1), Leaf.UPRIGHT_CYLINDER, pole);
+        assertThat(answer).isBetween(Math.hypot(10, 0.123) - 0.0011, Math.hypot(10, 0.123) - 0.0009);
+        assertThat(ray(new double[3], d, Leaf.UPRIGHT_CYLINDER, pole)).isInfinite();
+        assertThat(cone(new double[3], d, StrictMath.cos(0.01), Leaf.UPRIGHT_CYLINDER, pole))
+                .isInfinite();
+    }
+
+    /** U1: a sphere wholly inside the cone, on its axis and off it. */
+    @Test
+    void aSphereInsideTheConeIsHeard() {
+        double[] sphere = {3, 4, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+        assertThat(cone(new double[3], new double[] {3, 4, 0}, 0.5, Leaf.SPHERE, sphere))
+                .isEqualTo(4);
+        assertThat(cone(new double[3], new double[] {1, 0, 0}, 0.5, Leaf.SPHERE, sphere))
+                .isEqualTo(4);
+    }
+
+    /** (1, 1, 0) and (1, 0, 1) are 60 degrees apart, and its cosine is a double. */
+    @Test
+    void theBorderBelongsToTheCone() {
+        double[] d = {1, 1, 0};
+        double[] origin = new double[3];
+        double[] touching = {1, 0, 1, 1, -1, 2, 1, -2, 3, 0, 0, 0, 0, 0, 0, 0};
+        assertThat(cone(origin, d, 0.5, Leaf.TRIANGLE, touching)).isEqualTo(Math.sqrt(2));
+        assertThat(cone(origin, d, Math.nextUp(0.5), Leaf.TRIANGLE, touching)).isInfinite();
+        double[] box = {1.5, -0.5, 1.5, 0.5, 0.5, 0.5, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+        double[] far = {1025.5, -1024.5, 1025.5, 0.5, 0.5, 0.5, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+        double[] apex = {1024, -1024, 1024};
+        // The corner (1, 0, 1) is where the box comes nearest; it leaves the cone at once.
+        double[] lower = {1.5, -0.5, 2.5, 0.5, 0.5, 1.5, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+        for (int kind : new int[] {Leaf.UPRIGHT_BOX, Leaf.BOX}) {
+            assertThat(cone(origin, d, 0.5, kind, box)).isCloseTo(Math.sqrt(2), within(1e-15));
+            assertThat(cone(apex, d, 0.5, kind, far)).isCloseTo(Math.sqrt(2), within(1e-15));
+            assertThat(cone(origin, d, 0.5, kind, lower)).isCloseTo(Math.sqrt(2), within(1e-15));
+        }
+    }
+
+    /** An edge that touches the cone's border from outside, between its ends. */
+    @Test
+    void aTangentEdgeBelongsToTheCone() {
+        double[] d = {1, 1, 0};
+        // Through (1, 0, 1) across the axis and the border's direction: (1, 1, 0) x (1, 0, 1) = (1, -1, -1).
+        double[] edge = {2, -1, 0, 0, 1, 2, 0, 1, 2, 0, 0, 0, 0, 0, 0, 0};
+        assertThat(cone(new double[3], d, 0.5, Leaf.TRIANGLE, edge)).isCloseTo(Math.sqrt(2), within(1e-15));
+        assertThat(cone(new double[3], d, Math.nextUp(0.5), Leaf.TRIANGLE, edge))
+                .isInfinite();
+    }
+
+    @Test
+    void allocatesNothing() {
+        double[][] rows = new double[7][];
+        SplittableRandom random = new SplittableRandom(3);
+        for (int kind = 0; kind < 7; kind++) {
+            rows[kind] = Leaves.random(kind, random, 1);
+        }
+        com.sun.management.ThreadMXBean threads =
+                (com.sun.management.ThreadMXBean) java.lang.management.ManagementFactory.getThreadMXBean();
+        double cos = StrictMath.cos(0.7);
+        double sin = StrictMath.sin(0.7);
+        long before = 0;
+        double sum = 0;
+        for (int i = 0; i < 20_000; i++) {
+            if (i == 10_000) {
+                before = threads.getCurrentThreadAllocatedBytes();
+            }
+            sum += SpatialCone.distance(
+                    10 + i * 1e-6, 3, 4, -1, -0.31, -0.42, cos, sin, i % 7, rows[i % 7], 0, scratch);
+        }
+        assertThat(sum).isBetween(20_000.0, 400_000.0);
+        assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(20_000);
     }
 
     private double ray(double[] o, double[] d, int kind, double[] row) {
