@@ -19,6 +19,8 @@ public final class Normals {
     private Normals() {}
 
     /**
+     * Writes the normal.
+     *
      * @param px the place that was hit
      * @param ux direction of the ray, any length but zero; its height is not looked at in {@code PLANAR}
      * @param normal gets three numbers, a unit vector; in {@code PLANAR} that of the projected leaf, horizontal

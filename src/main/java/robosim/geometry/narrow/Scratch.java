@@ -34,4 +34,8 @@ public final class Scratch {
     final SweepScratch sweep = new SweepScratch();
     final Gjk gjk = new Gjk();
     final RayInterval ray = new RayInterval();
+    final NearestFace face = new NearestFace();
+    final Cone cone = new Cone();
+    final ConePolytope conePolytope = new ConePolytope();
+    final ConeCylinder coneCylinder = new ConeCylinder();
 }

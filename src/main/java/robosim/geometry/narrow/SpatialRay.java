@@ -35,7 +35,10 @@ public final class SpatialRay {
         return scaled(ox, oy, oz, ux, uy, uz, kind, row, j, s);
     }
 
-    private static double scale(double value, int power) {
+    static double scale(double value, int power) {
+        if (power == 0) {
+            return value;
+        }
         // In two steps, because from a subnormal the factor itself may be no double.
         int first = power / 2;
         return Math.scalb(Math.scalb(value, first), power - first);
