@@ -1,4 +1,23 @@
-/** x */
+/**
+ * The values that users hold: objects, rays, moves and the two choices of what to model.
+ *
+ * <h2>Space</h2>
+ *
+ * Right-handed axes with Y up; lengths in world units, angles in degrees. A positive angle is counter-clockwise about
+ * its axis by the right-hand rule, so that a yaw of +90 takes forward (1, 0, 0) to (0, 0, -1). Forward is an object's
+ * own +X; width, height and length are its extents along X, Y and Z; a cylinder's axis is its own Y.
+ *
+ * <h2>Touching is colliding</h2>
+ *
+ * Every object is a closed set. Boxes, cylinders and spheres are solid, a mesh is a surface unless it was made
+ * {@linkplain robosim.geometry.model.MeshObject#solid() solid}, and a group is the union of its members. Sizes of zero
+ * and degenerate faces are legal: they are the flat set, segment or point that they are.
+ *
+ * <h2>Values</h2>
+ *
+ * All types here are immutable, compare by value and may be shared between threads. Coordinates and sizes reach up to
+ * 2<sup>100</sup> in magnitude; what is larger, infinite or NaN is refused by name. A coordinate of -0.0 is +0.0.
+ */
 @NullMarked
 package robosim.geometry.model;
 

@@ -45,6 +45,8 @@ final class Gjk {
     private double bz;
     private boolean overlapping;
     private double error;
+    private double reach;
+    private double coreReach;
     private int steps;
 
     /** Asks in space; answers the lower end of the bracket, at least 0. */
@@ -126,6 +128,16 @@ final class Gjk {
     /** How far rounding may have moved a bound of this question, world units. */
     double error() {
         return error;
+    }
+
+    /** The width of the slab before rounding is allowed for: the distance as doubles see it. May be negative. */
+    double reach() {
+        return reach;
+    }
+
+    /** The same between the centres of spheres (discs, in the plane) and the other leaf, their radii left out. */
+    double coreReach() {
+        return coreReach;
     }
 
     /** Steps that the last question took. */
@@ -231,6 +243,8 @@ final class Gjk {
     private void finish(double ox, double oy, double oz, double unscale) {
         double margins = first.margin + second.margin;
         double near = upper;
+        coreReach = lower * unscale;
+        reach = (lower - margins) * unscale;
         lower = lower - margins - error;
         upper = Math.max(0, upper - margins);
         if (near <= margins) {

@@ -12,7 +12,6 @@ final class HeldMove {
 
     private final Support mover = new Support();
     private final Support rest = new Support();
-    private final LeastWays ways = new LeastWays();
     private final double[] pose = new double[Leaf.STRIDE];
 
     /** As {@link SpatialSweep#translation} and {@link PlanarSweep#translation}. */
@@ -27,7 +26,8 @@ final class HeldMove {
             int kindB,
             double[] b,
             int j,
-            Gjk gjk) {
+            Scratch s) {
+        Gjk gjk = s.gjk;
         double vy = planar ? 0 : dy;
         if (dx == 0 && vy == 0 && dz == 0) {
             return Double.POSITIVE_INFINITY;
@@ -49,8 +49,13 @@ final class HeldMove {
                 if (step > 0) {
                     return t;
                 }
-                ways.find(planar, kindA, a, i, kindB, b, j, gjk);
-                return ways.isAgainstAll(dx, vy, dz) ? 0 : Double.POSITIVE_INFINITY;
+                Penetration ways = s.penetration;
+                if (planar) {
+                    ways.planar(kindA, a, i, kindB, b, j);
+                } else {
+                    ways.spatial(kindA, a, i, kindB, b, j);
+                }
+                return isAgainstAll(ways, dx, vy, dz) ? 0 : Double.POSITIVE_INFINITY;
             }
             double nx = gjk.nx();
             double ny = gjk.ny();
@@ -89,5 +94,16 @@ final class HeldMove {
             mover.spatial(kindA, a, i, ox, oy, oz, 1);
             rest.spatial(kindB, b, j, ox, oy, oz, 1);
         }
+    }
+
+    // What is across the way out, to rounding, is along it.
+    private static boolean isAgainstAll(Penetration ways, double dx, double dy, double dz) {
+        double slack = Gjk.ROUNDOFF * (Math.abs(dx) + Math.abs(dy) + Math.abs(dz));
+        for (int k = 0; k < ways.count(); k++) {
+            if (!(ways.nx(k) * dx + ways.ny(k) * dy + ways.nz(k) * dz < -slack)) {
+                return false;
+            }
+        }
+        return true;
     }
 }

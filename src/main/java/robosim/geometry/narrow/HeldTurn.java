@@ -19,8 +19,8 @@ final class HeldTurn {
 
     private final TurnBody mover = new TurnBody();
     private final TurnBody rest = new TurnBody();
-    private final LeastWays ways = new LeastWays();
     private final double[] pose = new double[Leaf.STRIDE];
+    private final double[] box = new double[Leaf.STRIDE];
 
     private boolean planar;
     private double wx;
@@ -43,7 +43,9 @@ final class HeldTurn {
             int kindB,
             double[] b,
             int j,
-            Gjk gjk) {
+            Scratch s) {
+        Gjk gjk = s.gjk;
+        Penetration ways = s.penetration;
         double way = degrees < 0 ? -1 : 1;
         planar = inPlane;
         wx = way * axisX;
@@ -57,9 +59,8 @@ final class HeldTurn {
         double depth = 0;
         ask(gjk, kindA, a, i, kindB, b, j);
         if (!(gjk.lower() > 0)) {
-            ways.find(planar, kindA, a, i, kindB, b, j, gjk);
-            depth = Math.max(0, ways.depth);
-            t = fromContact();
+            depth = Math.max(0, depth(ways, kindA, a, i, kindB, b, j));
+            t = fromContact(ways);
             if (t == 0) {
                 return 0;
             }
@@ -76,9 +77,9 @@ final class HeldTurn {
             if (gjk.lower() > 0) {
                 next = hold(gjk.nx(), gjk.ny(), gjk.nz(), t, depth);
             } else if (depth > 0) {
-                ways.find(planar, kind, pose, 0, kindB, b, j, gjk);
-                for (int k = 0; k < ways.count; k++) {
-                    next = Math.max(next, hold(ways.x[k], ways.y[k], ways.z[k], t, depth));
+                depth(ways, kind, pose, 0, kindB, b, j);
+                for (int k = 0; k < ways.count(); k++) {
+                    next = Math.max(next, hold(ways.nx(k), ways.ny(k), ways.nz(k), t, depth));
                 }
             }
             if (!(next > t) || (gap + depth < CLOSE * mover.extent && next - t < STALLED)) {
@@ -97,12 +98,16 @@ final class HeldTurn {
         }
     }
 
+    private double depth(Penetration ways, int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        return planar ? ways.planar(kindA, a, i, kindB, b, j) : ways.spatial(kindA, a, i, kindB, b, j);
+    }
+
     private void pose(int kind, double[] row, int at, double px, double py, double pz, double t) {
         double cos = StrictMath.cos(t);
         double sin = StrictMath.sin(t);
         if (kind == Leaf.PRISM) {
             // Its box, which is good enough to find axes by.
-            double[] box = ways.boxOf(row, at);
+            boxOf(row, at);
             Poses.turned(Leaf.UPRIGHT_BOX, box, 0, px, py, pz, wx, wy, wz, cos, sin, pose);
         } else {
             Poses.turned(kind, row, at, px, py, pz, wx, wy, wz, cos, sin, pose);
@@ -131,16 +136,29 @@ final class HeldTurn {
         return end;
     }
 
-    private double fromContact() {
+    private double fromContact(Penetration ways) {
         double best = 0;
-        for (int k = 0; k < ways.count; k++) {
-            mover.aim(ways.x[k], ways.y[k], ways.z[k], 1);
+        for (int k = 0; k < ways.count(); k++) {
+            mover.aim(ways.nx(k), ways.ny(k), ways.nz(k), 1);
             best = Math.max(best, mover.notFurtherBack());
             if (!planar || (wx == 0 && wz == 0)) {
-                rest.aim(-ways.x[k], -ways.y[k], -ways.z[k], -1);
+                rest.aim(-ways.nx(k), -ways.ny(k), -ways.nz(k), -1);
                 best = Math.max(best, rest.notFurtherBack());
             }
         }
         return best;
+    }
+
+    /** The upright box around a prism. */
+    private void boxOf(double[] prism, int at) {
+        for (int k = 0; k < 3; k++) {
+            int from = at + (k == 0 ? 0 : k == 1 ? 8 : 2);
+            box[k] = 0.5 * (prism[from] + prism[from + 1]);
+            box[k + 3] = 0.5 * (prism[from + 1] - prism[from]);
+        }
+        java.util.Arrays.fill(box, Leaf.ROTATION, Leaf.STRIDE, 0);
+        box[6] = 1;
+        box[10] = 1;
+        box[14] = 1;
     }
 }

@@ -1,0 +1,26 @@
+package robosim.geometry;
+
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+
+/**
+ * What became of a move.
+ *
+ * @param allowed      whether it was made; a move is all or nothing, a refused one leaves the object where it was
+ * @param fraction     the share of the translation that is free, from 0 to 1: strictly before contact, rounded down, and
+ *                     that place has been verified free
+ * @param turnFraction the share of the turns that is free after the whole translation, from 0 to 1; 0 where the
+ *                     translation is not free. Where a move turns about both axes, the turn about Y is the first half of
+ *                     this share and the turn about X the second
+ * @param obstacle     what blocks the move, as it is; null where nothing does or the world's border does
+ * @param contact      where the moved object meets what blocks it; null where nothing blocks
+ * @param normal       the unit normal there, from what blocks towards the moved object; null where nothing blocks
+ */
+public record MoveResult(
+        boolean allowed,
+        double fraction,
+        double turnFraction,
+        @Nullable GeometryObject obstacle,
+        @Nullable Point contact,
+        @Nullable Point normal) {}

@@ -1,0 +1,80 @@
+package robosim.geometry.model;
+
+import java.io.Serializable;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * An object of a world: an immutable value. The world, not the value, holds where a moveable object is now.
+ *
+ * <p>Values compare by name, place, attitude and shape. Serialization goes through small records, so that no object can
+ * come into being that its constructor would refuse.
+ */
+public sealed interface GeometryObject extends Serializable
+        permits BoxObject, CylinderObject, SphereObject, MeshObject, ObjectGroup {
+
+    /** The five shapes, for a switch that the compiler checks. */
+    enum Kind {
+        BOX,
+        CYLINDER,
+        SPHERE,
+        MESH,
+        GROUP
+    }
+
+    /** Which of the five shapes this is. */
+    Kind kind();
+
+    /** The name, unique in a world, or null for a static object without one. */
+    @Nullable
+    String name();
+
+    /** Whether a world may move this object; it then has a name. */
+    boolean isMoveable();
+
+    /** The place and attitude. */
+    Pose pose();
+
+    /** The place: the middle of a box, cylinder or sphere; the origin of the own frame of a mesh or group. */
+    default Point center() {
+        return pose().center();
+    }
+
+    /** The attitude: nine numbers, row-major, whose columns are the object's own axes in the world; a fresh array. */
+    default double[] rotation() {
+        return pose().rotation();
+    }
+
+    /** Degrees about the vertical from the world's X to the object's forward, above -180 and up to 180. */
+    default double heading() {
+        return pose().heading();
+    }
+
+    /** This object under a name; it stays moveable or static as it is. */
+    GeometryObject named(String name);
+
+    /** This object as one that a world may move, under a name. */
+    GeometryObject moveable(String name);
+
+    /** This object with its centre there and its attitude kept. */
+    GeometryObject movedTo(Point center);
+
+    /**
+     * This object turned in place.
+     *
+     * @param rx degrees about its own X, after the turn by {@code ry}
+     * @param ry degrees about its own Y
+     */
+    GeometryObject turned(double rx, double ry);
+
+    /**
+     * This object in a given attitude.
+     *
+     * @param rotation nine numbers, row-major, whose columns are the object's axes: right-handed, orthonormal to 1e-9,
+     *     kept as given
+     * @throws IllegalArgumentException where it is no rotation
+     */
+    GeometryObject oriented(double[] rotation);
+
+    /** This object at a place and in an attitude. */
+    GeometryObject at(Pose pose);
+}

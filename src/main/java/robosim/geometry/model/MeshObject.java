@@ -1,0 +1,171 @@
+package robosim.geometry.model;
+
+import java.io.InvalidObjectException;
+import java.io.ObjectInputStream;
+import java.io.Serial;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A surface of triangles and quads; a quad is its two triangles on the diagonal 0-2, flat or not.
+ *
+ * <p>Vertices are given in the mesh's own frame, whose origin is its centre: (0, 0, 0) until it is moved. All placements
+ * of one mesh share its triangles and their tree. Degenerate faces are legal: each is the segment or point that it is.
+ */
+public final class MeshObject extends Placed<MeshObject> implements GeometryObject {
+    private static final long serialVersionUID = 1;
+
+    private final transient TriangleMesh triangles;
+    private final transient boolean solid;
+    private final transient @Nullable GeometryObject boundingVolume;
+
+    /**
+     * A surface, bounded by the box of its vertices.
+     *
+     * @param vertices corners in the own frame
+     * @param faces    3 or 4 indices of vertices each; at least one face
+     */
+    public MeshObject(List<Point> vertices, int[][] faces) {
+        this(Tag.NONE, Pose.ORIGIN, new TriangleMesh(flat(vertices), copy(faces)), false, null);
+    }
+
+    /**
+     * A surface with a bounding volume, which is tried first and only ever rejects.
+     *
+     * @param boundingVolume a box, cylinder or sphere in the own frame that encloses every face
+     * @throws IllegalArgumentException where it does not: it would lose collisions
+     */
+    public MeshObject(List<Point> vertices, int[][] faces, GeometryObject boundingVolume) {
+        this(
+                Tag.NONE,
+                Pose.ORIGIN,
+                new TriangleMesh(flat(vertices), copy(faces)),
+                false,
+                Checks.present("boundingVolume", boundingVolume));
+        Enclosing.check(boundingVolume, this);
+    }
+
+    MeshObject(
+            Tag tag, Pose pose, TriangleMesh triangles, boolean solid, @Nullable GeometryObject checkedBoundingVolume) {
+        super(tag, pose);
+        this.triangles = triangles;
+        this.solid = solid;
+        this.boundingVolume = checkedBoundingVolume;
+    }
+
+    private static double[] flat(List<Point> vertices) {
+        double[] coordinates =
+                new double[3 * Checks.present("vertices", vertices).size()];
+        int k = 0;
+        for (Point vertex : vertices) {
+            Checks.present("vertices[" + k / 3 + "]", vertex);
+            coordinates[k++] = vertex.x();
+            coordinates[k++] = vertex.y();
+            coordinates[k++] = vertex.z();
+        }
+        return coordinates;
+    }
+
+    static int[][] copy(int[][] faces) {
+        return Arrays.stream(Checks.present("faces", faces))
+                .map(face -> face == null ? null : face.clone())
+                .toArray(int[][]::new);
+    }
+
+    /** This mesh with a bounding volume in its own frame, or without one of its own. */
+    MeshObject bounded(@Nullable GeometryObject volume) {
+        MeshObject bounded = new MeshObject(tag(), pose(), triangles, solid, volume);
+        if (volume != null) {
+            Enclosing.check(volume, bounded);
+        }
+        return bounded;
+    }
+
+    @Override
+    MeshObject with(Tag newTag, Pose newPose) {
+        return new MeshObject(newTag, newPose, triangles, solid, boundingVolume);
+    }
+
+    /**
+     * This mesh with its inside: a point counts where a ray from it crosses the surface an odd number of times.
+     *
+     * @throws IllegalArgumentException where the surface is not closed, that is, where an edge is used by an odd number
+     *     of triangles after equal corners are joined
+     */
+    public MeshObject solid() {
+        String open = triangles.openEdge();
+        if (open != null) {
+            throw new IllegalArgumentException(
+                    "a solid mesh must be closed: close the surface or use it as a surface (got: " + open + ")");
+        }
+        return new MeshObject(tag(), pose(), triangles, true, boundingVolume);
+    }
+
+    @Override
+    public Kind kind() {
+        return Kind.MESH;
+    }
+
+    /** Whether the inside counts too. */
+    public boolean isSolid() {
+        return solid;
+    }
+
+    /** The vertices in the own frame. */
+    public List<Point> vertices() {
+        List<Point> vertices = new ArrayList<>(triangles.vertices());
+        for (int v = 0; v < triangles.vertices(); v++) {
+            vertices.add(new Point(triangles.coordinate(v, 0), triangles.coordinate(v, 1), triangles.coordinate(v, 2)));
+        }
+        return List.copyOf(vertices);
+    }
+
+    /** The faces as given; a fresh array. */
+    public int[][] faces() {
+        return triangles.faces();
+    }
+
+    /** The triangles that the faces are made of, shared by all placements. */
+    public TriangleMesh triangles() {
+        return triangles;
+    }
+
+    /** The bounding volume that was given, in the own frame; null where the default, the vertices' box, is used. */
+    public @Nullable GeometryObject boundingVolume() {
+        return boundingVolume;
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof MeshObject that
+                && solid == that.solid
+                && samePlace(that)
+                && Objects.equals(boundingVolume, that.boundingVolume)
+                && triangles.equals(that.triangles);
+    }
+
+    @Override
+    public int hashCode() {
+        return 31 * placeHash() + triangles.hashCode();
+    }
+
+    @Override
+    public String toString() {
+        return (solid ? "solid mesh" : "mesh") + placeText() + ", " + triangles.vertices() + " vertices, "
+                + triangles.size() + " triangles";
+    }
+
+    @Serial
+    private Object writeReplace() {
+        return new SerialForms.Mesh(
+                SerialForms.Place.of(this), triangles.coordinates(), triangles.faces(), boundingVolume, solid);
+    }
+
+    @Serial
+    private void readObject(ObjectInputStream in) throws InvalidObjectException {
+        throw SerialForms.formRequired();
+    }
+}

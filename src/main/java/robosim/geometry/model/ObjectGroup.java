@@ -1,0 +1,109 @@
+package robosim.geometry.model;
+
+import java.io.InvalidObjectException;
+import java.io.ObjectInputStream;
+import java.io.Serial;
+import java.util.List;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The union of its members, which are given in the group's own frame; groups may hold groups.
+ *
+ * <p>The frame's origin is the group's centre: (0, 0, 0) until it is moved. What the members are called and whether they
+ * are moveable has no meaning inside a group.
+ */
+public final class ObjectGroup extends Placed<ObjectGroup> implements GeometryObject {
+    private static final long serialVersionUID = 1;
+
+    private final transient List<GeometryObject> members;
+    private final transient @Nullable GeometryObject boundingVolume;
+
+    /**
+     * A union.
+     *
+     * @param members objects in the own frame; at least one
+     */
+    public ObjectGroup(List<GeometryObject> members) {
+        this(members, null);
+    }
+
+    /**
+     * A union with a bounding volume, which is tried first and only ever rejects.
+     *
+     * @param boundingVolume a box, cylinder or sphere in the own frame that encloses every member; null for a default
+     * @throws IllegalArgumentException where it does not enclose them: it would lose collisions
+     */
+    public ObjectGroup(List<GeometryObject> members, @Nullable GeometryObject boundingVolume) {
+        this(Tag.NONE, Pose.ORIGIN, copy(members), boundingVolume);
+        if (boundingVolume != null) {
+            Enclosing.check(boundingVolume, this);
+        }
+    }
+
+    private ObjectGroup(
+            Tag tag, Pose pose, List<GeometryObject> members, @Nullable GeometryObject checkedBoundingVolume) {
+        super(tag, pose);
+        this.members = members;
+        this.boundingVolume = checkedBoundingVolume;
+    }
+
+    private static List<GeometryObject> copy(List<GeometryObject> members) {
+        if (Checks.present("members", members).isEmpty()) {
+            throw new IllegalArgumentException("members must hold at least one object (got: none)");
+        }
+        int k = 0;
+        for (GeometryObject member : members) {
+            Checks.present("members[" + k++ + "]", member);
+        }
+        return List.copyOf(members);
+    }
+
+    @Override
+    ObjectGroup with(Tag newTag, Pose newPose) {
+        return new ObjectGroup(newTag, newPose, members, boundingVolume);
+    }
+
+    @Override
+    public Kind kind() {
+        return Kind.GROUP;
+    }
+
+    /** The members, in the own frame. */
+    public List<GeometryObject> members() {
+        return members;
+    }
+
+    /** The bounding volume that was given, in the own frame; null where a default is used. */
+    public @Nullable GeometryObject boundingVolume() {
+        return boundingVolume;
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof ObjectGroup that
+                && samePlace(that)
+                && Objects.equals(boundingVolume, that.boundingVolume)
+                && members.equals(that.members);
+    }
+
+    @Override
+    public int hashCode() {
+        return 31 * placeHash() + members.hashCode();
+    }
+
+    @Override
+    public String toString() {
+        return "group" + placeText() + " of " + members.size();
+    }
+
+    @Serial
+    private Object writeReplace() {
+        return new SerialForms.Group(SerialForms.Place.of(this), members, boundingVolume);
+    }
+
+    @Serial
+    private void readObject(ObjectInputStream in) throws InvalidObjectException {
+        throw SerialForms.formRequired();
+    }
+}

@@ -1,0 +1,114 @@
+package robosim.geometry.model;
+
+import java.util.Arrays;
+import robosim.geometry.exact.Attitude;
+
+/**
+ * Where an object stands and how it is turned: a centre and a rotation.
+ *
+ * <p>The heading of an upright pose is kept as a compensated angle (a sum and the rounding that it lost), so that many
+ * small turns do not drift; its rotation is made from that angle, from scratch. Equal are poses of equal centre and
+ * rotation.
+ */
+public final class Pose {
+    /** At the origin, facing +X. */
+    public static final Pose ORIGIN = new Pose(new Point(), Attitude.identity());
+
+    private final Point center;
+
+    /** Laid out by {@link Attitude}. */
+    private final double[] attitude;
+
+    private Pose(Point center, double[] attitude) {
+        this.center = center;
+        this.attitude = attitude;
+    }
+
+    /** Upright at a place with a heading in degrees. */
+    public static Pose of(Point center, double heading) {
+        double[] attitude = Attitude.identity();
+        Attitude.setHeading(attitude, 0, Checks.angle("heading", heading), 0);
+        return new Pose(Checks.present("center", center), attitude);
+    }
+
+    /** From the numbers of {@link Attitude}, as a world keeps them; copied. */
+    public static Pose of(Point center, double[] attitude, int at) {
+        return new Pose(Checks.present("center", center), Arrays.copyOfRange(attitude, at, at + Attitude.STRIDE));
+    }
+
+    /** The place. */
+    public Point center() {
+        return center;
+    }
+
+    /** Nine numbers, row-major; the columns are the own axes in the world. A fresh array. */
+    public double[] rotation() {
+        return Arrays.copyOf(attitude, 9);
+    }
+
+    /** One number of the rotation, 0 to 8, row-major. */
+    public double rotation(int index) {
+        if (index < 0 || index > 8) {
+            throw new IllegalArgumentException("index must be 0 to 8 (got: " + index + ")");
+        }
+        return attitude[index];
+    }
+
+    /** Degrees about the vertical from the world's X to forward, above -180 and up to 180. */
+    public double heading() {
+        return Attitude.heading(attitude, 0);
+    }
+
+    /** Whether the own Y is the world's, exactly: the pose is a place and a heading. */
+    public boolean isUpright() {
+        return Attitude.isUpright(attitude, 0);
+    }
+
+    /** The numbers of {@link Attitude} behind this pose, written into a column. */
+    public void attitude(double[] column, int at) {
+        System.arraycopy(attitude, 0, column, at, Attitude.STRIDE);
+    }
+
+    /** The same attitude elsewhere. */
+    public Pose movedTo(Point place) {
+        return new Pose(Checks.present("center", place), attitude);
+    }
+
+    /** Turned in place by {@code ry} degrees about the own Y, then by {@code rx} about the own X. */
+    public Pose turned(double rx, double ry) {
+        double[] turned = attitude.clone();
+        Attitude.turn(turned, 0, Checks.angle("rx", rx), Checks.angle("ry", ry));
+        return new Pose(center, turned);
+    }
+
+    /** In place with a given rotation, kept as given. */
+    public Pose oriented(double[] rotation) {
+        Checks.present("rotation", rotation);
+        if (rotation.length != 9 || !Attitude.isRotation(rotation)) {
+            throw new IllegalArgumentException(
+                    "rotation must be 9 numbers, row-major, whose columns are right-handed and orthonormal to 1e-9"
+                            + " (got: " + Arrays.toString(rotation) + ")");
+        }
+        double[] oriented = Attitude.identity();
+        Attitude.orient(oriented, 0, rotation);
+        return new Pose(center, oriented);
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof Pose that
+                && center.equals(that.center)
+                && Arrays.equals(attitude, 0, 9, that.attitude, 0, 9);
+    }
+
+    @Override
+    public int hashCode() {
+        return 31 * center.hashCode() + Arrays.hashCode(rotation());
+    }
+
+    @Override
+    public String toString() {
+        String place = "(" + center.x() + ", " + center.y() + ", " + center.z() + ")";
+        return isUpright() ? place + " heading " + heading() : place + " rotation " + Arrays.toString(rotation());
+    }
+}

@@ -1,0 +1,136 @@
+package robosim.geometry.model;
+
+import java.io.InvalidObjectException;
+import java.io.Serial;
+import java.io.Serializable;
+import java.util.List;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Attitude;
+
+/**
+ * What objects are on the wire: records that make the object again through its constructor, so that none can come into
+ * being that the constructor would refuse.
+ */
+@SuppressWarnings("ArrayRecordComponent") // never compared, and the numbers are checked and copied on the way in
+public final class SerialForms {
+    private SerialForms() {}
+
+    /** Every class of this package that a serialized object may hold, for an allow-list. */
+    public static Set<Class<?>> classes() {
+        return Set.of(
+                Point.class,
+                Ray.class,
+                Move.class,
+                Accuracy.class,
+                Dimension.class,
+                Place.class,
+                Box.class,
+                Cylinder.class,
+                Sphere.class,
+                Mesh.class,
+                Group.class);
+    }
+
+    static InvalidObjectException formRequired() {
+        return new InvalidObjectException("an object must come as its serial form (got: its own class)");
+    }
+
+    /** Name, mobility and pose; the heading travels with its lost rounding. */
+    record Place(@Nullable String name, boolean moveable, Point center, double[] rotation, double heading, double rest)
+            implements Serializable {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        static Place of(Placed<?> object) {
+            double[] entry = new double[Attitude.STRIDE];
+            object.pose().attitude(entry, 0);
+            return new Place(
+                    object.name(),
+                    object.isMoveable(),
+                    object.pose().center(),
+                    object.pose().rotation(),
+                    entry[9],
+                    entry[10]);
+        }
+
+        Placed.Tag tag() {
+            return new Placed.Tag(name == null ? null : Checks.name(name), moveable);
+        }
+
+        Pose pose() {
+            Pose given = Pose.of(Checks.present("center", center), 0).oriented(rotation);
+            if (given.isUpright() && Double.isFinite(heading) && Math.abs(heading) <= 180 && Math.abs(rest) <= 1e-12) {
+                double[] entry = Attitude.identity();
+                Attitude.setHeading(entry, 0, heading, rest);
+                Pose made = Pose.of(center, entry, 0);
+                if (made.equals(given)) {
+                    return made;
+                }
+            }
+            return given;
+        }
+    }
+
+    record Box(Place place, double width, double height, double length) implements Serializable {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        @Serial
+        private Object readResolve() {
+            return new BoxObject(place.tag(), place.pose(), width, height, length);
+        }
+    }
+
+    record Cylinder(Place place, double radius, double height) implements Serializable {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        @Serial
+        private Object readResolve() {
+            return new CylinderObject(place.tag(), place.pose(), radius, height);
+        }
+    }
+
+    record Sphere(Place place, double radius) implements Serializable {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        @Serial
+        private Object readResolve() {
+            return new SphereObject(place.tag(), place.pose(), radius);
+        }
+    }
+
+    record Mesh(
+            Place place,
+            double[] coordinates,
+            int[][] faces,
+            @Nullable GeometryObject boundingVolume,
+            boolean solid) implements Serializable {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        @Serial
+        private Object readResolve() {
+            // Copied first: the stream may hold another reference to the same arrays.
+            TriangleMesh triangles =
+                    new TriangleMesh(Checks.present("vertices", coordinates).clone(), MeshObject.copy(faces));
+            MeshObject mesh = new MeshObject(place.tag(), place.pose(), triangles, false, null).bounded(boundingVolume);
+            return solid ? mesh.solid() : mesh;
+        }
+    }
+
+    record Group(
+            Place place,
+            List<GeometryObject> members,
+            @Nullable GeometryObject boundingVolume) implements Serializable {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        @Serial
+        private Object readResolve() {
+            return new ObjectGroup(members, boundingVolume).with(place.tag(), place.pose());
+        }
+    }
+}

@@ -1,0 +1,67 @@
+package robosim.geometry.model;
+
+import java.io.InvalidObjectException;
+import java.io.ObjectInputStream;
+import java.io.Serial;
+
+/** A solid sphere, placed by its centre. It has an attitude too, which says where forward is. */
+public final class SphereObject extends Placed<SphereObject> implements GeometryObject {
+    private static final long serialVersionUID = 1;
+
+    private final transient double radius;
+
+    /**
+     * A sphere that faces +X.
+     *
+     * @param center the middle of the sphere
+     * @param radius world units; at least 0
+     */
+    public SphereObject(Point center, double radius) {
+        this(Tag.NONE, Pose.of(center, 0), radius);
+    }
+
+    SphereObject(Tag tag, Pose pose, double radius) {
+        super(tag, pose);
+        this.radius = Checks.size("radius", radius);
+    }
+
+    @Override
+    SphereObject with(Tag newTag, Pose newPose) {
+        return new SphereObject(newTag, newPose, radius);
+    }
+
+    @Override
+    public Kind kind() {
+        return Kind.SPHERE;
+    }
+
+    /** Radius in world units. */
+    public double radius() {
+        return radius;
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof SphereObject that && radius == that.radius && samePlace(that);
+    }
+
+    @Override
+    public int hashCode() {
+        return 31 * placeHash() + Double.hashCode(radius);
+    }
+
+    @Override
+    public String toString() {
+        return "sphere" + placeText() + ", radius " + radius;
+    }
+
+    @Serial
+    private Object writeReplace() {
+        return new SerialForms.Sphere(SerialForms.Place.of(this), radius);
+    }
+
+    @Serial
+    private void readObject(ObjectInputStream in) throws InvalidObjectException {
+        throw SerialForms.formRequired();
+    }
+}

@@ -1,0 +1,204 @@
+package robosim.geometry.model;
+
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The triangles of a mesh in its own frame and their tree, shared by all placements of the mesh.
+ *
+ * <p>Made for the module itself: what a user sees of it is {@link MeshObject}.
+ */
+public final class TriangleMesh {
+    private final double[] coordinates;
+    private final int[][] faces;
+
+    /** Three indices of vertices a triangle; a quad gives the two on its diagonal 0-2, beside each other. */
+    private final int[] corners;
+
+    /** The face that a triangle is of. */
+    private final int[] faceOf;
+
+    private int @Nullable [] seeds;
+
+    /** Takes both arrays as its own. */
+    TriangleMesh(double[] coordinates, int[][] faces) {
+        Checks.present("vertices", coordinates);
+        Checks.present("faces", faces);
+        if (faces.length == 0) {
+            throw new IllegalArgumentException("faces must hold at least one face (got: none)");
+        }
+        if (coordinates.length % 3 != 0) {
+            throw new IllegalArgumentException(
+                    "vertices must have three coordinates each (got: " + coordinates.length + " numbers)");
+        }
+        for (int k = 0; k < coordinates.length; k++) {
+            coordinates[k] = Checks.coordinate("vertices[" + k / 3 + "]." + "xyz".charAt(k % 3), coordinates[k]);
+        }
+        int triangles = 0;
+        for (int f = 0; f < faces.length; f++) {
+            checkFace(f, faces[f], coordinates.length / 3);
+            triangles += faces[f].length - 2;
+        }
+        this.coordinates = coordinates;
+        this.faces = faces;
+        this.corners = new int[3 * triangles];
+        this.faceOf = new int[triangles];
+        int t = 0;
+        for (int f = 0; f < faces.length; f++) {
+            for (int k = 2; k < faces[f].length; k++) {
+                corners[3 * t] = faces[f][0];
+                corners[3 * t + 1] = faces[f][k - 1];
+                corners[3 * t + 2] = faces[f][k];
+                faceOf[t++] = f;
+            }
+        }
+    }
+
+    private static void checkFace(int f, int[] face, int vertices) {
+        if (face == null || (face.length != 3 && face.length != 4)) {
+            throw new IllegalArgumentException("faces[" + f + "] must have 3 or 4 indices (got: "
+                    + (face == null ? "null" : String.valueOf(face.length)) + ")");
+        }
+        for (int index : face) {
+            if (index < 0 || index >= vertices) {
+                throw new IllegalArgumentException("faces[" + f + "] must have indices from 0 to " + (vertices - 1)
+                        + ", the vertices given (got: " + index + ")");
+            }
+        }
+    }
+
+    /** How many triangles there are. */
+    public int size() {
+        return faceOf.length;
+    }
+
+    /** The face, in the order given, that a triangle is of. */
+    public int face(int triangle) {
+        return faceOf[triangle];
+    }
+
+    /** The index of one of the three vertices of a triangle. */
+    public int vertex(int triangle, int corner) {
+        return corners[3 * triangle + corner];
+    }
+
+    /** How many vertices were given. */
+    public int vertices() {
+        return coordinates.length / 3;
+    }
+
+    /** One coordinate (0 to 2) of a vertex, in the own frame. */
+    public double coordinate(int vertex, int axis) {
+        return coordinates[3 * vertex + axis];
+    }
+
+    /** All coordinates, a fresh array. */
+    double[] coordinates() {
+        return coordinates.clone();
+    }
+
+    /** The faces as given, a deep copy. */
+    int[][] faces() {
+        return Arrays.stream(faces).map(int[]::clone).toArray(int[][]::new);
+    }
+
+    /**
+     * One coordinate of a vertex under a placement: R p + centre, evaluated in this one order everywhere, so that shared
+     * vertices stay shared.
+     *
+     * @param place a centre at 0-2 and a rotation at 6-14 of a row that begins at {@code at}
+     */
+    public double placed(int vertex, int axis, double[] place, int at) {
+        int row = at + 6 + 3 * axis;
+        int v = 3 * vertex;
+        return place[row] * coordinates[v]
+                + place[row + 1] * coordinates[v + 1]
+                + place[row + 2] * coordinates[v + 2]
+                + place[at + axis];
+    }
+
+    /** One vertex of each connected part of the surface, by ascending index. */
+    public synchronized int[] seeds() {
+        if (seeds == null) {
+            seeds = findSeeds();
+        }
+        return seeds.clone();
+    }
+
+    private int[] findSeeds() {
+        int[] joined = joinEqual();
+        int[] parent = new int[vertices()];
+        Arrays.setAll(parent, v -> v);
+        for (int t = 0; t < size(); t++) {
+            int a = root(parent, joined[vertex(t, 0)]);
+            int b = root(parent, joined[vertex(t, 1)]);
+            parent[Math.max(a, b)] = Math.min(a, b);
+            int c = root(parent, joined[vertex(t, 2)]);
+            int ab = Math.min(a, b);
+            parent[Math.max(ab, c)] = Math.min(ab, c);
+        }
+        return Arrays.stream(corners)
+                .map(v -> root(parent, joined[v]))
+                .sorted()
+                .distinct()
+                .toArray();
+    }
+
+    private static int root(int[] parent, int v) {
+        int r = v;
+        while (parent[r] != r) {
+            parent[r] = parent[parent[r]];
+            r = parent[r];
+        }
+        return r;
+    }
+
+    /** For each vertex the first one at the same place. */
+    private int[] joinEqual() {
+        Map<Point, Integer> first = new HashMap<>();
+        int[] joined = new int[vertices()];
+        for (int v = 0; v < joined.length; v++) {
+            Point place = new Point(coordinate(v, 0), coordinate(v, 1), coordinate(v, 2));
+            Integer earlier = first.putIfAbsent(place, v);
+            joined[v] = earlier == null ? v : earlier;
+        }
+        return joined;
+    }
+
+    /** An edge that an odd number of triangles use, as a text for people; null where the surface is closed. */
+    @Nullable
+    String openEdge() {
+        int[] joined = joinEqual();
+        Map<Long, Integer> uses = new HashMap<>();
+        for (int t = 0; t < size(); t++) {
+            for (int k = 0; k < 3; k++) {
+                int a = joined[vertex(t, k)];
+                int b = joined[vertex(t, (k + 1) % 3)];
+                if (a != b) {
+                    uses.merge(((long) Math.min(a, b) << 32) | Math.max(a, b), 1, Integer::sum);
+                }
+            }
+        }
+        return uses.entrySet().stream()
+                .filter(use -> use.getValue() % 2 != 0)
+                .min(Map.Entry.comparingByKey())
+                .map(use -> "the edge of vertices " + (use.getKey() >> 32) + " and " + (use.getKey() & 0xffffffffL)
+                        + " is used " + use.getValue() + (use.getValue() == 1 ? " time" : " times"))
+                .orElse(null);
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return this == other
+                || (other instanceof TriangleMesh that
+                        && Arrays.equals(coordinates, that.coordinates)
+                        && Arrays.deepEquals(faces, that.faces));
+    }
+
+    @Override
+    public int hashCode() {
+        return 31 * Arrays.hashCode(coordinates) + Arrays.deepHashCode(faces);
+    }
+}
