@@ -33,7 +33,7 @@ public final class PlanarSweep {
         } else if (isDisc(kindA) && (isDisc(kindB) || AxisBody.isPolytope(kindB))) {
             return disc(a, i, dx, dz, kindB, b, j, s);
         }
-        throw new IllegalArgumentException("turned cylinders are not covered (got: " + kindA + ", " + kindB + ")");
+        return s.sweep.move.time(true, kindA, a, i, dx, 0, dz, kindB, b, j, s);
     }
 
     /**
@@ -67,7 +67,7 @@ public final class PlanarSweep {
             return s.sweep.turn.free(
                     kindA, a, i, px, pz, wy < 0 ? -degrees : degrees, kindB, b, j, Double.POSITIVE_INFINITY);
         }
-        throw new IllegalArgumentException("not covered (got: " + kindA + ", " + kindB + ")");
+        return s.sweep.heldTurn.free(true, kindA, a, i, px, py, pz, wx, wy, wz, degrees, kindB, b, j, s);
     }
 
     static boolean isDisc(int kind) {

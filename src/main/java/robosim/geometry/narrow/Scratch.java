@@ -18,6 +18,10 @@ public final class Scratch {
     final double[] triangleBox = new double[6];
     final double[] meshBox = new double[6];
     /** Distance and penetration of the two leaves of a question, in space or in the plane. */
+    final SweepScratch sweep = new SweepScratch();
+
+    /** Distance and penetration of the two leaves of a question, in space or in the plane. */
+    final Gjk gjk = new Gjk();
 
     final Penetration penetration = new Penetration();
 

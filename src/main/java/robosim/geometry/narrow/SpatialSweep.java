@@ -29,7 +29,7 @@ public final class SpatialSweep {
                     ? cylinder(a, i, dx, dy, dz, kindB, b, j, s)
                     : cylinder(b, j, -dx, -dy, -dz, kindA, a, i, s);
         }
-        throw new IllegalArgumentException("not covered (got: " + kindA + ", " + kindB + ")");
+        return s.sweep.move.time(false, kindA, a, i, dx, dy, dz, kindB, b, j, s);
     }
 
     /**
@@ -73,7 +73,7 @@ public final class SpatialSweep {
             double depth = Math.min(otherTop + otherHalf - mid + half, top + half - otherMid + otherHalf);
             return s.sweep.turn.free(kindA, a, i, px, pz, wy < 0 ? -degrees : degrees, kindB, b, j, depth);
         }
-        throw new IllegalArgumentException("not covered (got: " + kindA + ", " + kindB + ")");
+        return s.sweep.heldTurn.free(false, kindA, a, i, px, py, pz, wx, wy, wz, degrees, kindB, b, j, s);
     }
 
     // A box or cylinder reaches from middle - half to middle + half; a prism, of half 0, from middle to top.

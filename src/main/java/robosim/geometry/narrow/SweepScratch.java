@@ -6,4 +6,6 @@ final class SweepScratch {
     final MovingDisc disc = new MovingDisc();
     final Outline outline = new Outline();
     final PlanarTurn turn = new PlanarTurn();
+    final HeldMove move = new HeldMove();
+    final HeldTurn heldTurn = new HeldTurn();
 }

@@ -121,10 +121,10 @@ final class TurnDisc {
             slack = 8 * error;
         } else {
             double h = (c + limit + error) / rho;
-            if (h > 1 || h < -1) {
+            if (h > 1 + 8 * error / rho || h < -1) {
                 return Double.POSITIVE_INFINITY;
             }
-            double arc = StrictMath.acos(h);
+            double arc = StrictMath.acos(Math.min(1, h)); // 0 where it hardly reaches the line
             t = phase + arc;
             slack = rho * (StrictMath.acos(Math.max(-1, h - 4 * error / rho)) - arc) + 2 * error;
         }
