@@ -23,7 +23,7 @@ final class Element {
     final List<SonarRing> sonars = new ArrayList<>();
     final List<Point> vertices = new ArrayList<>();
     final List<int[]> faces = new ArrayList<>();
-    final Text text = new Text();
+    final Text text;
 
     @Nullable
     GeometryObject bounds;
@@ -35,6 +35,7 @@ final class Element {
         this.attributes = new AttributesImpl(attributes); // the parser reuses its own
         this.line = line;
         this.column = column;
+        this.text = new Text(column);
     }
 
     /** Whether its content is numbers. */

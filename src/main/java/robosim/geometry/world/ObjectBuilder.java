@@ -232,7 +232,7 @@ final class ObjectBuilder {
                 if (places) {
                     place[count % 3] = Numbers.length(text.token(), unit);
                 } else {
-                    face[count % size] = Numbers.integer(text.token());
+                    face[count % size] = Numbers.index(text.token());
                 }
                 count++;
                 if (count % size == 0) {

@@ -125,7 +125,7 @@ final class WorldHandler extends DefaultHandler {
     @Override
     public void characters(char[] text, int start, int length) throws SAXException {
         if (open != null && open.takesText()) {
-            open.text.add(text, start, length, line(), column());
+            open.text.add(text, start, length, line());
         }
         validator.characters(text, start, length);
     }
