@@ -6,7 +6,7 @@ public final class Limits {
 
     /**
      * Most bytes of one message, so that no sender fills the memory. A mesh of a million triangles takes 34 MB, a world of
-     * 100,000 boxes 21 MB, a bundle of 1,000 sonar requests 40 kB.
+     * 100,000 boxes 18 MB, a bundle of 1,000 sonar requests 33 kB.
      */
     public static final int MAX_MESSAGE_BYTES = 64 << 20;
 
@@ -18,8 +18,8 @@ public final class Limits {
 
     /**
      * Most objects, arrays and references in one message and all before it since its sender last reset the stream, because
-     * an object stream keeps them all until then: a sender must reset its stream, best after each message. A mesh of a million
-     * triangles has a million arrays, a world of 100,000 boxes 400,000 objects.
+     * an object stream keeps them all until then: a sender must reset its stream, best after each message. A mesh of a
+     * million triangles has a million arrays, a world of 100,000 boxes 500,000 objects.
      */
     public static final int MAX_REFERENCES = 4_000_000;
 
@@ -27,8 +27,8 @@ public final class Limits {
     public static final int MAX_ARRAY_LENGTH = 4_000_000;
 
     /**
-     * Most objects, requests or answers in one list, and faces of one mesh. The largest swarm tried has 10,000 robots of 16
-     * sonars: 160,000 requests.
+     * Most objects, requests or answers in one list, and faces of one mesh. A swarm of 10,000 robots has, with 16
+     * sonars each, 160,000 requests.
      */
     public static final int MAX_LIST_LENGTH = 1_100_000;
 
