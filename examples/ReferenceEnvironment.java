@@ -21,9 +21,12 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.SplittableRandom;
 import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.SphereObject;
 import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.InitBundle;
@@ -269,6 +272,7 @@ public final class ReferenceEnvironment {
     private static final class Robot {
         private final String name;
         private final double speed;
+        private final double reach;
         private final SplittableRandom random;
         private final List<SonarRequest> requests = new ArrayList<>();
         private final List<Double> bearings = new ArrayList<>();
@@ -279,6 +283,7 @@ public final class ReferenceEnvironment {
         Robot(WorldObject object, double speed, SplittableRandom random) {
             this.name = object.object().name();
             this.speed = speed;
+            this.reach = reach(object.object());
             this.random = random;
             for (SonarRing ring : object.sonars()) {
                 // On the wire every angle is in radians.
@@ -296,13 +301,24 @@ public final class ReferenceEnvironment {
             this.distances = new double[requests.size()];
         }
 
+        /** How far a robot sticks out from its centre, where its shape tells. */
+        private static double reach(GeometryObject object) {
+            if (object instanceof BoxObject box) {
+                return Math.hypot(box.width(), box.length()) / 2;
+            }
+            if (object instanceof CylinderObject cylinder) {
+                return cylinder.radius();
+            }
+            return object instanceof SphereObject sphere ? sphere.radius() : 0;
+        }
+
         MoveRequest wander() {
             double ahead = Double.POSITIVE_INFINITY;
             double left = 0;
             double right = 0;
             for (int k = 0; k < distances.length; k++) {
                 double bearing = bearings.get(k);
-                double seen = Math.min(distances[k], 60 * speed);
+                double seen = Math.min(distances[k], reach + 60 * speed);
                 if (Math.abs(bearing) < 0.8) {
                     ahead = Math.min(ahead, seen);
                 }
@@ -324,7 +340,7 @@ public final class ReferenceEnvironment {
                 return new MoveRequest(name, speed, 0, 0, 0, 0);
             }
             double jitter = random.nextDouble(-0.06, 0.06);
-            if (ahead < 14 * speed) {
+            if (ahead < reach + 8 * speed) {
                 double side = left >= right ? 1 : -1;
                 return new MoveRequest(name, speed / 4, 0, 0, 0, side * random.nextDouble(0.15, 0.35));
             }

@@ -2,12 +2,9 @@ package robosim.geometry.viewer;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.Shape;
-import java.awt.font.TextLayout;
-import java.awt.geom.AffineTransform;
 import java.awt.geom.Arc2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
@@ -95,16 +92,16 @@ final class ImageCanvas implements Canvas {
         if (text.isEmpty()) {
             return;
         }
-        Font font = new Font("DejaVu Sans", Font.PLAIN, 1).deriveFont((float) size);
-        TextLayout layout = new TextLayout(text, font, graphics.getFontRenderContext());
         double left = switch (anchor) {
             case START -> x;
-            case MIDDLE -> x - layout.getAdvance() / 2;
-            case END -> x - layout.getAdvance();
+            case MIDDLE -> x - StrokeFont.width(text, size) / 2;
+            case END -> x - StrokeFont.width(text, size);
         };
-        Shape glyphs = layout.getOutline(AffineTransform.getTranslateInstance(left, y));
-        draw(glyphs, Style.line(Palette.FLOOR, 3, 1));
-        draw(glyphs, Style.filled(ink, 1));
+        Path2D strokes = new Path2D.Double();
+        StrokeFont.lines(text, size, left, y).forEach(line -> append(strokes, line));
+        double pen = Math.max(1.1, size / 11);
+        draw(strokes, Style.line(Palette.FLOOR, pen + 3, 1));
+        draw(strokes, Style.line(ink, pen, 1));
     }
 
     private void draw(Shape shape, Style style) {
