@@ -17,7 +17,7 @@ public final class Scratch {
     final double[] box = new double[6];
     final double[] triangleBox = new double[6];
     final double[] meshBox = new double[6];
-    /** Distance and penetration of the two leaves of a question, in space or in the plane. */
+
     final SweepScratch sweep = new SweepScratch();
 
     /** Distance and penetration of the two leaves of a question, in space or in the plane. */
@@ -35,8 +35,6 @@ public final class Scratch {
     final double[] planarNormal = new double[3];
 
     final double[] planarBounds = new double[6];
-    final SweepScratch sweep = new SweepScratch();
-    final Gjk gjk = new Gjk();
     final RayInterval ray = new RayInterval();
     final NearestFace face = new NearestFace();
     final Cone cone = new Cone();
