@@ -1,6 +1,7 @@
 package robosim.geometry;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -40,7 +41,10 @@ public final class Geometry {
 
     private final Bodies bodies = new Bodies();
     private final Border border;
-    private final @Nullable Level[] levels = new Level[Accuracy.values().length];
+
+    /** The levels made so far, the world's own first. */
+    private Level[] levels;
+
     private final Level level;
     private final Ranging ranging;
     private final Motion motion;
@@ -77,7 +81,7 @@ public final class Geometry {
         this.accuracy = present("accuracy", accuracy);
         border = new Border(width, height, length, dimension);
         level = new Level(accuracy, dimension, width, length);
-        levels[accuracy.ordinal()] = level;
+        levels = new Level[] {level};
         Scratch scratch = new Scratch();
         ranging = new Ranging(bodies, scratch);
         motion = new Motion(bodies, border, scratch);
@@ -138,9 +142,7 @@ public final class Geometry {
         }
         int id = bodies.add(object);
         for (Level each : levels) {
-            if (each != null) {
-                each.add(id, object);
-            }
+            each.add(id, object);
         }
         return true;
     }
@@ -176,9 +178,7 @@ public final class Geometry {
             return false;
         }
         for (Level each : levels) {
-            if (each != null) {
-                each.remove(id, bodies);
-            }
+            each.remove(id, bodies);
         }
         bodies.remove(id);
         return true;
@@ -208,9 +208,7 @@ public final class Geometry {
 
     private void moved(int id) {
         for (Level each : levels) {
-            if (each != null) {
-                each.move(id, bodies.places(), bodies.place(id));
-            }
+            each.move(id, bodies.places(), bodies.place(id));
         }
     }
 
@@ -241,16 +239,17 @@ public final class Geometry {
 
     /** The world as it is seen at an accuracy, made when it is first asked. */
     private Level at(Accuracy asked) {
-        int index = present("accuracy", asked).ordinal();
-        Level seen = levels[index];
-        if (seen == null) {
-            Level made = new Level(asked, dimension, width, length);
-            IntStream.range(0, bodies.limit()).filter(bodies::isPresent).forEach(id -> made.add(
-                    id, bodies.present(id)));
-            levels[index] = made;
-            return made;
+        present("accuracy", asked);
+        for (Level each : levels) {
+            if (each.accuracy == asked) {
+                return each;
+            }
         }
-        return seen;
+        Level made = new Level(asked, dimension, width, length);
+        IntStream.range(0, bodies.limit()).filter(bodies::isPresent).forEach(id -> made.add(id, bodies.present(id)));
+        levels = Arrays.copyOf(levels, levels.length + 1);
+        levels[levels.length - 1] = made;
+        return made;
     }
 
     /**
@@ -301,14 +300,14 @@ public final class Geometry {
         int id = mover(name);
         Move asked = present("move", move);
         ownToWorld(id, asked.x(), asked.y(), asked.z());
-        return result(id, carryOut(id, vector[0], vector[1], vector[2], asked.rx(), asked.ry()));
+        return result(carryOut(id, vector[0], vector[1], vector[2], asked.rx(), asked.ry()));
     }
 
     /** Makes a move whose translation is along the world's axes; its turns are about the object's own. */
     public MoveResult moveGlobal(String name, Move move) {
         int id = mover(name);
         Move asked = present("move", move);
-        return result(id, carryOut(id, asked.x(), asked.y(), asked.z(), asked.rx(), asked.ry()));
+        return result(carryOut(id, asked.x(), asked.y(), asked.z(), asked.rx(), asked.ry()));
     }
 
     /**
@@ -327,12 +326,12 @@ public final class Geometry {
         ownToWorld(id, asked.x(), asked.y(), asked.z());
         boolean all = motion.attempt(
                 level, id, vector[0], vector[1], vector[2], asked.rx(), asked.ry(), clearance);
-        MoveResult result = result(id, all);
+        MoveResult result = result(all);
         commit(id);
         return result;
     }
 
-    private MoveResult result(int id, boolean allowed) {
+    private MoveResult result(boolean allowed) {
         if (allowed) {
             return new MoveResult(true, 1, 1, null, null, null);
         }
