@@ -24,8 +24,8 @@ class SpatialSweepTest {
         for (int k = 0; k < 12; k++) {
             for (int kindA = 0; kindA < Leaf.KINDS; kindA++) {
                 for (int kindB = 0; kindB < Leaf.KINDS; kindB++) {
-                    double[] a = SweepRows.random(kindA, 1.7, random);
-                    double[] b = SweepRows.random(kindB, 1.7, random);
+                    double[] a = SweepRows.random(kindA, 1.4, random);
+                    double[] b = SweepRows.random(kindB, 1.4, random);
                     double level = k % 3 == 0 ? 0 : 1;
                     translate(
                             kindA,
