@@ -70,10 +70,10 @@ final class HeldMove {
                     - error;
             double slack = Gjk.ROUNDOFF * (Math.abs(dx) + Math.abs(vy) + Math.abs(dz));
             double closing = -(nx * dx + ny * vy + nz * dz) + slack;
-            if (gap > 0 && (closing <= 2 * slack && closing < gap)) {
+            if (closing <= 0 && gap - closing * t > 0) {
                 return Double.POSITIVE_INFINITY;
             }
-            double next = gap > 0 ? gap / closing * (1 - 0x1p-51) : 0;
+            double next = gap > 0 && closing > 0 ? gap / closing * (1 - 0x1p-51) : 0;
             if (!(next > t)) {
                 return t;
             }

@@ -70,8 +70,7 @@ final class Poses {
     }
 
     // Rodrigues: v cos + (w x v) sin + w (w.v)(1 - cos)
-    private static void turn(
-            double[] v, int at, int step, double wx, double wy, double wz, double cos, double sin) {
+    private static void turn(double[] v, int at, int step, double wx, double wy, double wz, double cos, double sin) {
         double x = v[at];
         double y = v[at + step];
         double z = v[at + 2 * step];

@@ -6,6 +6,7 @@ final class SweepScratch {
     final MovingDisc disc = new MovingDisc();
     final Outline outline = new Outline();
     final PlanarTurn turn = new PlanarTurn();
+    final TurnBody body = new TurnBody();
     final HeldMove move = new HeldMove();
     final HeldTurn heldTurn = new HeldTurn();
 }

@@ -277,4 +277,83 @@ final class TurnBody {
         double bend = Math.PI * Math.PI * radius / (8 * tilt) + 0.5 * extent;
         return least / bend * (1 - 0x1p-40);
     }
+
+    /**
+     * How far the leaf reaches along the direction anywhere from angle 0 to {@code angle}, rounded up.
+     *
+     * @param pivot where the pivot lies along the direction
+     * @param start how far the leaf reaches at angle 0, rounded up
+     */
+    double greatest(double angle, double pivot, double start) {
+        if (rims && (sa != 0 || sb != 0)) {
+            double cap = Double.NEGATIVE_INFINITY;
+            for (int m = 0; m < points; m++) {
+                cap = rimTop(m, 0, Math.min(angle, FULL), cap, 0);
+            }
+            return up(start, pivot + cap + error() + 2 * Math.ulp(pivot));
+        }
+        double best = start;
+        double beyond = margin + (rims ? radius * across(sk) : 0);
+        for (int m = 0; m < points; m++) {
+            double rho = Math.sqrt(a[m] * a[m] + b[m] * b[m]);
+            double rise;
+            double top;
+            if (angle >= FULL || passes(StrictMath.atan2(b[m], a[m]), 0, angle)) {
+                rise = rho == 0 ? 0 : a[m] > 0 ? b[m] * b[m] / (rho + a[m]) : rho - a[m];
+                top = rho;
+            } else {
+                double sin = StrictMath.sin(0.5 * angle);
+                double cos = StrictMath.cos(0.5 * angle);
+                rise = 2 * sin * (b[m] * cos - a[m] * sin);
+                top = a[m] + rise;
+                rise += ROUNDOFF * sin * rho;
+            }
+            // No further than the leaf at the start and the rise from there; nor than this point by itself.
+            if (rise > 0) {
+                double place = pivot + (k[m] + top + beyond) + error() + 2 * Math.ulp(pivot);
+                best = Math.max(best, Math.min(Math.nextUp(start + rise * (1 + ROUNDOFF)), place));
+            }
+        }
+        return best;
+    }
+
+    private static double up(double start, double place) {
+        return Math.max(start, place);
+    }
+
+    /**
+     * The greatest {@code k + a cos t + b sin t + r sqrt(1 - s^2)} of a rim over an arc, or {@code best} if that is more,
+     * rounded up by at most a 2^-36th of the extent: arcs are halved where more might hide.
+     */
+    private double rimTop(int m, double from, double to, double best, int depth) {
+        double middle = 0.5 * (from + to);
+        double half = 0.5 * (to - from);
+        double cos = StrictMath.cos(middle);
+        double sin = StrictMath.sin(middle);
+        double s = sk + sa * cos + sb * sin;
+        double slope = sb * cos - sa * sin;
+        double here = k[m] + a[m] * cos + b[m] * sin + radius * across(s);
+        double found = Math.max(best, here);
+        double swing = Math.sqrt(sa * sa + sb * sb);
+        double rho = Math.sqrt(a[m] * a[m] + b[m] * b[m]);
+        // By the steepest that the rim gets, and by how fast its reach may grow from the middle.
+        double simple = k[m] + a[m] * cos + b[m] * sin + rho * half + radius * steepest(from, to);
+        double flattest = flattest(Math.abs(s) + swing * half);
+        double bySlope = Double.POSITIVE_INFINITY;
+        if (flattest > 0) {
+            double speed = Math.abs(b[m] * cos - a[m] * sin - radius * s * slope / Math.max(across(s), flattest));
+            double bend = rho + radius * (swing * swing + swing) / (flattest * flattest * flattest);
+            bySlope = here + (speed + 0.5 * bend * half) * half;
+        }
+        double most = Math.min(simple, bySlope);
+        if (most <= found + 0x1p-36 * extent || depth == 48) {
+            return Math.max(found, most);
+        }
+        found = rimTop(m, from, middle, found, depth + 1);
+        return rimTop(m, middle, to, found, depth + 1);
+    }
+
+    private static double flattest(double s) {
+        return s < 1 ? across(s) : 0;
+    }
 }
