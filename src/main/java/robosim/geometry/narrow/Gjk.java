@@ -28,6 +28,12 @@ final class Gjk {
     /** Below this size a problem is scaled up before squares are taken. */
     private static final double SMALL = 0x1p-240;
 
+    /**
+     * The origin is certainly in a tetrahedron of which it cuts off volumes beyond this share of the cubed extents: each
+     * is a sum of six products of three coordinates off by 17u of the extents, so off by less than 6 * 60u = 2^-44.
+     */
+    private static final double DEEP = 0x1p-43;
+
     private final Support first = new Support();
     private final Support second = new Support();
     private final Simplex simplex = new Simplex();
@@ -48,6 +54,7 @@ final class Gjk {
     private double reach;
     private double coreReach;
     private int steps;
+    private boolean deep;
 
     /** Asks in space; answers the lower end of the bracket, at least 0. */
     double spatial(int kindA, double[] a, int i, int kindB, double[] b, int j) {
@@ -123,6 +130,11 @@ final class Gjk {
 
     double bz() {
         return bz;
+    }
+
+    /** Whether a common point is certain: it lies inside by more than rounding can have moved anything. */
+    boolean isDeep() {
+        return deep;
     }
 
     /** How far rounding may have moved a bound of this question, world units. */
@@ -243,6 +255,7 @@ final class Gjk {
     private void finish(double ox, double oy, double oz, double unscale) {
         double margins = first.margin + second.margin;
         double near = upper;
+        deep = near + error < margins || (near == 0 && simplex.depth() > DEEP * cube(first.extent + second.extent));
         coreReach = lower * unscale;
         reach = (lower - margins) * unscale;
         lower = lower - margins - error;
@@ -270,6 +283,10 @@ final class Gjk {
         lower *= unscale;
         upper *= unscale;
         error *= unscale;
+    }
+
+    private static double cube(double v) {
+        return v * v * v;
     }
 
     private void reverse() {

@@ -26,6 +26,7 @@ final class Simplex {
     private final double[] pointsB = new double[12];
 
     private double norm;
+    private double depth;
 
     // The best part found so far by reduce: its direction, weights and norm.
     private double foundNorm;
@@ -37,6 +38,7 @@ final class Simplex {
     void clear() {
         count = 0;
         norm = Double.POSITIVE_INFINITY;
+        depth = 0;
     }
 
     /** Adds the difference of two points found; false where it is there already. */
@@ -93,6 +95,11 @@ final class Simplex {
     /** Squared distance of the nearest point, as the weights give it; 0 where the origin is inside. */
     double norm() {
         return norm;
+    }
+
+    /** Six times the least of the volumes into which the origin cuts the tetrahedron; 0 where it is not inside one. */
+    double depth() {
+        return depth;
     }
 
     double ax() {
@@ -275,6 +282,7 @@ final class Simplex {
         if (!allPositive && !allNegative) {
             return false;
         }
+        depth = Math.min(Math.min(Math.abs(w0), Math.abs(w1)), Math.min(Math.abs(w2), Math.abs(w3)));
         double sum = w0 + w1 + w2 + w3;
         weight[0] = w0 / sum;
         weight[1] = w1 / sum;
