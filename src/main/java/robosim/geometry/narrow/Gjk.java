@@ -16,6 +16,12 @@ final class Gjk {
     /** Most steps of one question. Polytopes take less than 20, rims in unlucky places some 60. */
     private static final int MOST_STEPS = 160;
 
+    /**
+     * Steps without a nearer point before doubles are taken to be at their end. A tilt of 2^-26 against a cap does not
+     * show in a distance, but does in the slab.
+     */
+    private static final int MOST_STALLS = 6;
+
     /** The bracket is narrow enough when it is this share of the distance. */
     private static final double NARROW = 0x1p-44;
 
@@ -206,6 +212,7 @@ final class Gjk {
         if (vx == 0 && vy == 0 && vz == 0) {
             vx = 1;
         }
+        int stalls = 0;
         for (steps = 1; steps <= MOST_STEPS; steps++) {
             double length = Math.sqrt(vx * vx + vy * vy + vz * vz);
             double reach = probe(vx / length, vy / length, vz / length);
@@ -214,10 +221,15 @@ final class Gjk {
                 return;
             }
             if (!simplex.reduce()) {
-                return; // no nearer than before: rounding decides from here on
+                return;
             }
-            upper = Math.sqrt(simplex.norm());
-            witness();
+            double near = Math.sqrt(simplex.norm());
+            if (near < upper) {
+                upper = near;
+                witness();
+            } else if (++stalls > MOST_STALLS) {
+                return; // rounding decides from here on
+            }
             if (upper <= error) {
                 overlapping = true; // no slab could prove otherwise
                 return;

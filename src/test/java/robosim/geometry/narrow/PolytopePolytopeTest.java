@@ -110,14 +110,14 @@ class PolytopePolytopeTest {
         if (kind == Leaf.TRIANGLE) {
             double[] row = new double[Leaf.STRIDE];
             for (int k = 0; k < 9; k++) {
-                row[k] = random.nextInt(-2, 3);
+                row[k] = random.nextInt(-1, 3);
             }
             return row;
         }
         double[] row = Rows.box(
-                random.nextInt(-3, 4),
-                random.nextInt(-3, 4),
-                random.nextInt(-3, 4),
+                random.nextInt(-1, 3),
+                random.nextInt(-1, 3),
+                random.nextInt(-1, 3),
                 random.nextInt(3),
                 random.nextInt(3),
                 random.nextInt(3),
