@@ -324,8 +324,7 @@ public final class Geometry {
             throw new IllegalArgumentException("clearance must be from 0 to 2^100 (got: " + clearance + ")");
         }
         ownToWorld(id, asked.x(), asked.y(), asked.z());
-        boolean all = motion.attempt(
-                level, id, vector[0], vector[1], vector[2], asked.rx(), asked.ry(), clearance);
+        boolean all = motion.attempt(level, id, vector[0], vector[1], vector[2], asked.rx(), asked.ry(), clearance);
         MoveResult result = result(all);
         commit(id);
         return result;
@@ -532,13 +531,7 @@ public final class Geometry {
      * @param mount where the sensor stands in the object's own frame
      */
     public void scan(
-            String name,
-            Point mount,
-            double firstDegrees,
-            double stepDegrees,
-            double min,
-            double max,
-            double[] out) {
+            String name, Point mount, double firstDegrees, double stepDegrees, double min, double max, double[] out) {
         present("mount", mount);
         scan(name, mount.x(), mount.y(), mount.z(), firstDegrees, stepDegrees, min, max, out);
     }

@@ -72,8 +72,7 @@ final class Level {
             form.own.place(cx, cy, cz, rotation, at, column, firstLeaf);
         } else {
             form.own.place(cx, cy, cz, rotation, at, form.exact, 0);
-            form.enclosure.place(
-                    accuracy, dimension, form.exact, cx, cy, cz, rotation, at, column, firstLeaf);
+            form.enclosure.place(accuracy, dimension, form.exact, cx, cy, cz, rotation, at, column, firstLeaf);
         }
     }
 

@@ -99,8 +99,7 @@ final class Motion {
      * @param gap how far to stay from what blocks; 0 to stop just before contact
      * @return whether all of it is free; else {@link #end()} is the place before contact
      */
-    boolean attempt(
-            Level inLevel, int mover, double x, double y, double z, double turnX, double turnY, double gap) {
+    boolean attempt(Level inLevel, int mover, double x, double y, double z, double turnX, double turnY, double gap) {
         begin(inLevel, mover, gap);
         boolean free = phase(x, y, z, NO_TURN, 0);
         if (!free) {

@@ -67,15 +67,7 @@ final class Ranging {
      *
      * @param openingAngle in degrees; 0 for a line
      */
-    void beam(
-            Dimension dimension,
-            double x,
-            double y,
-            double z,
-            double dx,
-            double dy,
-            double dz,
-            double openingAngle) {
+    void beam(Dimension dimension, double x, double y, double z, double dx, double dy, double dz, double openingAngle) {
         cast.line(dimension, x, y, z, dx, dy, dz);
         ox = x;
         oy = y;
@@ -270,8 +262,8 @@ final class Ranging {
         }
         for (int i = level.first(id); i < level.first(id) + level.count(id); i++) {
             for (int j = level.first(other); j < level.first(other) + level.count(other); j++) {
-                double found = distance.between(
-                        level.dimension, level.leaves(), i, level.leaves(), j, Math.min(reach, best));
+                double found =
+                        distance.between(level.dimension, level.leaves(), i, level.leaves(), j, Math.min(reach, best));
                 best = Math.min(best, found);
             }
         }
@@ -283,8 +275,8 @@ final class Ranging {
         double[] b = level.bounds();
         double squared = 0;
         for (int axis = 0; axis < 3; axis += level.dimension == Dimension.PLANAR ? 2 : 1) {
-            double gap = Math.max(
-                    b[6 * id + axis] - b[6 * other + 3 + axis], b[6 * other + axis] - b[6 * id + 3 + axis]);
+            double gap =
+                    Math.max(b[6 * id + axis] - b[6 * other + 3 + axis], b[6 * other + axis] - b[6 * id + 3 + axis]);
             if (gap > 0) {
                 squared += gap * gap;
             }

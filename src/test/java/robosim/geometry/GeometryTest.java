@@ -48,7 +48,8 @@ class GeometryTest {
         BoxObject beside = new BoxObject(new Point(2, 0, 0), 2, 2, 2);
         assertThat(geometry.testObject(beside)).isTrue();
         assertThat(geometry.addObject(beside)).isFalse();
-        assertThat(geometry.addObject(beside.movedTo(new Point(Math.nextUp(2.0), 0, 0)))).isTrue();
+        assertThat(geometry.addObject(beside.movedTo(new Point(Math.nextUp(2.0), 0, 0))))
+                .isTrue();
         assertThat(geometry.objects()).hasSize(2);
     }
 
@@ -63,8 +64,10 @@ class GeometryTest {
     @Test
     void theBorderIsClosedAndJudgedOnTheExactShape() {
         Geometry geometry = new Geometry(10, 10, 10);
-        assertThat(geometry.addObject(new BoxObject(new Point(4.5, -4.5, 0), 1, 1, 1))).isTrue();
-        assertThat(geometry.addObject(new BoxObject(new Point(Math.nextUp(4.5), 4.5, 0), 1, 1, 1))).isFalse();
+        assertThat(geometry.addObject(new BoxObject(new Point(4.5, -4.5, 0), 1, 1, 1)))
+                .isTrue();
+        assertThat(geometry.addObject(new BoxObject(new Point(Math.nextUp(4.5), 4.5, 0), 1, 1, 1)))
+                .isFalse();
         // A square on its corner needs the root of two.
         BoxObject turned = new BoxObject(new Point(0, 4, 4.3), 1, 1, 1).turned(0, 45);
         assertThat(geometry.addObject(turned)).isFalse();
@@ -85,7 +88,9 @@ class GeometryTest {
         assertThat(geometry.removeObject("robot")).isTrue();
         assertThat(geometry.objects()).isEmpty();
         assertThat(geometry.addObject(robot(5, 5))).isTrue();
-        assertThatIllegalArgumentException().isThrownBy(() -> geometry.getObject("nobody")).withMessageContaining("nobody");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> geometry.getObject("nobody"))
+                .withMessageContaining("nobody");
         geometry.addObject(wall(20).named("wall"));
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> geometry.simpleMove("wall", 1, 0, 0))
@@ -97,7 +102,9 @@ class GeometryTest {
     void aMoveIsSweptAndAllOrNothing(Dimension dimension) {
         Geometry geometry = world(dimension, robot(0, 0), wall(5));
         assertThat(geometry.simpleMove("robot", 4, 0, 0)).isTrue();
-        assertThat(geometry.simpleMove("robot", 20, 0, 0)).as("through the wall").isFalse();
+        assertThat(geometry.simpleMove("robot", 20, 0, 0))
+                .as("through the wall")
+                .isFalse();
         assertThat(geometry.getObject("robot").center()).isEqualTo(new Point(4, 0, 0));
         MoveResult result = geometry.move("robot", new Move(20, 0, 0, 0, 0));
         assertThat(result.allowed()).isFalse();
@@ -117,7 +124,8 @@ class GeometryTest {
         assertThat(geometry.simpleTurn("robot", 90)).isTrue();
         assertThat(geometry.simpleMove("robot", 2, 0, 1)).isTrue();
         assertThat(geometry.getObject("robot").center()).isEqualTo(new Point(1, 0, -2));
-        assertThat(geometry.moveGlobal("robot", new Move(2, 0, 1, 0, 90)).allowed()).isTrue();
+        assertThat(geometry.moveGlobal("robot", new Move(2, 0, 1, 0, 90)).allowed())
+                .isTrue();
         assertThat(geometry.getObject("robot").center()).isEqualTo(new Point(3, 0, -1));
         assertThat(geometry.getObject("robot").heading()).isEqualTo(180);
     }
@@ -126,7 +134,9 @@ class GeometryTest {
     @EnumSource(Dimension.class)
     void whatIsTouchedAtTheStartBlocksOnlyWhatGoesDeeper(Dimension dimension) {
         Geometry geometry = world(dimension, robot(0, 0), new BoxObject(new Point(1, 0, 0), 1, 4, 4));
-        assertThat(geometry.move("robot", new Move(0.1, 0, 0, 0, 0)).fraction()).as("into").isZero();
+        assertThat(geometry.move("robot", new Move(0.1, 0, 0, 0, 0)).fraction())
+                .as("into")
+                .isZero();
         assertThat(geometry.simpleMove("robot", 0, 0, 0)).as("nothing").isTrue();
         assertThat(geometry.simpleMove("robot", 0, 0, 0.5)).as("along").isTrue();
         assertThat(geometry.simpleTurn("robot", 77)).as("a disc turns in place").isTrue();
@@ -156,7 +166,9 @@ class GeometryTest {
         assertThat(result.turnFraction()).isBetween(0.3, 0.5);
         assertThat(geometry.simpleTurn("bar", -60)).isTrue();
         assertThat(geometry.getObject("bar").heading()).isEqualTo(-60);
-        assertThat(geometry.simpleTurn("bar", 360)).as("a full circle is no zero turn").isFalse();
+        assertThat(geometry.simpleTurn("bar", 360))
+                .as("a full circle is no zero turn")
+                .isFalse();
     }
 
     @Test
@@ -173,11 +185,16 @@ class GeometryTest {
         Geometry geometry = world(Dimension.SPATIAL, robot(0, 0), wall(5));
         MoveResult result = geometry.moveToContact("robot", new Move(20, 0, 0, 0, 0), 0.125);
         assertThat(result.allowed()).isFalse();
-        assertThat(geometry.getObject("robot").center().x()).isLessThanOrEqualTo(4.25).isCloseTo(4.25, within(1e-9));
+        assertThat(geometry.getObject("robot").center().x())
+                .isLessThanOrEqualTo(4.25)
+                .isCloseTo(4.25, within(1e-9));
         assertThat(geometry.getProximity("robot", 10)).isCloseTo(0.125, within(1e-9));
-        assertThat(geometry.moveToContact("robot", new Move(1, 0, 0, 0, 0), 0).allowed()).isFalse();
+        assertThat(geometry.moveToContact("robot", new Move(1, 0, 0, 0, 0), 0).allowed())
+                .isFalse();
         assertThat(geometry.getProximity("robot", 10)).isPositive().isLessThan(1e-9);
-        assertThat(geometry.moveToContact("robot", new Move(-1, 0, 0, 0, 0), 0.125).allowed()).isTrue();
+        assertThat(geometry.moveToContact("robot", new Move(-1, 0, 0, 0, 0), 0.125)
+                        .allowed())
+                .isTrue();
     }
 
     @Test
@@ -189,7 +206,9 @@ class GeometryTest {
         assertThat(result.normal()).isEqualTo(new Point(-1, 0, 0));
         assertThat(result.contact().x()).isEqualTo(50);
         assertThat(result.fraction()).isCloseTo(49.5 / 60, within(1e-12));
-        assertThat(geometry.simpleMove("robot", 49.5, 0, 0)).as("touching the border is inside").isTrue();
+        assertThat(geometry.simpleMove("robot", 49.5, 0, 0))
+                .as("touching the border is inside")
+                .isTrue();
         assertThat(geometry.simpleTurn("robot", 33)).isTrue();
     }
 
@@ -202,13 +221,18 @@ class GeometryTest {
         assertThat(geometry.getRayDistance(ray, 0, INFINITE, 0, "robot")).isEqualTo(6);
         assertThat(geometry.getSonarDistance("robot", 1, 0, 0, INFINITE, 0)).isEqualTo(5);
         assertThat(geometry.getSonarDistance("robot", 1, 0, 0, 5, 0)).isEqualTo(5);
-        assertThat(geometry.getSonarDistance("robot", 1, 0, 0, Math.nextDown(5.0), 0)).isEqualTo(INFINITE);
-        assertThat(geometry.getSonarDistance("robot", 1, 0, 5.5, 10, 0)).as("hidden by what is too near").isEqualTo(5.5);
+        assertThat(geometry.getSonarDistance("robot", 1, 0, 0, Math.nextDown(5.0), 0))
+                .isEqualTo(INFINITE);
+        assertThat(geometry.getSonarDistance("robot", 1, 0, 5.5, 10, 0))
+                .as("hidden by what is too near")
+                .isEqualTo(5.5);
         assertThat(geometry.getSonarDistance("robot", -1, 0, 0, 10, 0)).isEqualTo(INFINITE);
-        assertThat(geometry.getRayDistance(new Ray(new Point(5, 0, 0), FORWARD), 0.25, 9, 0)).isEqualTo(0.25);
+        assertThat(geometry.getRayDistance(new Ray(new Point(5, 0, 0), FORWARD), 0.25, 9, 0))
+                .isEqualTo(0.25);
         Ray mount = new Ray(new Point(1, 0, 0), new Point(0, 0, 1));
         assertThat(geometry.getSonarDistance("robot", mount, 0, 9, 0)).isEqualTo(INFINITE);
-        assertThat(geometry.getSonarDistance("robot", new Ray(new Point(1, 0, 0), FORWARD), 0, 9, 0)).isEqualTo(4);
+        assertThat(geometry.getSonarDistance("robot", new Ray(new Point(1, 0, 0), FORWARD), 0, 9, 0))
+                .isEqualTo(4);
     }
 
     @ParameterizedTest
@@ -218,15 +242,17 @@ class GeometryTest {
         Geometry geometry = world(dimension, robot(0, 0), pole);
         double nearest = Math.hypot(10, 0.4) - 1e-4;
         assertThat(geometry.getSonarDistance("robot", 1, 0, 0, 20, 15)).isCloseTo(nearest, within(1e-9));
-        assertThat(geometry.getSonarDistance("robot", 1, 0, 0, 20, 4)).as("too narrow").isEqualTo(INFINITE);
+        assertThat(geometry.getSonarDistance("robot", 1, 0, 0, 20, 4))
+                .as("too narrow")
+                .isEqualTo(INFINITE);
         double[] fan = geometry.scan("robot", -7.5, 15.0 / 180, 181, 0, 20);
         assertThat(fan).containsOnly(INFINITE);
     }
 
     @Test
     void aScanGoesCounterClockwise() {
-        Geometry geometry = world(
-                Dimension.PLANAR, robot(0, 0), new BoxObject(new Point(0, 0, -5), 2, 2, 2), wall(8.125));
+        Geometry geometry =
+                world(Dimension.PLANAR, robot(0, 0), new BoxObject(new Point(0, 0, -5), 2, 2, 2), wall(8.125));
         assertThat(geometry.scan("robot", 0, 90, 4, 0, 20)).containsExactly(8, 4, INFINITE, INFINITE);
         geometry.simpleTurn("robot", 90);
         assertThat(geometry.scan("robot", 0, 90, 4, 0, 20)).containsExactly(4, INFINITE, INFINITE, 8);
@@ -238,8 +264,10 @@ class GeometryTest {
         Geometry geometry = world(Dimension.SPATIAL, ball, new SphereObject(new Point(0, 5, 0), 1));
         RayHit hit = geometry.castRay(new Ray(new Point(0, -3, 0), new Point(0, 2, 0)), INFINITE);
         assertThat(hit).isEqualTo(new RayHit(7, new Point(0, 4, 0), new Point(0, -1, 0), ball));
-        assertThat(geometry.castRay(new Ray(new Point(0, -3, 0), new Point(0, 2, 0)), 6.9)).isNull();
-        assertThat(geometry.castRay(new Ray(new Point(0, 5, 0), FORWARD), 9).distance()).isZero();
+        assertThat(geometry.castRay(new Ray(new Point(0, -3, 0), new Point(0, 2, 0)), 6.9))
+                .isNull();
+        assertThat(geometry.castRay(new Ray(new Point(0, 5, 0), FORWARD), 9).distance())
+                .isZero();
     }
 
     @ParameterizedTest
@@ -262,8 +290,12 @@ class GeometryTest {
                         new CylinderObject(new Point(0, 0.5, 0), 0.1, 0.9)))
                 .movedTo(new Point(3, 0, 0));
         Geometry geometry = world(Dimension.SPATIAL, floor, table, robot(-3, 0).movedTo(new Point(-3, 0.6, 0)));
-        assertThat(geometry.simpleMove("robot", 0, -0.2, 0)).as("into the floor").isFalse();
-        assertThat(geometry.simpleMove("robot", 5, 0, 0)).as("under the table top, and against it").isFalse();
+        assertThat(geometry.simpleMove("robot", 0, -0.2, 0))
+                .as("into the floor")
+                .isFalse();
+        assertThat(geometry.simpleMove("robot", 5, 0, 0))
+                .as("under the table top, and against it")
+                .isFalse();
         assertThat(geometry.simpleMove("robot", 0, -0.0999, 0)).isTrue();
         Ray down = new Ray(new Point(1, 5, 1), new Point(0, -1, 0));
         assertThat(geometry.getRayDistance(down, 0, INFINITE, 0)).isEqualTo(5);
@@ -277,11 +309,13 @@ class GeometryTest {
         Geometry geometry = new Geometry(100, 100, 100, Dimension.SPATIAL, accuracy);
         BoxObject slanted = new BoxObject(new Point(5, 0, 0), 4, 1, 0.2).turned(20, 30);
         geometry.addObject(slanted);
-        assertThat(geometry.testObject(new SphereObject(new Point(5, 0, 0), 0.1))).isTrue();
+        assertThat(geometry.testObject(new SphereObject(new Point(5, 0, 0), 0.1)))
+                .isTrue();
         Ray ray = new Ray(new Point(), FORWARD);
         double distance = geometry.getRayDistance(ray, 0, INFINITE, 0);
         assertThat(distance).isLessThanOrEqualTo(geometry.getRayDistance(ray, 0, INFINITE, 0, Accuracy.EXACT));
-        assertThat(geometry.testObject(new SphereObject(new Point(50, 0, 0), 0.1), Accuracy.SPHERE)).isFalse();
+        assertThat(geometry.testObject(new SphereObject(new Point(50, 0, 0), 0.1), Accuracy.SPHERE))
+                .isFalse();
     }
 
     @ParameterizedTest
@@ -307,6 +341,8 @@ class GeometryTest {
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> geometry.getRayDistance(new Ray(new Point(), new Point(0, 1, 0)), 0, 9, 0))
                 .withMessageContaining("vertical");
-        assertThatIllegalArgumentException().isThrownBy(() -> new Geometry(bad, 1, 1)).withMessageContaining("width");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new Geometry(bad, 1, 1))
+                .withMessageContaining("width");
     }
 }

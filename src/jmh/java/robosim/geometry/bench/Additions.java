@@ -55,10 +55,8 @@ public final class Additions {
                 () -> jts(objects),
                 () -> dyn4j(objects));
         long in = geometry(objects, world);
-        boolean same = in == plainList(objects)
-                && in == listOfBounds(objects)
-                && in == jts(objects)
-                && in == dyn4j(objects);
+        boolean same =
+                in == plainList(objects) && in == listOfBounds(objects) && in == jts(objects) && in == dyn4j(objects);
         if (!same) {
             throw new IllegalStateException("all must let the same objects in");
         }

@@ -23,8 +23,7 @@ public final class Scaling {
 
     /** Measures every size, PLANAR and EXACT. */
     public static void main(String[] args) {
-        Timing.print(
-                "%9s %12s %12s %12s %14s %12s", "objects", "add ns", "ray ns", "hits", "overlap ns", "overlaps");
+        Timing.print("%9s %12s %12s %12s %14s %12s", "objects", "add ns", "ray ns", "hits", "overlap ns", "overlaps");
         for (int n = 100; n <= 1_000_000; n *= 10) {
             row(n);
         }
@@ -47,8 +46,7 @@ public final class Scaling {
                     new Point(StrictMath.cos(angle), 0, StrictMath.sin(angle)));
             probes[k] = new CylinderObject(new Point(scene.coordinate(), 0, scene.coordinate()), 0.5, 1);
         }
-        double[][] nanos =
-                Timing.inTurn(6, 15, () -> castAll(geometry, rays), () -> testAll(geometry, probes));
+        double[][] nanos = Timing.inTurn(6, 15, () -> castAll(geometry, rays), () -> testAll(geometry, probes));
         Timing.print(
                 "%9d %12.0f %12.0f %12d %14.0f %12d",
                 n,

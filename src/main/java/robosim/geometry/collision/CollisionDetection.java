@@ -55,12 +55,11 @@ public final class CollisionDetection {
     }
 
     private static @Nullable GeometryObject boundingVolume(GeometryObject object) {
-        GeometryObject volume =
-                switch (object.kind()) {
-                    case MESH -> ((MeshObject) object).boundingVolume();
-                    case GROUP -> ((ObjectGroup) object).boundingVolume();
-                    case BOX, CYLINDER, SPHERE -> null;
-                };
+        GeometryObject volume = switch (object.kind()) {
+            case MESH -> ((MeshObject) object).boundingVolume();
+            case GROUP -> ((ObjectGroup) object).boundingVolume();
+            case BOX, CYLINDER, SPHERE -> null;
+        };
         // Only at home are the volume's own numbers those that were seen to enclose the object.
         return volume != null && object.pose().equals(Pose.ORIGIN) ? volume : null;
     }

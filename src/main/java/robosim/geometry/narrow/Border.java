@@ -97,8 +97,7 @@ public final class Border {
                 double a = row[at + Leaf.ROTATION + 1 + 3 * ((axis + 1) % 3)];
                 double b = row[at + Leaf.ROTATION + 1 + 3 * ((axis + 2) % 3)];
                 double across = Math.sqrt(a * a + b * b);
-                yield row[at + 4] * Math.abs(along)
-                        + row[at + 3] * across / Math.sqrt(along * along + across * across);
+                yield row[at + 4] * Math.abs(along) + row[at + 3] * across / Math.sqrt(along * along + across * across);
             }
             default ->
                 row[at + 3] * Math.abs(row[r])
@@ -124,7 +123,11 @@ public final class Border {
                 Dyadic across = squared.subtract(Dyadic.product(row[r + 1], row[r + 1]));
                 Dyadic radius = Dyadic.product(row[at + 3], row[at + 3]).multiply(across);
                 return rest.signum() >= 0
-                        && rest.multiply(rest).multiply(squared).subtract(radius).signum() >= 0;
+                        && rest.multiply(rest)
+                                        .multiply(squared)
+                                        .subtract(radius)
+                                        .signum()
+                                >= 0;
             }
             default -> {
                 for (int k = 0; k < 3; k++) {

@@ -49,8 +49,7 @@ public final class Distance {
                 : SpatialDistance.between(kindA, a, i, kindB, b, j, s);
     }
 
-    private double mesh(
-            Dimension dimension, LeafColumn mesh, int leaf, int kind, double[] row, int at, double limit) {
+    private double mesh(Dimension dimension, LeafColumn mesh, int leaf, int kind, double[] row, int at, double limit) {
         if (Overlap.hasInside(dimension, mesh, leaf) && Inside.holdsLeaf(mesh, leaf, kind, row, at, s)) {
             return 0;
         }

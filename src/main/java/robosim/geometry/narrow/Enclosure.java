@@ -195,8 +195,7 @@ public final class Enclosure {
         };
     }
 
-    private void placeMiddle(
-            double cx, double cy, double cz, double[] rotation, int at, double[] row, int to) {
+    private void placeMiddle(double cx, double cy, double cz, double[] rotation, int at, double[] row, int to) {
         double x = middle(0);
         double y = middle(1);
         double z = middle(2);

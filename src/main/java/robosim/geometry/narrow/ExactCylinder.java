@@ -3,77 +3,132 @@ package robosim.geometry.narrow;
 import robosim.geometry.exact.Dyadic;
 
 /**
- * A ray against a solid cylinder in exact numbers. The caps are met at fractions, the side at the roots of a quadratic;
- * the two are compared by squaring.
+ * A cylinder {@code |(x - c).a| <= h a.a, |(x - c) x a| <= r |a|} against boxes and triangles with exact numbers. Slow.
+ *
+ * <p>They meet where an edge meets the cylinder, or where a side cuts it without an edge doing so; in the second case the
+ * whole cut lies in the side, so that one point of the cut is enough: where the axis goes through the plane, or else the
+ * middle of the chord that the plane cuts from a cap. Or the cylinder is inside the box altogether.
  */
 final class ExactCylinder {
-    private final ExactRay ray;
+    final Vector centre;
+    final Vector axis;
+    final Dyadic radius;
 
-    /** {@code square t^2 + 2 half t + constant <= 0} inside the endless cylinder. */
-    private final Dyadic square;
+    /** The half height times a.a: what (x - c).a is compared with. */
+    final Dyadic half;
 
-    private final Dyadic half;
-    private final Dyadic constant;
-    private final Dyadic discriminant;
+    final Dyadic axisSquare;
+    private final Dyadic halfHeight;
+    private final Dyadic reach;
 
-    /** Inside the caps from {@code near / slope} to {@code far / slope}; a slope of 0 is all or nothing. */
-    private final Dyadic near;
-
-    private final Dyadic far;
-    private final Dyadic slope;
-
-    ExactCylinder(ExactRay ray, ExactVector center, ExactVector axis, double radius, double halfHeight) {
-        this.ray = ray;
-        ExactVector m = ray.start.minus(center);
-        ExactVector p = ray.direction.cross(axis);
-        ExactVector w = m.cross(axis);
-        Dyadic limit = ray.length(radius).square().multiply(axis.square());
-        square = p.square();
-        half = p.dot(w);
-        constant = w.square().subtract(limit);
-        discriminant = half.square().subtract(square.multiply(constant));
-        Dyadic height = ray.length(halfHeight).multiply(axis.square());
-        Dyadic offset = m.dot(axis);
-        Dyadic rise = ray.direction.dot(axis);
-        boolean isUp = rise.signum() >= 0;
-        near = isUp ? height.negate().subtract(offset) : offset.subtract(height);
-        far = isUp ? height.subtract(offset) : offset.add(height);
-        slope = rise.abs();
+    ExactCylinder(int kind, double[] row, int at) {
+        centre = Vector.at(row, at);
+        axis = kind == Leaf.CYLINDER ? Vector.column(row, at + Leaf.ROTATION + 1) : Vector.of(0, 1, 0);
+        radius = Dyadic.of(row[at + 3]);
+        halfHeight = Dyadic.of(row[at + 4]);
+        axisSquare = axis.square();
+        half = halfHeight.multiply(axisSquare);
+        reach = radius.square().multiply(axisSquare);
     }
 
-    double distance() {
-        boolean isBetween = slope.signum() == 0 ? near.signum() <= 0 && far.signum() >= 0 : far.signum() >= 0;
-        if (!isBetween) {
-            return Double.POSITIVE_INFINITY;
+    boolean touchesPolytope(ExactPolytope polytope) {
+        if (polytope.contains(centre)) {
+            return true;
         }
-        if (square.signum() == 0) {
-            return constant.signum() > 0 ? Double.POSITIVE_INFINITY : cap();
+        for (ExactPolytope.Edge edge : polytope.outline()) {
+            if (touchesEdge(edge)) {
+                return true;
+            }
         }
-        if (discriminant.signum() < 0 || !isBeforeExit(Dyadic.ZERO, Dyadic.ONE)) {
-            return Double.POSITIVE_INFINITY;
+        for (ExactPolytope.Side side : polytope.sides()) {
+            if (axisMeets(side)
+                    || capMeets(side, centre.plus(axis.times(halfHeight)))
+                    || capMeets(side, centre.minus(axis.times(halfHeight)))) {
+                return true;
+            }
         }
-        if (slope.signum() != 0 && (!isAfterEntry(far, slope) || !isBeforeExit(near, slope))) {
-            return Double.POSITIVE_INFINITY;
-        }
-        if (slope.signum() != 0 && near.signum() > 0 && isAfterEntry(near, slope)) {
-            return cap();
-        }
-        return constant.signum() <= 0 ? 0 : ray.distance(constant, half.negate(), discriminant);
+        return false;
     }
 
-    private double cap() {
-        return slope.signum() == 0 || near.signum() <= 0 ? 0 : ray.distance(near, slope);
+    /** Whether {@code q(t) <= 0} for a t in [0, 1] between the caps, where q is the squared distance from the axis less r^2. */
+    private boolean touchesEdge(ExactPolytope.Edge edge) {
+        Vector w = edge.from().minus(centre);
+        Dyadic start = w.dot(axis);
+        Dyadic slope = edge.along().dot(axis);
+        // The share of the edge between the caps, as fractions with positive denominators.
+        Dyadic lowNumerator = Dyadic.ZERO;
+        Dyadic lowDenominator = Dyadic.ONE;
+        Dyadic highNumerator = Dyadic.ONE;
+        Dyadic highDenominator = Dyadic.ONE;
+        if (slope.signum() == 0) {
+            if (start.abs().compareTo(half) > 0) {
+                return false;
+            }
+        } else {
+            Dyadic steep = slope.abs();
+            Dyadic towards = slope.signum() > 0 ? start.negate() : start;
+            Dyadic enter = towards.subtract(half);
+            Dyadic leave = towards.add(half);
+            if (enter.signum() > 0) {
+                lowNumerator = enter;
+                lowDenominator = steep;
+            }
+            if (leave.compareTo(steep) < 0) {
+                highNumerator = leave;
+                highDenominator = steep;
+            }
+            if (lowNumerator.multiply(highDenominator).compareTo(highNumerator.multiply(lowDenominator)) > 0) {
+                return false;
+            }
+        }
+        Vector u = w.cross(axis);
+        Vector v = edge.along().cross(axis);
+        Dyadic a = v.square();
+        Dyadic b = u.dot(v);
+        Dyadic c = u.square().subtract(reach);
+        Dyadic lowest = b.negate(); // over a: where q is least
+        if (lowest.multiply(lowDenominator).compareTo(a.multiply(lowNumerator)) <= 0) {
+            return isInside(a, b, c, lowNumerator, lowDenominator);
+        }
+        if (lowest.multiply(highDenominator).compareTo(a.multiply(highNumerator)) >= 0) {
+            return isInside(a, b, c, highNumerator, highDenominator);
+        }
+        return a.multiply(c).compareTo(b.square()) <= 0;
     }
 
-    /** Whether {@code n / d} is at or after the smaller root. */
-    private boolean isAfterEntry(Dyadic n, Dyadic d) {
-        Dyadic past = square.multiply(n).add(half.multiply(d));
-        return past.signum() >= 0 || past.square().compareTo(d.square().multiply(discriminant)) <= 0;
+    /** Whether a t^2 + 2 b t + c is at most 0 at a fraction. */
+    private static boolean isInside(Dyadic a, Dyadic b, Dyadic c, Dyadic numerator, Dyadic denominator) {
+        return a.multiply(numerator.square())
+                        .add(b.multiply(numerator).multiply(denominator).scale(1))
+                        .add(c.multiply(denominator.square()))
+                        .signum()
+                <= 0;
     }
 
-    /** Whether {@code n / d} is at or before the larger root. */
-    private boolean isBeforeExit(Dyadic n, Dyadic d) {
-        Dyadic past = square.multiply(n).add(half.multiply(d));
-        return past.signum() <= 0 || past.square().compareTo(d.square().multiply(discriminant)) <= 0;
+    private boolean axisMeets(ExactPolytope.Side side) {
+        Dyadic numerator = side.normal().dot(side.corner().minus(centre));
+        Dyadic denominator = side.normal().dot(axis);
+        if (denominator.signum() == 0) {
+            return numerator.signum() == 0 && side.coversFootOf(centre, Dyadic.ONE);
+        }
+        if (denominator.signum() < 0) {
+            numerator = numerator.negate();
+            denominator = denominator.negate();
+        }
+        return numerator.abs().compareTo(halfHeight.multiply(denominator)) <= 0
+                && side.coversFootOf(centre.times(denominator).plus(axis.times(numerator)), denominator);
+    }
+
+    /** The middle of the chord that the side's plane cuts from a cap: from the cap's centre along the plane's slope. */
+    private boolean capMeets(ExactPolytope.Side side, Vector cap) {
+        Vector normal = side.normal();
+        Vector slope = normal.times(axisSquare).minus(axis.times(normal.dot(axis)));
+        Dyadic denominator = normal.dot(slope);
+        if (denominator.signum() <= 0) {
+            return false; // the plane is parallel to the cap
+        }
+        Vector offset = slope.times(normal.dot(side.corner().minus(cap)));
+        return offset.square().compareTo(radius.square().multiply(denominator.square())) <= 0
+                && side.coversFootOf(cap.times(denominator).plus(offset), denominator);
     }
 }

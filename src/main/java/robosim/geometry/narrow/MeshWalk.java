@@ -107,8 +107,12 @@ final class MeshWalk {
             inverse[j] = 1 / (place[r] * ux + place[r + 3] * uy + place[r + 6] * uz);
         }
         pad = WIDEN
-                * (Math.abs(ox) + Math.abs(oy) + Math.abs(oz)
-                        + Math.abs(place[at]) + Math.abs(place[at + 1]) + Math.abs(place[at + 2])
+                * (Math.abs(ox)
+                        + Math.abs(oy)
+                        + Math.abs(oz)
+                        + Math.abs(place[at])
+                        + Math.abs(place[at + 1])
+                        + Math.abs(place[at + 2])
                         + reach());
         isRay = true;
         push(tree.root(), key(tree.root()));

@@ -21,8 +21,7 @@ public final class Overlap {
         return convex(dimension, kindA, a.rows(), i * Leaf.STRIDE, kindB, b.rows(), j * Leaf.STRIDE, s);
     }
 
-    static boolean convex(
-            Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+    static boolean convex(Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
         return dimension == Dimension.PLANAR
                 ? PlanarOverlap.test(kindA, a, i, kindB, b, j, s)
                 : SpatialOverlap.test(kindA, a, i, kindB, b, j, s);

@@ -235,6 +235,6 @@ final class RayCylinder {
             double ay,
             double az) {
         ExactRay ray = new ExactRay(ox, oy, oz, dx, dy, dz, extent(b, j));
-        return new ExactCylinder(ray, ray.point(b, j), ExactVector.of(ax, ay, az), b[j + 3], b[j + 4]).distance();
+        return new ExactRayCylinder(ray, ray.point(b, j), ExactVector.of(ax, ay, az), b[j + 3], b[j + 4]).distance();
     }
 }

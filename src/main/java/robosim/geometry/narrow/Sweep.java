@@ -126,8 +126,7 @@ public final class Sweep {
             a.bounds(i, box);
         } else {
             System.arraycopy(s.triangleBox, 0, box, 0, 6);
-            double slack = 0x1p-46
-                    * (Math.abs(dx) + Math.abs(dy) + Math.abs(dz) + size(box));
+            double slack = 0x1p-46 * (Math.abs(dx) + Math.abs(dy) + Math.abs(dz) + size(box));
             box[0] -= Math.max(0, dx) + slack;
             box[1] -= Math.max(0, dy) + slack;
             box[2] -= Math.max(0, dz) + slack;

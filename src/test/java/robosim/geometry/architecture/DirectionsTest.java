@@ -100,7 +100,8 @@ class DirectionsTest {
         List<String> wrong = new ArrayList<>();
         for (JavaClass type : CLASSES) {
             for (var dependency : type.getDirectDependenciesFromSelf()) {
-                String target = dependency.getTargetClass().getBaseComponentType().getName();
+                String target =
+                        dependency.getTargetClass().getBaseComponentType().getName();
                 ONLY_IN.forEach((prefix, rooms) -> {
                     if (target.startsWith(prefix) && !rooms.contains(room(type))) {
                         wrong.add(type.getName() + " -> " + target);
@@ -116,7 +117,8 @@ class DirectionsTest {
         List<String> wrong = new ArrayList<>();
         for (JavaClass type : CLASSES) {
             for (var dependency : type.getDirectDependenciesFromSelf()) {
-                String target = dependency.getTargetClass().getBaseComponentType().getName();
+                String target =
+                        dependency.getTargetClass().getBaseComponentType().getName();
                 boolean known = !target.contains(".")
                         || target.startsWith("java.")
                         || target.startsWith("javax.")

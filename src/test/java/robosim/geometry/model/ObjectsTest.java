@@ -41,7 +41,10 @@ class ObjectsTest {
         for (GeometryObject object : List.of(
                 shape,
                 shape.named("wall"),
-                shape.moveable("robot").movedTo(new Point(7, 8, 9)).turned(0, 0.1).turned(0, 0.1),
+                shape.moveable("robot")
+                        .movedTo(new Point(7, 8, 9))
+                        .turned(0, 0.1)
+                        .turned(0, 0.1),
                 shape.turned(33, 44))) {
             ByteArrayOutputStream bytes = new ByteArrayOutputStream();
             try (ObjectOutputStream out = new ObjectOutputStream(bytes)) {
@@ -122,26 +125,45 @@ class ObjectsTest {
                 .isThrownBy(() -> new BoxObject(o, bad, 1, 1))
                 .withMessageContaining("width")
                 .withMessageContaining(String.valueOf(bad));
-        assertThatIllegalArgumentException().isThrownBy(() -> new BoxObject(o, 1, bad, 1)).withMessageContaining("height");
-        assertThatIllegalArgumentException().isThrownBy(() -> new BoxObject(o, 1, 1, bad)).withMessageContaining("length");
-        assertThatIllegalArgumentException().isThrownBy(() -> new CylinderObject(o, bad, 1)).withMessageContaining("radius");
-        assertThatIllegalArgumentException().isThrownBy(() -> new CylinderObject(o, 1, bad)).withMessageContaining("height");
-        assertThatIllegalArgumentException().isThrownBy(() -> new SphereObject(o, bad)).withMessageContaining("radius");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new BoxObject(o, 1, bad, 1))
+                .withMessageContaining("height");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new BoxObject(o, 1, 1, bad))
+                .withMessageContaining("length");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new CylinderObject(o, bad, 1))
+                .withMessageContaining("radius");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new CylinderObject(o, 1, bad))
+                .withMessageContaining("height");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new SphereObject(o, bad))
+                .withMessageContaining("radius");
     }
 
     @ParameterizedTest
     @ValueSource(doubles = {Double.NaN, Double.NEGATIVE_INFINITY, -0x1.0000000000001p100})
     void coordinatesThatCanNotBeAreRefusedByName(double bad) {
-        assertThatIllegalArgumentException().isThrownBy(() -> new Point(bad, 0, 0)).withMessageContaining("x must");
-        assertThatIllegalArgumentException().isThrownBy(() -> new Point(0, bad, 0)).withMessageContaining("y must");
-        assertThatIllegalArgumentException().isThrownBy(() -> new Point(0, 0, bad)).withMessageContaining("z must");
-        assertThatIllegalArgumentException().isThrownBy(() -> new Move(0, bad, 0, 0, 0)).withMessageContaining("y must");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new Point(bad, 0, 0))
+                .withMessageContaining("x must");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new Point(0, bad, 0))
+                .withMessageContaining("y must");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new Point(0, 0, bad))
+                .withMessageContaining("z must");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> new Move(0, bad, 0, 0, 0))
+                .withMessageContaining("y must");
     }
 
     @Test
     void theLargestAndSmallestNumbersAreLegal() {
         assertThat(new Point(0x1p100, -0x1p100, Double.MIN_VALUE).z()).isEqualTo(Double.MIN_VALUE);
-        assertThat(new BoxObject(new Point(), 0x1p100, 0, Double.MIN_VALUE).height()).isZero();
+        assertThat(new BoxObject(new Point(), 0x1p100, 0, Double.MIN_VALUE).height())
+                .isZero();
         assertThat(Double.doubleToRawLongBits(new Point(-0.0, 0, 0).x())).isZero();
         assertThat(new Point(-0.0, 0, 0)).isEqualTo(new Point());
     }
@@ -181,7 +203,8 @@ class ObjectsTest {
         // The same surface with a corner of its own for each face is closed once equal corners are joined.
         List<Point> v = tetrahedron().vertices();
         MeshObject soup = new MeshObject(
-                List.of(v.get(0), v.get(2), v.get(1), v.get(0), v.get(1), v.get(3), v.get(1), v.get(2), v.get(3),
+                List.of(
+                        v.get(0), v.get(2), v.get(1), v.get(0), v.get(1), v.get(3), v.get(1), v.get(2), v.get(3),
                         v.get(2), v.get(0), v.get(3)),
                 new int[][] {{0, 1, 2}, {3, 4, 5}, {6, 7, 8}, {9, 10, 11}});
         assertThat(soup.solid().isSolid()).isTrue();
