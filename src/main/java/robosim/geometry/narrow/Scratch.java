@@ -6,6 +6,7 @@ package robosim.geometry.narrow;
  */
 public final class Scratch {
     final RayInterval ray = new RayInterval();
+    final RayRefine refine = new RayRefine();
     final NearestFace face = new NearestFace();
     final Cone cone = new Cone();
     final ConePolytope conePolytope = new ConePolytope();
