@@ -64,7 +64,7 @@ final class RayBox {
         if (in.face < 0) {
             return 0;
         }
-        double distance = turnedPlane(ox, oy, oz, dx, dy, dz, b, j, in.face, in.enter);
+        double distance = turnedPlane(ox, oy, oz, dx, dy, dz, b, j, in.face, in.enter, s);
         return distance >= 0 ? distance : exact(ox, oy, oz, dx, dy, dz, b, j);
     }
 
@@ -100,7 +100,7 @@ final class RayBox {
         }
         double distance = in.face == 1
                 ? heightPlane(oy, b[j + 1], b[j + 4], dx, dy, dz, in.enter)
-                : uprightPlane(ox, oy, oz, dx, dy, dz, b, j, in.face, in.enter);
+                : uprightPlane(ox, oy, oz, dx, dy, dz, b, j, in.face, in.enter, s);
         return distance >= 0 ? distance : exact(ox, oy, oz, dx, dy, dz, b, j);
     }
 
@@ -140,19 +140,27 @@ final class RayBox {
     /** World units to the horizontal plane at {@code c - h} or {@code c + h} that faces the ray. */
     static double heightPlane(double oy, double c, double h, double dx, double dy, double dz, double t) {
         double face = dy > 0 ? -h : h;
-        double offset = oy - c;
-        // The product with the slope first, so that what cancels is nearly exact.
-        double rest = (Math.fma(t, dy, offset) - face) + DoubleDouble.differenceTail(oy, c, offset);
-        double error = 3 * U * h / Math.abs(dy);
-        double correction = -rest / dy;
-        double distance = RayMath.along(t, correction, dx, dy, dz);
-        double largest = Math.max(Math.abs(oy), Math.abs(c) + h);
-        return RayMath.isFine(error * RayMath.length(dx, dy, dz), distance, largest) ? distance : -1;
+        double at = c + face;
+        double way = at - oy;
+        // Nothing is dropped on the way to the remainder, so the quotient is good for any slope.
+        double wayTail = DoubleDouble.differenceTail(at, oy, way) + DoubleDouble.sumTail(c, face, at);
+        double rest = Math.fma(-t, dy, way) + wayTail;
+        return RayMath.along(t, rest / dy, dx, dy, dz);
     }
 
     // The normal is (zz, -zx) or (-xz, xx) in the plane; nothing cancels in it.
     private static double uprightPlane(
-            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, int face, double t) {
+            double ox,
+            double oy,
+            double oz,
+            double dx,
+            double dy,
+            double dz,
+            double[] b,
+            int j,
+            int face,
+            double t,
+            Scratch s) {
         double nx = face == 0 ? b[j + 14] : -b[j + 12];
         double nz = face == 0 ? -b[j + 8] : b[j + 6];
         double size = b[j + Leaf.SIZE + face];
@@ -167,11 +175,24 @@ final class RayBox {
         double restSize = Math.abs(qx * nx) + Math.abs(qz * nz) + size * detSize;
         double correction = -rest / slope;
         double error = (REST_ERROR * restSize + Math.abs(correction) * SLOPE_ERROR * slopeSize) / Math.abs(slope);
-        return settled(ox, oy, oz, dx, dy, dz, b, j, t, correction, error);
+        double distance = settled(ox, oy, oz, dx, dy, dz, b, j, t, correction, error);
+        return distance >= 0
+                ? distance
+                : inPairs(ox, oy, oz, dx, dy, dz, b, j, face, t, correction, slope, slopeSize, restSize, s);
     }
 
     private static double turnedPlane(
-            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, int face, double t) {
+            double ox,
+            double oy,
+            double oz,
+            double dx,
+            double dy,
+            double dz,
+            double[] b,
+            int j,
+            int face,
+            double t,
+            Scratch s) {
         int i = j + Leaf.ROTATION + face;
         int k = j + Leaf.ROTATION + (face == 2 ? 0 : face + 1);
         int l = j + Leaf.ROTATION + (face == 0 ? 2 : face - 1);
@@ -194,7 +215,10 @@ final class RayBox {
         double restSize = Math.abs(qx) * px + Math.abs(qy) * py + Math.abs(qz) * pz + size * detSize;
         double correction = -rest / slope;
         double error = (REST_ERROR * restSize + Math.abs(correction) * SLOPE_ERROR * slopeSize) / Math.abs(slope);
-        return settled(ox, oy, oz, dx, dy, dz, b, j, t, correction, error);
+        double distance = settled(ox, oy, oz, dx, dy, dz, b, j, t, correction, error);
+        return distance >= 0
+                ? distance
+                : inPairs(ox, oy, oz, dx, dy, dz, b, j, face, t, correction, slope, slopeSize, restSize, s);
     }
 
     /** The coordinate {@code o + t d - c}, off by at most 2u of itself for the t given. */
@@ -218,6 +242,32 @@ final class RayBox {
         double distance = RayMath.along(t, correction, dx, dy, dz);
         double largest = Math.max(RayMath.largest(ox, oy, oz), extent(b, j));
         return RayMath.isFine(error * RayMath.length(dx, dy, dz), distance, largest) ? distance : -1;
+    }
+
+    private static double inPairs(
+            double ox,
+            double oy,
+            double oz,
+            double dx,
+            double dy,
+            double dz,
+            double[] b,
+            int j,
+            int face,
+            double t,
+            double correction,
+            double slope,
+            double slopeSize,
+            double restSize,
+            Scratch s) {
+        RayRefine refine = s.refine;
+        int r = j + Leaf.ROTATION;
+        double half = slope > 0 ? -b[j + Leaf.SIZE + face] : b[j + Leaf.SIZE + face];
+        refine.place(ox, oy, oz, dx, dy, dz, b[j], b[j + 1], b[j + 2], t, correction);
+        double left = refine.boxFace(b, r + face, r + (face + 1) % 3, r + (face + 2) % 3, half);
+        double size = restSize + 2 * Math.abs(t) * slopeSize;
+        double error = RayRefine.error(left, size, slope, SLOPE_ERROR * slopeSize, 0);
+        return settled(ox, oy, oz, dx, dy, dz, b, j, t, correction - left / slope, error);
     }
 
     private static double extent(double[] b, int j) {

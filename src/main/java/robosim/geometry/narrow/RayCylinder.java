@@ -33,7 +33,7 @@ final class RayCylinder {
                 : in.face < 0
                         ? 0
                         : in.face == SIDE
-                                ? side(ox, oy, oz, dx, dy, dz, b, j, 0, 1, 0, in.enter)
+                                ? side(ox, oy, oz, dx, dy, dz, b, j, 0, 1, 0, in.enter, s)
                                 : RayBox.heightPlane(oy, b[j + 1], b[j + 4], dx, dy, dz, in.enter);
         return distance >= 0 ? distance : exact(ox, oy, oz, dx, dy, dz, b, j, 0, 1, 0);
     }
@@ -69,8 +69,8 @@ final class RayCylinder {
                 : in.face < 0
                         ? 0
                         : in.face == SIDE
-                                ? side(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, in.enter)
-                                : cap(ox, oy, oz, dx, dy, dz, b, j, in.enter);
+                                ? side(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, in.enter, s)
+                                : cap(ox, oy, oz, dx, dy, dz, b, j, in.enter, s);
         return distance >= 0 ? distance : exact(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az);
     }
 
@@ -163,7 +163,8 @@ final class RayCylinder {
             double ax,
             double ay,
             double az,
-            double t) {
+            double t,
+            Scratch s) {
         double r = b[j + 3];
         double qx = RayBox.moved(ox, b[j], t, dx);
         double qy = RayBox.moved(oy, b[j + 1], t, dy);
@@ -195,11 +196,26 @@ final class RayCylinder {
                 / certain;
         double distance = RayMath.along(t, correction, dx, dy, dz);
         double largest = Math.max(RayMath.largest(ox, oy, oz), extent(b, j));
-        return certain > 0 && RayMath.isFine(error * RayMath.length(dx, dy, dz), distance, largest) ? distance : -1;
+        double length = RayMath.length(dx, dy, dz);
+        if (certain > 0 && RayMath.isFine(error * length, distance, largest)) {
+            return distance;
+        }
+        double pp = px * px + py * py + pz * pz;
+        if (!(Math.abs(correction) * pp < 0.25 * certain)) {
+            return -1;
+        }
+        RayRefine refine = s.refine;
+        refine.place(ox, oy, oz, dx, dy, dz, b[j], b[j + 1], b[j + 2], t, correction);
+        double left = refine.side(ax, ay, az, r);
+        double slope = 2 * (inward - correction * pp);
+        double size = 4 * (ux * ux + uy * uy + uz * uz + limit) + 8 * Math.abs(t) * length * r;
+        error = RayRefine.error(left, size, slope, 2 * inwardError + 8 * U * inward, pp);
+        distance = RayMath.along(t, correction + left / slope, dx, dy, dz);
+        return RayMath.isFine(error * length, distance, largest) ? distance : -1;
     }
 
     private static double cap(
-            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, double t) {
+            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, double t, Scratch s) {
         double ax = b[j + 7];
         double ay = b[j + 10];
         double az = b[j + 13];
@@ -215,7 +231,17 @@ final class RayCylinder {
         double error = U * (7 * restSize + Math.abs(correction) * 4 * slopeSize) / Math.abs(slope);
         double distance = RayMath.along(t, correction, dx, dy, dz);
         double largest = Math.max(RayMath.largest(ox, oy, oz), extent(b, j));
-        return RayMath.isFine(error * RayMath.length(dx, dy, dz), distance, largest) ? distance : -1;
+        double length = RayMath.length(dx, dy, dz);
+        if (RayMath.isFine(error * length, distance, largest)) {
+            return distance;
+        }
+        RayRefine refine = s.refine;
+        refine.place(ox, oy, oz, dx, dy, dz, b[j], b[j + 1], b[j + 2], t, correction);
+        double left = refine.cap(ax, ay, az, slope > 0 ? -b[j + 4] : b[j + 4]);
+        double size = restSize + 2 * Math.abs(t) * slopeSize;
+        error = RayRefine.error(left, size, slope, 4 * U * slopeSize, 0);
+        distance = RayMath.along(t, correction - left / slope, dx, dy, dz);
+        return RayMath.isFine(error * length, distance, largest) ? distance : -1;
     }
 
     private static double extent(double[] b, int j) {

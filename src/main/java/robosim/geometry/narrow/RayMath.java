@@ -46,10 +46,10 @@ final class RayMath {
     }
 
     /**
-     * Whether an error is small enough for a distance: at most {@code 2u} of the largest of the distance and the
-     * coordinates, so that with the last rounding the distance is within 3 ulp of that.
+     * Whether an error is small enough for a distance: at most 3 ulp of the largest of the distance and the coordinates,
+     * so that with the last rounding the distance is within 4 ulp of that.
      */
     static boolean isFine(double error, double distance, double largestCoordinate) {
-        return error <= 2 * U * Math.max(distance, largestCoordinate);
+        return error <= 3 * Math.ulp(Math.max(distance, largestCoordinate));
     }
 }

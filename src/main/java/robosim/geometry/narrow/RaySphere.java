@@ -21,7 +21,8 @@ final class RaySphere {
 
     private RaySphere() {}
 
-    static double distance(double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j) {
+    static double distance(
+            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, Scratch s) {
         double mx = b[j] - ox;
         double my = b[j + 1] - oy;
         double mz = b[j + 2] - oz;
@@ -55,7 +56,7 @@ final class RaySphere {
             return Double.POSITIVE_INFINITY;
         }
         if (isOutside && chord > chordError && ahead > AHEAD_ERROR * aheadSize + UNDERFLOW) {
-            double distance = surface(ox, oy, oz, dx, dy, dz, b, j, (ahead - Math.sqrt(chord)) / dd);
+            double distance = surface(ox, oy, oz, dx, dy, dz, b, j, (ahead - Math.sqrt(chord)) / dd, s);
             if (distance >= 0) {
                 return distance;
             }
@@ -65,7 +66,7 @@ final class RaySphere {
 
     // One step of Newton's from about where the ray enters: seen from there the radius is all that can cancel.
     private static double surface(
-            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, double t) {
+            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, double t, Scratch s) {
         double r = b[j + 3];
         double qx = RayBox.moved(ox, b[j], t, dx);
         double qy = RayBox.moved(oy, b[j + 1], t, dy);
@@ -81,7 +82,21 @@ final class RaySphere {
                 / certain;
         double distance = RayMath.along(t, correction, dx, dy, dz);
         double largest = Math.max(Math.max(RayMath.largest(ox, oy, oz), RayMath.largest(b[j], b[j + 1], b[j + 2])), r);
-        return certain > 0 && RayMath.isFine(error * Math.sqrt(dd), distance, largest) ? distance : -1;
+        double length = Math.sqrt(dd);
+        if (certain > 0 && RayMath.isFine(error * length, distance, largest)) {
+            return distance;
+        }
+        if (!(Math.abs(correction) * dd < 0.25 * certain)) {
+            return -1;
+        }
+        RayRefine refine = s.refine;
+        refine.place(ox, oy, oz, dx, dy, dz, b[j], b[j + 1], b[j + 2], t, correction);
+        double left = refine.sphere(r);
+        double size = 2 * (square + r * r) + 4 * Math.abs(t) * length * r;
+        double slope = 2 * (inward - correction * dd);
+        error = RayRefine.error(left, size, slope, 2 * inwardError + 8 * U * inward, dd);
+        distance = RayMath.along(t, correction + left / slope, dx, dy, dz);
+        return RayMath.isFine(error * length, distance, largest) ? distance : -1;
     }
 
     private static double exact(double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j) {

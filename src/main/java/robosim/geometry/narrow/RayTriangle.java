@@ -22,7 +22,8 @@ final class RayTriangle {
 
     private RayTriangle() {}
 
-    static double distance(double ox, double oy, double oz, double dx, double dy, double dz, double[] t, int j) {
+    static double distance(
+            double ox, double oy, double oz, double dx, double dy, double dz, double[] t, int j, Scratch s) {
         double ax = t[j] - ox;
         double ay = t[j + 1] - oy;
         double az = t[j + 2] - oz;
@@ -86,7 +87,15 @@ final class RayTriangle {
         if (RayMath.isFine(error * RayMath.length(dx, dy, dz), distance, largest)) {
             return distance;
         }
-        return ExactTriangle.distance(ox, oy, oz, dx, dy, dz, t, j);
+        RayRefine refine = s.refine;
+        refine.place(ox, oy, oz, dx, dy, dz, t[j], t[j + 1], t[j + 2], at, correction);
+        double left = refine.trianglePlane(t, j);
+        double size = restSize + 2 * Math.abs(at) * detSize;
+        error = RayRefine.error(left, size, det, VOLUME_ERROR * detSize, 0);
+        distance = RayMath.along(at, correction - left / det, dx, dy, dz);
+        return RayMath.isFine(error * RayMath.length(dx, dy, dz), distance, largest)
+                ? distance
+                : ExactTriangle.distance(ox, oy, oz, dx, dy, dz, t, j);
     }
 
     static double extent(double[] t, int j) {

@@ -37,6 +37,7 @@ public final class Scratch {
 
     final double[] planarBounds = new double[6];
     final RayInterval ray = new RayInterval();
+    final RayRefine refine = new RayRefine();
     final NearestFace face = new NearestFace();
     final Cone cone = new Cone();
     final ConePolytope conePolytope = new ConePolytope();

@@ -58,10 +58,10 @@ public final class SpatialRay {
         return switch (kind) {
             case Leaf.UPRIGHT_BOX -> RayBox.upright(ox, oy, oz, ux, uy, uz, row, j, s);
             case Leaf.UPRIGHT_CYLINDER -> RayCylinder.upright(ox, oy, oz, ux, uy, uz, row, j, s);
-            case Leaf.SPHERE -> RaySphere.distance(ox, oy, oz, ux, uy, uz, row, j);
+            case Leaf.SPHERE -> RaySphere.distance(ox, oy, oz, ux, uy, uz, row, j, s);
             case Leaf.BOX -> RayBox.distance(ox, oy, oz, ux, uy, uz, row, j, s);
             case Leaf.CYLINDER -> RayCylinder.distance(ox, oy, oz, ux, uy, uz, row, j, s);
-            case Leaf.TRIANGLE -> RayTriangle.distance(ox, oy, oz, ux, uy, uz, row, j);
+            case Leaf.TRIANGLE -> RayTriangle.distance(ox, oy, oz, ux, uy, uz, row, j, s);
             case Leaf.PRISM -> RayPrism.distance(ox, oy, oz, ux, uy, uz, row, j, s);
             default -> throw new IllegalArgumentException("kind must be one of Leaf's (got: " + kind + ")");
         };
