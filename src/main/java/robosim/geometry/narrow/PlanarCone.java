@@ -147,8 +147,8 @@ public final class PlanarCone {
         if (!bracket.isApart()) {
             return 0;
         }
-        q.support(-bracket.normalX, -bracket.normalZ);
-        if (holds(leftX, leftZ, rightX, rightZ, q.pointX, q.pointZ)) {
+        // Seen from the apex, the nearest point lies along the best normal.
+        if (holds(leftX, leftZ, rightX, rightZ, bracket.normalX, bracket.normalZ)) {
             return bracket.distance();
         }
         return Math.min(
