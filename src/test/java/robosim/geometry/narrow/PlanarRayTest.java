@@ -59,7 +59,7 @@ class PlanarRayTest {
             double ux = -StrictMath.cos(t + aim) * 3;
             double uz = -StrictMath.sin(t + aim) * 3;
             // Boxes at an attitude have their corners rounded before a ray meets a side at a low angle.
-            double ulps = kind == Leaf.BOX || kind == Leaf.TRIANGLE ? 1e6 : 4;
+            double ulps = kind == Leaf.BOX ? 1e6 : 4;
             hits += checked(ox, oz, ux, uz, kind, row, ulps) ? 1 : 0;
         }
         assertThat(hits).isBetween(count * 3 / 10, count * 7 / 10);
@@ -80,7 +80,9 @@ class PlanarRayTest {
                 uz = -1;
             }
             ux = ux == 0 && random.nextBoolean() ? -0.0 : ux;
-            hits += checked(random.nextInt(-6, 7), random.nextInt(-6, 7), ux, uz, kind, row, 16) ? 1 : 0;
+            hits += checked(random.nextInt(-6, 7), random.nextInt(-6, 7), ux, uz, kind, row, kind == Leaf.BOX ? 1e3 : 4)
+                    ? 1
+                    : 0;
         }
         assertThat(hits).isBetween(count * 2 / 10, count * 7 / 10);
     }
@@ -105,7 +107,7 @@ class PlanarRayTest {
             double ux = cornerX - ox;
             double uz = cornerZ - oz;
             for (int step = -1; step <= 1; step++) {
-                hits += checked(ox, oz, ux + step * Math.ulp(ux), uz, kind, row, 1e3) ? 1 : 0;
+                hits += checked(ox, oz, ux + step * Math.ulp(ux), uz, kind, row, 4) ? 1 : 0;
                 count++;
             }
         }
@@ -229,11 +231,11 @@ class PlanarRayTest {
                 assertThat(distance).as(text).isLessThanOrEqualTo(truth + 1e-9);
                 double inwards =
                         PlanarSampling.depth(ox + distance * ux, oz + distance * uz, PlanarSampling.points(kind, row));
-                assertThat(Math.abs(inwards)).as(text).isLessThan(1e-5);
+                assertThat(Math.abs(inwards)).as(text).isLessThan(1e-4);
             } else if (distance < Double.POSITIVE_INFINITY) {
                 double inwards =
                         PlanarSampling.depth(ox + distance * ux, oz + distance * uz, PlanarSampling.points(kind, row));
-                assertThat(Math.abs(inwards)).as(text).isLessThan(1e-5);
+                assertThat(Math.abs(inwards)).as(text).isLessThan(1e-4);
             }
         }
         assertThat(hits).isBetween(count * 3 / 10, count * 8 / 10);
