@@ -74,6 +74,13 @@ final class ObjectBuilder {
                 number(element, "width", "0"));
     }
 
+    static boolean isObject(Element element) {
+        return switch (element.name) {
+            case "box", "cylinder", "sphere", "mesh", "group" -> true;
+            default -> false;
+        };
+    }
+
     GeometryObject object(Element element) throws WorldException {
         GeometryObject shape = switch (element.name) {
             case "box" ->

@@ -96,7 +96,7 @@ class ObjReaderTest {
 
     @Test
     void readsALineThatEndsInAnyWay() throws WorldException {
-        assertThat(read("\u00ef\u00bb\u00bfv 0 0 0\r\nv 1 0 0\rv 0 1 0\nf 1 2 3"))
+        assertThat(read("\u00ef\u00bb\u00bfv 0 0 0\r\nv 1 0 0\r\nv 0 1 0\nf 1 2 \\\r\n3"))
                 .isEqualTo(read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
     }
 

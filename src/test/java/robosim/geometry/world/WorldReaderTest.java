@@ -8,12 +8,16 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.io.SequenceInputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
+import java.util.SplittableRandom;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -195,6 +199,27 @@ class WorldReaderTest {
         assertThat(refusal.column()).isEqualTo(column);
     }
 
+    /** The parser hands long texts over in pieces; no line may be lost between them. */
+    @Test
+    void countsTheLinesOfLongTexts() {
+        SplittableRandom random = new SplittableRandom(2);
+        int columns = 0;
+        for (int run = 0; run < 100; run++) {
+            int wrong = 1 + random.nextInt(3000);
+            StringBuilder text = new StringBuilder(OPEN + "><mesh><vertices>\n"); // line 1
+            for (int k = 2; k < wrong + 2; k++) {
+                text.append("%s %s 0.25%s\n".formatted(random.nextDouble(), k, " ".repeat(random.nextInt(9))));
+            }
+            text.append("1 x2 3\n".repeat(2)).append("</vertices><quads/></mesh></world>");
+            WorldException refusal = refusal(text.toString());
+            assertThat(refusal).hasMessageContaining("(got: x2)");
+            assertThat(refusal.line()).isEqualTo(wrong + 2);
+            assertThat(refusal.column()).isIn(0, 5);
+            columns += refusal.column() == 5 ? 1 : 0;
+        }
+        assertThat(columns).isGreaterThan(90);
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
@@ -300,6 +325,18 @@ class WorldReaderTest {
     }
 
     @Test
+    void refusesTooManyObjects() {
+        String thousand = "<sphere radius='1'/>".repeat(1000);
+        InputStream many = new SequenceInputStream(Collections.enumeration(Stream.concat(
+                        Stream.of(OPEN + ">"), Stream.generate(() -> thousand).limit(201))
+                .map(text -> new ByteArrayInputStream(text.getBytes(StandardCharsets.US_ASCII)))
+                .toList()));
+        assertThatThrownBy(() -> WorldReader.read(many, "t.xml", null))
+                .isInstanceOf(WorldException.class)
+                .hasMessageContaining("a world must have at most 200000 objects (got: more)");
+    }
+
+    @Test
     void refusesAStreamThatDoesNotEnd() {
         InputStream endless = new InputStream() {
             @Override
@@ -315,7 +352,14 @@ class WorldReaderTest {
         };
         assertThatThrownBy(() -> new Bounded(endless).transferTo(OutputStream.nullOutputStream()))
                 .isInstanceOf(IOException.class)
-                .hasMessage("a file must have at most 268435456 bytes (got: more)");
+                .hasMessage("a file must have at most 134217728 bytes (got: more)");
+        assertThatThrownBy(() -> WorldReader.read(endless, "t.xml", null))
+                .isInstanceOf(WorldException.class)
+                .hasMessageContaining("t.xml")
+                .hasMessageContaining("a file must have at most 134217728 bytes (got: more)");
+        assertThatThrownBy(() -> ObjReader.read(endless, "t.obj", 1))
+                .isInstanceOf(WorldException.class)
+                .hasMessage("t.obj:1: a statement must have at most 100000 characters (got: more)");
     }
 
     @Test
