@@ -15,7 +15,7 @@ final class Extent {
     private static final double ROOM = 0.25;
 
     private static final double LEAST_ROOM = 1;
-    private static final double MOST = 0x1p100;
+    private static final double MOST = 0x1p101;
 
     private final double[] reach = new double[3];
 

@@ -9,27 +9,30 @@ final class Checks {
 
     private Checks() {}
 
-    static double coordinate(String argument, double value) {
+    static void coordinate(String argument, double value) {
         if (!(Math.abs(value) <= LIMIT)) { // written so that NaN fails it
             throw new IllegalArgumentException(
                     argument + " must be a number from -2^100 to 2^100 (got: " + value + ")");
         }
-        return value;
     }
 
-    static double size(String argument, double value) {
+    static void size(String argument, double value) {
         if (!(value >= 0 && value <= LIMIT)) {
             throw new IllegalArgumentException(argument + " must be a number from 0 to 2^100 (got: " + value + ")");
         }
-        return value;
     }
 
-    static double radians(String argument, double value) {
+    static void worldSize(String argument, double value) {
+        if (!(value > 0 && value <= 2 * LIMIT)) {
+            throw new IllegalArgumentException(argument + " must be above 0 and at most 2^101 (got: " + value + ")");
+        }
+    }
+
+    static void radians(String argument, double value) {
         if (!(Math.abs(value) <= LIMIT)) {
             throw new IllegalArgumentException(
                     argument + " must be an angle in radians from -2^100 to 2^100 (got: " + value + ")");
         }
-        return value;
     }
 
     static <T> T present(String argument, T value) {

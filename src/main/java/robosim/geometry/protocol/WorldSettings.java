@@ -19,11 +19,11 @@ public record WorldSettings(double width, double height, double length, Dimensio
     @Serial
     private static final long serialVersionUID = 1;
 
-    /** Refuses what is null and a size that is NaN, negative or above 2<sup>100</sup>. */
+    /** Refuses what is null and a size that is not above 0 and at most 2<sup>101</sup>. */
     public WorldSettings {
-        Checks.size("width", width);
-        Checks.size("height", height);
-        Checks.size("length", length);
+        Checks.worldSize("width", width);
+        Checks.worldSize("height", height);
+        Checks.worldSize("length", length);
         Checks.present("dimension", dimension);
         Checks.present("accuracy", accuracy);
     }

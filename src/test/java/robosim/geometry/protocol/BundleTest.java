@@ -27,6 +27,8 @@ class BundleTest {
         Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, Math.nextUp(0x1p100), -Math.nextUp(0x1p100)
     };
 
+    private static final double[] NO_SIZES = {Double.NaN, Double.POSITIVE_INFINITY, Math.nextUp(0x1p101), 0, -0.0, -1};
+
     @Test
     void numbersThatCannotBeAreRefusedByName() {
         refuses("x ", v -> new MoveRequest("a", v, 0, 0, 0, 0), NO_COORDINATES);
@@ -39,11 +41,11 @@ class BundleTest {
         refuses("zOffset ", v -> new SonarRequest("a", -0.0, v), 0, -0.0);
         refuses("min ", v -> new Beam(v, Double.POSITIVE_INFINITY, 0), NO_COORDINATES);
         refuses("min ", v -> new Beam(v, 5, 0), -1, -Double.MIN_VALUE);
-        refuses("max ", v -> new Beam(2, v, 0), Double.NaN, 1.9, -1, Double.NEGATIVE_INFINITY, Double.MAX_VALUE);
+        refuses("max ", v -> new Beam(2, v, 0), Double.NaN, 1.9, -1, Double.NEGATIVE_INFINITY);
         refuses("width ", v -> new Beam(0, 1, v), Double.NaN, -1, Math.PI, 4, Double.POSITIVE_INFINITY);
-        refuses("width ", v -> new WorldSettings(v, 1, 1, Dimension.PLANAR, Accuracy.EXACT), NO_COORDINATES);
-        refuses("height ", v -> new WorldSettings(1, v, 1, Dimension.PLANAR, Accuracy.EXACT), NO_COORDINATES);
-        refuses("length ", v -> new WorldSettings(1, 1, v, Dimension.PLANAR, Accuracy.EXACT), -1);
+        refuses("width ", v -> new WorldSettings(v, 1, 1, Dimension.PLANAR, Accuracy.EXACT), NO_SIZES);
+        refuses("height ", v -> new WorldSettings(1, v, 1, Dimension.PLANAR, Accuracy.EXACT), NO_SIZES);
+        refuses("length ", v -> new WorldSettings(1, 1, v, Dimension.PLANAR, Accuracy.EXACT), NO_SIZES);
         refuses("distances[1] ", v -> new DistanceBundle(List.of(1.0, v)), -1, Double.NEGATIVE_INFINITY);
     }
 
