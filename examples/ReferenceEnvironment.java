@@ -329,8 +329,7 @@ public final class ReferenceEnvironment {
                 }
             }
             if (refusedInARow > 0) {
-                boldSteps = 0;
-                return new MoveRequest(name, 0, 0, 0, 0, random.nextDouble(0.6, 2.4) * (left >= right ? 1 : -1));
+                return unstick(left >= right ? 1 : -1);
             }
             if (boldSteps == 0 && random.nextInt(400) == 0) {
                 boldSteps = 40;
@@ -345,6 +344,16 @@ public final class ReferenceEnvironment {
                 return new MoveRequest(name, speed / 4, 0, 0, 0, side * random.nextDouble(0.15, 0.35));
             }
             return new MoveRequest(name, speed, 0, 0, 0, jitter);
+        }
+
+        /** Turns away, else backs off, else turns the other way, and so on: what has corners may not turn everywhere. */
+        private MoveRequest unstick(int side) {
+            boldSteps = 0;
+            if (refusedInARow % 2 == 0) {
+                return new MoveRequest(name, -speed, 0, 0, 0, random.nextDouble(-0.1, 0.1));
+            }
+            int way = refusedInARow % 4 == 1 ? side : -side;
+            return new MoveRequest(name, 0, 0, 0, 0, way * random.nextDouble(0.3, 2.4));
         }
 
         void told(boolean allowed) {
