@@ -331,7 +331,7 @@ public final class ReferenceEnvironment {
             if (refusedInARow > 0) {
                 return unstick(left >= right ? 1 : -1);
             }
-            if (boldSteps == 0 && random.nextInt(400) == 0) {
+            if (boldSteps == 0 && random.nextInt(120) == 0) {
                 boldSteps = 40;
             }
             if (boldSteps > 0) {
