@@ -279,6 +279,8 @@ public final class ReferenceEnvironment {
         private final double[] distances;
         private int refusedInARow;
         private int boldSteps;
+        private int retreatSteps;
+        private double retreat;
 
         Robot(WorldObject object, double speed, SplittableRandom random) {
             this.name = object.object().name();
@@ -331,6 +333,10 @@ public final class ReferenceEnvironment {
             if (refusedInARow > 0) {
                 return unstick(left >= right ? 1 : -1);
             }
+            if (retreatSteps > 0) {
+                retreatSteps--;
+                return backOff();
+            }
             if (boldSteps == 0 && random.nextInt(120) == 0) {
                 boldSteps = 40;
             }
@@ -346,14 +352,26 @@ public final class ReferenceEnvironment {
             return new MoveRequest(name, speed, 0, 0, 0, jitter);
         }
 
-        /** Turns away, else backs off, else turns the other way, and so on: what has corners may not turn everywhere. */
+        /** Turns away; where that is refused too, retreats a few steps to where it sees farthest, without a turn. */
         private MoveRequest unstick(int side) {
             boldSteps = 0;
-            if (refusedInARow % 2 == 0) {
-                return new MoveRequest(name, -speed, 0, 0, 0, random.nextDouble(-0.1, 0.1));
+            if (refusedInARow == 1) {
+                return new MoveRequest(name, 0, 0, 0, 0, side * random.nextDouble(0.3, 2.4));
             }
-            int way = refusedInARow % 4 == 1 ? side : -side;
-            return new MoveRequest(name, 0, 0, 0, 0, way * random.nextDouble(0.3, 2.4));
+            int farthest = random.nextInt(distances.length);
+            for (int k = 0; k < distances.length; k++) {
+                farthest = distances[k] > distances[farthest] ? k : farthest;
+            }
+            // Where that is refused as well, any way may be the one out.
+            retreat = refusedInARow == 2 ? bearings.get(farthest) : random.nextDouble(-Math.PI, Math.PI);
+            retreatSteps = 8;
+            return backOff();
+        }
+
+        private MoveRequest backOff() {
+            double x = speed * StrictMath.cos(retreat);
+            double z = -speed * StrictMath.sin(retreat);
+            return new MoveRequest(name, x, 0, z, 0, 0);
         }
 
         void told(boolean allowed) {
