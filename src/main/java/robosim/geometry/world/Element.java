@@ -11,6 +11,7 @@ import robosim.geometry.model.Point;
 /** An element that is being read: its attributes, where it began, and what its children gave so far. */
 final class Element {
     final @Nullable Element parent;
+    final String namespace;
     final String name;
     final Attributes attributes;
     final int line;
@@ -22,17 +23,19 @@ final class Element {
     final List<SonarRing> sonars = new ArrayList<>();
     final List<Point> vertices = new ArrayList<>();
     final List<int[]> faces = new ArrayList<>();
-    final Text text = new Text();
+    final Text text;
 
     @Nullable
     GeometryObject bounds;
 
-    Element(@Nullable Element parent, String name, Attributes attributes, int line, int column) {
+    Element(@Nullable Element parent, String namespace, String name, Attributes attributes, int line, int column) {
         this.parent = parent;
+        this.namespace = namespace;
         this.name = name;
         this.attributes = new AttributesImpl(attributes); // the parser reuses its own
         this.line = line;
         this.column = column;
+        this.text = new Text(column);
     }
 
     /** Whether its content is numbers. */

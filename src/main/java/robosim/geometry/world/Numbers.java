@@ -56,12 +56,26 @@ final class Numbers {
         return unit == worldUnit ? plain : unit.in(worldUnit, number);
     }
 
-    /** An index or count: digits, perhaps with a sign. */
+    /** An index as XML has it: from 0. */
+    static int index(String token) {
+        int index = integer(token, " of at least 0");
+        if (index < 0) {
+            throw new IllegalArgumentException("an index must be a whole number of at least 0 (got: " + token + ")");
+        }
+        return index;
+    }
+
+    /** A whole number of either sign. */
     static int integer(String token) {
+        return integer(token, "");
+    }
+
+    private static int integer(String token, String range) {
         try {
             return Integer.parseInt(token);
         } catch (NumberFormatException e) {
-            throw new IllegalArgumentException("an index must be a whole number (got: " + shown(token) + ")", e);
+            throw new IllegalArgumentException(
+                    "an index must be a whole number" + range + " (got: " + shown(token) + ")", e);
         }
     }
 

@@ -5,6 +5,7 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.InputStreamReader;
+import java.io.Reader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
@@ -45,10 +46,14 @@ public final class ObjReader {
             "shadow_obj",
             "trace_obj");
 
+    /** That of UTF-8, read as Latin-1. */
+    private static final String BYTE_ORDER_MARK = "\u00ef\u00bb\u00bf";
+
     private final double scale;
     private final List<Point> vertices = new ArrayList<>();
     private final List<int[]> faces = new ArrayList<>();
     private int line;
+    private boolean ended;
 
     private ObjReader(double scale) {
         this.scale = scale;
@@ -107,28 +112,46 @@ public final class ObjReader {
         }
     }
 
-    private void readLines(BufferedReader lines) throws IOException {
-        for (String next = lines.readLine(); next != null; next = lines.readLine()) {
-            line++;
-            String text = line == 1 && next.startsWith("\u00ef\u00bb\u00bf") ? next.substring(3) : next;
-            int comment = text.indexOf('#');
-            text = comment < 0 ? text : text.substring(0, comment);
-            int begin = line;
-            StringBuilder joined = new StringBuilder(text.strip());
-            while (joined.length() > 0 && joined.charAt(joined.length() - 1) == '\\') {
-                joined.setCharAt(joined.length() - 1, ' ');
-                String more = lines.readLine();
-                line++;
-                joined.append(more == null ? "" : more.strip());
+    private void readLines(Reader in) throws IOException {
+        while (!ended) {
+            StringBuilder text = new StringBuilder();
+            int begin = line + 1; // errors name the line at which a statement begins
+            readLine(in, text);
+            while (text.length() > 0 && text.charAt(text.length() - 1) == '\\' && !ended) {
+                text.setCharAt(text.length() - 1, ' ');
+                readLine(in, text);
             }
             int end = line;
-            line = begin; // errors name the line at which a statement begins
-            statement(joined.toString());
+            line = begin;
+            statement(text.toString().strip());
             line = end;
         }
         if (faces.isEmpty()) {
             line = 0;
             throw new IllegalArgumentException("an OBJ file must have at least one face (got: none)");
+        }
+    }
+
+    /** Appends one line without its comment and its end; a file without line ends is not read into memory. */
+    private void readLine(Reader in, StringBuilder text) throws IOException {
+        line++;
+        boolean comment = false;
+        for (int c = in.read(); c != '\n'; c = in.read()) {
+            if (c < 0) {
+                ended = true;
+                break;
+            }
+            comment |= c == '#';
+            if (!comment && c != '\r') {
+                text.append((char) c);
+                if (text.length() > Limits.MAX_STATEMENT) {
+                    throw new IllegalArgumentException(
+                            "a statement must have at most " + Limits.MAX_STATEMENT + " characters (got: more)");
+                }
+            }
+        }
+        if (line == 1 && text.indexOf(BYTE_ORDER_MARK) == 0) {
+            text.delete(0, BYTE_ORDER_MARK.length());
         }
     }
 

@@ -74,6 +74,13 @@ final class ObjectBuilder {
                 number(element, "width", "0"));
     }
 
+    static boolean isObject(Element element) {
+        return switch (element.name) {
+            case "box", "cylinder", "sphere", "mesh", "group" -> true;
+            default -> false;
+        };
+    }
+
     GeometryObject object(Element element) throws WorldException {
         GeometryObject shape = switch (element.name) {
             case "box" ->
@@ -232,7 +239,7 @@ final class ObjectBuilder {
                 if (places) {
                     place[count % 3] = Numbers.length(text.token(), unit);
                 } else {
-                    face[count % size] = Numbers.integer(text.token());
+                    face[count % size] = Numbers.index(text.token());
                 }
                 count++;
                 if (count % size == 0) {

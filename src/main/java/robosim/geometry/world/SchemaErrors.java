@@ -9,11 +9,10 @@ import org.jspecify.annotations.Nullable;
 import org.xml.sax.SAXParseException;
 
 /**
- * What the schema's validator says, in words for people. The validator's text depends on the language of the machine;
- * its keys and what it puts in quotes do not, and only these are used.
+ * What the schema's validator says, in words for people: only the validator's key is used, and the names that it quotes.
  */
 final class SchemaErrors {
-    private static final Pattern KEY = Pattern.compile("^(cvc-[A-Za-z0-9.-]+):");
+    private static final Pattern KEY = Pattern.compile("^(cvc-[A-Za-z0-9.-]+)\\s*:");
     private static final Pattern QUOTED = Pattern.compile("'([^']*)'");
     private static final Pattern CHILD = Pattern.compile("\"" + WorldWriter.NAMESPACE + "\":([a-z]+)");
 
@@ -69,7 +68,7 @@ final class SchemaErrors {
                 tag + " has no attribute " + attribute(quoted, element) + "; see world.xsd for those that it has";
             case "cvc-complex-type.4" -> tag + " needs the attribute " + missing(quoted, element);
             case "cvc-attribute.3" -> wrongValue(quoted, element);
-            default -> message.substring(key.length() + 1).strip();
+            default -> message.substring(message.indexOf(':') + 1).strip();
         };
     }
 
@@ -77,7 +76,10 @@ final class SchemaErrors {
         String children = children(quoted);
         String where = element.parent == null ? "" : " in <" + element.parent.name + ">";
         String remedy = children.isEmpty() ? "remove it" : "there can be " + children;
-        return "<" + element.name + "> cannot stand here" + where + "; " + remedy;
+        String namespace = element.namespace.equals(WorldWriter.NAMESPACE)
+                ? ""
+                : " of the namespace \"" + element.namespace + "\"";
+        return "<" + element.name + ">" + namespace + " cannot stand here" + where + "; " + remedy;
     }
 
     private static String wrongValue(List<String> quoted, Element element) {

@@ -7,16 +7,22 @@ import java.util.List;
 final class Text {
     private final StringBuilder characters = new StringBuilder();
     private final List<Chunk> chunks = new ArrayList<>();
+    private final int beginColumn;
     private int from;
     private int to;
 
-    /** A piece as the parser gave it: where it begins in the text, and where in the file it ends. */
-    private record Chunk(int begin, int end, int endLine, int endColumn) {}
+    /** A piece as the parser gave it: where it begins and ends in the text, and on which line of the file it ends. */
+    private record Chunk(int begin, int end, int endLine) {}
 
-    void add(char[] source, int start, int length, int endLine, int endColumn) {
+    /** A text that begins in a column of the file. */
+    Text(int beginColumn) {
+        this.beginColumn = beginColumn;
+    }
+
+    void add(char[] source, int start, int length, int endLine) {
         int begin = characters.length();
         characters.append(source, start, length);
-        chunks.add(new Chunk(begin, characters.length(), endLine, endColumn));
+        chunks.add(new Chunk(begin, characters.length(), endLine));
     }
 
     /** Goes to the next piece between white space; false at the end. */
@@ -46,18 +52,14 @@ final class Text {
         return line;
     }
 
-    /** The column after the current piece; 0 where the parser does not tell. */
+    /** The column after the current piece; 0 where a comment before it on its line hides that. */
     int column() {
         Chunk chunk = chunk();
-        int end = to;
-        while (end < chunk.end && characters.charAt(end) != '\n') {
-            end++;
+        int newline = characters.lastIndexOf("\n", from);
+        if (newline >= chunk.begin) {
+            return to - newline;
         }
-        if (end == chunk.end) {
-            return chunk.endColumn - (end - to);
-        }
-        int begin = characters.lastIndexOf("\n", from);
-        return begin < chunk.begin ? 0 : to - begin;
+        return chunk.begin == 0 ? beginColumn + to : 0;
     }
 
     // The one that holds the piece's last character.

@@ -32,6 +32,7 @@ final class WorldHandler extends DefaultHandler {
     private @Nullable Element open;
     private @Nullable World world;
     private @Nullable SAXParseException detail;
+    private int count;
 
     WorldHandler(String source, @Nullable Path base, ValidatorHandler validator) {
         this.source = source;
@@ -100,10 +101,13 @@ final class WorldHandler extends DefaultHandler {
                         + " characters (got: " + attributes.getValue(k).length() + ")");
             }
         }
-        Element element = new Element(open, name, attributes, line(), column());
+        Element element = new Element(open, uri, name, attributes, line(), column());
         open = element;
         if (element.groups() > Limits.MAX_GROUPS) {
             throw refusal("groups must be at most " + Limits.MAX_GROUPS + " within each other (got: one more)");
+        }
+        if (ObjectBuilder.isObject(element) && ++count > Limits.MAX_OBJECTS) {
+            throw refusal("a world must have at most " + Limits.MAX_OBJECTS + " objects (got: more)");
         }
         checkName(element);
         validator.startElement(uri, name, qualified, attributes);
@@ -125,7 +129,7 @@ final class WorldHandler extends DefaultHandler {
     @Override
     public void characters(char[] text, int start, int length) throws SAXException {
         if (open != null && open.takesText()) {
-            open.text.add(text, start, length, line(), column());
+            open.text.add(text, start, length, line());
         }
         validator.characters(text, start, length);
     }
@@ -173,15 +177,16 @@ final class WorldHandler extends DefaultHandler {
                     objects);
             return;
         }
-        switch (element.name) {
-            case "box", "cylinder", "sphere", "mesh", "group" -> {
-                GeometryObject object = builder.object(element);
-                if (parent.parent == null) {
-                    objects.add(new WorldObject(object, element.attribute("color"), element.sonars));
-                } else {
-                    parent.members.add(object);
-                }
+        if (ObjectBuilder.isObject(element)) {
+            GeometryObject object = builder.object(element);
+            if (parent.parent == null) {
+                objects.add(new WorldObject(object, element.attribute("color"), element.sonars));
+            } else {
+                parent.members.add(object);
             }
+            return;
+        }
+        switch (element.name) {
             case "bounds" -> parent.bounds = element.members.get(0);
             case "sonar" -> parent.sonars.add(builder.sonar(element));
             case "vertices" -> parent.vertices.addAll(element.vertices);

@@ -7,11 +7,13 @@ import java.net.URL;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.Locale;
 import javax.xml.XMLConstants;
 import javax.xml.parsers.ParserConfigurationException;
 import javax.xml.parsers.SAXParserFactory;
 import javax.xml.validation.Schema;
 import javax.xml.validation.SchemaFactory;
+import javax.xml.validation.ValidatorHandler;
 import org.jspecify.annotations.Nullable;
 import org.xml.sax.InputSource;
 import org.xml.sax.SAXException;
@@ -25,6 +27,9 @@ import org.xml.sax.XMLReader;
  * is refused. A world is read whole or not at all.
  */
 public final class WorldReader {
+    /** Parser and validator are made to speak English, their root language: it is what {@link SchemaErrors} reads. */
+    private static final String LOCALE = "http://apache.org/xml/properties/locale";
+
     private WorldReader() {}
 
     /**
@@ -52,8 +57,10 @@ public final class WorldReader {
      * @throws WorldException naming source, line, column and remedy, where the stream fails or holds no world
      */
     public static World read(InputStream in, String source, @Nullable Path base) throws WorldException {
-        WorldHandler handler = new WorldHandler(source, base, SchemaHolder.SCHEMA.newValidatorHandler());
+        ValidatorHandler validator = SchemaHolder.SCHEMA.newValidatorHandler();
+        WorldHandler handler = new WorldHandler(source, base, validator);
         try {
+            validator.setProperty(LOCALE, Locale.ROOT);
             XMLReader reader = hardenedReader();
             reader.setContentHandler(handler);
             reader.setErrorHandler(handler);
@@ -82,7 +89,9 @@ public final class WorldReader {
         factory.setFeature("http://xml.org/sax/features/external-parameter-entities", false);
         factory.setFeature("http://apache.org/xml/features/nonvalidating/load-external-dtd", false);
         factory.setXIncludeAware(false);
-        return factory.newSAXParser().getXMLReader();
+        XMLReader reader = factory.newSAXParser().getXMLReader();
+        reader.setProperty(LOCALE, Locale.ROOT);
+        return reader;
     }
 
     /** Loaded when the first world is read. */
