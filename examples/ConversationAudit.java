@@ -517,9 +517,7 @@ public final class ConversationAudit {
         private double slack;
 
         Body(GeometryObject object) {
-            this.text = object.name() == null
-                    ? "an unnamed " + object.kind().name().toLowerCase(Locale.ROOT)
-                    : object.name();
+            this.text = object.name() == null ? unnamed(object) : object.name();
             this.moveable = object.isMoveable();
             this.x = object.center().x();
             this.z = object.center().z();
@@ -534,6 +532,13 @@ public final class ConversationAudit {
                     reach = Math.max(reach, Math.hypot(piece.x[k] - x, piece.z[k] - z) + piece.radius);
                 }
             }
+        }
+
+        /** What has no name is known by its place. */
+        private static String unnamed(GeometryObject object) {
+            return "a " + object.kind().name().toLowerCase(Locale.ROOT) + " at ("
+                    + (float) object.center().x() + ", "
+                    + (float) object.center().z() + ")";
         }
 
         double centreDistance(double fromX, double fromZ) {

@@ -279,6 +279,8 @@ public final class ReferenceEnvironment {
         private final double[] distances;
         private int refusedInARow;
         private int boldSteps;
+        private int retreatSteps;
+        private double retreat;
 
         Robot(WorldObject object, double speed, SplittableRandom random) {
             this.name = object.object().name();
@@ -329,10 +331,13 @@ public final class ReferenceEnvironment {
                 }
             }
             if (refusedInARow > 0) {
-                boldSteps = 0;
-                return new MoveRequest(name, 0, 0, 0, 0, random.nextDouble(0.6, 2.4) * (left >= right ? 1 : -1));
+                return unstick(left >= right ? 1 : -1);
             }
-            if (boldSteps == 0 && random.nextInt(400) == 0) {
+            if (retreatSteps > 0) {
+                retreatSteps--;
+                return backOff();
+            }
+            if (boldSteps == 0 && random.nextInt(120) == 0) {
                 boldSteps = 40;
             }
             if (boldSteps > 0) {
@@ -345,6 +350,28 @@ public final class ReferenceEnvironment {
                 return new MoveRequest(name, speed / 4, 0, 0, 0, side * random.nextDouble(0.15, 0.35));
             }
             return new MoveRequest(name, speed, 0, 0, 0, jitter);
+        }
+
+        /** Turns away; where that is refused too, retreats a few steps to where it sees farthest, without a turn. */
+        private MoveRequest unstick(int side) {
+            boldSteps = 0;
+            if (refusedInARow == 1) {
+                return new MoveRequest(name, 0, 0, 0, 0, side * random.nextDouble(0.3, 2.4));
+            }
+            int farthest = random.nextInt(distances.length);
+            for (int k = 0; k < distances.length; k++) {
+                farthest = distances[k] > distances[farthest] ? k : farthest;
+            }
+            // Where that is refused as well, any way may be the one out.
+            retreat = refusedInARow == 2 ? bearings.get(farthest) : random.nextDouble(-Math.PI, Math.PI);
+            retreatSteps = 8;
+            return backOff();
+        }
+
+        private MoveRequest backOff() {
+            double x = speed * StrictMath.cos(retreat);
+            double z = -speed * StrictMath.sin(retreat);
+            return new MoveRequest(name, x, 0, z, 0, 0);
         }
 
         void told(boolean allowed) {

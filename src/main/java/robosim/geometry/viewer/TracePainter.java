@@ -1,7 +1,10 @@
 package robosim.geometry.viewer;
 
+import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import robosim.geometry.model.Point;
 
 /** What happened: trails, measured distances, refused moves. */
@@ -49,7 +52,7 @@ final class TracePainter {
                 page[size++] = y;
             }
         }
-        return java.util.Arrays.copyOf(page, size);
+        return Arrays.copyOf(page, size);
     }
 
     void pings() {
@@ -97,8 +100,14 @@ final class TracePainter {
 
     void refusals() {
         canvas.open("refusals", "");
+        Set<List<Long>> drawn = new HashSet<>();
         for (Scene.Refusal refusal : scene.refusals()) {
-            cross(canvas, frame.x(refusal.place()), frame.y(refusal.place()), refusal.heading());
+            double x = frame.x(refusal.place());
+            double y = frame.y(refusal.place());
+            // A robot that is stuck asks again and again; one mark tells it.
+            if (drawn.add(List.of(Math.round(x), Math.round(y), Math.round(refusal.heading() / 10)))) {
+                cross(canvas, x, y, refusal.heading());
+            }
         }
         canvas.close();
     }
