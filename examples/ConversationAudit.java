@@ -338,9 +338,11 @@ public final class ConversationAudit {
     private double nearest(Sector sector, Body self) {
         double nearest = Double.POSITIVE_INFINITY;
         for (Body other : bodies) {
-            if (other != self && other.centreDistance(sector.x, sector.z) - other.reach < nearest) {
+            if (other != self && other.centreDistance(sector.x, sector.z) - other.reach < nearest + slack) {
                 for (Piece piece : other.pieces) {
-                    nearest = Math.min(nearest, sector.distance(piece));
+                    if (piece.beyond(sector.x, sector.z) < nearest + slack) {
+                        nearest = Math.min(nearest, sector.distance(piece));
+                    }
                 }
             }
         }
@@ -401,10 +403,23 @@ public final class ConversationAudit {
         private final double[] z;
         private final double radius;
 
+        /** How far from its first corner it reaches. */
+        private final double reach;
+
         Piece(double[] x, double[] z, double radius) {
             this.x = x;
             this.z = z;
             this.radius = radius;
+            double far = 0;
+            for (int k = 1; k < x.length; k++) {
+                far = Math.max(far, Math.hypot(x[k] - x[0], z[k] - z[0]));
+            }
+            this.reach = far + radius;
+        }
+
+        /** A distance from a place that no point of it is within, or about. */
+        double beyond(double fromX, double fromZ) {
+            return Math.hypot(x[0] - fromX, z[0] - fromZ) - reach;
         }
     }
 
@@ -492,7 +507,8 @@ public final class ConversationAudit {
         double least = Double.POSITIVE_INFINITY;
         for (Piece p : a.pieces) {
             for (Piece q : b.pieces) {
-                least = Math.min(least, gap(p, q));
+                double around = q.beyond(p.x[0], p.z[0]) - p.reach;
+                least = Math.min(least, around > 1 ? around : gap(p, q));
             }
         }
         return least;
@@ -693,6 +709,11 @@ public final class ConversationAudit {
             for (Piece piece : mover.pieces) {
                 Piece line = swept(piece, 1);
                 for (Piece obstacle : other.pieces) {
+                    double around = obstacle.beyond(mover.x, mover.z) - mover.reach - length;
+                    if (around > 1) {
+                        least = Math.min(least, around);
+                        continue;
+                    }
                     least = Math.min(least, ConversationAudit.gap(line, obstacle));
                     if (turns(piece)) {
                         least = Math.min(least, turnGap(piece, obstacle, 0, radians, slack));

@@ -76,13 +76,15 @@ public final class ReferenceEnvironment {
         SplittableRandom seeds = new SplittableRandom(options.number("seed", 1));
         double speed = options.decimal("speed", 0.05);
         for (WorldObject object : world.objects()) {
-            if (object.object().isMoveable()) {
+            // What lies on its side has no level sensors, and stays.
+            if (object.object().isMoveable() && object.object().pose().isUpright()) {
                 robots.add(new Robot(object, speed, seeds.split()));
             }
         }
         if (robots.isEmpty()) {
-            throw new IllegalArgumentException("world must hold a moveable object, else nothing can wander (got: "
-                    + options.require("world") + ")");
+            throw new IllegalArgumentException(
+                    "world must hold a moveable object that stands upright, else nothing can wander (got: "
+                            + options.require("world") + ")");
         }
     }
 
