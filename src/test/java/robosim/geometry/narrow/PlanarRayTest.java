@@ -205,6 +205,42 @@ class PlanarRayTest {
         assertThat(hits).isBetween(count * 3 / 10, count * 8 / 10);
     }
 
+    /** Shifts the start until a step of one ulp changes hit to miss, and asks the reference about the steps around. */
+    @Test
+    void neighboursAcrossTheOutlineAgreeWithTheReference() {
+        PlanarRows rows = new PlanarRows(20);
+        int hits = 0;
+        int count = 0;
+        for (int k = 0; k < 1000; k++) {
+            int kind = rows.exactKind();
+            double[] row = rows.row(kind, 1, 1);
+            double ux = rows.between(0.3);
+            double oz = rows.between(1);
+            double in = rows.between(1);
+            double out = 9;
+            if (ray(in, oz, ux, 1, kind, row) == Double.POSITIVE_INFINITY) {
+                continue;
+            }
+            while (true) {
+                double middle = in + (out - in) / 2;
+                if (middle == in || middle == out) {
+                    break;
+                }
+                if (ray(middle, oz, ux, 1, kind, row) < Double.POSITIVE_INFINITY) {
+                    in = middle;
+                } else {
+                    out = middle;
+                }
+            }
+            for (int step = -2; step <= 3; step++) {
+                hits += checked(in + step * Math.ulp(in), oz, ux, 1, kind, row, 1e9) ? 1 : 0;
+                count++;
+            }
+        }
+        assertThat(count).isGreaterThan(500);
+        assertThat(hits).isBetween(count * 3 / 10, count * 7 / 10);
+    }
+
     @Test
     void directionsOfAnyLengthGiveTheSame() {
         PlanarRows rows = new PlanarRows(16);
