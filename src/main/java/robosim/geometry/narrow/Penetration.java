@@ -18,10 +18,20 @@ final class Penetration {
     private static final double FIRST_STEP = 0.5;
     private static final double LAST_STEP = 0x1p-30;
 
+    /** Directions tried around an edge before the best is refined, a 15-8-17 triangle's angle apart: 28 degrees. */
+    private static final int SPREAD = 13;
+
+    private static final double SPREAD_COS = 15 / 17.0;
+    private static final double SPREAD_SIN = 8 / 17.0;
+
     /** Directions closer than this are one. */
     private static final double SAME = 0x1p-40;
 
+    /** A search comes no closer to a direction than this, as depths are flat there. */
+    private static final double FOUND_SAME = 0x1p-22;
+
     private final Gjk gjk = new Gjk();
+    private final Gjk plane = new Gjk();
     private final Support first = new Support();
     private final Support second = new Support();
     private final Facets facetsA = new Facets();
@@ -34,6 +44,9 @@ final class Penetration {
     private final double[] depths = new double[MOST];
     private double margins;
     private boolean flat;
+
+    /** How many of the directions belong to sides; the rest came from a search. */
+    private int sides;
 
     // Where the pattern search stands.
     private double searchX;
@@ -52,6 +65,11 @@ final class Penetration {
     double planar(int kindA, double[] a, int i, int kindB, double[] b, int j) {
         flat = true;
         return ordered(kindA, a, i, kindB, b, j);
+    }
+
+    /** The distance question that the last one began with; its a and b may be exchanged. */
+    Gjk bracket() {
+        return gjk;
     }
 
     /** How many directions tie; at least 1. */
@@ -78,9 +96,9 @@ final class Penetration {
         }
         double depth = solve(kindB, b, j, kindA, a, i);
         for (int k = 0; k < count; k++) {
-            x[k] = -x[k];
-            y[k] = -y[k];
-            z[k] = -z[k];
+            x[k] = 0 - x[k];
+            y[k] = 0 - y[k];
+            z[k] = 0 - z[k];
         }
         return depth;
     }
@@ -97,13 +115,17 @@ final class Penetration {
             return -gjk.reach();
         }
         load(kindA, a, i, kindB, b, j);
+        if (!flat && Leaf.isUpright(kindA) && Leaf.isUpright(kindB)) {
+            level(kindA, a, i, kindB, b, j);
+        }
         candidates();
+        sides = count;
         double depth = least();
         if (!first.isPolytope() || !second.isPolytope()) {
             refine(depth);
             depth = least();
         }
-        keepTies(depth, depth + 2 * gjk.error());
+        keepTies(depth + 2 * gjk.error());
         return depth;
     }
 
@@ -123,6 +145,14 @@ final class Penetration {
             facetsB.spatial(kindB, b, j);
         }
         margins = first.margin + second.margin;
+    }
+
+    /** Between upright leaves: the direction to the nearest point of the plane, where a disc's centre is outside. */
+    private void level(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        plane.planar(kindA, a, i, kindB, b, j);
+        if (plane.coreReach() > plane.error()) {
+            take(plane.nx(), 0, plane.nz(), depth(plane.nx(), 0, plane.nz()));
+        }
     }
 
     /** The directions of the flat sides of the difference set; in a difference set without any, two across it. */
@@ -187,9 +217,9 @@ final class Penetration {
     }
 
     private void take(double dx, double dy, double dz, double depth) {
-        x[count] = dx;
-        y[count] = dy;
-        z[count] = dz;
+        x[count] = dx + 0.0; // no -0
+        y[count] = dy + 0.0;
+        z[count] = dz + 0.0;
         depths[count] = depth;
         count++;
     }
@@ -209,8 +239,17 @@ final class Penetration {
         return least;
     }
 
-    /** Looks for a shallower direction between the flat sides: from the best of them, GJK's slab and the centres. */
+    /**
+     * Looks for a shallower direction between the flat sides: across each straight edge, where valleys are sharp, then
+     * freely from the best of the flat sides, GJK's slab and the centres.
+     */
     private void refine(double depth) {
+        if (flat) {
+            circle(0, 1, 0);
+        } else {
+            around(facetsA);
+            around(facetsB);
+        }
         int best = 0;
         while (depths[best] > depth) {
             best++;
@@ -227,6 +266,50 @@ final class Penetration {
         if (length > 0) {
             searchFrom(cx / length, cy / length, cz / length, depth(cx / length, cy / length, cz / length));
         }
+    }
+
+    private void around(Facets facets) {
+        for (int k = 0; k < facets.edges; k++) {
+            circle(facets.edgeX[k], facets.edgeY[k], facets.edgeZ[k]);
+        }
+    }
+
+    /** Searches the circle across a unit direction, from the best of some directions spread over it. */
+    private void circle(double ex, double ey, double ez) {
+        double tx = ez;
+        double ty = 0;
+        double tz = -ex;
+        if (Math.abs(ex) + Math.abs(ez) < 0x1p-10) {
+            tx = 1;
+            ty = -ex / ey;
+            tz = 0;
+        }
+        double length = Math.sqrt(tx * tx + ty * ty + tz * tz);
+        tx /= length;
+        ty /= length;
+        tz /= length;
+        double sx = ey * tz - ez * ty;
+        double sy = ez * tx - ex * tz;
+        double sz = ex * ty - ey * tx;
+        searchDepth = Double.POSITIVE_INFINITY;
+        double c = 1;
+        double s = 0;
+        for (int n = 0; n < SPREAD; n++) {
+            tryAt(c * tx + s * sx - searchX, c * ty + s * sy - searchY, c * tz + s * sz - searchZ);
+            double turned = c * SPREAD_COS - s * SPREAD_SIN;
+            s = s * SPREAD_COS + c * SPREAD_SIN;
+            c = turned;
+        }
+        probes = 0;
+        for (double step = SPREAD_SIN; step > LAST_STEP && probes < MOST_PROBES; ) {
+            double ax = step * (ey * searchZ - ez * searchY);
+            double ay = step * (ez * searchX - ex * searchZ);
+            double az = step * (ex * searchY - ey * searchX);
+            if (!tryAt(ax, ay, az) && !tryAt(-ax, -ay, -az)) {
+                step *= 0.5;
+            }
+        }
+        take(searchX, searchY, searchZ, searchDepth);
     }
 
     private void searchFrom(double dx, double dy, double dz, double depth) {
@@ -303,17 +386,11 @@ final class Penetration {
         return true;
     }
 
-    private void keepTies(double depth, double limit) {
+    /** Keeps the directions that tie, in the order in which they were found: sides before what a search came to. */
+    private void keepTies(double limit) {
         int kept = 0;
-        // The least itself comes first, so that a witness may take number 0.
         for (int k = 0; k < count; k++) {
-            if (depths[k] == depth) {
-                swap(0, k);
-                break;
-            }
-        }
-        for (int k = 0; k < count; k++) {
-            if (depths[k] <= limit && isNew(k, kept)) {
+            if (depths[k] <= limit && isNew(k, kept, k < sides ? SAME : FOUND_SAME)) {
                 swap(kept, k);
                 kept++;
             }
@@ -321,10 +398,10 @@ final class Penetration {
         count = kept;
     }
 
-    private boolean isNew(int k, int kept) {
+    private boolean isNew(int k, int kept, double same) {
         for (int m = 0; m < kept; m++) {
             double apart = Math.max(Math.abs(x[k] - x[m]), Math.max(Math.abs(y[k] - y[m]), Math.abs(z[k] - z[m])));
-            if (apart < SAME) {
+            if (apart < same) {
                 return false;
             }
         }
