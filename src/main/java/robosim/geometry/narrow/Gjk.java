@@ -16,6 +16,12 @@ final class Gjk {
     /** Most steps of one question. Polytopes take less than 20, rims in unlucky places some 60. */
     private static final int MOST_STEPS = 160;
 
+    /**
+     * Steps without a nearer point before doubles are taken to be at their end. A tilt of 2^-26 against a cap does not
+     * show in a distance, but does in the slab.
+     */
+    private static final int MOST_STALLS = 6;
+
     /** The bracket is narrow enough when it is this share of the distance. */
     private static final double NARROW = 0x1p-44;
 
@@ -27,6 +33,12 @@ final class Gjk {
 
     /** Below this size a problem is scaled up before squares are taken. */
     private static final double SMALL = 0x1p-240;
+
+    /**
+     * The origin is certainly in a tetrahedron of which it cuts off volumes beyond this share of the cubed extents: each
+     * is a sum of six products of three coordinates off by 17u of the extents, so off by less than 6 * 60u = 2^-44.
+     */
+    private static final double DEEP = 0x1p-43;
 
     private final Support first = new Support();
     private final Support second = new Support();
@@ -48,6 +60,7 @@ final class Gjk {
     private double reach;
     private double coreReach;
     private int steps;
+    private boolean deep;
 
     /** Asks in space; answers the lower end of the bracket, at least 0. */
     double spatial(int kindA, double[] a, int i, int kindB, double[] b, int j) {
@@ -125,6 +138,11 @@ final class Gjk {
         return bz;
     }
 
+    /** Whether a common point is certain: it lies inside by more than rounding can have moved anything. */
+    boolean isDeep() {
+        return deep;
+    }
+
     /** How far rounding may have moved a bound of this question, world units. */
     double error() {
         return error;
@@ -194,6 +212,7 @@ final class Gjk {
         if (vx == 0 && vy == 0 && vz == 0) {
             vx = 1;
         }
+        int stalls = 0;
         for (steps = 1; steps <= MOST_STEPS; steps++) {
             double length = Math.sqrt(vx * vx + vy * vy + vz * vz);
             double reach = probe(vx / length, vy / length, vz / length);
@@ -202,10 +221,15 @@ final class Gjk {
                 return;
             }
             if (!simplex.reduce()) {
-                return; // no nearer than before: rounding decides from here on
+                return;
             }
-            upper = Math.sqrt(simplex.norm());
-            witness();
+            double near = Math.sqrt(simplex.norm());
+            if (near < upper) {
+                upper = near;
+                witness();
+            } else if (++stalls > MOST_STALLS) {
+                return; // rounding decides from here on
+            }
             if (upper <= error) {
                 overlapping = true; // no slab could prove otherwise
                 return;
@@ -243,6 +267,7 @@ final class Gjk {
     private void finish(double ox, double oy, double oz, double unscale) {
         double margins = first.margin + second.margin;
         double near = upper;
+        deep = near + error < margins || (near == 0 && simplex.depth() > DEEP * cube(first.extent + second.extent));
         coreReach = lower * unscale;
         reach = (lower - margins) * unscale;
         lower = lower - margins - error;
@@ -270,6 +295,10 @@ final class Gjk {
         lower *= unscale;
         upper *= unscale;
         error *= unscale;
+    }
+
+    private static double cube(double v) {
+        return v * v * v;
     }
 
     private void reverse() {

@@ -10,6 +10,7 @@ public final class Scratch {
     /** Distance and penetration of the two leaves of a question, in space or in the plane. */
     final Gjk gjk = new Gjk();
 
+    final PolytopePolytope polytopes = new PolytopePolytope();
     final Penetration penetration = new Penetration();
 
     /** The projections of the two leaves of a planar question. */

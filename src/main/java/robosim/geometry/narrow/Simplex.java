@@ -11,6 +11,9 @@ final class Simplex {
     /** A side this flat (squared sine) is left to its edges. */
     private static final double FLAT = 0x1p-96;
 
+    /** Squared distances this close are the same to rounding; the larger part of the simplex has the better direction. */
+    private static final double TIE = 1 + 0x1p-48;
+
     /** Direction of the point of least norm; its length means nothing. */
     double vx;
 
@@ -26,6 +29,7 @@ final class Simplex {
     private final double[] pointsB = new double[12];
 
     private double norm;
+    private double depth;
 
     // The best part found so far by reduce: its direction, weights and norm.
     private double foundNorm;
@@ -37,6 +41,7 @@ final class Simplex {
     void clear() {
         count = 0;
         norm = Double.POSITIVE_INFINITY;
+        depth = 0;
     }
 
     /** Adds the difference of two points found; false where it is there already. */
@@ -62,7 +67,7 @@ final class Simplex {
         return true;
     }
 
-    /** Keeps the part of the simplex that is nearest to the origin; false where that is no nearer than before. */
+    /** Keeps the part of the simplex that is nearest to the origin; false where that is further than before. */
     boolean reduce() {
         foundNorm = Double.POSITIVE_INFINITY;
         int newest = count - 1;
@@ -79,7 +84,7 @@ final class Simplex {
                 side(k, m, newest);
             }
         }
-        if (!(foundNorm < norm)) {
+        if (!(foundNorm <= norm * TIE)) {
             return false;
         }
         norm = foundNorm;
@@ -93,6 +98,11 @@ final class Simplex {
     /** Squared distance of the nearest point, as the weights give it; 0 where the origin is inside. */
     double norm() {
         return norm;
+    }
+
+    /** Six times the least of the volumes into which the origin cuts the tetrahedron; 0 where it is not inside one. */
+    double depth() {
+        return depth;
     }
 
     double ax() {
@@ -128,7 +138,7 @@ final class Simplex {
     }
 
     private void corner(int p) {
-        offer(x[p], y[p], z[p], p, 1, p, 0, p, 0);
+        offer(1, x[p], y[p], z[p], p, 1, p, 0, p, 0);
     }
 
     private void edge(int p, int q) {
@@ -144,7 +154,7 @@ final class Simplex {
         double dy = y[p] + t * ey;
         double dz = z[p] + t * ez;
         double slip = (dx * ex + dy * ey + dz * ez) / square;
-        offer(dx - slip * ex, dy - slip * ey, dz - slip * ez, p, 1 - t, q, t, q, 0);
+        offer(TIE, dx - slip * ex, dy - slip * ey, dz - slip * ez, p, 1 - t, q, t, q, 0);
     }
 
     private void side(int p, int q, int r) {
@@ -199,7 +209,7 @@ final class Simplex {
         weightR /= sum;
         if (weightP > 0 && weightQ > 0 && weightR > 0) {
             double sign = height < 0 ? -1 : 1;
-            offer(sign * nx, sign * ny, sign * nz, p, weightP, q, weightQ, r, weightR);
+            offer(TIE, sign * nx, sign * ny, sign * nz, p, weightP, q, weightQ, r, weightR);
         }
     }
 
@@ -225,12 +235,13 @@ final class Simplex {
     }
 
     /** Takes a part of the simplex where its nearest point, as the weights give it, is the nearest yet. */
-    private void offer(double dx, double dy, double dz, int p, double wp, int q, double wq, int r, double wr) {
+    private void offer(
+            double tie, double dx, double dy, double dz, int p, double wp, int q, double wq, int r, double wr) {
         double sx = wp * x[p] + wq * x[q] + wr * x[r];
         double sy = wp * y[p] + wq * y[q] + wr * y[r];
         double sz = wp * z[p] + wq * z[q] + wr * z[r];
         double square = sx * sx + sy * sy + sz * sz;
-        if (!(square < foundNorm)) {
+        if (!(square < foundNorm * tie)) {
             return;
         }
         foundNorm = square;
@@ -275,6 +286,7 @@ final class Simplex {
         if (!allPositive && !allNegative) {
             return false;
         }
+        depth = Math.min(Math.min(Math.abs(w0), Math.abs(w1)), Math.min(Math.abs(w2), Math.abs(w3)));
         double sum = w0 + w1 + w2 + w3;
         weight[0] = w0 / sum;
         weight[1] = w1 / sum;

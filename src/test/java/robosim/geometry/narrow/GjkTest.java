@@ -112,7 +112,7 @@ class GjkTest {
             if (!gjk.overlapping()) {
                 apart++;
                 double size = scaleA + scaleB;
-                assertThat(gjk.upper() - gjk.lower()).as(pair).isLessThan(0x1p-32 * (gjk.upper() + 4 * size));
+                assertThat(gjk.upper() - gjk.lower()).as(pair).isLessThan(0x1p-40 * (gjk.upper() + 4 * size));
             }
         }
         assertThat(apart).isBetween(400, 3600);
