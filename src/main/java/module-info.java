@@ -1,11 +1,20 @@
 /** Collision, motion and range queries for robot simulators: what may be where, how far it may move, what is next. */
 module robosim.geometry {
+    requires java.xml;
+    requires static info.picocli;
+    requires static java.desktop;
     requires static org.jspecify;
 
     exports robosim.geometry;
+    exports robosim.geometry.collision;
     exports robosim.geometry.model;
     exports robosim.geometry.net;
     exports robosim.geometry.protocol;
+    exports robosim.geometry.world;
 
     uses robosim.geometry.protocol.MessageTranslator;
+
+    // The command line is read into annotated fields.
+    opens robosim.geometry.cli to
+            info.picocli;
 }

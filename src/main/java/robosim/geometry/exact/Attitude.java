@@ -60,6 +60,19 @@ public final class Attitude {
         return column[at + HEADING];
     }
 
+    /** Turns by some degrees about the world's vertical. */
+    public static void turnVertically(double[] column, int at, double degrees) {
+        if (isUpright(column, at)) {
+            turn(column, at, 0, degrees);
+        } else if (degrees != 0) {
+            double[] about = new double[Rotations.SIZE];
+            Rotations.yaw(degrees, 0, about, 0);
+            Rotations.multiply(about, 0, column.clone(), at, column, at);
+            Rotations.orthonormalise(column, at);
+            readHeading(column, at);
+        }
+    }
+
     /** Turns by {@code ry} degrees about the own Y, then by {@code rx} about the own X. */
     public static void turn(double[] column, int at, double rx, double ry) {
         if (ry != 0) {

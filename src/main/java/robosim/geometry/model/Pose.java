@@ -54,6 +54,11 @@ public final class Pose {
         return attitude[index];
     }
 
+    /** Writes the nine numbers of the rotation into an array. */
+    public void rotation(double[] out, int at) {
+        System.arraycopy(attitude, 0, out, at, 9);
+    }
+
     /** Degrees about the vertical from the world's X to forward, above -180 and up to 180. */
     public double heading() {
         return Attitude.heading(attitude, 0);

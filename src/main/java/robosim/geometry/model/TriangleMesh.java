@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.index.BoxTree;
 
 /**
  * The triangles of a mesh in its own frame and their tree, shared by all placements of the mesh.
@@ -20,6 +21,7 @@ public final class TriangleMesh {
     /** The face that a triangle is of. */
     private final int[] faceOf;
 
+    private volatile @Nullable BoxTree tree;
     private int @Nullable [] seeds;
 
     /** Takes both arrays as its own. */
@@ -117,6 +119,35 @@ public final class TriangleMesh {
                 + place[row + 1] * coordinates[v + 1]
                 + place[row + 2] * coordinates[v + 2]
                 + place[at + axis];
+    }
+
+    /** The tree over the triangles' boxes in the own frame, built when first asked. */
+    public BoxTree tree() {
+        BoxTree built = tree;
+        if (built == null) {
+            synchronized (this) {
+                built = tree;
+                if (built == null) {
+                    built = new BoxTree(boxes());
+                    tree = built;
+                }
+            }
+        }
+        return built;
+    }
+
+    private double[] boxes() {
+        double[] boxes = new double[6 * size()];
+        for (int t = 0; t < size(); t++) {
+            for (int axis = 0; axis < 3; axis++) {
+                double a = coordinate(vertex(t, 0), axis);
+                double b = coordinate(vertex(t, 1), axis);
+                double c = coordinate(vertex(t, 2), axis);
+                boxes[6 * t + axis] = Math.min(a, Math.min(b, c));
+                boxes[6 * t + 3 + axis] = Math.max(a, Math.max(b, c));
+            }
+        }
+        return boxes;
     }
 
     /** One vertex of each connected part of the surface, by ascending index. */

@@ -29,8 +29,14 @@ public final class Leaf {
     public static final int TRIANGLE = 5;
     public static final int PRISM = 6;
 
-    /** How many kinds there are. */
+    /** How many convex kinds there are; what follows is made of many triangles. */
     public static final int KINDS = 7;
+
+    /** A surface of triangles: 0-2 centre, 6-14 rotation; the triangles stand beside the row. */
+    public static final int MESH = 7;
+
+    /** A closed surface with its inside. */
+    public static final int SOLID_MESH = 8;
 
     /** Where the half sizes, or the radius and half height, begin. */
     public static final int SIZE = 3;
@@ -39,6 +45,11 @@ public final class Leaf {
     public static final int ROTATION = 6;
 
     private Leaf() {}
+
+    /** Whether the kind is made of triangles. */
+    public static boolean isMesh(int kind) {
+        return kind >= MESH;
+    }
 
     /** Whether the kind is a vertical prism: a flat base on an interval of heights. */
     public static boolean isUpright(int kind) {

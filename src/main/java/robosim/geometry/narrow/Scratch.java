@@ -4,4 +4,42 @@ package robosim.geometry.narrow;
  * Working memory of the kernels, so that a query allocates nothing. One for each owner of queries; never shared
  * between threads.
  */
-public final class Scratch {}
+public final class Scratch {
+    final MeshWalk outer = new MeshWalk();
+    final MeshWalk inner = new MeshWalk();
+    final MeshWalk around = new MeshWalk();
+
+    /** A placed triangle of the first and of the second mesh, as leaf rows. */
+    final double[] triangleA = new double[Leaf.STRIDE];
+
+    final double[] triangleB = new double[Leaf.STRIDE];
+
+    final double[] box = new double[6];
+    final double[] triangleBox = new double[6];
+    final double[] meshBox = new double[6];
+
+    final SweepScratch sweep = new SweepScratch();
+
+    /** Distance and penetration of the two leaves of a question, in space or in the plane. */
+    final Gjk gjk = new Gjk();
+
+    final PolytopePolytope polytopes = new PolytopePolytope();
+    final Penetration penetration = new Penetration();
+
+    /** The projections of the two leaves of a planar question. */
+    final PlanarShape planarA = new PlanarShape();
+
+    final PlanarShape planarB = new PlanarShape();
+    final PlanarBracket planarBracket = new PlanarBracket();
+
+    /** A direction and the depth along it. */
+    final double[] planarNormal = new double[3];
+
+    final double[] planarBounds = new double[6];
+    final RayInterval ray = new RayInterval();
+    final RayRefine refine = new RayRefine();
+    final NearestFace face = new NearestFace();
+    final Cone cone = new Cone();
+    final ConePolytope conePolytope = new ConePolytope();
+    final ConeCylinder coneCylinder = new ConeCylinder();
+}

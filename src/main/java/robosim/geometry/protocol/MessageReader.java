@@ -3,8 +3,8 @@ package robosim.geometry.protocol;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.InterruptedIOException;
 import java.io.ObjectStreamConstants;
-import java.net.SocketTimeoutException;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
@@ -84,7 +84,7 @@ public final class MessageReader {
         if (failure instanceof EOFException) {
             return "the stream ended inside a message, after " + input.count() + " bytes of it";
         }
-        if (failure instanceof SocketTimeoutException) {
+        if (failure instanceof InterruptedIOException) {
             return "a message stalled after " + input.count() + " bytes of it";
         }
         String text = failure.getMessage();

@@ -1,0 +1,213 @@
+package robosim.geometry.bench;
+
+import java.util.Arrays;
+import java.util.Iterator;
+import java.util.List;
+import org.dyn4j.collision.broadphase.AABBProducer;
+import org.dyn4j.collision.broadphase.DynamicAABBTree;
+import org.dyn4j.collision.broadphase.NullAABBExpansionMethod;
+import org.dyn4j.geometry.AABB;
+import org.locationtech.jts.geom.Envelope;
+import org.locationtech.jts.index.quadtree.Quadtree;
+import robosim.geometry.Geometry;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.narrow.LeafBounds;
+import robosim.geometry.narrow.LeafColumn;
+import robosim.geometry.narrow.Overlap;
+import robosim.geometry.narrow.OwnLeaves;
+import robosim.geometry.narrow.Scratch;
+
+/**
+ * Sequential checked additions, the 2005 report's own measure: each new object is tested against those that are in, and
+ * comes in where it touches none. The same objects and the same narrow phase behind a {@link Geometry}, a plain list that
+ * asks the narrow phase of each, a list that compares bounds first, JTS's quadtree and dyn4j's dynamic AABB tree, in turn.
+ *
+ * <p>{@code mvn -q test-compile exec:java -Dexec.classpathScope=test
+ * -Dexec.mainClass=robosim.geometry.bench.Additions}
+ */
+public final class Additions {
+    private Additions() {}
+
+    /** Asks the question for 1,000 and 10,000 objects. */
+    public static void main(String[] args) {
+        Timing.print("nanoseconds an addition; x: how many times the module's time, median of the rounds");
+        Timing.print(
+                "%8s %6s %8s | %8s %8s | %8s %8s | %8s %8s | %8s %8s",
+                "objects", "in", "module", "list", "x", "bounds", "x", "JTS", "x", "dyn4j", "x");
+        for (int n : new int[] {100, 1_000, 10_000}) {
+            row(n);
+        }
+    }
+
+    private static void row(int n) {
+        Scene scene = new Scene(n, 1);
+        List<GeometryObject> objects = scene.objects(n);
+        double world = scene.side() + 20;
+        boolean large = n >= 10_000;
+        double[][] nanos = Timing.inTurn(
+                large ? 8 : 300,
+                large ? 11 : 101,
+                () -> geometry(objects, world),
+                () -> plainList(objects),
+                () -> listOfBounds(objects),
+                () -> jts(objects),
+                () -> dyn4j(objects));
+        long in = geometry(objects, world);
+        boolean same =
+                in == plainList(objects) && in == listOfBounds(objects) && in == jts(objects) && in == dyn4j(objects);
+        if (!same) {
+            throw new IllegalStateException("all must let the same objects in");
+        }
+        Timing.print(
+                "%8d %6d %8.0f | %8.0f %8.1f | %8.0f %8.1f | %8.0f %8.1f | %8.0f %8.1f",
+                n,
+                in,
+                Timing.median(nanos[0]) / n,
+                Timing.median(nanos[1]) / n,
+                Timing.ratio(nanos[1], nanos[0]),
+                Timing.median(nanos[2]) / n,
+                Timing.ratio(nanos[2], nanos[0]),
+                Timing.median(nanos[3]) / n,
+                Timing.ratio(nanos[3], nanos[0]),
+                Timing.median(nanos[4]) / n,
+                Timing.ratio(nanos[4], nanos[0]));
+    }
+
+    private static long geometry(List<GeometryObject> objects, double world) {
+        Geometry geometry = new Geometry(world, 10, world, Dimension.PLANAR, Accuracy.EXACT);
+        long in = 0;
+        for (GeometryObject object : objects) {
+            in += geometry.addObject(object) ? 1 : 0;
+        }
+        return in;
+    }
+
+    /** What is in, as flat leaves and bounds: the plain list, and the exact test behind each tree. */
+    private static final class Store {
+        private final Scratch scratch = new Scratch();
+        private final LeafColumn leaves = new LeafColumn(16);
+        private double[] bounds = new double[6 * 16];
+        private final double[] box = new double[6];
+        private LeafColumn candidate = new LeafColumn(1);
+
+        /** Makes an object the one that is asked about. */
+        void ask(GeometryObject object) {
+            candidate = OwnLeaves.placed(object);
+            LeafBounds.of(candidate.kind(0), candidate.rows(), 0, box);
+        }
+
+        boolean hits(int k) {
+            return Overlap.test(Dimension.PLANAR, candidate, 0, leaves, k, scratch);
+        }
+
+        boolean hitsAny() {
+            for (int k = 0; k < leaves.size(); k++) {
+                if (hits(k)) {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        boolean hitsAnyByBounds() {
+            for (int k = 0; k < leaves.size(); k++) {
+                int b = 6 * k;
+                boolean near = bounds[b] <= box[3]
+                        && box[0] <= bounds[b + 3]
+                        && bounds[b + 2] <= box[5]
+                        && box[2] <= bounds[b + 5];
+                if (near && hits(k)) {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        int add() {
+            int k = leaves.appendCopy(candidate, 0, 1);
+            if (6 * k + 6 > bounds.length) {
+                bounds = Arrays.copyOf(bounds, 2 * bounds.length);
+            }
+            System.arraycopy(box, 0, bounds, 6 * k, 6);
+            return k;
+        }
+    }
+
+    private static long plainList(List<GeometryObject> objects) {
+        Store store = new Store();
+        for (GeometryObject object : objects) {
+            store.ask(object);
+            if (!store.hitsAny()) {
+                store.add();
+            }
+        }
+        return store.leaves.size();
+    }
+
+    /** A list that compares bounds first, in one flat array: as fast as a list can be. */
+    private static long listOfBounds(List<GeometryObject> objects) {
+        Store store = new Store();
+        for (GeometryObject object : objects) {
+            store.ask(object);
+            if (!store.hitsAnyByBounds()) {
+                store.add();
+            }
+        }
+        return store.leaves.size();
+    }
+
+    private static long jts(List<GeometryObject> objects) {
+        Store store = new Store();
+        Quadtree tree = new Quadtree();
+        for (GeometryObject object : objects) {
+            store.ask(object);
+            Envelope envelope = new Envelope(store.box[0], store.box[3], store.box[2], store.box[5]);
+            boolean free = true;
+            for (Object found : tree.query(envelope)) {
+                if (store.hits((Integer) found)) {
+                    free = false;
+                    break;
+                }
+            }
+            if (free) {
+                tree.insert(envelope, store.add());
+            }
+        }
+        return store.leaves.size();
+    }
+
+    private record Item(int index, AABB box) {}
+
+    private static long dyn4j(List<GeometryObject> objects) {
+        Store store = new Store();
+        DynamicAABBTree<Item> tree =
+                new DynamicAABBTree<>((x, y) -> true, new ItemBox(), new NullAABBExpansionMethod<>());
+        for (GeometryObject object : objects) {
+            store.ask(object);
+            AABB box = new AABB(store.box[0], store.box[2], store.box[3], store.box[5]);
+            boolean free = true;
+            for (Iterator<Item> found = tree.detectIterator(box); found.hasNext() && free; ) {
+                free = !store.hits(found.next().index());
+            }
+            if (free) {
+                tree.add(new Item(store.add(), box));
+            }
+        }
+        return store.leaves.size();
+    }
+
+    /** An item's box, as dyn4j asks for it. */
+    private static final class ItemBox implements AABBProducer<Item> {
+        @Override
+        public AABB compute(Item item) {
+            return item.box().copy();
+        }
+
+        @Override
+        public void compute(Item item, AABB out) {
+            out.set(item.box());
+        }
+    }
+}

@@ -1,0 +1,169 @@
+package robosim.geometry;
+
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Attitude;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+
+/**
+ * The objects of a world by a small number, their id: values, names, the order in which they came, and where the
+ * moveable ones are now. Ids of removed objects are used again.
+ */
+final class Bodies {
+    /** Doubles a place: the centre, then the attitude. */
+    static final int PLACE = 3 + Attitude.STRIDE;
+
+    private final Map<String, Integer> byName = new HashMap<>();
+    private @Nullable GeometryObject[] values = new GeometryObject[16];
+    private long[] order = new long[16];
+
+    /** Where a moveable object's place stands in the column of places, -1 for a static object. */
+    private int[] slots = new int[16];
+
+    private double[] places = new double[0];
+    private int[] movers = new int[4];
+    private int moverCount;
+    private int[] free = new int[4];
+    private int freeCount;
+    private int capacityUsed;
+    private long arrivals;
+    private int size;
+
+    /** How many objects there are. */
+    int size() {
+        return size;
+    }
+
+    /** One more than the largest id in use. */
+    int limit() {
+        return capacityUsed;
+    }
+
+    boolean isPresent(int id) {
+        return values[id] != null;
+    }
+
+    /** The id of a name, or -1. */
+    int find(String name) {
+        Integer id = byName.get(name);
+        return id == null ? -1 : id;
+    }
+
+    /** Takes an object in and answers its id. */
+    int add(GeometryObject object) {
+        int id = freeCount > 0 ? free[--freeCount] : capacityUsed++;
+        if (id == values.length) {
+            int capacity = id + (id >> 1) + 1;
+            values = Arrays.copyOf(values, capacity);
+            order = Arrays.copyOf(order, capacity);
+            slots = Arrays.copyOf(slots, capacity);
+        }
+        values[id] = object;
+        order[id] = arrivals++;
+        slots[id] = -1;
+        String name = object.name();
+        if (name != null) {
+            byName.put(name, id);
+        }
+        if (object.isMoveable()) {
+            addMover(id, object.pose());
+        }
+        size++;
+        return id;
+    }
+
+    private void addMover(int id, Pose pose) {
+        if (moverCount == movers.length) {
+            movers = Arrays.copyOf(movers, 2 * moverCount);
+        }
+        if ((moverCount + 1) * PLACE > places.length) {
+            places = Arrays.copyOf(places, 2 * (moverCount + 1) * PLACE);
+        }
+        slots[id] = moverCount;
+        movers[moverCount] = id;
+        int at = moverCount++ * PLACE;
+        places[at] = pose.center().x();
+        places[at + 1] = pose.center().y();
+        places[at + 2] = pose.center().z();
+        pose.attitude(places, at + 3);
+    }
+
+    void remove(int id) {
+        String name = value(id).name();
+        if (name != null) {
+            byName.remove(name);
+        }
+        if (slots[id] >= 0) {
+            removeMover(slots[id]);
+        }
+        values[id] = null;
+        if (freeCount == free.length) {
+            free = Arrays.copyOf(free, 2 * freeCount);
+        }
+        free[freeCount++] = id;
+        size--;
+    }
+
+    /** Closes the gap in the list of movers, which stays in the order of arrival. */
+    private void removeMover(int slot) {
+        moverCount--;
+        System.arraycopy(movers, slot + 1, movers, slot, moverCount - slot);
+        System.arraycopy(places, (slot + 1) * PLACE, places, slot * PLACE, (moverCount - slot) * PLACE);
+        for (int k = slot; k < moverCount; k++) {
+            slots[movers[k]] = k;
+        }
+    }
+
+    /** The object as it was added. */
+    GeometryObject value(int id) {
+        GeometryObject value = values[id];
+        if (value == null) {
+            throw new IllegalStateException("id must be in use (got: " + id + ")");
+        }
+        return value;
+    }
+
+    /** The object as it is now. */
+    GeometryObject present(int id) {
+        GeometryObject value = value(id);
+        int slot = slots[id];
+        if (slot < 0) {
+            return value;
+        }
+        int at = slot * PLACE;
+        Pose pose = Pose.of(new Point(places[at], places[at + 1], places[at + 2]), places, at + 3);
+        return pose.equals(value.pose()) ? value : value.at(pose);
+    }
+
+    boolean isMoveable(int id) {
+        return slots[id] >= 0;
+    }
+
+    /** Whether a came before b. */
+    boolean isEarlier(int a, int b) {
+        return order[a] < order[b];
+    }
+
+    int moverCount() {
+        return moverCount;
+    }
+
+    /** The id of the k-th moveable object, in the order of arrival. */
+    int mover(int k) {
+        return movers[k];
+    }
+
+    /** All places; a mover's begins at {@link #place}. Valid until the next addition. */
+    double[] places() {
+        return places;
+    }
+
+    /** Where a moveable object's place begins. */
+    int place(int id) {
+        return slots[id] * PLACE;
+    }
+}

@@ -1,0 +1,210 @@
+package robosim.geometry;
+
+import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Attitude;
+import robosim.geometry.index.QuadTree;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.narrow.Enclosure;
+import robosim.geometry.narrow.LeafColumn;
+import robosim.geometry.narrow.OwnLeaves;
+
+/**
+ * A world as it is seen at one accuracy: every object's leaves in one column, their bounds, and the quadtree of the
+ * static ones. A world has the level it was made for; another one is made when it is first asked.
+ */
+final class Level {
+    final Accuracy accuracy;
+    final Dimension dimension;
+    final QuadTree tree;
+    final QuadTree.Cursor cursor;
+
+    private LeafColumn leaves = new LeafColumn(16);
+    private int[] first = new int[16];
+    private int[] count = new int[16];
+    private double[] bounds = new double[6 * 16];
+
+    /** How to place what moves; null for static objects. */
+    private @Nullable Form[] forms = new Form[16];
+
+    /** Leaves that no object uses any more. */
+    private int unused;
+
+    private final LeafColumn incoming = new LeafColumn(1);
+    private final double[] part = new double[6];
+    private final double[] attitude = new double[Attitude.STRIDE];
+
+    /** An object in its own frame, ready to be placed at a level. */
+    static final class Form {
+        final OwnLeaves own;
+        private final @Nullable Enclosure enclosure;
+        private final @Nullable LeafColumn exact;
+
+        Form(GeometryObject object, Accuracy accuracy) {
+            own = OwnLeaves.of(object);
+            enclosure = accuracy == Accuracy.EXACT ? null : new Enclosure(own);
+            exact = accuracy == Accuracy.EXACT ? null : new LeafColumn(own.size());
+            if (exact != null) {
+                exact.append(own.size());
+            }
+        }
+
+        /** How many leaves stand for the object. */
+        int size() {
+            return enclosure == null ? own.size() : 1;
+        }
+    }
+
+    Level(Accuracy accuracy, Dimension dimension, double width, double length) {
+        this.accuracy = accuracy;
+        this.dimension = dimension;
+        tree = new QuadTree(-width / 2, -length / 2, width / 2, length / 2);
+        cursor = tree.cursor();
+    }
+
+    /** Writes the leaves of an object at a place into a column that has room. */
+    void place(
+            Form form, double cx, double cy, double cz, double[] rotation, int at, LeafColumn column, int firstLeaf) {
+        if (form.enclosure == null || form.exact == null) {
+            form.own.place(cx, cy, cz, rotation, at, column, firstLeaf);
+        } else {
+            form.own.place(cx, cy, cz, rotation, at, form.exact, 0);
+            form.enclosure.place(accuracy, dimension, form.exact, cx, cy, cz, rotation, at, column, firstLeaf);
+        }
+    }
+
+    /** Makes a column hold what stands here for an object that is not, or not yet, in the world. */
+    void placed(GeometryObject object, LeafColumn column) {
+        if (accuracy == Accuracy.EXACT) {
+            OwnLeaves.placed(object, column);
+            return;
+        }
+        Form form = new Form(object, accuracy);
+        column.clear();
+        column.append(form.size());
+        placeForm(form, object, column, 0);
+    }
+
+    private void placeForm(Form form, GeometryObject object, LeafColumn column, int firstLeaf) {
+        object.pose().attitude(attitude, 0);
+        Point c = object.center();
+        place(form, c.x(), c.y(), c.z(), attitude, 0, column, firstLeaf);
+    }
+
+    /** Takes an object in under an id that it has elsewhere; in a world of moveable and static ones. */
+    void add(int id, GeometryObject object) {
+        reserve(id);
+        if (object.isMoveable()) {
+            Form form = new Form(object, accuracy);
+            forms[id] = form;
+            first[id] = leaves.append(form.size());
+            count[id] = form.size();
+            placeForm(form, object, leaves, first[id]);
+        } else {
+            placed(object, incoming);
+            first[id] = leaves.appendCopy(incoming, 0, incoming.size());
+            count[id] = incoming.size();
+        }
+        measure(id);
+        if (!object.isMoveable()) {
+            int b = 6 * id;
+            tree.add(id, bounds[b], bounds[b + 2], bounds[b + 3], bounds[b + 5]);
+        }
+    }
+
+    private void reserve(int id) {
+        if (id >= first.length) {
+            int capacity = id + (id >> 1) + 1;
+            first = Arrays.copyOf(first, capacity);
+            count = Arrays.copyOf(count, capacity);
+            forms = Arrays.copyOf(forms, capacity);
+            bounds = Arrays.copyOf(bounds, 6 * capacity);
+        }
+    }
+
+    void remove(int id, Bodies bodies) {
+        if (!bodies.isMoveable(id)) {
+            tree.remove(id);
+        }
+        forms[id] = null;
+        unused += count[id];
+        count[id] = 0;
+        if (unused > 64 && unused > leaves.size() / 2) {
+            compact();
+        }
+    }
+
+    private void compact() {
+        LeafColumn tight = new LeafColumn(leaves.size() - unused);
+        for (int id = 0; id < first.length; id++) {
+            if (count[id] > 0) {
+                first[id] = tight.appendCopy(leaves, first[id], count[id]);
+            }
+        }
+        leaves = tight;
+        unused = 0;
+    }
+
+    /** Puts a moveable object where its place now says. */
+    void move(int id, double[] places, int at) {
+        place(form(id), places[at], places[at + 1], places[at + 2], places, at + 3, leaves, first[id]);
+        measure(id);
+    }
+
+    private void measure(int id) {
+        boundsOf(leaves, first[id], count[id], bounds, 6 * id);
+    }
+
+    /** The outward bounds of some leaves, six numbers. */
+    void boundsOf(LeafColumn column, int from, int number, double[] out, int at) {
+        for (int k = 0; k < 3; k++) {
+            out[at + k] = Double.POSITIVE_INFINITY;
+            out[at + 3 + k] = Double.NEGATIVE_INFINITY;
+        }
+        for (int leaf = from; leaf < from + number; leaf++) {
+            column.bounds(leaf, part);
+            for (int k = 0; k < 3; k++) {
+                out[at + k] = Math.min(out[at + k], part[k]);
+                out[at + 3 + k] = Math.max(out[at + 3 + k], part[3 + k]);
+            }
+        }
+    }
+
+    Form form(int id) {
+        Form form = forms[id];
+        if (form == null) {
+            throw new IllegalStateException("id must be that of a moveable object (got: " + id + ")");
+        }
+        return form;
+    }
+
+    LeafColumn leaves() {
+        return leaves;
+    }
+
+    int first(int id) {
+        return first[id];
+    }
+
+    int count(int id) {
+        return count[id];
+    }
+
+    /** The bounds of all objects: object id's six numbers begin at 6 id. */
+    double[] bounds() {
+        return bounds;
+    }
+
+    /** Whether an object's bounds meet a box of six numbers; heights count in SPATIAL only. */
+    boolean meets(int id, double[] box) {
+        int b = 6 * id;
+        return bounds[b] <= box[3]
+                && box[0] <= bounds[b + 3]
+                && bounds[b + 2] <= box[5]
+                && box[2] <= bounds[b + 5]
+                && (dimension == Dimension.PLANAR || (bounds[b + 1] <= box[4] && box[1] <= bounds[b + 4]));
+    }
+}

@@ -1,0 +1,46 @@
+package robosim.geometry;
+
+import java.util.Arrays;
+
+/** The objects whose bounds meet a box: static ones from the quadtree, moveable ones from their list. */
+final class Near {
+    private final Bodies bodies;
+    private int[] ids = new int[16];
+    private int count;
+
+    Near(Bodies bodies) {
+        this.bodies = bodies;
+    }
+
+    int count() {
+        return count;
+    }
+
+    int id(int k) {
+        return ids[k];
+    }
+
+    /** Finds all but one, or all with -1. */
+    void find(Level level, double[] box, int but) {
+        count = 0;
+        level.cursor.startBox(box[0], box[2], box[3], box[5]);
+        for (int id = level.cursor.next(); id >= 0; id = level.cursor.next()) {
+            if (level.meets(id, box)) {
+                add(id);
+            }
+        }
+        for (int k = 0; k < bodies.moverCount(); k++) {
+            int id = bodies.mover(k);
+            if (id != but && level.meets(id, box)) {
+                add(id);
+            }
+        }
+    }
+
+    private void add(int id) {
+        if (count == ids.length) {
+            ids = Arrays.copyOf(ids, 2 * count);
+        }
+        ids[count++] = id;
+    }
+}

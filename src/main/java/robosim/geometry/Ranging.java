@@ -1,0 +1,286 @@
+package robosim.geometry;
+
+import robosim.geometry.exact.Degrees;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.Cast;
+import robosim.geometry.narrow.Distance;
+import robosim.geometry.narrow.LeafColumn;
+import robosim.geometry.narrow.Overlap;
+import robosim.geometry.narrow.Scratch;
+
+/** Beams and least distances in a world: nearest first, and no farther than what has been found. */
+final class Ranging {
+    private final Bodies bodies;
+    private final Scratch s;
+    private final Cast cast;
+    private final Distance distance;
+    private final Near near;
+
+    private double ox;
+    private double oy;
+    private double oz;
+    private double ux;
+    private double uy;
+    private double uz;
+    private double width;
+    private int hit;
+    private int hitLeaf;
+
+    /** The sides of the cone seen from above: outward normals; both zero where it has none. */
+    private double leftX;
+
+    private double leftZ;
+    private double rightX;
+    private double rightZ;
+
+    Ranging(Bodies bodies, Scratch scratch) {
+        this.bodies = bodies;
+        s = scratch;
+        cast = new Cast(scratch);
+        distance = new Distance(scratch);
+        near = new Near(bodies);
+    }
+
+    /** The object that gave the last answer, or -1. */
+    int hit() {
+        return hit;
+    }
+
+    /** Whether an object touches or overlaps some leaves with known bounds. */
+    boolean collides(Level level, LeafColumn leaves, double[] box, int but) {
+        near.find(level, box, but);
+        for (int k = 0; k < near.count(); k++) {
+            int other = near.id(k);
+            for (int j = level.first(other); j < level.first(other) + level.count(other); j++) {
+                for (int i = 0; i < leaves.size(); i++) {
+                    if (Overlap.test(level.dimension, leaves, i, level.leaves(), j, s)) {
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
+    /**
+     * Sets the beam. The direction is of any length but zero; in PLANAR that of its projection.
+     *
+     * @param openingAngle in degrees; 0 for a line
+     */
+    void beam(Dimension dimension, double x, double y, double z, double dx, double dy, double dz, double openingAngle) {
+        cast.line(dimension, x, y, z, dx, dy, dz);
+        ox = x;
+        oy = y;
+        oz = z;
+        ux = cast.unit(0);
+        uy = cast.unit(1);
+        uz = cast.unit(2);
+        width = openingAngle;
+        if (width > 0) {
+            double cos = Degrees.cos(width / 2);
+            double sin = Degrees.sin(width / 2);
+            cast.widen(cos, sin);
+            setSides(sin);
+        }
+    }
+
+    /**
+     * The cone's shadow on the XZ plane is a sector where its axis rises less than it leaves room for: the sine of the
+     * half angle seen from above is that of the cone over the cosine of the axis's rise.
+     */
+    private void setSides(double sin) {
+        double level = Math.sqrt(ux * ux + uz * uz);
+        double shadow = sin * (1 + 0x1p-40) + 0x1p-40;
+        if (shadow >= level) {
+            leftX = 0;
+            leftZ = 0;
+            rightX = 0;
+            rightZ = 0;
+            return;
+        }
+        double sine = shadow / level;
+        double cosine = Math.sqrt((1 - sine) * (1 + sine));
+        double ax = ux / level;
+        double az = uz / level;
+        leftX = -sine * ax - cosine * az;
+        leftZ = -sine * az + cosine * ax;
+        rightX = -sine * ax + cosine * az;
+        rightZ = -sine * az - cosine * ax;
+    }
+
+    /** Distance to the nearest echo, at most the limit, or +Infinity; {@link #hit()} tells whose. */
+    double nearest(Level level, double limit, int but) {
+        hit = -1;
+        double best = width > 0 ? nearestInCone(level, limit, but) : nearestOnLine(level, limit, but);
+        return best;
+    }
+
+    private double best;
+
+    private double nearestOnLine(Level level, double limit, int but) {
+        best = Double.POSITIVE_INFINITY;
+        boolean vertical = ux == 0 && uz == 0;
+        if (vertical) {
+            level.cursor.startBox(ox, oz, ox, oz);
+        } else {
+            level.cursor.startRay(ox, oz, ux, uz, limit);
+        }
+        double reach = limit;
+        for (int id = next(level, vertical, reach); id >= 0; id = next(level, vertical, reach)) {
+            if (id != but) {
+                tryBody(level, id, reach);
+                reach = Math.min(reach, best);
+            }
+        }
+        for (int k = 0; k < bodies.moverCount(); k++) {
+            int id = bodies.mover(k);
+            if (id != but && lineMeets(level, id, reach)) {
+                tryBody(level, id, reach);
+                reach = Math.min(reach, best);
+            }
+        }
+        return best <= limit ? best : none();
+    }
+
+    private static int next(Level level, boolean vertical, double reach) {
+        return vertical ? level.cursor.next() : level.cursor.next(reach);
+    }
+
+    private double nearestInCone(Level level, double limit, int but) {
+        best = Double.POSITIVE_INFINITY;
+        double reach = limit;
+        level.cursor.startPoint(ox, oz, limit);
+        for (int id = level.cursor.next(reach); id >= 0; id = level.cursor.next(reach)) {
+            if (id != but && coneMeets(level, id, reach)) {
+                tryBody(level, id, reach);
+                reach = Math.min(reach, best);
+            }
+        }
+        for (int k = 0; k < bodies.moverCount(); k++) {
+            int id = bodies.mover(k);
+            if (id != but && coneMeets(level, id, reach)) {
+                tryBody(level, id, reach);
+                reach = Math.min(reach, best);
+            }
+        }
+        return best <= limit ? best : none();
+    }
+
+    private double none() {
+        hit = -1;
+        return Double.POSITIVE_INFINITY;
+    }
+
+    private void tryBody(Level level, int id, double reach) {
+        for (int leaf = level.first(id); leaf < level.first(id) + level.count(id); leaf++) {
+            double found = cast.distance(level.leaves(), leaf, Math.min(reach, best));
+            if (found < best || (found == best && hit >= 0 && bodies.isEarlier(id, hit))) {
+                best = found;
+                hit = id;
+                hitLeaf = leaf;
+            }
+        }
+    }
+
+    /** Whether the line may meet an object's bounds within reach; never wrong where it says no. */
+    private boolean lineMeets(Level level, int id, double reach) {
+        double[] b = level.bounds();
+        int k = 6 * id;
+        double mx = b[k] / 2 + b[k + 3] / 2 - ox;
+        double mz = b[k + 2] / 2 + b[k + 5] / 2 - oz;
+        double hx = b[k + 3] / 2 - b[k] / 2;
+        double hz = b[k + 5] / 2 - b[k + 2] / 2;
+        double slack = 0x1p-40 * (Math.abs(mx) + Math.abs(mz) + Math.abs(ox) + Math.abs(oz) + hx + hz);
+        double aside = Math.abs(mx * uz - mz * ux);
+        double ahead = mx * ux + mz * uz;
+        double half = hx * Math.abs(ux) + hz * Math.abs(uz) + slack;
+        return aside <= hx * Math.abs(uz) + hz * Math.abs(ux) + slack
+                && ahead >= -half
+                && (reach == Double.POSITIVE_INFINITY || ahead - half <= reach);
+    }
+
+    private boolean coneMeets(Level level, int id, double reach) {
+        double[] b = level.bounds();
+        int k = 6 * id;
+        double dx = Math.max(0, Math.max(b[k] - ox, ox - b[k + 3]));
+        double dz = Math.max(0, Math.max(b[k + 2] - oz, oz - b[k + 5]));
+        if ((dx * dx + dz * dz) * (1 - 0x1p-50) > reach * reach) {
+            return false;
+        }
+        return !isBeyond(b, k, leftX, leftZ) && !isBeyond(b, k, rightX, rightZ);
+    }
+
+    /** Whether a box is wholly on the outer side of one of the cone's sides. */
+    private boolean isBeyond(double[] b, int k, double nx, double nz) {
+        double x = nx > 0 ? b[k] - ox : b[k + 3] - ox;
+        double z = nz > 0 ? b[k + 2] - oz : b[k + 5] - oz;
+        double slack = 0x1p-40 * (Math.abs(x) + Math.abs(z) + Math.abs(ox) + Math.abs(oz));
+        return nx * x + nz * z > slack;
+    }
+
+    /** The unit normal where the line met what it hit. */
+    void normal(Level level, double at, double[] out) {
+        cast.normal(level.leaves(), hitLeaf, at, out);
+    }
+
+    /** A coordinate (0 to 2) of the point on the line at a distance. */
+    double point(int axis, double at) {
+        return switch (axis) {
+            case 0 -> ox + at * ux;
+            case 1 -> oy + at * uy;
+            default -> oz + at * uz;
+        };
+    }
+
+    /** The least distance of an object to any other, +Infinity where that is beyond the limit. */
+    double proximity(Level level, int id, double limit) {
+        double[] b = level.bounds();
+        int k = 6 * id;
+        double x = b[k] / 2 + b[k + 3] / 2;
+        double z = b[k + 2] / 2 + b[k + 5] / 2;
+        double hx = Math.max(b[k + 3] - x, x - b[k]);
+        double hz = Math.max(b[k + 5] - z, z - b[k + 2]);
+        double radius = Math.sqrt(hx * hx + hz * hz) * (1 + 0x1p-50);
+        best = Double.POSITIVE_INFINITY;
+        hit = -1;
+        double reach = limit;
+        level.cursor.startPoint(x, z, reach + radius);
+        for (int other = level.cursor.next(reach + radius); other >= 0; other = level.cursor.next(reach + radius)) {
+            reach = tryPair(level, id, other, reach);
+        }
+        for (int m = 0; m < bodies.moverCount(); m++) {
+            if (bodies.mover(m) != id) {
+                reach = tryPair(level, id, bodies.mover(m), reach);
+            }
+        }
+        return best <= limit ? best : none();
+    }
+
+    private double tryPair(Level level, int id, int other, double reach) {
+        if (boxGap(level, id, other) > reach) {
+            return reach;
+        }
+        for (int i = level.first(id); i < level.first(id) + level.count(id); i++) {
+            for (int j = level.first(other); j < level.first(other) + level.count(other); j++) {
+                double found =
+                        distance.between(level.dimension, level.leaves(), i, level.leaves(), j, Math.min(reach, best));
+                best = Math.min(best, found);
+            }
+        }
+        return Math.min(reach, best);
+    }
+
+    /** A lower bound of the distance of two objects: that of their bounds. */
+    private static double boxGap(Level level, int id, int other) {
+        double[] b = level.bounds();
+        double squared = 0;
+        for (int axis = 0; axis < 3; axis += level.dimension == Dimension.PLANAR ? 2 : 1) {
+            double gap =
+                    Math.max(b[6 * id + axis] - b[6 * other + 3 + axis], b[6 * other + axis] - b[6 * id + 3 + axis]);
+            if (gap > 0) {
+                squared += gap * gap;
+            }
+        }
+        return Math.sqrt(squared) * (1 - 0x1p-50);
+    }
+}

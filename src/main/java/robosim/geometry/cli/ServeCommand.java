@@ -1,0 +1,43 @@
+package robosim.geometry.cli;
+
+import java.net.InetAddress;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import robosim.geometry.net.GeometryServer;
+import robosim.geometry.net.NetOptions;
+
+/** Waits for environments until the process is ended. */
+@Command(
+        name = "serve",
+        description = "Waits for environment modules that dial in, until it is ended.",
+        mixinStandardHelpOptions = true)
+final class ServeCommand implements Callable<Integer> {
+    @Spec
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private CommandSpec spec;
+
+    @Parameters(paramLabel = "PORT", description = "1 to 65535, or 0 for any that is free")
+    private int port;
+
+    @Option(
+            names = "--host",
+            paramLabel = "ADDRESS",
+            defaultValue = "localhost",
+            description =
+                    "where to listen; 0.0.0.0 for everywhere (default: ${DEFAULT-VALUE}). Nobody is asked who he is.")
+    private String host = "localhost";
+
+    private ServeCommand() {}
+
+    @Override
+    public Integer call() throws Exception {
+        Ports.check(spec, port, 0);
+        GeometryServer server = new GeometryServer(InetAddress.getByName(host), port, NetOptions.defaults());
+        spec.commandLine().getOut().println("Listening on " + server.address());
+        return 0;
+    }
+}

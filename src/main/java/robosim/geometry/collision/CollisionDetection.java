@@ -1,0 +1,87 @@
+package robosim.geometry.collision;
+
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+import robosim.geometry.model.Ray;
+import robosim.geometry.narrow.Cast;
+import robosim.geometry.narrow.LeafColumn;
+import robosim.geometry.narrow.Overlap;
+import robosim.geometry.narrow.OwnLeaves;
+import robosim.geometry.narrow.Scratch;
+
+/**
+ * Two questions about objects in space as they are, whatever their shapes: do two of them collide, and how far along a
+ * ray is one. A world of many objects asks them of its neighbours only: {@link robosim.geometry.Geometry}.
+ */
+public final class CollisionDetection {
+    private static final ThreadLocal<Scratch> SCRATCH = ThreadLocal.withInitial(Scratch::new);
+
+    private CollisionDetection() {}
+
+    /**
+     * Whether two objects touch or overlap: whether they have a point in common, heights included. The order of the two
+     * makes no difference.
+     */
+    public static boolean intersects(GeometryObject a, GeometryObject b) {
+        if (a == null || b == null) {
+            throw new IllegalArgumentException((a == null ? "a" : "b") + " must be given (got: null)");
+        }
+        LeafColumn first = OwnLeaves.placed(a);
+        LeafColumn second = OwnLeaves.placed(b);
+        return mayMeet(a, second) && mayMeet(b, first) && meet(first, second);
+    }
+
+    private static boolean meet(LeafColumn first, LeafColumn second) {
+        Scratch scratch = SCRATCH.get();
+        for (int i = 0; i < first.size(); i++) {
+            for (int j = 0; j < second.size(); j++) {
+                if (Overlap.test(Dimension.SPATIAL, first, i, second, j, scratch)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /** Whether the bounding volume that an object was given, if any, meets the other one. It only ever rejects. */
+    private static boolean mayMeet(GeometryObject object, LeafColumn other) {
+        GeometryObject volume = boundingVolume(object);
+        return volume == null || meet(OwnLeaves.placed(volume), other);
+    }
+
+    private static @Nullable GeometryObject boundingVolume(GeometryObject object) {
+        GeometryObject volume = switch (object.kind()) {
+            case MESH -> ((MeshObject) object).boundingVolume();
+            case GROUP -> ((ObjectGroup) object).boundingVolume();
+            case BOX, CYLINDER, SPHERE -> null;
+        };
+        // Only at home are the volume's own numbers those that were seen to enclose the object.
+        return volume != null && object.pose().equals(Pose.ORIGIN) ? volume : null;
+    }
+
+    /**
+     * Distance along a ray from its start to an object, in world units.
+     *
+     * @return 0 where the ray starts inside a solid or on the object; {@code +Infinity} where it misses
+     */
+    public static double rayDistance(Ray ray, GeometryObject object) {
+        if (ray == null || object == null) {
+            throw new IllegalArgumentException((ray == null ? "ray" : "object") + " must be given (got: null)");
+        }
+        Point o = ray.start();
+        Point d = ray.direction();
+        Cast cast = new Cast(SCRATCH.get());
+        cast.line(Dimension.SPATIAL, o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
+        LeafColumn leaves = OwnLeaves.placed(object);
+        double nearest = Double.POSITIVE_INFINITY;
+        for (int leaf = 0; leaf < leaves.size(); leaf++) {
+            nearest = Math.min(nearest, cast.distance(leaves, leaf, nearest));
+        }
+        return nearest;
+    }
+}

@@ -1,0 +1,200 @@
+package robosim.geometry.narrow;
+
+import robosim.geometry.model.Dimension;
+
+/**
+ * A line or a cone of sight against one placed leaf, meshes included: the one switch for beams. An instance holds the
+ * beam; it belongs to one owner of queries.
+ */
+public final class Cast {
+    private final Scratch s;
+    private final double[] box = new double[6];
+
+    private Dimension dimension = Dimension.SPATIAL;
+    private double ox;
+    private double oy;
+    private double oz;
+    private double dx;
+    private double dy;
+    private double dz;
+    private double ux;
+    private double uy;
+    private double uz;
+    private double halfCos;
+    private double halfSin;
+    private boolean cone;
+
+    /** The triangle that gave the last answer of a mesh, else -1. */
+    private int triangle;
+
+    public Cast(Scratch scratch) {
+        s = scratch;
+    }
+
+    /**
+     * Sets a line of sight. In PLANAR its projection counts, which must not be a point.
+     *
+     * @param x  where it starts
+     * @param ax where it goes; of any length but zero. What is hit is decided for the line of these numbers, not of
+     *     its unit vector's
+     */
+    public void line(Dimension inDimension, double x, double y, double z, double ax, double ay, double az) {
+        dimension = inDimension;
+        ox = x;
+        oy = y;
+        oz = z;
+        double level = dimension == Dimension.PLANAR ? 0 : ay;
+        double greatest = Math.max(Math.abs(ax), Math.max(Math.abs(level), Math.abs(az)));
+        // A power of two near the greatest: it takes away what could overflow, and no bits.
+        double scale = Math.scalb(1.0, -Math.getExponent(greatest));
+        dx = ax * scale;
+        dy = level * scale;
+        dz = az * scale;
+        double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        ux = dx / length;
+        uy = dy / length;
+        uz = dz / length;
+        cone = false;
+    }
+
+    /** A coordinate (0 to 2) of the line's unit direction; in PLANAR that of its projection. */
+    public double unit(int axis) {
+        return axis == 0 ? ux : axis == 1 ? uy : uz;
+    }
+
+    /** Makes the line the axis of a cone with a half angle of 0 to 90 degrees, both exclusive. */
+    public void widen(double cosine, double sine) {
+        halfCos = cosine;
+        halfSin = sine;
+        cone = true;
+    }
+
+    /** Distance from the start to the leaf; +Infinity where it is missed; what is beyond the limit may be too. */
+    public double distance(LeafColumn column, int leaf, double limit) {
+        triangle = -1;
+        int kind = column.kind(leaf);
+        if (!Leaf.isMesh(kind)) {
+            return convex(kind, column.rows(), leaf * Leaf.STRIDE);
+        }
+        if (Overlap.hasInside(dimension, column, leaf) && Inside.holds(column, leaf, ox, oy, oz, s)) {
+            return 0;
+        }
+        if (!start(column, leaf)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double best = Double.POSITIVE_INFINITY;
+        double reach = limit;
+        for (int t = s.outer.next(reach); t >= 0; t = s.outer.next(reach)) {
+            s.outer.corners(t, s.triangleA, 0);
+            double distance = convex(Leaf.TRIANGLE, s.triangleA, 0);
+            if (distance < best || (distance == best && isLower(t))) {
+                best = distance;
+                triangle = t;
+                reach = Math.min(reach, best);
+            }
+        }
+        return best;
+    }
+
+    private boolean isLower(int t) {
+        return triangle >= 0 && t < triangle;
+    }
+
+    private double convex(int kind, double[] row, int at) {
+        if (dimension == Dimension.PLANAR) {
+            return cone
+                    ? PlanarCone.distance(ox, oz, ux, uz, halfCos, halfSin, kind, row, at, s)
+                    : PlanarRay.distance(ox, oz, dx, dz, kind, row, at, s);
+        }
+        return cone
+                ? SpatialCone.distance(ox, oy, oz, ux, uy, uz, halfCos, halfSin, kind, row, at, s)
+                : SpatialRay.distance(ox, oy, oz, dx, dy, dz, kind, row, at, s);
+    }
+
+    /** Puts the beam to the mesh's tree; false where it misses all of the mesh. */
+    private boolean start(LeafColumn column, int leaf) {
+        if (dimension == Dimension.SPATIAL && !cone) {
+            s.outer.startRay(column, leaf, ox, oy, oz, ux, uy, uz);
+            return true;
+        }
+        column.bounds(leaf, s.meshBox);
+        box[0] = ox;
+        box[1] = dimension == Dimension.PLANAR ? s.meshBox[1] : oy;
+        box[2] = oz;
+        box[3] = ox;
+        box[4] = dimension == Dimension.PLANAR ? s.meshBox[4] : oy;
+        box[5] = oz;
+        if (cone) {
+            s.outer.startNearest(column, leaf, box);
+            return true;
+        }
+        if (!clip()) {
+            return false;
+        }
+        s.outer.startBox(column, leaf, box);
+        return true;
+    }
+
+    /** The part of a planar ray above the mesh's box, as a box; false where it passes by. */
+    private boolean clip() {
+        double[] b = s.meshBox;
+        double enter = 0;
+        double leave = Double.POSITIVE_INFINITY;
+        for (int axis = 0; axis < 3; axis += 2) {
+            double o = axis == 0 ? ox : oz;
+            double u = axis == 0 ? ux : uz;
+            if (u == 0) {
+                if (o < b[axis] || o > b[3 + axis]) {
+                    return false;
+                }
+            } else {
+                double p = (b[axis] - o) / u;
+                double q = (b[3 + axis] - o) / u;
+                enter = Math.max(enter, Math.min(p, q));
+                leave = Math.min(leave, Math.max(p, q));
+            }
+        }
+        // The box is wider than rounding anyway; a ray that just touches it must stay.
+        double slack = 0x1p-46 * (Math.abs(ox) + Math.abs(oz) + Math.abs(enter) + size(b));
+        if (enter > leave + slack) {
+            return false;
+        }
+        for (int axis = 0; axis < 3; axis += 2) {
+            double o = axis == 0 ? ox : oz;
+            double u = axis == 0 ? ux : uz;
+            double p = o + enter * u;
+            double q = o + leave * u;
+            box[axis] = Math.min(p, q) - slack;
+            box[3 + axis] = Math.max(p, q) + slack;
+        }
+        return true;
+    }
+
+    private static double size(double[] b) {
+        return Math.abs(b[0]) + Math.abs(b[2]) + Math.abs(b[3]) + Math.abs(b[5]);
+    }
+
+    /** The unit normal of the leaf where the line of sight meets it at a distance, into three numbers. */
+    public void normal(LeafColumn column, int leaf, double distance, double[] out) {
+        double px = ox + distance * ux;
+        double py = oy + distance * uy;
+        double pz = oz + distance * uz;
+        int kind = column.kind(leaf);
+        double[] row = column.rows();
+        int at = leaf * Leaf.STRIDE;
+        if (Leaf.isMesh(kind)) {
+            distance(column, leaf, Double.POSITIVE_INFINITY);
+            if (triangle < 0) { // inside a solid mesh
+                out[0] = -ux;
+                out[1] = -uy;
+                out[2] = -uz;
+                return;
+            }
+            s.outer.corners(triangle, s.triangleA, 0);
+            kind = Leaf.TRIANGLE;
+            row = s.triangleA;
+            at = 0;
+        }
+        Normals.at(px, py, pz, ux, uy, uz, kind, row, at, out, dimension, s);
+    }
+}

@@ -1,0 +1,58 @@
+package robosim.geometry.narrow;
+
+import static robosim.geometry.narrow.RayMath.U;
+
+/**
+ * The least distance from a cone's apex, outside a sphere, to the sphere inside the cone: the farther a direction is
+ * from the centre's, the later it meets the sphere, so the cone's direction nearest to the centre's tells all.
+ *
+ * <p>In pairs of doubles: a miss is certain to 2^-90 of the coordinates, closer is heard.
+ */
+final class ConeSphere {
+    private static final int CENTER = Cone.FREE;
+    private static final int CROSS = CENTER + 3;
+    private static final int AHEAD = CROSS + 3;
+    private static final int ASIDE = AHEAD + 1;
+    private static final int ALONG = ASIDE + 1;
+    private static final int PAST = ALONG + 1;
+    private static final int RADIUS = PAST + 1;
+    private static final int TEMPORARY = RADIUS + 1;
+
+    private ConeSphere() {}
+
+    static double distance(Cone cone, double[] b, int j) {
+        Pairs p = cone.pairs;
+        p.difference(CENTER, b[j], cone.ox);
+        p.difference(CENTER + 1, b[j + 1], cone.oy);
+        p.difference(CENTER + 2, b[j + 2], cone.oz);
+        p.set(RADIUS, b[j + 3]);
+        p.dot(AHEAD, CENTER, Cone.AXIS, TEMPORARY);
+        p.cross(CROSS, CENTER, Cone.AXIS, TEMPORARY);
+        p.dot(ASIDE, CROSS, CROSS, TEMPORARY);
+        p.root(ASIDE, ASIDE);
+        // Past the border of the cone, and ahead along it.
+        p.multiply(PAST, ASIDE, Cone.COS);
+        p.multiply(TEMPORARY, AHEAD, Cone.SIN);
+        p.subtract(PAST, PAST, TEMPORARY);
+        if (p.get(PAST) <= 0) {
+            p.dot(ALONG, CENTER, CENTER, TEMPORARY);
+            p.root(ALONG, ALONG);
+            p.subtract(ALONG, ALONG, RADIUS);
+            return Math.max(0, p.get(ALONG));
+        }
+        p.multiply(ALONG, AHEAD, Cone.COS);
+        p.multiply(TEMPORARY, ASIDE, Cone.SIN);
+        p.add(ALONG, ALONG, TEMPORARY);
+        double extent =
+                RayMath.largest(cone.ox, cone.oy, cone.oz) + RayMath.largest(b[j], b[j + 1], b[j + 2]) + b[j + 3];
+        p.subtract(TEMPORARY, RADIUS, PAST);
+        if (p.get(ALONG) < 0 || p.get(TEMPORARY) < -0x1p-37 * U * extent) {
+            return Double.POSITIVE_INFINITY;
+        }
+        p.add(TEMPORARY + 1, RADIUS, PAST);
+        p.multiply(TEMPORARY, TEMPORARY, TEMPORARY + 1);
+        p.root(TEMPORARY, TEMPORARY);
+        p.subtract(ALONG, ALONG, TEMPORARY);
+        return Math.max(0, p.get(ALONG));
+    }
+}

@@ -1,0 +1,74 @@
+package robosim.geometry.narrow;
+
+import robosim.geometry.exact.DoubleDouble;
+import robosim.geometry.exact.Dyadic;
+
+/** Two discs on the plane. */
+final class DiscDisc {
+    // Differences and the sum of the radii are rounded once, their squares three times in all, the sum of squares once
+    // more: either side is off by less than 5 roundings of 2^-53.
+    private static final double FILTER = 8 * 0x1p-53;
+    private static final double UNDERFLOW = 0x1p-960;
+
+    private DiscDisc() {}
+
+    /** Whether they touch or overlap; exact. */
+    static boolean touch(double ax, double az, double ar, double bx, double bz, double br) {
+        double dx = ax - bx;
+        double dz = az - bz;
+        double r = ar + br;
+        double apart = dx * dx + dz * dz;
+        double near = r * r;
+        double doubt = FILTER * (apart + near) + UNDERFLOW;
+        if (apart > near + doubt) {
+            return false;
+        }
+        if (apart < near - doubt) {
+            return true;
+        }
+        return exactTouch(ax, az, ar, bx, bz, br);
+    }
+
+    private static boolean exactTouch(double ax, double az, double ar, double bx, double bz, double br) {
+        Dyadic dx = Dyadic.difference(ax, bx);
+        Dyadic dz = Dyadic.difference(az, bz);
+        Dyadic r = Dyadic.of(ar).add(Dyadic.of(br));
+        return dx.square().add(dz.square()).compareTo(r.square()) <= 0;
+    }
+
+    /** The least distance, 0 in contact. */
+    static double distance(double ax, double az, double ar, double bx, double bz, double br) {
+        if (touch(ax, az, ar, bx, bz, br)) {
+            return 0;
+        }
+        double dx = ax - bx;
+        double dz = az - bz;
+        double r = ar + br;
+        // (d - r)(d + r) with the tails of the differences and squares: what is left of two large circles that nearly
+        // touch is right to an ulp.
+        double apart = Math.sqrt(dx * dx + dz * dz);
+        return Math.max(0, squareGap(ax, az, bx, bz, ar, br) / (apart + r));
+    }
+
+    /** {@code |a - b|^2 - (ar + br)^2}, within an ulp or two however much cancels. */
+    static double squareGap(double ax, double az, double bx, double bz, double ar, double br) {
+        double dx = ax - bx;
+        double dxTail = DoubleDouble.differenceTail(ax, bx, dx);
+        double dz = az - bz;
+        double dzTail = DoubleDouble.differenceTail(az, bz, dz);
+        double r = ar + br;
+        double rTail = DoubleDouble.sumTail(ar, br, r);
+        double xx = dx * dx;
+        double zz = dz * dz;
+        double rr = r * r;
+        double sum = xx + zz;
+        double gap = sum - rr;
+        double tail = DoubleDouble.sumTail(xx, zz, sum)
+                + DoubleDouble.differenceTail(sum, rr, gap)
+                + DoubleDouble.productTail(dx, dx, xx)
+                + DoubleDouble.productTail(dz, dz, zz)
+                - DoubleDouble.productTail(r, r, rr)
+                + 2 * (dx * dxTail + dz * dzTail - r * rTail);
+        return gap + tail;
+    }
+}

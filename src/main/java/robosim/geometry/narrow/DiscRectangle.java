@@ -1,0 +1,106 @@
+package robosim.geometry.narrow;
+
+import robosim.geometry.exact.Dyadic;
+
+/** A disc and the rectangle that an upright box throws on the plane. */
+final class DiscRectangle {
+    // A coordinate in the rectangle's frame is off by three roundings of |dx| + |dz|, the half size by four of its own,
+    // their difference by one more; a direction is no longer than 1 + 1e-9.
+    private static final double OFFSET = 8 * 0x1p-53;
+    // Sums of two squares, times a squared length: at most six roundings on either side.
+    private static final double SQUARES = 8 * 0x1p-53;
+    private static final double UNDERFLOW = 0x1p-960;
+
+    private DiscRectangle() {}
+
+    /** Whether the row is one whose own X and Z are square to each other as stored, as those of any heading are. */
+    static boolean isSquare(double[] row, int at) {
+        return row[at + 6] == row[at + 14] && row[at + 8] == -row[at + 12];
+    }
+
+    /** Whether the own axes are the world's, to the bit. */
+    static boolean isAligned(double[] row, int at) {
+        double c = row[at + 6];
+        double s = row[at + 8];
+        return isSquare(row, at) && ((s == 0 && Math.abs(c) == 1) || (c == 0 && Math.abs(s) == 1));
+    }
+
+    /** Half the extent in x of an aligned rectangle. */
+    static double alignedX(double[] row, int at) {
+        return row[at + 8] == 0 ? row[at + 3] : row[at + 5];
+    }
+
+    /** Half the extent in z of an aligned rectangle. */
+    static double alignedZ(double[] row, int at) {
+        return row[at + 8] == 0 ? row[at + 5] : row[at + 3];
+    }
+
+    /** Whether they touch or overlap; exact. */
+    static boolean touch(double px, double pz, double r, double[] row, int at) {
+        if (!isSquare(row, at)) {
+            return exactTouch(px, pz, r, row, at);
+        }
+        double c = row[at + 6];
+        double s = row[at + 8];
+        double dx = px - row[at];
+        double dz = pz - row[at + 2];
+        double hx = row[at + 3];
+        double hz = row[at + 5];
+        double square = c * c + s * s;
+        double doubt = OFFSET * (Math.abs(dx) + Math.abs(dz) + hx + hz) + UNDERFLOW;
+        double beyondX = Math.abs(dx * c - dz * s) - hx * square;
+        double beyondZ = Math.abs(dx * s + dz * c) - hz * square;
+        double leastX = Math.max(0, beyondX - doubt);
+        double leastZ = Math.max(0, beyondZ - doubt);
+        double near = r * r * square;
+        double slack = SQUARES * near + UNDERFLOW;
+        double least = leastX * leastX + leastZ * leastZ;
+        if (least > (near + slack) + SQUARES * least) {
+            return false;
+        }
+        double mostX = Math.max(0, beyondX + doubt);
+        double mostZ = Math.max(0, beyondZ + doubt);
+        double most = mostX * mostX + mostZ * mostZ;
+        if (most < (near - slack) - SQUARES * most || (mostX == 0 && mostZ == 0)) {
+            return true;
+        }
+        return doubtfulTouch(px, pz, r, row, at);
+    }
+
+    private static boolean doubtfulTouch(double px, double pz, double r, double[] row, int at) {
+        if (isAligned(row, at)) {
+            double hx = alignedX(row, at);
+            double hz = alignedZ(row, at);
+            boolean beyondX = isBeyond(px, row[at], hx, 0);
+            boolean beyondZ = isBeyond(pz, row[at + 2], hz, 0);
+            if (!(beyondX && beyondZ)) {
+                return !isBeyond(px, row[at], hx, r) && !isBeyond(pz, row[at + 2], hz, r);
+            }
+        }
+        return exactTouch(px, pz, r, row, at);
+    }
+
+    // |p - c| > h + r
+    private static boolean isBeyond(double p, double c, double h, double r) {
+        double left = p > c ? p : c;
+        double right = p > c ? c : p;
+        return Dyadic.signOfSum(left, -right, -h, -r) > 0;
+    }
+
+    private static boolean exactTouch(double px, double pz, double r, double[] row, int at) {
+        return ExactPlanar.of(Leaf.UPRIGHT_BOX, row, at).touchesDisc(px, pz, r);
+    }
+
+    /** The least distance, 0 in contact. */
+    static double distance(double px, double pz, double r, double[] row, int at) {
+        if (touch(px, pz, r, row, at)) {
+            return 0;
+        }
+        double c = row[at + 6];
+        double s = row[at + 8];
+        double beyondX = Math.max(0, RayRectangle.gap(px, pz, row, at, c, -s, row[at + 3]));
+        double beyondZ = Math.max(0, RayRectangle.gap(px, pz, row, at, s, c, row[at + 5]));
+        double square = c * c + s * s;
+        return Math.max(0, Math.sqrt((beyondX * beyondX + beyondZ * beyondZ) / square) - r);
+    }
+}

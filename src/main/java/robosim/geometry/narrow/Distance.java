@@ -1,0 +1,154 @@
+package robosim.geometry.narrow;
+
+import robosim.geometry.model.Dimension;
+
+/**
+ * The least distance of two placed leaves, meshes included, and where they are nearest: the one switch for distances.
+ * An instance belongs to one owner of queries.
+ */
+public final class Distance {
+    private final Scratch s;
+
+    /** The triangles that gave the last answer, -1 where a leaf is no mesh or is met in its inside. */
+    private int triangleA;
+
+    private int triangleB;
+
+    public Distance(Scratch scratch) {
+        s = scratch;
+    }
+
+    /**
+     * Least distance, 0 in contact, never above the truth.
+     *
+     * @param limit what is farther may be answered as +Infinity
+     */
+    public double between(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, double limit) {
+        triangleA = -1;
+        triangleB = -1;
+        int kindA = a.kind(i);
+        int kindB = b.kind(j);
+        if (Leaf.isMesh(kindA) && Leaf.isMesh(kindB)) {
+            return meshes(dimension, a, i, b, j, limit);
+        }
+        if (Leaf.isMesh(kindA)) {
+            double distance = mesh(dimension, a, i, kindB, b.rows(), j * Leaf.STRIDE, limit);
+            triangleA = triangleB;
+            triangleB = -1;
+            return distance;
+        }
+        if (Leaf.isMesh(kindB)) {
+            return mesh(dimension, b, j, kindA, a.rows(), i * Leaf.STRIDE, limit);
+        }
+        return convex(dimension, kindA, a.rows(), i * Leaf.STRIDE, kindB, b.rows(), j * Leaf.STRIDE);
+    }
+
+    private double convex(Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        return dimension == Dimension.PLANAR
+                ? PlanarDistance.between(kindA, a, i, kindB, b, j, s)
+                : SpatialDistance.between(kindA, a, i, kindB, b, j, s);
+    }
+
+    private double mesh(Dimension dimension, LeafColumn mesh, int leaf, int kind, double[] row, int at, double limit) {
+        if (Overlap.hasInside(dimension, mesh, leaf) && Inside.holdsLeaf(mesh, leaf, kind, row, at, s)) {
+            return 0;
+        }
+        LeafBounds.of(kind, row, at, s.box);
+        overMesh(dimension, mesh, leaf, s.box);
+        s.outer.startNearest(mesh, leaf, s.box);
+        double best = Double.POSITIVE_INFINITY;
+        for (int t = s.outer.next(limit); t >= 0; t = s.outer.next(Math.min(limit, best))) {
+            s.outer.corners(t, s.triangleA, 0);
+            double distance = convex(dimension, Leaf.TRIANGLE, s.triangleA, 0, kind, row, at);
+            if (distance < best || (distance == best && t < triangleB)) {
+                best = distance;
+                triangleB = t;
+            }
+        }
+        return best;
+    }
+
+    private double meshes(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, double limit) {
+        if ((Overlap.hasInside(dimension, a, i) && Inside.holdsMesh(a, i, b, j, s))
+                || (Overlap.hasInside(dimension, b, j) && Inside.holdsMesh(b, j, a, i, s))) {
+            return 0;
+        }
+        b.bounds(j, s.box);
+        overMesh(dimension, a, i, s.box);
+        s.outer.startNearest(a, i, s.box);
+        double best = Double.POSITIVE_INFINITY;
+        for (int t = s.outer.next(limit); t >= 0; t = s.outer.next(Math.min(limit, best))) {
+            s.outer.corners(t, s.triangleA, 0);
+            LeafBounds.of(Leaf.TRIANGLE, s.triangleA, 0, s.triangleBox);
+            overMesh(dimension, b, j, s.triangleBox);
+            s.inner.startNearest(b, j, s.triangleBox);
+            for (int u = s.inner.next(Math.min(limit, best)); u >= 0; u = s.inner.next(Math.min(limit, best))) {
+                s.inner.corners(u, s.triangleB, 0);
+                double distance = convex(dimension, Leaf.TRIANGLE, s.triangleA, 0, Leaf.TRIANGLE, s.triangleB, 0);
+                if (distance < best || (distance == best && (t < triangleA || (t == triangleA && u < triangleB)))) {
+                    best = distance;
+                    triangleA = t;
+                    triangleB = u;
+                }
+            }
+        }
+        return best;
+    }
+
+    /** In PLANAR, gives the box the heights of the mesh, so that they do not count. */
+    private void overMesh(Dimension dimension, LeafColumn mesh, int leaf, double[] box) {
+        if (dimension == Dimension.PLANAR) {
+            mesh.bounds(leaf, s.meshBox);
+            box[1] = s.meshBox[1];
+            box[4] = s.meshBox[4];
+        }
+    }
+
+    /**
+     * Where two leaves touch or are nearest: a point of contact and the unit normal from b towards a.
+     *
+     * @param out six numbers: point, normal
+     */
+    public void contact(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, double[] out) {
+        int kindA = a.kind(i);
+        int kindB = b.kind(j);
+        double[] rowA = a.rows();
+        double[] rowB = b.rows();
+        int atA = i * Leaf.STRIDE;
+        int atB = j * Leaf.STRIDE;
+        if (Leaf.isMesh(kindA) || Leaf.isMesh(kindB)) {
+            between(dimension, a, i, b, j, Double.POSITIVE_INFINITY);
+            if (triangleA >= 0) {
+                s.outer.open(a, i);
+                s.outer.corners(triangleA, s.triangleA, 0);
+                kindA = Leaf.TRIANGLE;
+                rowA = s.triangleA;
+                atA = 0;
+            }
+            if (triangleB >= 0) {
+                s.outer.open(b, j);
+                s.outer.corners(triangleB, s.triangleB, 0);
+                kindB = Leaf.TRIANGLE;
+                rowB = s.triangleB;
+                atB = 0;
+            }
+            if (Leaf.isMesh(kindA) || Leaf.isMesh(kindB)) {
+                inside(rowA, atA, out);
+                return;
+            }
+        }
+        if (dimension == Dimension.PLANAR) {
+            PlanarContact.between(kindA, rowA, atA, kindB, rowB, atB, out, s);
+        } else {
+            SpatialContact.between(kindA, rowA, atA, kindB, rowB, atB, out, s);
+        }
+    }
+
+    /** One leaf wholly inside the other: no surface is near; the contact is where the first one stands. */
+    private static void inside(double[] row, int at, double[] out) {
+        System.arraycopy(row, at, out, 0, 3);
+        out[3] = 0;
+        out[4] = 1;
+        out[5] = 0;
+    }
+}

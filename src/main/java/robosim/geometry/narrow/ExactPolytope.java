@@ -1,0 +1,229 @@
+package robosim.geometry.narrow;
+
+import java.util.ArrayList;
+import java.util.List;
+import robosim.geometry.exact.Dyadic;
+
+/**
+ * A box or triangle with exact numbers, for separating axes and distances that doubles could not decide. Slow.
+ *
+ * <p>What is flat counts as infinitely little thickened: a triangle as a prism across its plane, a segment as a box along
+ * it. The axes of the thick bodies separate these for any thickness, however small, and so (the sets being closed and
+ * bounded) the flat ones too whenever these are apart.
+ */
+final class ExactPolytope {
+    private static final Vector UNIT_X = Vector.of(1, 0, 0);
+    private static final Vector UNIT_Y = Vector.of(0, 1, 0);
+    private static final Vector UNIT_Z = Vector.of(0, 0, 1);
+
+    final boolean isBox;
+
+    /** A box's half vectors, or a triangle's corners. */
+    final List<Vector> spans = new ArrayList<>();
+
+    /** A box's centre, or a triangle's first corner. */
+    final Vector centre;
+
+    private final List<Vector> faces = new ArrayList<>();
+    private final List<Vector> edges = new ArrayList<>();
+
+    ExactPolytope(int kind, double[] row, int at) {
+        isBox = kind != Leaf.TRIANGLE;
+        centre = Vector.at(row, at);
+        if (isBox) {
+            for (int k = 0; k < 3; k++) {
+                Vector column = Vector.column(row, at + Leaf.ROTATION + k);
+                edges.add(column);
+                spans.add(column.times(Dyadic.of(row[at + Leaf.SIZE + k])));
+            }
+            thicken();
+        } else {
+            for (int k = 0; k < 9; k += 3) {
+                spans.add(Vector.at(row, at + k));
+            }
+            triangle();
+        }
+    }
+
+    /** The sides' normals of a parallelepiped along the three edges. */
+    private void thicken() {
+        faces.add(edges.get(1).cross(edges.get(2)));
+        faces.add(edges.get(2).cross(edges.get(0)));
+        faces.add(edges.get(0).cross(edges.get(1)));
+    }
+
+    private void triangle() {
+        Vector longest = null;
+        for (int k = 0; k < 3; k++) {
+            Vector edge = spans.get((k + 1) % 3).minus(spans.get(k));
+            if (!edge.isZero()) {
+                longest = edge;
+                edges.add(edge);
+            }
+        }
+        if (longest == null) {
+            edges.add(UNIT_X);
+            edges.add(UNIT_Y);
+            edges.add(UNIT_Z);
+            thicken();
+            return;
+        }
+        Vector normal = edges.get(0).cross(edges.get(1));
+        if (normal.isZero()) {
+            chooseAcross(longest);
+            thicken();
+            return;
+        }
+        faces.add(normal);
+        for (Vector edge : edges) {
+            faces.add(edge.cross(normal));
+        }
+        edges.add(normal);
+    }
+
+    /** Two unit directions that span space together with a segment's. */
+    private void chooseAcross(Vector along) {
+        edges.clear();
+        edges.add(along);
+        if (along.x().signum() == 0) {
+            edges.add(UNIT_X);
+            edges.add(along.y().signum() == 0 ? UNIT_Y : UNIT_Z);
+        } else {
+            edges.add(UNIT_Y);
+            edges.add(UNIT_Z);
+        }
+    }
+
+    /**
+     * Whether an axis separates two.
+     *
+     * @param doubts of two boxes only these axes are asked, in the order of {@link PolytopePolytope}
+     */
+    static boolean apart(int kindA, double[] a, int i, int kindB, double[] b, int j, int doubts) {
+        ExactPolytope p = new ExactPolytope(kindA, a, i);
+        ExactPolytope q = new ExactPolytope(kindB, b, j);
+        List<Vector> axes = new ArrayList<>(p.faces);
+        axes.addAll(q.faces);
+        for (Vector e : p.edges) {
+            for (Vector f : q.edges) {
+                axes.add(e.cross(f));
+            }
+        }
+        boolean all = !(p.isBox && q.isBox);
+        for (int k = 0; k < axes.size(); k++) {
+            if ((all || (doubts >> k & 1) != 0) && separates(axes.get(k), p, q)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private static boolean separates(Vector axis, ExactPolytope p, ExactPolytope q) {
+        return p.least(axis).compareTo(q.greatest(axis)) > 0 || q.least(axis).compareTo(p.greatest(axis)) > 0;
+    }
+
+    private Dyadic greatest(Vector axis) {
+        if (isBox) {
+            Dyadic sum = centre.dot(axis);
+            for (Vector half : spans) {
+                sum = sum.add(half.dot(axis).abs());
+            }
+            return sum;
+        }
+        return spans.get(0)
+                .dot(axis)
+                .max(spans.get(1).dot(axis))
+                .max(spans.get(2).dot(axis));
+    }
+
+    private Dyadic least(Vector axis) {
+        return greatest(axis.negate()).negate();
+    }
+
+    /** The straight edges, each once: its beginning and the vector along it. */
+    List<Edge> outline() {
+        List<Edge> outline = new ArrayList<>();
+        if (!isBox) {
+            for (int k = 0; k < 3; k++) {
+                outline.add(new Edge(spans.get(k), spans.get((k + 1) % 3).minus(spans.get(k))));
+            }
+            return outline;
+        }
+        Dyadic two = Dyadic.of(2);
+        for (int k = 0; k < 3; k++) {
+            Vector along = spans.get(k).times(two);
+            Vector p = spans.get((k + 1) % 3);
+            Vector q = spans.get((k + 2) % 3);
+            Vector base = centre.minus(spans.get(k));
+            outline.add(new Edge(base.plus(p).plus(q), along));
+            outline.add(new Edge(base.plus(p).minus(q), along));
+            outline.add(new Edge(base.minus(p).plus(q), along));
+            outline.add(new Edge(base.minus(p).minus(q), along));
+        }
+        return outline;
+    }
+
+    /** The flat sides that have an area: six parallelograms, or the triangle. */
+    List<Side> sides() {
+        List<Side> sides = new ArrayList<>();
+        if (!isBox) {
+            addSide(
+                    sides,
+                    spans.get(0),
+                    spans.get(1).minus(spans.get(0)),
+                    spans.get(2).minus(spans.get(0)));
+            return sides;
+        }
+        Dyadic two = Dyadic.of(2);
+        for (int k = 0; k < 3; k++) {
+            Vector p = spans.get((k + 1) % 3);
+            Vector q = spans.get((k + 2) % 3);
+            Vector corner = centre.minus(p).minus(q);
+            addSide(sides, corner.plus(spans.get(k)), p.times(two), q.times(two));
+            addSide(sides, corner.minus(spans.get(k)), p.times(two), q.times(two));
+        }
+        return sides;
+    }
+
+    private void addSide(List<Side> sides, Vector corner, Vector p, Vector q) {
+        Vector normal = p.cross(q);
+        if (!normal.isZero()) {
+            sides.add(new Side(corner, p, q, normal, isBox));
+        }
+    }
+
+    /** Whether a point lies in a box; always false for a triangle. */
+    boolean contains(Vector point) {
+        if (!isBox) {
+            return false;
+        }
+        Vector w = point.minus(centre);
+        for (int k = 0; k < 3; k++) {
+            Vector normal = faces.get(k);
+            if (w.dot(normal).abs().compareTo(spans.get(k).dot(normal).abs()) > 0) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** A straight edge from a point along a vector. */
+    record Edge(Vector from, Vector along) {}
+
+    /** A triangle or parallelogram at a corner. */
+    record Side(Vector corner, Vector p, Vector q, Vector normal, boolean isParallelogram) {
+        /** Whether the foot of a point {@code numerator / denominator} (above 0) on the side's plane lies in the side. */
+        boolean coversFootOf(Vector numerator, Dyadic denominator) {
+            Vector w = numerator.minus(corner.times(denominator));
+            Dyadic alongP = w.cross(q).dot(normal);
+            Dyadic alongQ = p.cross(w).dot(normal);
+            if (alongP.signum() < 0 || alongQ.signum() < 0) {
+                return false;
+            }
+            Dyadic whole = normal.square().multiply(denominator);
+            return isParallelogram
+                    ? alongP.compareTo(whole) <= 0 && alongQ.compareTo(whole) <= 0
+                    : alongP.add(alongQ).compareTo(whole) <= 0;
+        }
+    }
+}

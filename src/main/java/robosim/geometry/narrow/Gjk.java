@@ -1,0 +1,318 @@
+package robosim.geometry.narrow;
+
+/**
+ * Distance between two leaves as a certified bracket, with witness points and a separating direction: the algorithm of
+ * Gilbert, Johnson and Keerthi (1988) on the difference set.
+ *
+ * <p>{@link #lower} is the width of an empty slab between the two, less everything that rounding may have added: where
+ * it is above 0 the leaves are apart. {@link #upper} is the distance of two points that belong to the leaves (to
+ * rounding). Between polytopes, and for spheres and discs against them, the two close up to rounding, some 2^-48 of
+ * distance and sizes; round rims are followed until the bracket is below 2^-44 of the distance or of that size, or until
+ * doubles allow no more progress. The number of steps is limited; the bracket holds whenever it stops.
+ *
+ * <p>(a, b) and (b, a) give the same bits. Nothing is allocated by a question.
+ */
+final class Gjk {
+    /** Most steps of one question. Polytopes take less than 20, rims in unlucky places some 60. */
+    private static final int MOST_STEPS = 160;
+
+    /**
+     * Steps without a nearer point before doubles are taken to be at their end. A tilt of 2^-26 against a cap does not
+     * show in a distance, but does in the slab.
+     */
+    private static final int MOST_STALLS = 6;
+
+    /** The bracket is narrow enough when it is this share of the distance. */
+    private static final double NARROW = 0x1p-44;
+
+    /**
+     * Roundoff of n.(a - b) in units of the summed extents: 8 units of 2^-53 in each coordinate of a and b, one of their
+     * difference, three of the dot product, four of the direction's length: sqrt(3) * 9 + 7, rounded up well.
+     */
+    static final double ROUNDOFF = 32 * 0x1p-53;
+
+    /** Below this size a problem is scaled up before squares are taken. */
+    private static final double SMALL = 0x1p-240;
+
+    /**
+     * The origin is certainly in a tetrahedron of which it cuts off volumes beyond this share of the cubed extents: each
+     * is a sum of six products of three coordinates off by 17u of the extents, so off by less than 6 * 60u = 2^-44.
+     */
+    private static final double DEEP = 0x1p-43;
+
+    private final Support first = new Support();
+    private final Support second = new Support();
+    private final Simplex simplex = new Simplex();
+
+    private double lower;
+    private double upper;
+    private double nx;
+    private double ny;
+    private double nz;
+    private double ax;
+    private double ay;
+    private double az;
+    private double bx;
+    private double by;
+    private double bz;
+    private boolean overlapping;
+    private double error;
+    private double reach;
+    private double coreReach;
+    private int steps;
+    private boolean deep;
+
+    /** Asks in space; answers the lower end of the bracket, at least 0. */
+    double spatial(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        if (Order.isReversed(kindA, a, i, kindB, b, j)) {
+            solve(kindB, b, j, kindA, a, i, false);
+            reverse();
+        } else {
+            solve(kindA, a, i, kindB, b, j, false);
+        }
+        return Math.max(0, lower);
+    }
+
+    /** Asks about the projections on XZ; answers the lower end of the bracket, at least 0. All y are 0. */
+    double planar(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        if (Order.isReversed(kindA, a, i, kindB, b, j)) {
+            solve(kindB, b, j, kindA, a, i, true);
+            reverse();
+        } else {
+            solve(kindA, a, i, kindB, b, j, true);
+        }
+        return Math.max(0, lower);
+    }
+
+    /** The leaves are at least so far apart; above 0 it proves that they do not touch. May be negative. */
+    double lower() {
+        return lower;
+    }
+
+    /** The distance of the two witness points; 0 where they overlap. */
+    double upper() {
+        return upper;
+    }
+
+    /** Whether a common point was found, to rounding; never together with a positive {@link #lower}. */
+    boolean overlapping() {
+        return overlapping;
+    }
+
+    /** Unit direction from b towards a, of the slab that {@link #lower} measures; meaningful where that is positive. */
+    double nx() {
+        return nx;
+    }
+
+    double ny() {
+        return ny;
+    }
+
+    double nz() {
+        return nz;
+    }
+
+    /** The witness point of a. */
+    double ax() {
+        return ax;
+    }
+
+    double ay() {
+        return ay;
+    }
+
+    double az() {
+        return az;
+    }
+
+    /** The witness point of b. */
+    double bx() {
+        return bx;
+    }
+
+    double by() {
+        return by;
+    }
+
+    double bz() {
+        return bz;
+    }
+
+    /** Whether a common point is certain: it lies inside by more than rounding can have moved anything. */
+    boolean isDeep() {
+        return deep;
+    }
+
+    /** How far rounding may have moved a bound of this question, world units. */
+    double error() {
+        return error;
+    }
+
+    /** The width of the slab before rounding is allowed for: the distance as doubles see it. May be negative. */
+    double reach() {
+        return reach;
+    }
+
+    /** The same between the centres of spheres (discs, in the plane) and the other leaf, their radii left out. */
+    double coreReach() {
+        return coreReach;
+    }
+
+    /** Steps that the last question took. */
+    int steps() {
+        return steps;
+    }
+
+    private void solve(int kindA, double[] a, int i, int kindB, double[] b, int j, boolean flat) {
+        double ox = Support.originX(kindA, a, i);
+        double oy = flat ? 0 : Support.originY(kindA, a, i);
+        double oz = Support.originZ(kindA, a, i);
+        load(kindA, a, i, kindB, b, j, ox, oy, oz, 1, flat);
+        double scale = 1;
+        double size = first.extent + second.extent;
+        if (size > 0 && size < SMALL) {
+            scale = Math.scalb(1.0, Math.min(1000, -Math.getExponent(size)));
+            load(kindA, a, i, kindB, b, j, ox, oy, oz, scale, flat);
+        }
+        error = ROUNDOFF * (first.extent + second.extent);
+        approach();
+        finish(ox, oy, oz, 1 / scale);
+    }
+
+    private void load(
+            int kindA,
+            double[] a,
+            int i,
+            int kindB,
+            double[] b,
+            int j,
+            double ox,
+            double oy,
+            double oz,
+            double scale,
+            boolean flat) {
+        if (flat) {
+            first.planar(kindA, a, i, ox, oz, scale);
+            second.planar(kindB, b, j, ox, oz, scale);
+        } else {
+            first.spatial(kindA, a, i, ox, oy, oz, scale);
+            second.spatial(kindB, b, j, ox, oy, oz, scale);
+        }
+    }
+
+    /** Finds the point of least norm of the difference set, cores only, and the best slab on the way. */
+    private void approach() {
+        simplex.clear();
+        overlapping = false;
+        lower = Double.NEGATIVE_INFINITY;
+        upper = Double.POSITIVE_INFINITY;
+        double vx = first.centreX - second.centreX;
+        double vy = first.centreY - second.centreY;
+        double vz = first.centreZ - second.centreZ;
+        if (vx == 0 && vy == 0 && vz == 0) {
+            vx = 1;
+        }
+        int stalls = 0;
+        for (steps = 1; steps <= MOST_STEPS; steps++) {
+            double length = Math.sqrt(vx * vx + vy * vy + vz * vz);
+            double reach = probe(vx / length, vy / length, vz / length);
+            boolean narrow = steps > 1 && upper - reach <= Math.max(NARROW * upper, error);
+            if (narrow || !simplex.add(first, second)) {
+                return;
+            }
+            if (!simplex.reduce()) {
+                return;
+            }
+            double near = Math.sqrt(simplex.norm());
+            if (near < upper) {
+                upper = near;
+                witness();
+            } else if (++stalls > MOST_STALLS) {
+                return; // rounding decides from here on
+            }
+            if (upper <= error) {
+                overlapping = true; // no slab could prove otherwise
+                return;
+            }
+            vx = simplex.vx;
+            vy = simplex.vy;
+            vz = simplex.vz;
+        }
+    }
+
+    /** Tries a unit direction: finds both supports, and keeps the slab where it is the widest yet. */
+    private double probe(double dx, double dy, double dz) {
+        first.find(-dx, -dy, -dz);
+        second.find(dx, dy, dz);
+        double reach = dx * (first.x - second.x) + dy * (first.y - second.y) + dz * (first.z - second.z);
+        if (reach > lower) {
+            lower = reach;
+            nx = dx;
+            ny = dy;
+            nz = dz;
+        }
+        return reach;
+    }
+
+    private void witness() {
+        ax = simplex.ax();
+        ay = simplex.ay();
+        az = simplex.az();
+        bx = simplex.bx();
+        by = simplex.by();
+        bz = simplex.bz();
+    }
+
+    /** Adds the margins of spheres and discs, and goes back to the world's scale and place. */
+    private void finish(double ox, double oy, double oz, double unscale) {
+        double margins = first.margin + second.margin;
+        double near = upper;
+        deep = near + error < margins || (near == 0 && simplex.depth() > DEEP * cube(first.extent + second.extent));
+        coreReach = lower * unscale;
+        reach = (lower - margins) * unscale;
+        lower = lower - margins - error;
+        upper = Math.max(0, upper - margins);
+        if (near <= margins) {
+            overlapping = true;
+        }
+        if (lower > 0) {
+            overlapping = false;
+        } else if (overlapping) {
+            upper = 0;
+        }
+        // Along the witnesses, not along the slab: a margin is the same all around.
+        double dx = near > 0 ? (bx - ax) / near : 0;
+        double dy = near > 0 ? (by - ay) / near : 0;
+        double dz = near > 0 ? (bz - az) / near : 0;
+        double fromA = Math.min(first.margin, near);
+        double fromB = Math.min(second.margin, near);
+        ax = ox + (ax + fromA * dx) * unscale;
+        ay = oy + (ay + fromA * dy) * unscale;
+        az = oz + (az + fromA * dz) * unscale;
+        bx = ox + (bx - fromB * dx) * unscale;
+        by = oy + (by - fromB * dy) * unscale;
+        bz = oz + (bz - fromB * dz) * unscale;
+        lower *= unscale;
+        upper *= unscale;
+        error *= unscale;
+    }
+
+    private static double cube(double v) {
+        return v * v * v;
+    }
+
+    private void reverse() {
+        nx = -nx;
+        ny = -ny;
+        nz = -nz;
+        double swap = ax;
+        ax = bx;
+        bx = swap;
+        swap = ay;
+        ay = by;
+        by = swap;
+        swap = az;
+        az = bz;
+        bz = swap;
+    }
+}

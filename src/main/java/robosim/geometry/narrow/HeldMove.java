@@ -1,0 +1,109 @@
+package robosim.geometry.narrow;
+
+/**
+ * A leaf of any kind moved straight on against one at rest: held axes (conservative advancement, van den Bergen 2004).
+ *
+ * <p>The gap along a fixed axis changes evenly, so an axis that tells the two apart proves them apart until that gap is
+ * closed; there the next axis is looked for. Convex things' gap is a convex function of time, of which this is Newton's
+ * method from the near side: it never oversteps.
+ */
+final class HeldMove {
+    private static final int MOST_STEPS = 200;
+
+    private final Support mover = new Support();
+    private final Support rest = new Support();
+    private final double[] pose = new double[Leaf.STRIDE];
+
+    /** As {@link SpatialSweep#translation} and {@link PlanarSweep#translation}. */
+    double time(
+            boolean planar,
+            int kindA,
+            double[] a,
+            int i,
+            double dx,
+            double dy,
+            double dz,
+            int kindB,
+            double[] b,
+            int j,
+            Scratch s) {
+        Gjk gjk = s.gjk;
+        double vy = planar ? 0 : dy;
+        if (dx == 0 && vy == 0 && dz == 0) {
+            return Double.POSITIVE_INFINITY;
+        }
+        load(planar, kindA, a, i, kindB, b, j);
+        double error = Gjk.ROUNDOFF * (mover.extent + rest.extent);
+        double t = 0;
+        for (int step = 0; step < MOST_STEPS; step++) {
+            if (t > 1) {
+                return Double.POSITIVE_INFINITY;
+            }
+            Poses.moved(kindA, a, i, t * dx, t * vy, t * dz, pose);
+            if (planar) {
+                gjk.planar(kindA, pose, 0, kindB, b, j);
+            } else {
+                gjk.spatial(kindA, pose, 0, kindB, b, j);
+            }
+            if (!(gjk.lower() > 0)) {
+                if (step > 0) {
+                    return t;
+                }
+                Penetration ways = s.penetration;
+                if (planar) {
+                    ways.planar(kindA, a, i, kindB, b, j);
+                } else {
+                    ways.spatial(kindA, a, i, kindB, b, j);
+                }
+                return isAgainstAll(ways, dx, vy, dz) ? 0 : Double.POSITIVE_INFINITY;
+            }
+            double nx = gjk.nx();
+            double ny = gjk.ny();
+            double nz = gjk.nz();
+            mover.find(-nx, -ny, -nz);
+            rest.find(nx, ny, nz);
+            double gap = nx * (mover.x - rest.x)
+                    + ny * (mover.y - rest.y)
+                    + nz * (mover.z - rest.z)
+                    - mover.margin
+                    - rest.margin
+                    - error;
+            double slack = Gjk.ROUNDOFF * (Math.abs(dx) + Math.abs(vy) + Math.abs(dz));
+            double closing = -(nx * dx + ny * vy + nz * dz) + slack;
+            if (closing <= 0 && gap - closing * t > 0) {
+                return Double.POSITIVE_INFINITY;
+            }
+            double next = gap > 0 && closing > 0 ? gap / closing * (1 - 0x1p-51) : 0;
+            if (!(next > t)) {
+                return t;
+            }
+            t = next;
+        }
+        return t;
+    }
+
+    // Both from the same place, so that what is far away loses nothing.
+    private void load(boolean planar, int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        double ox = Support.originX(kindA, a, i);
+        double oy = planar ? 0 : Support.originY(kindA, a, i);
+        double oz = Support.originZ(kindA, a, i);
+        if (planar) {
+            mover.planar(kindA, a, i, ox, oz, 1);
+            rest.planar(kindB, b, j, ox, oz, 1);
+        } else {
+            mover.spatial(kindA, a, i, ox, oy, oz, 1);
+            rest.spatial(kindB, b, j, ox, oy, oz, 1);
+        }
+    }
+
+    // What is across the way out, to rounding, is along it.
+    private static boolean isAgainstAll(Penetration ways, double dx, double dy, double dz) {
+        double slack = Gjk.ROUNDOFF * (Math.abs(dx) + Math.abs(dy) + Math.abs(dz));
+        for (int k = 0; k < ways.count(); k++) {
+            if (!(ways.nx(k) * dx + ways.ny(k) * dy + ways.nz(k) * dz < -slack)) {
+                return false;
+            }
+        }
+        return true;
+    }
+}

@@ -1,0 +1,122 @@
+package robosim.geometry.narrow;
+
+import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.index.BoxTree;
+import robosim.geometry.model.TriangleMesh;
+
+/** Leaves beside each other: a kind, a row of {@link Leaf#STRIDE} doubles and, for meshes, the triangles of each. */
+public final class LeafColumn {
+    private int size;
+    private int[] kinds;
+    private double[] rows;
+
+    /** None until the first mesh comes. */
+    private @Nullable TriangleMesh @Nullable [] meshes;
+
+    /** An empty column with room for so many leaves. */
+    public LeafColumn(int capacity) {
+        kinds = new int[Math.max(1, capacity)];
+        rows = new double[kinds.length * Leaf.STRIDE];
+    }
+
+    /** How many leaves there are. */
+    public int size() {
+        return size;
+    }
+
+    /** Makes room for {@code count} leaves at the end and answers the first one's index. */
+    public int append(int count) {
+        int first = size;
+        size += count;
+        if (size > kinds.length) {
+            int capacity = Math.max(size, kinds.length + (kinds.length >> 1) + 1);
+            kinds = Arrays.copyOf(kinds, capacity);
+            rows = Arrays.copyOf(rows, capacity * Leaf.STRIDE);
+            if (meshes != null) {
+                meshes = Arrays.copyOf(meshes, capacity);
+            }
+        }
+        return first;
+    }
+
+    /** Appends copies of leaves of another column and answers the first one's index. */
+    public int appendCopy(LeafColumn other, int first, int count) {
+        int at = append(count);
+        for (int k = 0; k < count; k++) {
+            kinds[at + k] = other.kinds[first + k];
+            if (Leaf.isMesh(kinds[at + k])) {
+                setMesh(at + k, other.mesh(first + k));
+            }
+        }
+        System.arraycopy(other.rows, first * Leaf.STRIDE, rows, at * Leaf.STRIDE, count * Leaf.STRIDE);
+        return at;
+    }
+
+    /** Forgets all leaves. */
+    public void clear() {
+        size = 0;
+        meshes = null;
+    }
+
+    public int kind(int leaf) {
+        return kinds[leaf];
+    }
+
+    public void setKind(int leaf, int kind) {
+        kinds[leaf] = kind;
+    }
+
+    /** The numbers of all leaves; leaf k begins at {@code k * Leaf.STRIDE}. Valid until the next append. */
+    public double[] rows() {
+        return rows;
+    }
+
+    /** The triangles of a leaf that is a mesh. */
+    public TriangleMesh mesh(int leaf) {
+        if (meshes != null) {
+            TriangleMesh mesh = meshes[leaf];
+            if (mesh != null) {
+                return mesh;
+            }
+        }
+        throw new IllegalStateException("leaf must be a mesh (got: leaf " + leaf + " of kind " + kinds[leaf] + ")");
+    }
+
+    /** The outward bounds of a leaf: least x, y and z, then greatest. */
+    public void bounds(int leaf, double[] out) {
+        if (Leaf.isMesh(kinds[leaf])) {
+            meshBounds(leaf, out);
+        } else {
+            LeafBounds.of(kinds[leaf], rows, leaf * Leaf.STRIDE, out);
+        }
+    }
+
+    /** Where the box of the mesh in its own frame comes to stand, widened as {@link MeshWalk} widens a question. */
+    private void meshBounds(int leaf, double[] out) {
+        BoxTree tree = mesh(leaf).tree();
+        double[] b = tree.bounds();
+        int r = 6 * tree.root();
+        int at = leaf * Leaf.STRIDE;
+        for (int k = 0; k < 3; k++) {
+            double middle = rows[at + k];
+            double half = 0;
+            double size = Math.abs(middle);
+            for (int j = 0; j < 3; j++) {
+                double turn = rows[at + Leaf.ROTATION + 3 * k + j];
+                middle += turn * (b[r + j] / 2 + b[r + 3 + j] / 2);
+                half += Math.abs(turn) * (b[r + 3 + j] / 2 - b[r + j] / 2);
+                size += Math.abs(b[r + j]) + Math.abs(b[r + 3 + j]);
+            }
+            out[k] = middle - half - MeshWalk.WIDEN * size;
+            out[3 + k] = middle + half + MeshWalk.WIDEN * size;
+        }
+    }
+
+    void setMesh(int leaf, TriangleMesh mesh) {
+        if (meshes == null) {
+            meshes = new TriangleMesh[kinds.length];
+        }
+        meshes[leaf] = mesh;
+    }
+}

@@ -1,0 +1,73 @@
+package robosim.geometry.narrow;
+
+/** Which of a leaf's faces a place belongs to: offered one after the other, by height above each. */
+final class NearestFace {
+    double px;
+    double py;
+    double pz;
+    double ux;
+    double uy;
+    double uz;
+    private double facingHeight;
+    private double facingX;
+    private double facingY;
+    private double facingZ;
+    private double height;
+    private double x;
+    private double y;
+    private double z;
+
+    void reset(double px, double py, double pz, double ux, double uy, double uz) {
+        this.px = px;
+        this.py = py;
+        this.pz = pz;
+        this.ux = ux;
+        this.uy = uy;
+        this.uz = uz;
+        facingHeight = Double.NEGATIVE_INFINITY;
+        height = Double.NEGATIVE_INFINITY;
+    }
+
+    /** Both sides of a slab: the place is {@code offset / |n|} from its middle plane, which is half as wide as given. */
+    void offerSlab(double offset, double half, double nx, double ny, double nz) {
+        double length = RayMath.length(nx, ny, nz);
+        if (length > 0) {
+            offer((offset - half) / length, nx / length, ny / length, nz / length);
+            offer((-offset - half) / length, -nx / length, -ny / length, -nz / length);
+        }
+    }
+
+    /** A face or a round side: the height of the place above it and the outward unit normal there. */
+    void offer(double above, double nx, double ny, double nz) {
+        if (nx * ux + ny * uy + nz * uz < 0 && above > facingHeight) {
+            facingHeight = above;
+            facingX = nx;
+            facingY = ny;
+            facingZ = nz;
+        }
+        if (above > height) {
+            height = above;
+            x = nx;
+            y = ny;
+            z = nz;
+        }
+    }
+
+    /** Writes the normal of the face at or above which the place is; below the limit it is inside. */
+    void answer(double limit, double[] normal) {
+        if (facingHeight >= limit) {
+            write(facingX, facingY, facingZ, normal);
+        } else if (height >= limit) {
+            write(x, y, z, normal);
+        } else {
+            double length = RayMath.length(ux, uy, uz);
+            write(-ux / length, -uy / length, -uz / length, normal);
+        }
+    }
+
+    private static void write(double x, double y, double z, double[] normal) {
+        normal[0] = x + 0.0; // -0.0 is +0.0
+        normal[1] = y + 0.0;
+        normal[2] = z + 0.0;
+    }
+}

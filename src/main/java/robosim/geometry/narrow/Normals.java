@@ -1,0 +1,62 @@
+package robosim.geometry.narrow;
+
+import static robosim.geometry.narrow.RayMath.U;
+
+import robosim.geometry.model.Dimension;
+
+/**
+ * The outward surface normal of a leaf where a ray meets it.
+ *
+ * <p>The normal belongs to the face, facing the ray, whose plane (or round side) the point is nearest to or farthest
+ * outside of: on the surface of a convex leaf that is the face entered. A point that no face is that near to is one
+ * from which a ray started inside; it gets the opposite of the ray's direction, and so does a place that has no normal
+ * (a segment met end on, a point).
+ */
+public final class Normals {
+    /** How far below the surface rounding may put a hit, as a share of the coordinates: a generous 2^-46. */
+    private static final double DEPTH = 128 * U;
+
+    private Normals() {}
+
+    /**
+     * Writes the normal.
+     *
+     * @param px the place that was hit
+     * @param ux direction of the ray, any length but zero; its height is not looked at in {@code PLANAR}
+     * @param normal gets three numbers, a unit vector; in {@code PLANAR} that of the projected leaf, horizontal
+     */
+    public static void at(
+            double px,
+            double py,
+            double pz,
+            double ux,
+            double uy,
+            double uz,
+            int kind,
+            double[] row,
+            int j,
+            double[] normal,
+            Dimension dimension,
+            Scratch s) {
+        boolean isPlanar = dimension == Dimension.PLANAR;
+        NearestFace face = s.face;
+        double size = RayMath.largest(ux, uy, uz);
+        face.reset(px, isPlanar ? 0 : py, pz, ux / size, isPlanar ? 0 : uy / size, uz / size);
+        if (isPlanar) {
+            PlanarFaces.offer(face, kind, row, j);
+        } else {
+            SpatialFaces.offer(face, kind, row, j);
+        }
+        double extent = RayMath.largest(px, isPlanar ? 0 : py, pz) + extent(kind, row, j);
+        face.answer(-DEPTH * extent, normal);
+    }
+
+    private static double extent(int kind, double[] row, int j) {
+        int count = kind == Leaf.PRISM ? 10 : kind == Leaf.TRIANGLE ? 9 : kind == Leaf.SPHERE ? 4 : 6;
+        double extent = 0;
+        for (int i = 0; i < count; i++) {
+            extent = Math.max(extent, Math.abs(row[j + i]));
+        }
+        return extent;
+    }
+}

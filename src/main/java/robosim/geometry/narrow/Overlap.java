@@ -1,0 +1,79 @@
+package robosim.geometry.narrow;
+
+import robosim.geometry.model.Dimension;
+
+/** Whether two placed leaves have a point in common, meshes included: the one switch for overlaps. */
+public final class Overlap {
+    private Overlap() {}
+
+    /** Whether leaf i of a touches or overlaps leaf j of b. */
+    public static boolean test(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, Scratch s) {
+        int kindA = a.kind(i);
+        int kindB = b.kind(j);
+        if (Leaf.isMesh(kindA)) {
+            return Leaf.isMesh(kindB)
+                    ? meshes(dimension, a, i, b, j, s)
+                    : mesh(dimension, a, i, kindB, b.rows(), j * Leaf.STRIDE, s);
+        }
+        if (Leaf.isMesh(kindB)) {
+            return mesh(dimension, b, j, kindA, a.rows(), i * Leaf.STRIDE, s);
+        }
+        return convex(dimension, kindA, a.rows(), i * Leaf.STRIDE, kindB, b.rows(), j * Leaf.STRIDE, s);
+    }
+
+    static boolean convex(Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+        return dimension == Dimension.PLANAR
+                ? PlanarOverlap.test(kindA, a, i, kindB, b, j, s)
+                : SpatialOverlap.test(kindA, a, i, kindB, b, j, s);
+    }
+
+    private static boolean mesh(
+            Dimension dimension, LeafColumn mesh, int leaf, int kind, double[] row, int at, Scratch s) {
+        bounds(dimension, kind, row, at, s.box);
+        s.outer.startBox(mesh, leaf, s.box);
+        for (int t = s.outer.next(0); t >= 0; t = s.outer.next(0)) {
+            s.outer.corners(t, s.triangleA, 0);
+            if (convex(dimension, Leaf.TRIANGLE, s.triangleA, 0, kind, row, at, s)) {
+                return true;
+            }
+        }
+        return hasInside(dimension, mesh, leaf) && Inside.holdsLeaf(mesh, leaf, kind, row, at, s);
+    }
+
+    private static boolean meshes(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, Scratch s) {
+        b.bounds(j, s.box);
+        widen(dimension, s.box);
+        s.outer.startBox(a, i, s.box);
+        for (int t = s.outer.next(0); t >= 0; t = s.outer.next(0)) {
+            s.outer.corners(t, s.triangleA, 0);
+            bounds(dimension, Leaf.TRIANGLE, s.triangleA, 0, s.triangleBox);
+            s.inner.startBox(b, j, s.triangleBox);
+            for (int u = s.inner.next(0); u >= 0; u = s.inner.next(0)) {
+                s.inner.corners(u, s.triangleB, 0);
+                if (convex(dimension, Leaf.TRIANGLE, s.triangleA, 0, Leaf.TRIANGLE, s.triangleB, 0, s)) {
+                    return true;
+                }
+            }
+        }
+        return (hasInside(dimension, a, i) && Inside.holdsMesh(a, i, b, j, s))
+                || (hasInside(dimension, b, j) && Inside.holdsMesh(b, j, a, i, s));
+    }
+
+    /** Whether the inside of the leaf adds to its surface; what lies above a point inside is seen in projection too. */
+    static boolean hasInside(Dimension dimension, LeafColumn column, int leaf) {
+        return dimension == Dimension.SPATIAL && column.kind(leaf) == Leaf.SOLID_MESH;
+    }
+
+    /** The bounds of a leaf, over all heights in PLANAR. */
+    static void bounds(Dimension dimension, int kind, double[] row, int at, double[] out) {
+        LeafBounds.of(kind, row, at, out);
+        widen(dimension, out);
+    }
+
+    private static void widen(Dimension dimension, double[] box) {
+        if (dimension == Dimension.PLANAR) {
+            box[1] = Double.NEGATIVE_INFINITY;
+            box[4] = Double.POSITIVE_INFINITY;
+        }
+    }
+}

@@ -1,0 +1,348 @@
+package robosim.geometry.narrow;
+
+/**
+ * How deep one leaf is in another, and in which directions it gets out on the shortest way.
+ *
+ * <p>Between boxes, triangles and prisms the directions are those of separating axes (the sides of the difference set),
+ * all of them where several tie; for a sphere or disc whose centre is outside the other it is the direction to the
+ * nearest point. Where a cylinder's rim counts, the directions of flat sides and straight edges, of the widest slab that
+ * {@link Gjk} saw and of the centres are refined by a pattern search: the depth answered is then a depth in which the
+ * leaf does get out, hence never too small, but it is a local minimum and not proven to be the least.
+ *
+ * <p>To rounding, some 2^-48 of sizes and offset; it decides no overlap. (a, b) and (b, a) give the same bits. Nothing is
+ * allocated by a question.
+ */
+final class Penetration {
+    private static final int MOST = 160;
+    private static final int MOST_PROBES = 600;
+    private static final double FIRST_STEP = 0.5;
+    private static final double LAST_STEP = 0x1p-30;
+
+    /** Directions closer than this are one. */
+    private static final double SAME = 0x1p-40;
+
+    private final Gjk gjk = new Gjk();
+    private final Support first = new Support();
+    private final Support second = new Support();
+    private final Facets facetsA = new Facets();
+    private final Facets facetsB = new Facets();
+
+    private int count;
+    private final double[] x = new double[MOST];
+    private final double[] y = new double[MOST];
+    private final double[] z = new double[MOST];
+    private final double[] depths = new double[MOST];
+    private double margins;
+    private boolean flat;
+
+    // Where the pattern search stands.
+    private double searchX;
+    private double searchY;
+    private double searchZ;
+    private double searchDepth;
+    private int probes;
+
+    /** Depth in space; negative, the distance, where the two are apart. */
+    double spatial(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        flat = false;
+        return ordered(kindA, a, i, kindB, b, j);
+    }
+
+    /** Depth of the projections on XZ; negative, the distance, where the two are apart. All directions have y = 0. */
+    double planar(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        flat = true;
+        return ordered(kindA, a, i, kindB, b, j);
+    }
+
+    /** How many directions tie; at least 1. */
+    int count() {
+        return count;
+    }
+
+    /** A unit direction in which a has to move to get out. */
+    double nx(int k) {
+        return x[k];
+    }
+
+    double ny(int k) {
+        return y[k];
+    }
+
+    double nz(int k) {
+        return z[k];
+    }
+
+    private double ordered(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        if (!Order.isReversed(kindA, a, i, kindB, b, j)) {
+            return solve(kindA, a, i, kindB, b, j);
+        }
+        double depth = solve(kindB, b, j, kindA, a, i);
+        for (int k = 0; k < count; k++) {
+            x[k] = -x[k];
+            y[k] = -y[k];
+            z[k] = -z[k];
+        }
+        return depth;
+    }
+
+    private double solve(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        if (flat) {
+            gjk.planar(kindA, a, i, kindB, b, j);
+        } else {
+            gjk.spatial(kindA, a, i, kindB, b, j);
+        }
+        count = 0;
+        if (gjk.coreReach() > gjk.error()) {
+            take(gjk.nx(), gjk.ny(), gjk.nz(), -gjk.reach());
+            return -gjk.reach();
+        }
+        load(kindA, a, i, kindB, b, j);
+        candidates();
+        double depth = least();
+        if (!first.isPolytope() || !second.isPolytope()) {
+            refine(depth);
+            depth = least();
+        }
+        keepTies(depth, depth + 2 * gjk.error());
+        return depth;
+    }
+
+    private void load(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        double ox = Support.originX(kindA, a, i);
+        double oz = Support.originZ(kindA, a, i);
+        if (flat) {
+            first.planar(kindA, a, i, ox, oz, 1);
+            second.planar(kindB, b, j, ox, oz, 1);
+            facetsA.planar(kindA, a, i);
+            facetsB.planar(kindB, b, j);
+        } else {
+            double oy = Support.originY(kindA, a, i);
+            first.spatial(kindA, a, i, ox, oy, oz, 1);
+            second.spatial(kindB, b, j, ox, oy, oz, 1);
+            facetsA.spatial(kindA, a, i);
+            facetsB.spatial(kindB, b, j);
+        }
+        margins = first.margin + second.margin;
+    }
+
+    /** The directions of the flat sides of the difference set; in a difference set without any, two across it. */
+    private void candidates() {
+        sides(facetsA);
+        sides(facetsB);
+        for (int k = 0; k < facetsA.edges; k++) {
+            for (int m = 0; m < facetsB.edges; m++) {
+                cross(
+                        facetsA.edgeX[k],
+                        facetsA.edgeY[k],
+                        facetsA.edgeZ[k],
+                        facetsB.edgeX[m],
+                        facetsB.edgeY[m],
+                        facetsB.edgeZ[m]);
+            }
+        }
+        if (count == 0) {
+            across();
+        }
+    }
+
+    private void sides(Facets facets) {
+        for (int k = 0; k < facets.faces; k++) {
+            both(facets.faceX[k], facets.faceY[k], facets.faceZ[k]);
+        }
+    }
+
+    private void across() {
+        Facets facets = facetsA.edges > 0 ? facetsA : facetsB;
+        if (flat || facets.edges == 0) {
+            both(1, 0, 0);
+            return;
+        }
+        // Across the segment that is left: with the world axis that it is furthest from.
+        double ex = facets.edgeX[0];
+        double ey = facets.edgeY[0];
+        double ez = facets.edgeZ[0];
+        if (Math.abs(ey) <= Math.abs(ex) && Math.abs(ey) <= Math.abs(ez)) {
+            cross(ex, ey, ez, 0, 1, 0);
+        } else if (Math.abs(ex) <= Math.abs(ez)) {
+            cross(ex, ey, ez, 1, 0, 0);
+        } else {
+            cross(ex, ey, ez, 0, 0, 1);
+        }
+    }
+
+    private void cross(double px, double py, double pz, double qx, double qy, double qz) {
+        double cx = py * qz - pz * qy;
+        double cy = pz * qx - px * qz;
+        double cz = px * qy - py * qx;
+        double square = cx * cx + cy * cy + cz * cz;
+        if (square > 0x1p-80) { // the cross product of nearly parallel edges is rounding, not a side
+            double length = Math.sqrt(square);
+            both(cx / length, cy / length, cz / length);
+        }
+    }
+
+    private void both(double dx, double dy, double dz) {
+        take(dx, dy, dz, depth(dx, dy, dz));
+        take(0 - dx, 0 - dy, 0 - dz, depth(-dx, -dy, -dz));
+    }
+
+    private void take(double dx, double dy, double dz, double depth) {
+        x[count] = dx;
+        y[count] = dy;
+        z[count] = dz;
+        depths[count] = depth;
+        count++;
+    }
+
+    /** How far a has to move along a unit direction until the supporting planes meet. */
+    private double depth(double dx, double dy, double dz) {
+        first.find(-dx, -dy, -dz);
+        second.find(dx, dy, dz);
+        return dx * (second.x - first.x) + dy * (second.y - first.y) + dz * (second.z - first.z) + margins;
+    }
+
+    private double least() {
+        double least = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < count; k++) {
+            least = Math.min(least, depths[k]);
+        }
+        return least;
+    }
+
+    /** Looks for a shallower direction between the flat sides: from the best of them, GJK's slab and the centres. */
+    private void refine(double depth) {
+        int best = 0;
+        while (depths[best] > depth) {
+            best++;
+        }
+        searchFrom(x[best], y[best], z[best], depths[best]);
+        double length = Math.sqrt(gjk.nx() * gjk.nx() + gjk.ny() * gjk.ny() + gjk.nz() * gjk.nz());
+        if (length > 0.5) {
+            searchFrom(gjk.nx(), gjk.ny(), gjk.nz(), depth(gjk.nx(), gjk.ny(), gjk.nz()));
+        }
+        double cx = first.centreX - second.centreX;
+        double cy = first.centreY - second.centreY;
+        double cz = first.centreZ - second.centreZ;
+        length = Math.sqrt(cx * cx + cy * cy + cz * cz);
+        if (length > 0) {
+            searchFrom(cx / length, cy / length, cz / length, depth(cx / length, cy / length, cz / length));
+        }
+    }
+
+    private void searchFrom(double dx, double dy, double dz, double depth) {
+        searchX = dx;
+        searchY = dy;
+        searchZ = dz;
+        searchDepth = depth;
+        probes = 0;
+        double turnC = 1;
+        double turnS = 0;
+        for (double step = FIRST_STEP; step > LAST_STEP && probes < MOST_PROBES; ) {
+            if (!improve(step, turnC, turnS)) {
+                step *= 0.5;
+                // Another star of directions each time, so that no valley lies between its arms for good.
+                double c = 0.8 * turnC - 0.6 * turnS;
+                turnS = 0.6 * turnC + 0.8 * turnS;
+                turnC = c;
+            }
+        }
+        if (count < MOST) {
+            take(searchX, searchY, searchZ, searchDepth);
+        }
+    }
+
+    /** One round of tries around the place where the search stands; moves it to the first that is shallower. */
+    private boolean improve(double step, double turnC, double turnS) {
+        if (flat) {
+            return tryAt(-searchZ * step, 0, searchX * step) || tryAt(searchZ * step, 0, -searchX * step);
+        }
+        // Two directions across: one level, or along X where the search looks straight up.
+        double tx = -searchZ;
+        double tz = searchX;
+        double length = Math.sqrt(tx * tx + tz * tz);
+        if (length < 0x1p-10) {
+            tx = 1;
+            tz = 0;
+            length = 1;
+        }
+        tx /= length;
+        tz /= length;
+        double sx = searchY * tz;
+        double sy = searchZ * tx - searchX * tz;
+        double sz = -searchY * tx;
+        double c = step * turnC;
+        double s = step * turnS;
+        for (int arm = 0; arm < 4; arm++) {
+            if (tryAt(c * tx + s * sx, s * sy, c * tz + s * sz)) {
+                return true;
+            }
+            double swap = c;
+            c = -s;
+            s = swap;
+        }
+        return false;
+    }
+
+    private boolean tryAt(double offX, double offY, double offZ) {
+        double dx = searchX + offX;
+        double dy = searchY + offY;
+        double dz = searchZ + offZ;
+        double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        dx /= length;
+        dy /= length;
+        dz /= length;
+        probes++;
+        double depth = depth(dx, dy, dz);
+        if (!(depth < searchDepth)) {
+            return false;
+        }
+        searchX = dx;
+        searchY = dy;
+        searchZ = dz;
+        searchDepth = depth;
+        return true;
+    }
+
+    private void keepTies(double depth, double limit) {
+        int kept = 0;
+        // The least itself comes first, so that a witness may take number 0.
+        for (int k = 0; k < count; k++) {
+            if (depths[k] == depth) {
+                swap(0, k);
+                break;
+            }
+        }
+        for (int k = 0; k < count; k++) {
+            if (depths[k] <= limit && isNew(k, kept)) {
+                swap(kept, k);
+                kept++;
+            }
+        }
+        count = kept;
+    }
+
+    private boolean isNew(int k, int kept) {
+        for (int m = 0; m < kept; m++) {
+            double apart = Math.max(Math.abs(x[k] - x[m]), Math.max(Math.abs(y[k] - y[m]), Math.abs(z[k] - z[m])));
+            if (apart < SAME) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private void swap(int k, int m) {
+        double hold = x[k];
+        x[k] = x[m];
+        x[m] = hold;
+        hold = y[k];
+        y[k] = y[m];
+        y[m] = hold;
+        hold = z[k];
+        z[k] = z[m];
+        z[m] = hold;
+        hold = depths[k];
+        depths[k] = depths[m];
+        depths[m] = hold;
+    }
+}

@@ -1,0 +1,362 @@
+package robosim.geometry.narrow;
+
+import robosim.geometry.exact.DoubleDouble;
+
+/**
+ * What is left of a leaf on the XZ plane, relative to an origin near it: a disc, a convex polygon, or the oval that a
+ * turned cylinder throws (an ellipse pushed along its minor axis).
+ *
+ * <p>Corners are those of the real polygon to within {@link #error} in each coordinate, in the order in which x turns
+ * to z; what is flat has two corners or one. Exact decisions start from the row itself ({@link ExactPlanar}).
+ */
+final class PlanarShape {
+    static final int DISC = 0;
+    static final int POLYGON = 1;
+    static final int OVAL = 2;
+
+    /** Most corners of a polygon: those of an octagon. */
+    static final int CORNERS = 8;
+
+    // Each coordinate is made by at most eight roundings of numbers no larger than the sum of the magnitudes that go
+    // in; the sum itself is rounded too.
+    private static final double ROUNDING = 9 * 0x1p-53;
+    private static final double BLUR = 16;
+
+    int family;
+
+    int count;
+    final double[] x = new double[CORNERS];
+    final double[] z = new double[CORNERS];
+
+    /** What rounding took from the corners of a triangle, which are rounded once; 0 for all others. */
+    final double[] tailX = new double[CORNERS];
+
+    final double[] tailZ = new double[CORNERS];
+
+    /** No corner is off by more in x or in z; for a disc or an oval the same of its outline. */
+    double error;
+
+    /** Of a disc or an oval. */
+    double centerX;
+
+    double centerZ;
+
+    /** Of a disc; half the width of an oval across its axis. */
+    double radius;
+
+    /** The oval's own direction, of unit length. */
+    double axisX;
+
+    double axisZ;
+
+    /** Half the length of the straight part of an oval. */
+    double reach;
+
+    /** Half the thickness of the ellipse that is pushed along, measured along the axis. */
+    double minor;
+
+    /** The last support point asked for. */
+    double pointX;
+
+    double pointZ;
+
+    private final double[] spanX = new double[3];
+    private final double[] spanZ = new double[3];
+
+    static int family(int kind) {
+        return switch (kind) {
+            case Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE -> DISC;
+            case Leaf.CYLINDER -> OVAL;
+            default -> POLYGON;
+        };
+    }
+
+    /** Whether it is so small and so near that products of its numbers would vanish: then no filter holds. */
+    boolean isTiny() {
+        return error < 0x1p-448;
+    }
+
+    /** Whether a side is so short that rounding of its ends may turn it anywhere. */
+    boolean isBlurred(double ex, double ez) {
+        return Math.abs(ex) + Math.abs(ez) <= BLUR * error;
+    }
+
+    private static double bound(double size) {
+        return size < 0x1p-450 ? 2 * size + Double.MIN_VALUE : ROUNDING * size;
+    }
+
+    /** A point near a leaf to see it and others from: its centre, or one corner. */
+    static double originX(int kind, double[] row, int at) {
+        return kind == Leaf.PRISM ? (row[at] + row[at + 1]) / 2 : row[at];
+    }
+
+    static double originZ(int kind, double[] row, int at) {
+        return kind == Leaf.PRISM ? (row[at + 2] + row[at + 3]) / 2 : row[at + 2];
+    }
+
+    /** Takes the projection of a leaf, as seen from (ox, oz). */
+    void set(int kind, double[] row, int at, double ox, double oz) {
+        family = family(kind);
+        count = 0;
+        switch (kind) {
+            case Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE -> disc(row, at, ox, oz);
+            case Leaf.CYLINDER -> oval(row, at, ox, oz);
+            case Leaf.TRIANGLE -> triangle(row, at, ox, oz);
+            case Leaf.PRISM -> octagon(row, at, ox, oz);
+            default -> box(row, at, ox, oz);
+        }
+    }
+
+    /** The origin itself, as a disc of no size. */
+    void point() {
+        family = DISC;
+        count = 0;
+        centerX = 0;
+        centerZ = 0;
+        radius = 0;
+        error = 0;
+    }
+
+    private void disc(double[] row, int at, double ox, double oz) {
+        centerX = row[at] - ox;
+        centerZ = row[at + 2] - oz;
+        radius = row[at + Leaf.SIZE];
+        error = bound(Math.abs(centerX) + Math.abs(centerZ) + radius);
+    }
+
+    private void oval(double[] row, int at, double ox, double oz) {
+        centerX = row[at] - ox;
+        centerZ = row[at + 2] - oz;
+        radius = row[at + Leaf.SIZE];
+        double ax = row[at + Leaf.ROTATION + 1];
+        double ay = row[at + Leaf.ROTATION + 4];
+        double az = row[at + Leaf.ROTATION + 7];
+        double flat = ax * ax + az * az;
+        double level = Math.sqrt(flat);
+        // The caps are round in space, about an axis of whatever length it has; the half height counts in that length.
+        minor = radius * Math.abs(ay) / Math.sqrt(flat + ay * ay);
+        reach = row[at + Leaf.SIZE + 1] * level;
+        axisX = level > 0 ? ax / level : 1;
+        axisZ = level > 0 ? az / level : 0;
+        error = bound(Math.abs(centerX) + Math.abs(centerZ) + 2 * radius + reach);
+    }
+
+    private void triangle(double[] row, int at, double ox, double oz) {
+        double x0 = row[at] - ox;
+        double z0 = row[at + 2] - oz;
+        double x1 = row[at + 3] - ox;
+        double z1 = row[at + 5] - oz;
+        double x2 = row[at + 6] - ox;
+        double z2 = row[at + 8] - oz;
+        double size = Math.max(
+                Math.abs(x0) + Math.abs(z0), Math.max(Math.abs(x1) + Math.abs(z1), Math.abs(x2) + Math.abs(z2)));
+        error = bound(size);
+        double turn = (x1 - x0) * (z2 - z0) - (z1 - z0) * (x2 - x0);
+        if (turn > 0) {
+            corner(x0, z0);
+            corner(x1, z1);
+            corner(x2, z2);
+        } else if (turn < 0) {
+            corner(x0, z0);
+            corner(x2, z2);
+            corner(x1, z1);
+        } else {
+            flatTriangle(x0, z0, x1, z1, x2, z2);
+        }
+        tails(row, at, ox, oz);
+    }
+
+    // Each corner is one of the row's three, in whatever order.
+    private void tails(double[] row, int at, double ox, double oz) {
+        for (int k = 0; k < count; k++) {
+            for (int from = at; from < at + 9; from += 3) {
+                if (row[from] - ox == x[k] && row[from + 2] - oz == z[k]) {
+                    tailX[k] = DoubleDouble.differenceTail(row[from], ox, x[k]);
+                    tailZ[k] = DoubleDouble.differenceTail(row[from + 2], oz, z[k]);
+                    break;
+                }
+            }
+        }
+    }
+
+    // The longest side of a triangle that is flat, or so thin that its area is lost.
+    private void flatTriangle(double x0, double z0, double x1, double z1, double x2, double z2) {
+        double s01 = Math.max(Math.abs(x1 - x0), Math.abs(z1 - z0));
+        double s12 = Math.max(Math.abs(x2 - x1), Math.abs(z2 - z1));
+        double s20 = Math.max(Math.abs(x0 - x2), Math.abs(z0 - z2));
+        if (s01 >= s12 && s01 >= s20) {
+            segment(x0, z0, x1, z1);
+        } else if (s12 >= s20) {
+            segment(x1, z1, x2, z2);
+        } else {
+            segment(x2, z2, x0, z0);
+        }
+    }
+
+    private void segment(double x0, double z0, double x1, double z1) {
+        corner(x0, z0);
+        if (x0 != x1 || z0 != z1) {
+            corner(x1, z1);
+        }
+    }
+
+    private void corner(double px, double pz) {
+        x[count] = px;
+        z[count] = pz;
+        tailX[count] = 0;
+        tailZ[count] = 0;
+        count++;
+    }
+
+    // A box throws the sum of the segments that its own axes throw: two corners for each direction among them.
+    private void box(double[] row, int at, double ox, double oz) {
+        double cx = row[at] - ox;
+        double cz = row[at + 2] - oz;
+        double size = Math.abs(cx) + Math.abs(cz);
+        int spans = 0;
+        double sumX = 0;
+        double sumZ = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            double half = row[at + Leaf.SIZE + axis];
+            double gx = half * row[at + Leaf.ROTATION + axis];
+            double gz = half * row[at + Leaf.ROTATION + 6 + axis];
+            if (gx == 0 && gz == 0) {
+                continue;
+            }
+            if (gz < 0 || (gz == 0 && gx < 0)) {
+                gx = -gx;
+                gz = -gz;
+            }
+            size += Math.abs(gx) + gz;
+            sumX += gx;
+            sumZ += gz;
+            spans = insert(spans, gx, gz);
+        }
+        error = bound(size);
+        double px = -sumX;
+        double pz = -sumZ;
+        if (spans == 0) {
+            corner(cx, cz);
+            return;
+        }
+        for (int k = 0; k < spans; k++) {
+            x[k] = cx + px;
+            z[k] = cz + pz;
+            x[k + spans] = cx - px;
+            z[k + spans] = cz - pz;
+            tailX[k] = 0;
+            tailZ[k] = 0;
+            tailX[k + spans] = 0;
+            tailZ[k + spans] = 0;
+            px += 2 * spanX[k];
+            pz += 2 * spanZ[k];
+        }
+        count = 2 * spans;
+    }
+
+    // Keeps the spans in the order of their directions, and those of one direction as one.
+    private int insert(int spans, double gx, double gz) {
+        int to = 0;
+        while (to < spans && spanX[to] * gz - spanZ[to] * gx > 0) {
+            to++;
+        }
+        if (to < spans && spanX[to] * gz - spanZ[to] * gx == 0) {
+            spanX[to] += gx;
+            spanZ[to] += gz;
+            return spans;
+        }
+        for (int k = spans; k > to; k--) {
+            spanX[k] = spanX[k - 1];
+            spanZ[k] = spanZ[k - 1];
+        }
+        spanX[to] = gx;
+        spanZ[to] = gz;
+        return spans + 1;
+    }
+
+    private void octagon(double[] row, int at, double ox, double oz) {
+        double x0 = row[at] - ox;
+        double x1 = row[at + 1] - ox;
+        double z0 = row[at + 2] - oz;
+        double z1 = row[at + 3] - oz;
+        double so = ox + oz;
+        double to = ox - oz;
+        double s0 = row[at + 4] - so;
+        double s1 = row[at + 5] - so;
+        double d0 = row[at + 6] - to;
+        double d1 = row[at + 7] - to;
+        double size = Math.abs(row[at])
+                + Math.abs(row[at + 1])
+                + Math.abs(row[at + 2])
+                + Math.abs(row[at + 3])
+                + 2 * (Math.abs(ox) + Math.abs(oz));
+        error = bound(4 * size);
+        // The planes are rounded outward, so that one may lie beyond the corner of its neighbours: draw each back to
+        // where the others let it touch.
+        for (int pass = 0; pass < 2; pass++) {
+            x1 = Math.min(x1, Math.min(Math.min(d1 + z1, s1 - z0), (s1 + d1) / 2));
+            x0 = Math.max(x0, Math.max(Math.max(d0 + z0, s0 - z1), (s0 + d0) / 2));
+            z1 = Math.min(z1, Math.min(Math.min(s1 - x0, x1 - d0), (s1 - d0) / 2));
+            z0 = Math.max(z0, Math.max(Math.max(s0 - x1, x0 - d1), (s0 - d1) / 2));
+            s1 = Math.min(s1, x1 + z1);
+            s0 = Math.max(s0, x0 + z0);
+            d1 = Math.min(d1, x1 - z0);
+            d0 = Math.max(d0, x0 - z1);
+        }
+        distinct(x1, x1 - d1);
+        distinct(x1, s1 - x1);
+        distinct(s1 - z1, z1);
+        distinct(d0 + z1, z1);
+        distinct(x0, x0 - d0);
+        distinct(x0, s0 - x0);
+        distinct(s0 - z0, z0);
+        distinct(d1 + z0, z0);
+        if (count > 1 && x[count - 1] == x[0] && z[count - 1] == z[0]) {
+            count--;
+        }
+    }
+
+    private void distinct(double px, double pz) {
+        if (count == 0 || x[count - 1] != px || z[count - 1] != pz) {
+            corner(px, pz);
+        }
+    }
+
+    /** The greatest n . p of the shape, for a direction of any length; the point is left in pointX and pointZ. */
+    double support(double nx, double nz) {
+        if (family == POLYGON) {
+            int best = 0;
+            double most = nx * x[0] + nz * z[0];
+            for (int k = 1; k < count; k++) {
+                double here = nx * x[k] + nz * z[k];
+                if (here > most) {
+                    most = here;
+                    best = k;
+                }
+            }
+            pointX = x[best];
+            pointZ = z[best];
+            return most;
+        }
+        if (family == DISC) {
+            double length = Math.sqrt(nx * nx + nz * nz);
+            pointX = centerX + radius * (nx / length);
+            pointZ = centerZ + radius * (nz / length);
+            return nx * centerX + nz * centerZ + radius * length;
+        }
+        double along = nx * axisX + nz * axisZ;
+        double across = nz * axisX - nx * axisZ;
+        double p = minor * along;
+        double q = radius * across;
+        double bulge = Math.sqrt(p * p + q * q);
+        double u = along > 0 ? reach : along < 0 ? -reach : 0;
+        double v = 0;
+        if (bulge > 0) {
+            u += minor * (p / bulge);
+            v += radius * (q / bulge);
+        }
+        pointX = centerX + u * axisX - v * axisZ;
+        pointZ = centerZ + u * axisZ + v * axisX;
+        return nx * centerX + nz * centerZ + reach * Math.abs(along) + bulge;
+    }
+}

@@ -1,0 +1,64 @@
+package robosim.geometry.narrow;
+
+/** A point and a convex polygon that a {@link PlanarShape} holds. */
+final class PointPolygon {
+    private PointPolygon() {}
+
+    /** Square of the least distance to a side, from inside too. */
+    static double squareToOutline(double px, double pz, PlanarShape q) {
+        double least = Double.POSITIVE_INFINITY;
+        int last = q.count - 1;
+        for (int k = 0; k <= last; k++) {
+            int previous = k == 0 ? last : k - 1;
+            least = Math.min(least, squareToSegment(px, pz, q.x[previous], q.z[previous], q.x[k], q.z[k]));
+        }
+        return least;
+    }
+
+    static double squareToSegment(double px, double pz, double ax, double az, double bx, double bz) {
+        double ex = bx - ax;
+        double ez = bz - az;
+        double wx = px - ax;
+        double wz = pz - az;
+        double along = ex * wx + ez * wz;
+        if (along <= 0) {
+            return wx * wx + wz * wz;
+        }
+        double length = ex * ex + ez * ez;
+        if (along >= length) {
+            double vx = px - bx;
+            double vz = pz - bz;
+            return vx * vx + vz * vz;
+        }
+        double across = ex * wz - ez * wx;
+        return across / length * across;
+    }
+
+    /**
+     * 1 where the point is inside by more than the error, -1 where it is outside by more, 0 where the sides do not tell.
+     */
+    static int side(double px, double pz, PlanarShape q, double error) {
+        if (q.count < 3) {
+            return -1;
+        }
+        int verdict = 1;
+        int last = q.count - 1;
+        for (int k = 0; k <= last; k++) {
+            int previous = k == 0 ? last : k - 1;
+            double ex = q.x[k] - q.x[previous];
+            double ez = q.z[k] - q.z[previous];
+            if (q.isBlurred(ex, ez)) {
+                continue;
+            }
+            double slack = error * (Math.abs(ex) + Math.abs(ez));
+            double left = ex * (pz - q.z[previous]) - ez * (px - q.x[previous]);
+            if (left < -slack) {
+                return -1;
+            }
+            if (!(left > slack)) {
+                verdict = 0;
+            }
+        }
+        return verdict;
+    }
+}

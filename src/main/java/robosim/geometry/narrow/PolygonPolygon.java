@@ -1,0 +1,92 @@
+package robosim.geometry.narrow;
+
+/** Two convex polygons on the plane: what boxes, triangles and octagons throw. */
+final class PolygonPolygon {
+    // A corner coordinate is off by the shapes' own error. The value of a side's normal at a corner adds three
+    // roundings of the two coordinates, which the shapes' errors (nine roundings of all that went in) cover too: 4 of
+    // each side's error in a difference of two such values.
+    private static final double FILTER = 4;
+    private static final double UNDERFLOW = 0x1p-960;
+
+    private PolygonPolygon() {}
+
+    /** Whether they touch or overlap; exact, but for octagons, which touch where it is in doubt. */
+    static boolean touch(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+        PlanarShape p = s.planarA;
+        PlanarShape q = s.planarB;
+        double ox = PlanarShape.originX(kindA, a, i);
+        double oz = PlanarShape.originZ(kindA, a, i);
+        p.set(kindA, a, i, ox, oz);
+        q.set(kindB, b, j, ox, oz);
+        // The normals of all sides tell how deep two polygons overlap, unless both are flat and parallel; those, and
+        // what is small beside the error, never overlap clearly and so go to the exact path.
+        double error = FILTER * (p.error + q.error);
+        int verdict = Math.max(apart(p, q, error), apart(q, p, error));
+        if (verdict == 1) {
+            verdict = Math.max(verdict, Math.max(apartAlong(p, q, 1, 0, error), apartAlong(p, q, 0, 1, error)));
+        }
+        return switch (verdict) {
+            case 0 -> true;
+            case 1 -> doubtfulTouch(kindA, a, i, kindB, b, j);
+            default -> false;
+        };
+    }
+
+    private static boolean doubtfulTouch(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        return kindA == Leaf.PRISM
+                || kindB == Leaf.PRISM
+                || ExactPlanar.of(kindA, a, i).touches(ExactPlanar.of(kindB, b, j));
+    }
+
+    // 2 apart along the normal of a side of p, 1 in doubt, 0 overlapping along all of them
+    private static int apart(PlanarShape p, PlanarShape q, double error) {
+        if (p.count == 1) {
+            return q.count == 1 ? 1 : 0;
+        }
+        if (p.count == 2) {
+            return apartAlong(p, q, p.z[1] - p.z[0], p.x[0] - p.x[1], error);
+        }
+        int verdict = 0;
+        int last = p.count - 1;
+        for (int k = 0; k <= last; k++) {
+            int previous = k == 0 ? last : k - 1;
+            // Outward, as the corners run from x to z.
+            double nx = p.z[k] - p.z[previous];
+            double nz = p.x[previous] - p.x[k];
+            double slack = error * (Math.abs(nx) + Math.abs(nz)) + UNDERFLOW;
+            // Not the side's own level: one between two corners that rounding parts may point anywhere.
+            double gap = -q.support(-nx, -nz) - p.support(nx, nz);
+            if (gap > slack) {
+                return 2;
+            }
+            if (!(gap < -slack)) {
+                verdict = 1;
+            }
+        }
+        return verdict;
+    }
+
+    private static int apartAlong(PlanarShape p, PlanarShape q, double nx, double nz, double error) {
+        double slack = error * (Math.abs(nx) + Math.abs(nz)) + UNDERFLOW;
+        double gap = Math.max(-q.support(-nx, -nz) - p.support(nx, nz), -p.support(-nx, -nz) - q.support(nx, nz));
+        return gap > slack ? 2 : gap < -slack ? 0 : 1;
+    }
+
+    /** The least distance, 0 in contact. */
+    static double distance(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+        if (touch(kindA, a, i, kindB, b, j, s)) {
+            return 0;
+        }
+        PlanarShape p = s.planarA;
+        PlanarShape q = s.planarB;
+        return Math.sqrt(Math.min(cornersToSides(p, q), cornersToSides(q, p)));
+    }
+
+    private static double cornersToSides(PlanarShape p, PlanarShape q) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < p.count; k++) {
+            least = Math.min(least, PointPolygon.squareToOutline(p.x[k], p.z[k], q));
+        }
+        return least;
+    }
+}

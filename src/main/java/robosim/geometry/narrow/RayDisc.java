@@ -1,0 +1,106 @@
+package robosim.geometry.narrow;
+
+import robosim.geometry.exact.DoubleDouble;
+import robosim.geometry.exact.Dyadic;
+
+/** A ray and a disc on the plane. */
+final class RayDisc {
+    // Each side of the comparisons below is a sum of products of at most seven roundings.
+    private static final double FILTER = 12 * 0x1p-53;
+    private static final double UNDERFLOW = 0x1p-960;
+
+    private RayDisc() {}
+
+    /** Distance in world units; whether it is a hit at all is exact. */
+    static double distance(double ox, double oz, double ux, double uz, double cx, double cz, double r) {
+        double mx = cx - ox;
+        double mz = cz - oz;
+        double square = mx * mx + mz * mz;
+        double rr = r * r;
+        double doubt = FILTER * (square + rr) + UNDERFLOW;
+        if (square < rr - doubt || (square <= rr + doubt && DiscDisc.touch(ox, oz, 0, cx, cz, r))) {
+            return 0;
+        }
+        // The start is outside: a line that meets the disc does so on one side of the start.
+        double size = (Math.abs(mx) + Math.abs(mz)) * (Math.abs(ux) + Math.abs(uz));
+        double ahead = mx * ux + mz * uz;
+        if (ahead < -FILTER * size - UNDERFLOW) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double length = ux * ux + uz * uz;
+        double aside = Math.abs(ux * mz - uz * mx);
+        double slack = FILTER * size + UNDERFLOW;
+        double least = Math.max(0, aside - slack);
+        double reach = rr * length;
+        if (least * least > reach + (FILTER * reach + UNDERFLOW)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double most = aside + slack;
+        if (!(most * most < reach - (FILTER * reach + UNDERFLOW) && ahead > slack)
+                && !exactHit(ox, oz, ux, uz, cx, cz, r)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        return entry(ox, oz, ux, uz, cx, cz, r);
+    }
+
+    // From outside; the tangent is a hit.
+    private static boolean exactHit(double ox, double oz, double ux, double uz, double cx, double cz, double r) {
+        Dyadic mx = Dyadic.difference(cx, ox);
+        Dyadic mz = Dyadic.difference(cz, oz);
+        Dyadic dx = Dyadic.of(ux);
+        Dyadic dz = Dyadic.of(uz);
+        if (mx.multiply(dx).add(mz.multiply(dz)).signum() < 0) {
+            return false;
+        }
+        Dyadic aside = dx.multiply(mz).subtract(dz.multiply(mx));
+        Dyadic reach = Dyadic.of(r).square().multiply(dx.square().add(dz.square()));
+        return aside.square().compareTo(reach) <= 0;
+    }
+
+    /**
+     * Where a ray that is known to hit from outside enters.
+     *
+     * <p>(m m - r r) / (ahead + half chord) instead of the textbook's difference of the two; the power of the start and
+     * the half chord are both made of tails too, so that a disc that is grazed from afar is as good as a near one.
+     */
+    static double entry(double ox, double oz, double ux, double uz, double cx, double cz, double r) {
+        double power = Math.max(0, DiscDisc.squareGap(ox, oz, cx, cz, r, 0));
+        double mx = cx - ox;
+        double mxTail = DoubleDouble.differenceTail(cx, ox, mx);
+        double mz = cz - oz;
+        double mzTail = DoubleDouble.differenceTail(cz, oz, mz);
+        double length = Math.sqrt(ux * ux + uz * uz);
+        double ahead = Math.max(0, (mx * ux + mz * uz) / length);
+        double p = ux * mz;
+        double q = uz * mx;
+        double aside = p - q;
+        double asideTail = DoubleDouble.differenceTail(p, q, aside)
+                + DoubleDouble.productTail(ux, mz, p)
+                - DoubleDouble.productTail(uz, mx, q)
+                + (ux * mzTail - uz * mxTail);
+        double chord = halfChordSquare(aside, asideTail, ux, uz, r) / (length * length);
+        double way = ahead + Math.sqrt(Math.max(0, chord));
+        return way > 0 ? power / way : 0;
+    }
+
+    // r^2 |u|^2 - aside^2 as (r |u| - |aside|)(r |u| + |aside|), with the length of the direction to twice the digits.
+    private static double halfChordSquare(double aside, double asideTail, double ux, double uz, double r) {
+        double xx = ux * ux;
+        double zz = uz * uz;
+        double square = xx + zz;
+        double squareTail = DoubleDouble.sumTail(xx, zz, square)
+                + DoubleDouble.productTail(ux, ux, xx)
+                + DoubleDouble.productTail(uz, uz, zz);
+        double length = Math.sqrt(square);
+        double root = length * length;
+        double lengthTail =
+                ((square - root) - DoubleDouble.productTail(length, length, root) + squareTail) / (2 * length);
+        double reach = r * length;
+        double reachTail = DoubleDouble.productTail(r, length, reach) + r * lengthTail;
+        double side = Math.abs(aside);
+        double sideTail = aside < 0 ? -asideTail : asideTail;
+        double rest = reach - side;
+        rest += DoubleDouble.differenceTail(reach, side, rest) + (reachTail - sideTail);
+        return rest * (reach + side);
+    }
+}

@@ -1,0 +1,55 @@
+package robosim.geometry.narrow;
+
+import robosim.geometry.exact.DoubleDouble;
+
+/** What the ray kernels share: rounding units, and the last step from a parameter to a distance. */
+final class RayMath {
+    /** The unit of rounding: a double operation is off by at most this share of its result. */
+    static final double U = 0x1p-53;
+
+    /**
+     * More than everything that underflow may add to a decision: fewer than 2^10 products are off by 2^-1075 each, and
+     * what multiplies them later is below 2^210.
+     */
+    static final double UNDERFLOW = 0x1p-800;
+
+    private RayMath() {}
+
+    static double largest(double x, double y, double z) {
+        return Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
+    }
+
+    static double length(double x, double y, double z) {
+        return Math.sqrt(x * x + y * y + z * z);
+    }
+
+    /**
+     * World units to the parameter {@code t + tail} of a direction, rounded about once: the length of the direction and
+     * its product with t are taken to some 100 bits.
+     */
+    static double along(double t, double tail, double dx, double dy, double dz) {
+        double xx = dx * dx;
+        double yy = dy * dy;
+        double zz = dz * dz;
+        double xy = xx + yy;
+        double square = xy + zz;
+        double dropped = DoubleDouble.sumTail(xx, yy, xy)
+                + DoubleDouble.sumTail(xy, zz, square)
+                + (DoubleDouble.productTail(dx, dx, xx)
+                        + DoubleDouble.productTail(dy, dy, yy)
+                        + DoubleDouble.productTail(dz, dz, zz));
+        double length = Math.sqrt(square);
+        double lengthTail = (Math.fma(-length, length, square) + dropped) / (2 * length);
+        double whole = t * length;
+        double rest = DoubleDouble.productTail(t, length, whole) + (tail * length + t * lengthTail);
+        return Math.max(0, whole + rest);
+    }
+
+    /**
+     * Whether an error is small enough for a distance: at most 3 ulp of the largest of the distance and the coordinates,
+     * so that with the last rounding the distance is within 4 ulp of that.
+     */
+    static boolean isFine(double error, double distance, double largestCoordinate) {
+        return error <= 3 * Math.ulp(Math.max(distance, largestCoordinate));
+    }
+}

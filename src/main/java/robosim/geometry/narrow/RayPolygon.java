@@ -1,0 +1,110 @@
+package robosim.geometry.narrow;
+
+import robosim.geometry.exact.DoubleDouble;
+
+/** A ray and a convex polygon on the plane: what a box, a triangle or an octagon throws. */
+final class RayPolygon {
+    // Corners are seen from the start, and off by the shape's error, nine roundings of the largest coordinate; products
+    // with the direction or with a side add three more of the same size.
+    private static final double FILTER = 2;
+    private static final double SIDE_FILTER = 8;
+    private static final double UNDERFLOW = 0x1p-960;
+
+    private RayPolygon() {}
+
+    /** Distance in world units; whether it is a hit at all is exact, but for octagons, hit where it is in doubt. */
+    static double distance(double ox, double oz, double ux, double uz, int kind, double[] b, int j, Scratch s) {
+        PlanarShape q = s.planarB;
+        q.set(kind, b, j, ox, oz);
+        double speed = Math.abs(ux) + Math.abs(uz);
+        double doubt = FILTER * q.error * speed + UNDERFLOW;
+        double left = -Double.MAX_VALUE;
+        double right = Double.MAX_VALUE;
+        double nearest = Double.MAX_VALUE;
+        double furthest = -Double.MAX_VALUE;
+        for (int k = 0; k < q.count; k++) {
+            double aside = ux * q.z[k] - uz * q.x[k];
+            double ahead = ux * q.x[k] + uz * q.z[k];
+            left = Math.max(left, aside);
+            right = Math.min(right, aside);
+            nearest = Math.min(nearest, ahead);
+            furthest = Math.max(furthest, ahead);
+        }
+        if (left < -doubt || right > doubt || furthest < -doubt) {
+            return Double.POSITIVE_INFINITY;
+        }
+        int verdict = left > doubt && right < -doubt ? sides(q, ux, uz, speed) : 0;
+        if (verdict < 0) {
+            return Double.POSITIVE_INFINITY;
+        }
+        if (verdict == 0 && kind != Leaf.PRISM) {
+            ExactPlanar exact = ExactPlanar.of(kind, b, j);
+            if (!exact.isHitBy(ox, oz, ux, uz)) {
+                return Double.POSITIVE_INFINITY;
+            }
+            if (exact.contains(ox, oz)) {
+                return 0;
+            }
+        }
+        double square = ux * ux + uz * uz;
+        double share = Math.min(entry(q, ux, uz, nearest / square), furthest / square);
+        return Math.max(0, share) * Math.sqrt(square);
+    }
+
+    // 1 a clear hit, -1 a clear miss, 0 in doubt, by the side normals alone
+    private static int sides(PlanarShape q, double ux, double uz, double speed) {
+        int verdict = 1;
+        int last = q.count - 1;
+        for (int k = 0; k <= last; k++) {
+            int previous = k == 0 ? last : k - 1;
+            double nx = q.z[k] - q.z[previous];
+            double nz = q.x[previous] - q.x[k];
+            double beyond = -(nx * q.x[k] + nz * q.z[k]);
+            double nearing = -(nx * ux + nz * uz);
+            double doubt = SIDE_FILTER * q.error * (Math.abs(nx) + Math.abs(nz) + Math.abs(q.x[k]) + Math.abs(q.z[k]))
+                    + UNDERFLOW;
+            double nearingDoubt = SIDE_FILTER * q.error * speed + UNDERFLOW;
+            if (beyond > doubt && nearing < -nearingDoubt) {
+                return -1;
+            }
+            if (!(beyond < -doubt || nearing > nearingDoubt)) {
+                verdict = 0;
+            }
+        }
+        return verdict;
+    }
+
+    // The last of the sides' lines that the ray crosses inward, for a ray that is known to hit.
+    private static double entry(PlanarShape q, double ux, double uz, double nearest) {
+        double share = Math.max(0, nearest);
+        int last = q.count - 1;
+        for (int k = 0; k <= last; k++) {
+            int previous = k == 0 ? last : k - 1;
+            double ex = q.x[k] - q.x[previous];
+            double ez = q.z[k] - q.z[previous];
+            double ahead = ez * q.x[k] - ex * q.z[k];
+            double way = ez * ux - ex * uz;
+            if (ahead < 0 && way < 0 && !q.isBlurred(ex, ez)) {
+                share = Math.max(share, crossing(q, previous, k, ux, uz));
+            }
+        }
+        return share;
+    }
+
+    // Where the ray crosses the line of a side: a quotient of two cross products, each good to an ulp or two of the
+    // stored corners however low the angle.
+    private static double crossing(PlanarShape q, int from, int to, double ux, double uz) {
+        double ex = q.x[to] - q.x[from];
+        double ez = q.z[to] - q.z[from];
+        double exTail = DoubleDouble.differenceTail(q.x[to], q.x[from], ex) + (q.tailX[to] - q.tailX[from]);
+        double ezTail = DoubleDouble.differenceTail(q.z[to], q.z[from], ez) + (q.tailZ[to] - q.tailZ[from]);
+        double ahead = cross(q.x[to], q.z[to], ex, ez)
+                + ((q.x[to] * ezTail - q.z[to] * exTail) + (q.tailX[to] * ez - q.tailZ[to] * ex));
+        double way = cross(ux, uz, ex, ez) + (ux * ezTail - uz * exTail);
+        return way != 0 ? ahead / way : 0;
+    }
+
+    private static double cross(double ax, double az, double bx, double bz) {
+        return DoubleDouble.differenceOfProducts(ax, bz, az, bx);
+    }
+}

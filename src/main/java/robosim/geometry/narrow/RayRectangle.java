@@ -1,0 +1,123 @@
+package robosim.geometry.narrow;
+
+import robosim.geometry.exact.DoubleDouble;
+
+/** A ray and the rectangle that an upright box throws on the plane. */
+final class RayRectangle {
+    // Every comparison is of sums of products of at most seven roundings; directions of the rectangle are no longer
+    // than
+    // 1 + 1e-9.
+    private static final double FILTER = 9 * 0x1p-53;
+    private static final double UNDERFLOW = 0x1p-960;
+
+    private RayRectangle() {}
+
+    /** Distance in world units; whether it is a hit at all is exact. */
+    static double distance(double ox, double oz, double ux, double uz, double[] row, int at, Scratch s) {
+        if (!DiscRectangle.isSquare(row, at)) {
+            return RayPolygon.distance(ox, oz, ux, uz, Leaf.UPRIGHT_BOX, row, at, s);
+        }
+        double cos = row[at + 6];
+        double sin = row[at + 8];
+        double hx = row[at + 3];
+        double hz = row[at + 5];
+        double dx = ox - row[at];
+        double dz = oz - row[at + 2];
+        double square = cos * cos + sin * sin;
+        double size = Math.abs(dx) + Math.abs(dz) + hx + hz;
+        double speed = Math.abs(ux) + Math.abs(uz);
+        // The start and the direction in the rectangle's own frame.
+        double startX = dx * cos - dz * sin;
+        double startZ = dx * sin + dz * cos;
+        double wayX = ux * cos - uz * sin;
+        double wayZ = ux * sin + uz * cos;
+        double doubt = FILTER * size + UNDERFLOW;
+        double wayDoubt = FILTER * speed + UNDERFLOW;
+        double beyondX = Math.abs(startX) - hx * square;
+        double beyondZ = Math.abs(startZ) - hz * square;
+        // Positive where the ray nears the rectangle, as seen along each of its axes.
+        double nearingX = startX < 0 ? wayX : -wayX;
+        double nearingZ = startZ < 0 ? wayZ : -wayZ;
+        if ((beyondX > doubt && nearingX < -wayDoubt) || (beyondZ > doubt && nearingZ < -wayDoubt)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        if (beyondX < -doubt && beyondZ < -doubt) {
+            return 0;
+        }
+        double past = Math.abs(dx * uz - dz * ux) - (hx * Math.abs(wayZ) + hz * Math.abs(wayX));
+        double pastDoubt = doubt * speed + UNDERFLOW;
+        if (past > pastDoubt) {
+            return Double.POSITIVE_INFINITY;
+        }
+        if (past < -pastDoubt
+                && (beyondX < -doubt || nearingX > wayDoubt)
+                && (beyondZ < -doubt || nearingZ > wayDoubt)) {
+            return entry(ox, oz, ux, uz, row, at);
+        }
+        return doubtful(ox, oz, ux, uz, row, at);
+    }
+
+    private static double doubtful(double ox, double oz, double ux, double uz, double[] row, int at) {
+        ExactPlanar exact = ExactPlanar.of(Leaf.UPRIGHT_BOX, row, at);
+        if (exact.contains(ox, oz)) {
+            return 0;
+        }
+        return exact.isHitBy(ox, oz, ux, uz) ? entry(ox, oz, ux, uz, row, at) : Double.POSITIVE_INFINITY;
+    }
+
+    // The later of the two sides that the start is beyond, for a ray that is known to hit.
+    private static double entry(double ox, double oz, double ux, double uz, double[] row, int at) {
+        double cos = row[at + 6];
+        double sin = row[at + 8];
+        double hx = row[at + 3];
+        double hz = row[at + 5];
+        double share = 0;
+        double gapX = gap(ox, oz, row, at, cos, -sin, hx);
+        if (gapX > 0) {
+            double way = Math.abs(DoubleDouble.differenceOfProducts(ux, cos, uz, sin));
+            share = way > 0 ? gapX / way : 0;
+        }
+        double gapZ = gap(ox, oz, row, at, sin, cos, hz);
+        if (gapZ > 0) {
+            double way = Math.abs(DoubleDouble.sumOfProducts(ux, sin, uz, cos));
+            share = way > 0 ? Math.max(share, gapZ / way) : share;
+        }
+        // No point of the rectangle is further off than this: a hit along a side does not run away.
+        double dx = ox - row[at];
+        double dz = oz - row[at + 2];
+        double most = Math.sqrt(dx * dx + dz * dz) + Math.sqrt(hx * hx + hz * hz) * (1 + 0x1p-29);
+        return Math.min(share * Math.sqrt(ux * ux + uz * uz), most * (1 + 0x1p-50));
+    }
+
+    /**
+     * How far (px, pz) is beyond a side whose normal is (nx, nz) and whose half size is h, times the normal's length:
+     * {@code |(p - c) . n| - h n . n}, within an ulp or two however much cancels.
+     */
+    static double gap(double px, double pz, double[] row, int at, double nx, double nz, double h) {
+        double cx = row[at];
+        double cz = row[at + 2];
+        double dx = px - cx;
+        double dxTail = DoubleDouble.differenceTail(px, cx, dx);
+        double dz = pz - cz;
+        double dzTail = DoubleDouble.differenceTail(pz, cz, dz);
+        double p = dx * nx;
+        double q = dz * nz;
+        double offset = p + q;
+        double offsetTail = DoubleDouble.sumTail(p, q, offset)
+                + DoubleDouble.productTail(dx, nx, p)
+                + DoubleDouble.productTail(dz, nz, q)
+                + (dxTail * nx + dzTail * nz);
+        double xx = nx * nx;
+        double zz = nz * nz;
+        double square = xx + zz;
+        double squareTail = DoubleDouble.sumTail(xx, zz, square)
+                + DoubleDouble.productTail(nx, nx, xx)
+                + DoubleDouble.productTail(nz, nz, zz);
+        double reach = h * square;
+        double reachTail = DoubleDouble.productTail(h, square, reach) + h * squareTail;
+        double far = Math.abs(offset);
+        double farTail = offset < 0 ? -offsetTail : offsetTail;
+        double gap = far - reach;
+        return gap + (DoubleDouble.differenceTail(far, reach, gap) + (farTail - reachTail));
+    }
+}

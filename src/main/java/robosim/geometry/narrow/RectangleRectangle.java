@@ -1,0 +1,61 @@
+package robosim.geometry.narrow;
+
+import robosim.geometry.exact.Dyadic;
+
+/** The rectangles that two upright boxes throw on the plane. */
+final class RectangleRectangle {
+    // Both sides of a separating axis test are sums of products of at most seven roundings; no direction is longer than
+    // 1 + 1e-9, so that no magnitude in them is above (1 + 1e-8)(|dx| + |dz| + twice the half sizes).
+    private static final double FILTER = 9 * 0x1p-53;
+    private static final double UNDERFLOW = 0x1p-960;
+
+    private RectangleRectangle() {}
+
+    /** Whether they touch or overlap; exact. */
+    static boolean touch(double[] a, int i, double[] b, int j) {
+        double dx = a[i] - b[j];
+        double dz = a[i + 2] - b[j + 2];
+        double aHalfX = a[i + 3];
+        double aHalfZ = a[i + 5];
+        double bHalfX = b[j + 3];
+        double bHalfZ = b[j + 5];
+        double doubt = FILTER * (Math.abs(dx) + Math.abs(dz) + 2 * (aHalfX + aHalfZ + bHalfX + bHalfZ)) + UNDERFLOW;
+        double aux = a[i + 6];
+        double auz = a[i + 12];
+        double avx = a[i + 8];
+        double avz = a[i + 14];
+        double bux = b[j + 6];
+        double buz = b[j + 12];
+        double bvx = b[j + 8];
+        double bvz = b[j + 14];
+        double uu = Math.abs(aux * buz - auz * bux);
+        double uv = Math.abs(aux * bvz - auz * bvx);
+        double vu = Math.abs(avx * buz - avz * bux);
+        double vv = Math.abs(avx * bvz - avz * bvx);
+        double aCross = Math.abs(aux * avz - auz * avx);
+        double bCross = Math.abs(bux * bvz - buz * bvx);
+        // How far the rectangles are apart, seen along the normal of each side; what is left of each when they overlap.
+        double gap1 = Math.abs(dx * auz - dz * aux) - (aHalfZ * aCross + bHalfX * uu + bHalfZ * uv);
+        double gap2 = Math.abs(dx * avz - dz * avx) - (aHalfX * aCross + bHalfX * vu + bHalfZ * vv);
+        double gap3 = Math.abs(dx * buz - dz * bux) - (bHalfZ * bCross + aHalfX * uu + aHalfZ * vu);
+        double gap4 = Math.abs(dx * bvz - dz * bvx) - (bHalfX * bCross + aHalfX * uv + aHalfZ * vv);
+        double gap = Math.max(Math.max(gap1, gap2), Math.max(gap3, gap4));
+        if (gap > doubt) {
+            return false;
+        }
+        return gap < -doubt || doubtfulTouch(a, i, b, j);
+    }
+
+    private static boolean doubtfulTouch(double[] a, int i, double[] b, int j) {
+        if (DiscRectangle.isAligned(a, i) && DiscRectangle.isAligned(b, j)) {
+            return reach(a[i], b[j], DiscRectangle.alignedX(a, i), DiscRectangle.alignedX(b, j))
+                    && reach(a[i + 2], b[j + 2], DiscRectangle.alignedZ(a, i), DiscRectangle.alignedZ(b, j));
+        }
+        return ExactPlanar.of(Leaf.UPRIGHT_BOX, a, i).touches(ExactPlanar.of(Leaf.UPRIGHT_BOX, b, j));
+    }
+
+    // |p - q| <= h + k
+    private static boolean reach(double p, double q, double h, double k) {
+        return Dyadic.signOfSum(Math.max(p, q), -Math.min(p, q), -h, -k) <= 0;
+    }
+}

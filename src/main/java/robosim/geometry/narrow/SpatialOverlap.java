@@ -1,0 +1,84 @@
+package robosim.geometry.narrow;
+
+/** Whether two leaves touch or overlap in space. */
+public final class SpatialOverlap {
+    private SpatialOverlap() {}
+
+    /**
+     * Whether two leaves touch or overlap; the same for (a, b) and (b, a).
+     *
+     * <p>Exact for the stored numbers, but for two cylinders of which one is turned, and for a prism with a leaf that is
+     * not upright (or where {@link PlanarOverlap} is not): these are certified, apart only where a slab between the two is
+     * wider than its rounding error, some 2^-48 of the sizes and the offset.
+     */
+    public static boolean test(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+        if (Leaf.isUpright(kindA) && Leaf.isUpright(kindB)) {
+            return Upright.heightsTouch(kindA, a, i, kindB, b, j) && PlanarOverlap.test(kindA, a, i, kindB, b, j, s);
+        }
+        return Order.isReversed(kindA, a, i, kindB, b, j)
+                ? ordered(kindB, b, j, kindA, a, i, s)
+                : ordered(kindA, a, i, kindB, b, j, s);
+    }
+
+    private static boolean ordered(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+        if (isPolytope(kindA) && isPolytope(kindB)) {
+            return s.polytopes.touch(kindA, a, i, kindB, b, j);
+        }
+        if (kindA == Leaf.SPHERE && kindB == Leaf.SPHERE) {
+            return spheres(a, i, b, j);
+        }
+        Gjk gjk = s.gjk;
+        gjk.spatial(kindA, a, i, kindB, b, j);
+        if (gjk.lower() > 0) {
+            return false;
+        }
+        return gjk.isDeep() || exactly(kindA, a, i, kindB, b, j);
+    }
+
+    /** What neither a slab nor a common point could decide. */
+    private static boolean exactly(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        if (kindA == Leaf.SPHERE) {
+            return sphere(new ExactSphere(a, i), kindB, b, j);
+        }
+        if (kindB == Leaf.SPHERE) {
+            return sphere(new ExactSphere(b, j), kindA, a, i);
+        }
+        if (isPolytope(kindA) && isCylinder(kindB)) {
+            return new ExactCylinder(kindB, b, j).touchesPolytope(new ExactPolytope(kindA, a, i));
+        }
+        if (isCylinder(kindA) && isPolytope(kindB)) {
+            return new ExactCylinder(kindA, a, i).touchesPolytope(new ExactPolytope(kindB, b, j));
+        }
+        return true; // certified: no slab was wide enough
+    }
+
+    private static boolean sphere(ExactSphere sphere, int kind, double[] row, int at) {
+        if (isCylinder(kind)) {
+            return sphere.touchesCylinder(new ExactCylinder(kind, row, at));
+        }
+        return kind == Leaf.PRISM || sphere.touchesPolytope(new ExactPolytope(kind, row, at));
+    }
+
+    /** Squares compared; 8 roundings of at most a half ulp in the difference of two sums of squares, so 16u of both. */
+    private static boolean spheres(double[] a, int i, double[] b, int j) {
+        double dx = b[j] - a[i];
+        double dy = b[j + 1] - a[i + 1];
+        double dz = b[j + 2] - a[i + 2];
+        double r = a[i + Leaf.SIZE] + b[j + Leaf.SIZE];
+        double apart = dx * dx + dy * dy + dz * dz;
+        double reach = r * r;
+        double bound = 16 * 0x1p-53 * (apart + reach) + 0x1p-1000;
+        if (apart - reach > bound) {
+            return false;
+        }
+        return apart - reach < -bound || new ExactSphere(a, i).touchesSphere(b, j);
+    }
+
+    private static boolean isPolytope(int kind) {
+        return kind == Leaf.UPRIGHT_BOX || kind == Leaf.BOX || kind == Leaf.TRIANGLE;
+    }
+
+    private static boolean isCylinder(int kind) {
+        return kind == Leaf.UPRIGHT_CYLINDER || kind == Leaf.CYLINDER;
+    }
+}

@@ -1,0 +1,189 @@
+package robosim.geometry.narrow;
+
+import robosim.geometry.exact.Rotations;
+import robosim.geometry.model.Dimension;
+
+/**
+ * A motion of one placed leaf against another at rest, meshes included: the one switch for sweeps. An instance holds the
+ * motion; it belongs to one owner of queries.
+ */
+public final class Sweep {
+    private final Scratch s;
+    private final double[] swept = new double[6];
+
+    private Dimension dimension = Dimension.SPATIAL;
+    private boolean turns;
+    private double dx;
+    private double dy;
+    private double dz;
+    private double px;
+    private double py;
+    private double pz;
+    private double wx;
+    private double wy;
+    private double wz;
+    private double degrees;
+
+    public Sweep(Scratch scratch) {
+        s = scratch;
+    }
+
+    /** Sets a straight translation. */
+    public void translation(Dimension inDimension, double x, double y, double z) {
+        dimension = inDimension;
+        turns = false;
+        dx = x;
+        dy = y;
+        dz = z;
+    }
+
+    /** Sets a turn about a unit axis through a point, counter-clockwise. */
+    public void turn(
+            Dimension inDimension,
+            double pivotX,
+            double pivotY,
+            double pivotZ,
+            double axisX,
+            double axisY,
+            double axisZ,
+            double byDegrees) {
+        dimension = inDimension;
+        turns = true;
+        px = pivotX;
+        py = pivotY;
+        pz = pivotZ;
+        wx = axisX;
+        wy = axisY;
+        wz = axisZ;
+        degrees = byDegrees;
+    }
+
+    /** The outward bounds of all places of a leaf during the motion. */
+    public void bounds(LeafColumn column, int leaf, double[] out) {
+        int kind = column.kind(leaf);
+        if (!Leaf.isMesh(kind)) {
+            bounds(kind, column.rows(), leaf * Leaf.STRIDE, out);
+            return;
+        }
+        double[] box = s.meshBox;
+        column.bounds(leaf, box);
+        double[] row = s.triangleB; // the mesh's bounds, as a box that moves
+        boxRow(box, row);
+        bounds(Leaf.UPRIGHT_BOX, row, 0, out);
+    }
+
+    private static void boxRow(double[] box, double[] row) {
+        for (int k = 0; k < 3; k++) {
+            row[k] = box[k] / 2 + box[3 + k] / 2;
+            row[3 + k] = Math.nextUp(Math.max(box[3 + k] - row[k], row[k] - box[k]));
+        }
+        Rotations.identity(row, Leaf.ROTATION);
+    }
+
+    private void bounds(int kind, double[] row, int at, double[] out) {
+        if (turns) {
+            SweptBounds.turn(kind, row, at, px, py, pz, wx, wy, wz, degrees, out, s);
+        } else {
+            SweptBounds.translation(kind, row, at, dx, dy, dz, out);
+        }
+    }
+
+    /**
+     * The share of the motion that leaf i of a is free of leaf j of b: +Infinity where nothing is met, else from 0 to 1,
+     * rounded down. What is met at the start blocks only what goes deeper.
+     */
+    public double free(LeafColumn a, int i, LeafColumn b, int j) {
+        int kindA = a.kind(i);
+        int kindB = b.kind(j);
+        if (!Leaf.isMesh(kindA) && !Leaf.isMesh(kindB)) {
+            return convex(kindA, a.rows(), i * Leaf.STRIDE, kindB, b.rows(), j * Leaf.STRIDE);
+        }
+        if (!Leaf.isMesh(kindA)) {
+            return againstMesh(kindA, a.rows(), i * Leaf.STRIDE, b, j);
+        }
+        double least = Double.POSITIVE_INFINITY;
+        obstacleBounds(b, j);
+        // A mesh that moves: each triangle whose way may meet the obstacle.
+        s.outer.startBox(a, i, reach(a, i));
+        for (int t = s.outer.next(0); t >= 0; t = s.outer.next(0)) {
+            s.outer.corners(t, s.triangleA, 0);
+            bounds(Leaf.TRIANGLE, s.triangleA, 0, swept);
+            if (meets(swept, s.triangleBox)) {
+                double share = Leaf.isMesh(kindB)
+                        ? againstMesh(Leaf.TRIANGLE, s.triangleA, 0, b, j)
+                        : convex(Leaf.TRIANGLE, s.triangleA, 0, kindB, b.rows(), j * Leaf.STRIDE);
+                least = Math.min(least, share);
+                obstacleBounds(b, j);
+            }
+        }
+        return least;
+    }
+
+    /** The places from which a translation reaches the obstacle's bounds; for a turn all of the mesh. */
+    private double[] reach(LeafColumn a, int i) {
+        double[] box = s.box;
+        if (turns) {
+            a.bounds(i, box);
+        } else {
+            System.arraycopy(s.triangleBox, 0, box, 0, 6);
+            double slack = 0x1p-46 * (Math.abs(dx) + Math.abs(dy) + Math.abs(dz) + size(box));
+            box[0] -= Math.max(0, dx) + slack;
+            box[1] -= Math.max(0, dy) + slack;
+            box[2] -= Math.max(0, dz) + slack;
+            box[3] -= Math.min(0, dx) - slack;
+            box[4] -= Math.min(0, dy) - slack;
+            box[5] -= Math.min(0, dz) - slack;
+        }
+        if (dimension == Dimension.PLANAR) {
+            box[1] = Double.NEGATIVE_INFINITY;
+            box[4] = Double.POSITIVE_INFINITY;
+        }
+        return box;
+    }
+
+    private static double size(double[] box) {
+        double size = 0;
+        for (double b : box) {
+            size += Math.abs(b);
+        }
+        return size;
+    }
+
+    private void obstacleBounds(LeafColumn b, int j) {
+        b.bounds(j, s.triangleBox);
+    }
+
+    private boolean meets(double[] a, double[] b) {
+        return a[0] <= b[3]
+                && b[0] <= a[3]
+                && a[2] <= b[5]
+                && b[2] <= a[5]
+                && (dimension == Dimension.PLANAR || (a[1] <= b[4] && b[1] <= a[4]));
+    }
+
+    private double againstMesh(int kind, double[] row, int at, LeafColumn mesh, int leaf) {
+        bounds(kind, row, at, swept);
+        if (dimension == Dimension.PLANAR) {
+            swept[1] = Double.NEGATIVE_INFINITY;
+            swept[4] = Double.POSITIVE_INFINITY;
+        }
+        double least = Double.POSITIVE_INFINITY;
+        s.inner.startBox(mesh, leaf, swept);
+        for (int t = s.inner.next(0); t >= 0; t = s.inner.next(0)) {
+            s.inner.corners(t, s.triangleB, 0);
+            least = Math.min(least, convex(kind, row, at, Leaf.TRIANGLE, s.triangleB, 0));
+        }
+        return least;
+    }
+
+    private double convex(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        if (dimension == Dimension.PLANAR) {
+            return turns
+                    ? PlanarSweep.turn(kindA, a, i, px, py, pz, wx, wy, wz, degrees, kindB, b, j, s)
+                    : PlanarSweep.translation(kindA, a, i, dx, dy, dz, kindB, b, j, s);
+        }
+        return turns
+                ? SpatialSweep.turn(kindA, a, i, px, py, pz, wx, wy, wz, degrees, kindB, b, j, s)
+                : SpatialSweep.translation(kindA, a, i, dx, dy, dz, kindB, b, j, s);
+    }
+}

@@ -1,0 +1,57 @@
+package robosim.geometry.narrow;
+
+/** Axis-aligned bounds of a leaf over a whole motion, rounded outward: the leaf never leaves them, to the bit. */
+public final class SweptBounds {
+    private SweptBounds() {}
+
+    /** Writes least x, y, z and greatest x, y, z of a leaf anywhere on a straight way. */
+    public static void translation(int kind, double[] row, int at, double dx, double dy, double dz, double[] out6) {
+        LeafBounds.of(kind, row, at, out6);
+        for (int k = 0; k < 3; k++) {
+            double d = k == 0 ? dx : k == 1 ? dy : dz;
+            out6[k] = -Upright.sumUp(-out6[k], Math.max(0, -d));
+            out6[k + 3] = Upright.sumUp(out6[k + 3], Math.max(0, d));
+        }
+    }
+
+    /**
+     * Writes least x, y, z and greatest x, y, z of a leaf anywhere on a turn by {@code degrees} about the axis of unit
+     * length (wx, wy, wz) through (px, py, pz).
+     *
+     * <p>A bound that the turn does not push out is that of the leaf as it stands; others are tight to rounding, for
+     * cylinders that tilt to a 2^-36th of their distance from the pivot.
+     */
+    public static void turn(
+            int kind,
+            double[] row,
+            int at,
+            double px,
+            double py,
+            double pz,
+            double wx,
+            double wy,
+            double wz,
+            double degrees,
+            double[] out6,
+            Scratch s) {
+        LeafBounds.of(kind, row, at, out6);
+        if (degrees == 0) {
+            return;
+        }
+        TurnBody body = s.sweep.body;
+        double sign = degrees < 0 ? -1 : 1;
+        body.load(kind, row, at, px, py, pz, wx, wy, wz);
+        // The stored end is that angle to rounding.
+        double angle = Math.toRadians(Math.abs(degrees)) * (1 + 0x1p-50) + TurnOutline.MARGIN;
+        for (int k = 0; k < 3; k++) {
+            double x = k == 0 ? 1 : 0;
+            double y = k == 1 ? 1 : 0;
+            double z = k == 2 ? 1 : 0;
+            double pivot = k == 0 ? px : k == 1 ? py : pz;
+            body.aim(x, y, z, sign);
+            out6[k + 3] = body.greatest(angle, pivot, out6[k + 3]);
+            body.aim(-x, -y, -z, sign);
+            out6[k] = -body.greatest(angle, -pivot, -out6[k]);
+        }
+    }
+}

@@ -1,0 +1,150 @@
+package robosim.geometry.narrow;
+
+/**
+ * A point going round a pivot against a polygon rounded by a radius: a disc turned about a pivot off its centre, or, seen
+ * from the mover, a disc at rest against a polygon that turns. Closed form.
+ *
+ * <p>From outside the rounded polygon is first met at a corner's circle or at an edge's offset line beside that edge.
+ * Coordinates are relative to the pivot, and so mirrored that the point goes from x towards z. Margins as in
+ * {@link TurnOutline}.
+ */
+final class TurnDisc {
+    private static final double ROUNDOFF = 128 * 0x1p-53;
+    private static final double FULL = 2 * Math.PI;
+
+    /** Distance of the point from the polygon at the start, 0 inside it. */
+    double distance;
+
+    /** How wrong that may be. */
+    double error;
+
+    /** Whether the point lies outside the polygon at the start. */
+    boolean outside;
+
+    private double px;
+    private double pz;
+    private double rho;
+    private double limit;
+    private boolean closed;
+
+    /** Places the point, and finds its {@link #distance} and whether it is {@link #outside}. */
+    void load(double x, double z, Outline o) {
+        px = x;
+        pz = z;
+        rho = Math.sqrt(x * x + z * z);
+        error = ROUNDOFF * (rho + o.size) + MovingAxes.TINY;
+        double least = Double.POSITIVE_INFINITY;
+        outside = o.normals == 0;
+        for (int k = 0; k < o.corners; k++) {
+            int next = k + 1 == o.corners ? 0 : k + 1;
+            double ex = o.x[next] - o.x[k];
+            double ez = o.z[next] - o.z[k];
+            double ax = x - o.x[k];
+            double az = z - o.z[k];
+            double square = ex * ex + ez * ez;
+            double share = square > 0 ? Math.max(0, Math.min(1, (ax * ex + az * ez) / square)) : 0;
+            double bx = ax - share * ex;
+            double bz = az - share * ez;
+            least = Math.min(least, Math.sqrt(bx * bx + bz * bz));
+            outside |= k < o.normals && o.nx[k] * ax + o.nz[k] * az > 0;
+        }
+        distance = outside ? least : 0;
+    }
+
+    /**
+     * How far the point goes before it comes within the radius, radians; infinite where it never does.
+     *
+     * @param from the distance from the polygon at which features count as met: the sum of radii, or the distance at the
+     *     start where the turn begins in contact
+     * @param active whether the point begins on that boundary, so that features there are judged by where the point goes
+     */
+    double free(Outline o, double from, boolean active) {
+        if (rho == 0) {
+            return Double.POSITIVE_INFINITY;
+        }
+        limit = from;
+        closed = active;
+        double first = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < o.corners; k++) {
+            first = Math.min(first, circle(o.x[k], o.z[k]));
+        }
+        for (int k = 0; k < o.normals; k++) {
+            int next = k + 1 == o.corners ? 0 : k + 1;
+            first = Math.min(first, edge(o.x[k], o.z[k], o.x[next], o.z[next], o.nx[k], o.nz[k]));
+        }
+        return first;
+    }
+
+    private double circle(double vx, double vz) {
+        double v = Math.sqrt(vx * vx + vz * vz);
+        double cross = px * vz - pz * vx;
+        double dot = px * vx + pz * vz;
+        double ax = px - vx;
+        double az = pz - vz;
+        if (closed && Math.sqrt(ax * ax + az * az) <= limit + 2 * error) {
+            // The distance grows as -cos(t - phase) does.
+            return TurnOutline.rising(-dot, -cross, error * Math.max(rho, v));
+        }
+        double off = Math.abs(v - rho);
+        double reach = limit + error;
+        if (off > reach) {
+            return Double.POSITIVE_INFINITY;
+        }
+        // |v - p(t)|^2 = (|v| - rho)^2 + 4 rho |v| sin^2((t - phase) / 2)
+        double half = Math.sqrt(Math.min(1, (reach - off) * (reach + off) / (4 * rho * v)));
+        double arc = 2 * StrictMath.asin(Math.min(1, half));
+        return ahead(StrictMath.atan2(cross, dot) - arc);
+    }
+
+    private double edge(double x0, double z0, double x1, double z1, double normalX, double normalZ) {
+        double ex = x1 - x0;
+        double ez = z1 - z0;
+        double length = Math.sqrt(ex * ex + ez * ez);
+        if (length == 0) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double l = Math.sqrt(normalX * normalX + normalZ * normalZ);
+        double nx = normalX / l;
+        double nz = normalZ / l;
+        double c = nx * x0 + nz * z0;
+        double a = nx * px + nz * pz;
+        double b = nz * px - nx * pz;
+        double phase = StrictMath.atan2(b, a);
+        double t;
+        double slack;
+        if (closed && isBeside(px, pz, x0, z0, ex, ez, length, 2 * error) && Math.abs(a - c - limit) <= 2 * error) {
+            double free = TurnOutline.rising(a, b, error);
+            if (free == 0 || free >= FULL) {
+                return free;
+            }
+            t = free; // back on this line, perhaps no more beside the edge
+            slack = 8 * error;
+        } else {
+            double h = (c + limit + error) / rho;
+            if (h > 1 + 8 * error / rho || h < -1) {
+                return Double.POSITIVE_INFINITY;
+            }
+            double arc = StrictMath.acos(Math.min(1, h)); // 0 where it hardly reaches the line
+            t = phase + arc;
+            slack = rho * (StrictMath.acos(Math.max(-1, h - 4 * error / rho)) - arc) + 2 * error;
+        }
+        double cos = StrictMath.cos(t);
+        double sin = StrictMath.sin(t);
+        return isBeside(px * cos - pz * sin, px * sin + pz * cos, x0, z0, ex, ez, length, slack)
+                ? ahead(t)
+                : Double.POSITIVE_INFINITY;
+    }
+
+    private static boolean isBeside(
+            double x, double z, double x0, double z0, double ex, double ez, double length, double slack) {
+        double share = ((x - x0) * ex + (z - z0) * ez) / length;
+        return share >= -slack && share <= length + slack;
+    }
+
+    /** The next time that an angle comes up, a margin early; one that rounding has put just behind is now. */
+    private static double ahead(double t) {
+        double turned = Math.IEEEremainder(t, FULL);
+        double next = turned < -8 * TurnOutline.MARGIN ? turned + FULL : turned;
+        return Math.max(0, next - TurnOutline.MARGIN);
+    }
+}

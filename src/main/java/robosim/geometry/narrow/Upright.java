@@ -1,0 +1,54 @@
+package robosim.geometry.narrow;
+
+import robosim.geometry.exact.DoubleDouble;
+import robosim.geometry.exact.Dyadic;
+
+/** The heights of leaves that stand upright: a flat base on an interval of Y. */
+public final class Upright {
+    private Upright() {}
+
+    /** Whether the intervals of height of two upright leaves touch or overlap; exact. */
+    public static boolean heightsTouch(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        return isNotAbove(kindA, a, i, kindB, b, j) && isNotAbove(kindB, b, j, kindA, a, i);
+    }
+
+    // The least height of a is at most the greatest of b.
+    private static boolean isNotAbove(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        double base = middle(kindA, a, i, 8);
+        double down = half(kindA, a, i);
+        double top = middle(kindB, b, j, 9);
+        double up = half(kindB, b, j);
+        double gap = (base - top) - (down + up);
+        // Three roundings: where the rounded gap is this far from 0, it has the sign of the real one.
+        double doubt = 4 * 0x1p-53 * (Math.abs(base) + Math.abs(top) + down + up);
+        if (gap > doubt) {
+            return false;
+        }
+        return gap < -doubt || Dyadic.signOfSum(base, -top, -down, -up) <= 0;
+    }
+
+    // An octagon has its heights as they are: no middle, and no half height beside it.
+    private static double middle(int kind, double[] row, int at, int prism) {
+        return kind == Leaf.PRISM ? row[at + prism] : row[at + 1];
+    }
+
+    private static double half(int kind, double[] row, int at) {
+        return kind == Leaf.PRISM ? 0 : row[at + 4];
+    }
+
+    /** The least height of an upright leaf, rounded down. */
+    public static double least(int kind, double[] row, int at) {
+        return kind == Leaf.PRISM ? row[at + 8] : 0 - sumUp(-row[at + 1], row[at + 4]);
+    }
+
+    /** The greatest height of an upright leaf, rounded up. */
+    public static double greatest(int kind, double[] row, int at) {
+        return kind == Leaf.PRISM ? row[at + 9] : sumUp(row[at + 1], row[at + 4]);
+    }
+
+    /** {@code a + b}, rounded up. */
+    static double sumUp(double a, double b) {
+        double sum = a + b;
+        return DoubleDouble.sumTail(a, b, sum) > 0 ? Math.nextUp(sum) : sum;
+    }
+}

@@ -1,0 +1,57 @@
+package robosim.geometry.viewer;
+
+/** A growing rectangle of the XZ plane. */
+final class Bounds {
+    private double minX = Double.POSITIVE_INFINITY;
+    private double minZ = Double.POSITIVE_INFINITY;
+    private double maxX = Double.NEGATIVE_INFINITY;
+    private double maxZ = Double.NEGATIVE_INFINITY;
+
+    void add(Outline outline) {
+        if (outline instanceof Outline.Disc disc) {
+            add(disc.x() - disc.radius(), disc.z() - disc.radius());
+            add(disc.x() + disc.radius(), disc.z() + disc.radius());
+        } else if (outline instanceof Outline.Polygon polygon) {
+            for (int k = 0; k < polygon.corners().length; k += 2) {
+                add(polygon.corners()[k], polygon.corners()[k + 1]);
+            }
+        }
+    }
+
+    private void add(double x, double z) {
+        minX = Math.min(minX, x);
+        minZ = Math.min(minZ, z);
+        maxX = Math.max(maxX, x);
+        maxZ = Math.max(maxZ, z);
+    }
+
+    double width() {
+        return Math.max(0, maxX - minX);
+    }
+
+    double length() {
+        return Math.max(0, maxZ - minZ);
+    }
+
+    double maxX() {
+        return maxX;
+    }
+
+    double middleX() {
+        return (minX + maxX) / 2;
+    }
+
+    double middleZ() {
+        return (minZ + maxZ) / 2;
+    }
+
+    /** This rectangle and a margin of a twentieth around it; a unit square where there is nothing. */
+    Scene.View view() {
+        if (minX > maxX) {
+            return new Scene.View(-0.5, -0.5, 0.5, 0.5, false);
+        }
+        double size = Math.max(width(), length());
+        double margin = size > 0 ? size / 20 : 0.5;
+        return new Scene.View(minX - margin, minZ - margin, maxX + margin, maxZ + margin, false);
+    }
+}

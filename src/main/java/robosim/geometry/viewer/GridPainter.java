@@ -1,0 +1,66 @@
+package robosim.geometry.viewer;
+
+/** The floor, lines at round coordinates with their numbers, the world's border, and the title. */
+final class GridPainter {
+    private final Scene scene;
+    private final MapFrame frame;
+    private final Canvas canvas;
+
+    GridPainter(Scene scene, MapFrame frame, Canvas canvas) {
+        this.scene = scene;
+        this.frame = frame;
+        this.canvas = canvas;
+    }
+
+    void paint() {
+        canvas.open("grid", "");
+        double left = frame.left();
+        double top = MapFrame.TOP;
+        double right = frame.right();
+        double bottom = frame.bottom();
+        canvas.rectangle(left, top, right - left, bottom - top, Style.filled(Palette.FLOOR, 1));
+        double step = MapFrame.roundLength(110 / frame.scale);
+        Scene.View view = scene.view();
+        for (long k = (long) Math.ceil(view.minX() / step); k * step <= view.maxX(); k++) {
+            double x = frame.x(k * step);
+            canvas.line(x, top, x, bottom, Style.line(Palette.GRID, k == 0 ? 1.6 : 0.8, 1));
+            canvas.text(x, bottom + 17, number(k, step), Canvas.Anchor.MIDDLE, 11, Palette.QUIET);
+        }
+        for (long k = (long) Math.ceil(view.minZ() / step); k * step <= view.maxZ(); k++) {
+            double y = frame.y(k * step);
+            canvas.line(left, y, right, y, Style.line(Palette.GRID, k == 0 ? 1.6 : 0.8, 1));
+            canvas.text(left - 8, y + 4, number(k, step), Canvas.Anchor.END, 11, Palette.QUIET);
+        }
+        canvas.text(right + 22, bottom + 17, "x", Canvas.Anchor.START, 12, Palette.QUIET);
+        canvas.text(left - 8, top - 12, "z", Canvas.Anchor.END, 12, Palette.QUIET);
+        canvas.rectangle(
+                left,
+                top,
+                right - left,
+                bottom - top,
+                Style.line(Palette.BORDER, view.bordered() ? 2.5 : 0.8, view.bordered() ? 1 : 0.5));
+        canvas.close();
+        canvas.open("title", "");
+        canvas.text(left, 36, scene.title(), Canvas.Anchor.START, 22, Palette.TEXT);
+        if (!scene.subtitle().isEmpty()) {
+            canvas.text(left, 58, scene.subtitle(), Canvas.Anchor.START, 13, Palette.QUIET);
+        }
+        canvas.close();
+    }
+
+    /** A multiple of a round length, without the noise of the product. */
+    private static String number(long count, double step) {
+        return text(count * step, step);
+    }
+
+    /** A number to the places that a step has. */
+    static String text(double value, double step) {
+        int places = (int) Math.max(0, -Math.floor(StrictMath.log10(step)));
+        if (places > 9 || Math.abs(value) >= 1e9) {
+            return Double.toString(value);
+        }
+        return new java.math.BigDecimal(value)
+                .setScale(places, java.math.RoundingMode.HALF_EVEN)
+                .toPlainString();
+    }
+}

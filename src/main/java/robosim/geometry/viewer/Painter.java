@@ -1,0 +1,109 @@
+package robosim.geometry.viewer;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
+import javax.imageio.ImageIO;
+import robosim.geometry.model.GeometryObject;
+
+/** Draws a {@link Scene}. The same scene gives the same picture, to the byte in SVG. */
+public final class Painter {
+    private final Scene scene;
+    private final MapFrame frame;
+    private final Canvas canvas;
+    private final double farthest;
+
+    /** A colour for each object that moves, in the order in which they stand in the scene. */
+    private final Map<String, Ink> robots = new LinkedHashMap<>();
+
+    private Painter(Scene scene, MapFrame frame, Canvas canvas) {
+        this.scene = scene;
+        this.frame = frame;
+        this.canvas = canvas;
+        this.farthest = scene.pings().stream()
+                .mapToDouble(Scene.Ping::distance)
+                .filter(Double::isFinite)
+                .max()
+                .orElse(0);
+        for (Scene.Thing thing : scene.things()) {
+            String name = thing.object().name();
+            if (thing.object().isMoveable() && name != null) {
+                robots.put(name, Palette.robot(robots.size()));
+            }
+        }
+    }
+
+    /** The scene as an SVG document that follows its reader's choice of a light or dark page. */
+    public static String svg(Scene scene) {
+        MapFrame frame = new MapFrame(scene.view());
+        SvgCanvas canvas = new SvgCanvas(frame.width, frame.height, scene.title());
+        new Painter(scene, frame, canvas).paint();
+        return canvas.document();
+    }
+
+    /** The scene as an image; this needs the JDK's {@code java.desktop}, but no screen. */
+    public static BufferedImage image(Scene scene, Theme theme) {
+        MapFrame frame = new MapFrame(scene.view());
+        ImageCanvas canvas = new ImageCanvas(frame.width, frame.height, theme);
+        new Painter(scene, frame, canvas).paint();
+        return canvas.finish();
+    }
+
+    /**
+     * Writes the scene to a file, as its name ends: {@code .svg} or {@code .png}.
+     *
+     * @throws IllegalArgumentException where it ends otherwise
+     * @throws IOException where the file cannot be written
+     */
+    public static void write(Scene scene, Theme theme, Path file) throws IOException {
+        String name = file.toString().toLowerCase(Locale.ROOT);
+        if (name.endsWith(".svg")) {
+            Files.writeString(file, svg(scene));
+        } else if (name.endsWith(".png")) {
+            try (OutputStream out = Files.newOutputStream(file)) {
+                ImageIO.write(image(scene, theme), "png", out);
+            }
+        } else {
+            throw new IllegalArgumentException("a picture's name must end in .svg or .png (got: " + file + ")");
+        }
+    }
+
+    private void paint() {
+        canvas.open("page", "");
+        canvas.rectangle(0, 0, frame.width, frame.height, Style.filled(Palette.PAPER, 1));
+        canvas.close();
+        new GridPainter(scene, frame, canvas).paint();
+        canvas.clip(frame.left(), MapFrame.TOP, frame.right() - frame.left(), frame.bottom() - MapFrame.TOP);
+        paintMap();
+        canvas.unclip();
+        new LabelPainter(frame, canvas).paint(scene.things());
+        new LegendPainter(scene, frame, canvas, farthest).paint();
+    }
+
+    private void paintMap() {
+        canvas.open("objects", "");
+        for (Scene.Thing thing : scene.things()) {
+            if (!thing.object().isMoveable()) {
+                ThingPainter.paintStatic(thing, frame, canvas);
+            }
+        }
+        canvas.close();
+        TracePainter traces = new TracePainter(scene, frame, canvas, farthest);
+        traces.trails(robots);
+        traces.pings();
+        canvas.open("robots", "");
+        for (Scene.Thing thing : scene.things()) {
+            GeometryObject object = thing.object();
+            if (object.isMoveable()) {
+                ThingPainter.paintMoveable(thing, robots.getOrDefault(object.name(), Palette.robot(0)), frame, canvas);
+            }
+        }
+        canvas.close();
+        traces.refusals();
+    }
+}

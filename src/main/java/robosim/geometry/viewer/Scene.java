@@ -1,0 +1,123 @@
+package robosim.geometry.viewer;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+
+/**
+ * Everything that a picture shows, in world units: what the painter draws, whoever asks.
+ *
+ * @param title    above the picture
+ * @param subtitle below the title; may be empty
+ * @param unit     what a world unit is called beside the scale bar; may be empty
+ * @param view     the part of the world that is shown
+ * @param things   objects at their present places, drawn in this order, those that move last
+ * @param trails   where moveable objects have been
+ * @param pings    measured distances
+ * @param refusals moves that were not made
+ */
+public record Scene(
+        String title,
+        String subtitle,
+        String unit,
+        View view,
+        List<Thing> things,
+        List<Trail> trails,
+        List<Ping> pings,
+        List<Refusal> refusals) {
+
+    /** Copies the lists. */
+    public Scene {
+        things = List.copyOf(things);
+        trails = List.copyOf(trails);
+        pings = List.copyOf(pings);
+        refusals = List.copyOf(refusals);
+    }
+
+    /** A world and what stands in it. */
+    public static Scene of(String title, View view, List<Thing> things) {
+        return new Scene(title, "", "", view, things, List.of(), List.of(), List.of());
+    }
+
+    /** This scene with a line below its title and with the name of its unit. */
+    public Scene described(String newSubtitle, String newUnit) {
+        return new Scene(title, newSubtitle, newUnit, view, things, trails, pings, refusals);
+    }
+
+    /** This scene with what happened in it. */
+    public Scene with(List<Trail> newTrails, List<Ping> newPings, List<Refusal> newRefusals) {
+        return new Scene(title, subtitle, unit, view, things, newTrails, newPings, newRefusals);
+    }
+
+    /**
+     * A rectangle of the XZ plane; closed, and larger than a point.
+     *
+     * @param bordered whether its edge is the world's border
+     */
+    public record View(double minX, double minZ, double maxX, double maxZ, boolean bordered) {
+        /** Refuses a rectangle without an area. */
+        public View {
+            if (!(maxX > minX) || !(maxZ > minZ) || !Double.isFinite(maxX - minX) || !Double.isFinite(maxZ - minZ)) {
+                throw new IllegalArgumentException("view must have a finite area (got: x " + minX + " to " + maxX
+                        + ", z " + minZ + " to " + maxZ + ")");
+            }
+        }
+
+        /** A whole world of that width and length, centred at the origin. */
+        public static View world(double width, double length) {
+            return new View(-width / 2, -length / 2, width / 2, length / 2, true);
+        }
+
+        /** What holds every object, and a margin around them. */
+        public static View around(List<GeometryObject> objects) {
+            Bounds bounds = new Bounds();
+            for (GeometryObject object : objects) {
+                Outline.of(object).forEach(bounds::add);
+            }
+            return bounds.view();
+        }
+    }
+
+    /**
+     * An object.
+     *
+     * @param colour 0xRRGGBB; null for a colour by its kind
+     */
+    public record Thing(GeometryObject object, @Nullable Integer colour) {}
+
+    /**
+     * Where a moveable object has been.
+     *
+     * @param name of the object
+     * @param path its places in order; at least one
+     */
+    public record Trail(String name, List<Point> path) {
+        /** Copies the path. */
+        public Trail {
+            path = List.copyOf(path);
+            if (path.isEmpty()) {
+                throw new IllegalArgumentException("path must hold at least one place (got: none)");
+            }
+        }
+    }
+
+    /**
+     * A measured distance.
+     *
+     * @param start    where the sensor is
+     * @param heading  degrees about the vertical from the world's X to the middle of the beam
+     * @param width    full opening angle in degrees, from 0 (a line) up to, not including, 180
+     * @param range    the largest distance that can be measured; may be infinite
+     * @param distance what was answered; infinite where nothing echoed
+     */
+    public record Ping(Point start, double heading, double width, double range, double distance) {}
+
+    /**
+     * A move that was not made.
+     *
+     * @param place   where the object stayed
+     * @param heading degrees about the vertical from the world's X to where it wanted to go
+     */
+    public record Refusal(Point place, double heading) {}
+}

@@ -1,0 +1,68 @@
+package robosim.geometry.world;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.xml.sax.Attributes;
+import org.xml.sax.helpers.AttributesImpl;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+
+/** An element that is being read: its attributes, where it began, and what its children gave so far. */
+final class Element {
+    final @Nullable Element parent;
+    final String namespace;
+    final String name;
+    final Attributes attributes;
+    final int line;
+    final int column;
+
+    /** The members of a group, or the one volume of a bounds element. */
+    final List<GeometryObject> members = new ArrayList<>();
+
+    final List<SonarRing> sonars = new ArrayList<>();
+    final List<Point> vertices = new ArrayList<>();
+    final List<int[]> faces = new ArrayList<>();
+    final Text text;
+
+    @Nullable
+    GeometryObject bounds;
+
+    Element(@Nullable Element parent, String namespace, String name, Attributes attributes, int line, int column) {
+        this.parent = parent;
+        this.namespace = namespace;
+        this.name = name;
+        this.attributes = new AttributesImpl(attributes); // the parser reuses its own
+        this.line = line;
+        this.column = column;
+        this.text = new Text(column);
+    }
+
+    /** Whether its content is numbers. */
+    boolean takesText() {
+        return name.equals("vertices") || name.equals("triangles") || name.equals("quads");
+    }
+
+    /** The value of an attribute, or null where it was left out. */
+    @Nullable
+    String attribute(String attribute) {
+        int index = attributes.getIndex("", attribute);
+        return index < 0 ? null : attributes.getValue(index);
+    }
+
+    String attribute(String attribute, String otherwise) {
+        String value = attribute(attribute);
+        return value == null ? otherwise : value.strip();
+    }
+
+    boolean isTrue(String attribute) {
+        String value = attribute(attribute, "false");
+        return value.equals("true") || value.equals("1");
+    }
+
+    /** How many groups there are around what is in this element. */
+    int groups() {
+        int around = parent == null ? 0 : parent.groups();
+        return name.equals("group") ? around + 1 : around;
+    }
+}

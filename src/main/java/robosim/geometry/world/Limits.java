@@ -1,0 +1,24 @@
+package robosim.geometry.world;
+
+/** How much a file may ask of its reader, with the size of the real thing. */
+final class Limits {
+    /** Bytes of one file, XML or OBJ. A mesh of a million triangles takes some 60 MB in either. */
+    static final long MAX_BYTES = 128L << 20;
+
+    /** Boxes, cylinders, spheres, meshes and groups of one world, members too. The warehouse has some 2,700. */
+    static final int MAX_OBJECTS = 200_000;
+
+    /** Characters of one attribute. The longest that has a use, a rotation with 9 exact numbers, has some 220. */
+    static final int MAX_ATTRIBUTE = 1000;
+
+    /** Groups within groups. The deepest tried in earnest is a shelf in a row in a hall: 3. */
+    static final int MAX_GROUPS = 50;
+
+    /** Characters of one statement of an OBJ file. A polygon of 1,000 corners with all its indices has some 20,000. */
+    static final int MAX_STATEMENT = 100_000;
+
+    /** Corners of one polygon of an OBJ file, which is cut into triangles in quadratic time. */
+    static final int MAX_CORNERS = 1000;
+
+    private Limits() {}
+}

@@ -1,0 +1,262 @@
+package robosim.geometry.world;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+import robosim.geometry.model.SphereObject;
+
+/** Makes objects of elements that are complete. What a value refuses comes as an {@link IllegalArgumentException}. */
+final class ObjectBuilder {
+    private final String source;
+    private final @Nullable Path base;
+
+    /** Meshes of files, so that all placements of one share their triangles. */
+    private final Map<MeshKey, MeshObject> meshes = new HashMap<>();
+
+    private record MeshKey(
+            Path file,
+            double scale,
+            boolean solid,
+            @Nullable GeometryObject bounds) {}
+
+    ObjectBuilder(String source, @Nullable Path base) {
+        this.source = source;
+        this.base = base;
+    }
+
+    /** What one world unit is, or null where the file leaves that open. */
+    @Nullable
+    Unit unit(Element element) {
+        Element root = element;
+        while (root.parent != null) {
+            root = root.parent;
+        }
+        return Unit.of(root.attribute("unit", ""));
+    }
+
+    double length(Element element, String attribute, String otherwise) {
+        return named(attribute, () -> Numbers.length(element.attribute(attribute, otherwise), unit(element)));
+    }
+
+    private static double number(Element element, String attribute, String otherwise) {
+        return named(attribute, () -> Numbers.parse(element.attribute(attribute, otherwise)));
+    }
+
+    private static <T> T named(String attribute, Supplier<T> value) {
+        try {
+            return value.get();
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException(attribute + ": " + e.getMessage(), e);
+        }
+    }
+
+    SonarRing sonar(Element element) {
+        int count = Numbers.integer(element.attribute("count", ""));
+        return new SonarRing(
+                count,
+                number(element, "first", "0"),
+                element.attribute("step") == null ? 360.0 / count : number(element, "step", "0"),
+                length(element, "min", "0"),
+                element.attribute("max") == null ? Double.POSITIVE_INFINITY : length(element, "max", "0"),
+                number(element, "width", "0"));
+    }
+
+    static boolean isObject(Element element) {
+        return switch (element.name) {
+            case "box", "cylinder", "sphere", "mesh", "group" -> true;
+            default -> false;
+        };
+    }
+
+    GeometryObject object(Element element) throws WorldException {
+        GeometryObject shape = switch (element.name) {
+            case "box" ->
+                new BoxObject(
+                        new Point(),
+                        length(element, "width", "0"),
+                        length(element, "height", "0"),
+                        length(element, "length", "0"));
+            case "cylinder" ->
+                new CylinderObject(new Point(), length(element, "radius", "0"), length(element, "height", "0"));
+            case "sphere" -> new SphereObject(new Point(), length(element, "radius", "0"));
+            case "group" -> new ObjectGroup(element.members, element.bounds);
+            default -> mesh(element);
+        };
+        return tagged(element, shape.at(pose(element)));
+    }
+
+    private static GeometryObject tagged(Element element, GeometryObject object) {
+        String name = element.attribute("name");
+        boolean moveable = element.isTrue("moveable");
+        if (name == null) {
+            if (moveable) {
+                throw new IllegalArgumentException("a moveable object needs a name; add name=\"...\" (got: none)");
+            }
+            return object;
+        }
+        return moveable ? object.moveable(name) : object.named(name);
+    }
+
+    private Pose pose(Element element) {
+        Point center = center(element);
+        String heading = element.attribute("heading");
+        String turned = element.attribute("turned");
+        String rotation = element.attribute("rotation");
+        int given = (heading == null ? 0 : 1) + (turned == null ? 0 : 1) + (rotation == null ? 0 : 1);
+        if (given > 1) {
+            throw new IllegalArgumentException(
+                    "heading, turned and rotation say the same thing; leave one of them (got: " + given + " of them)");
+        }
+        if (rotation != null) {
+            return Pose.of(center, 0).oriented(numbers("rotation", rotation));
+        }
+        if (turned != null) {
+            double[] angles = numbers("turned", turned);
+            return Pose.of(center, 0).turned(angles[0], angles[1]);
+        }
+        return Pose.of(center, number(element, "heading", "0"));
+    }
+
+    private Point center(Element element) {
+        String[] parts = Numbers.words(element.attribute("center", "0 0 0"));
+        return named("center", () -> {
+            Unit unit = unit(element);
+            return new Point(
+                    Numbers.length(parts[0], unit), Numbers.length(parts[1], unit), Numbers.length(parts[2], unit));
+        });
+    }
+
+    private static double[] numbers(String attribute, String value) {
+        String[] parts = Numbers.words(value);
+        double[] numbers = new double[parts.length];
+        return named(attribute, () -> {
+            for (int k = 0; k < parts.length; k++) {
+                numbers[k] = Numbers.parse(parts[k]);
+            }
+            return numbers;
+        });
+    }
+
+    private MeshObject mesh(Element element) throws WorldException {
+        String file = element.attribute("file");
+        boolean solid = element.isTrue("solid");
+        if (file == null) {
+            if (element.faces.isEmpty()) {
+                throw new IllegalArgumentException(
+                        "a mesh needs vertices with triangles or quads, or a file (got: neither)");
+            }
+            if (element.attribute("scale") != null) {
+                throw new IllegalArgumentException(
+                        "scale is for a mesh from a file; remove it (got: " + element.attribute("scale") + ")");
+            }
+            return mesh(element.vertices, element.faces.toArray(int[][]::new), element.bounds, solid);
+        }
+        if (!element.faces.isEmpty()) {
+            throw new IllegalArgumentException("a mesh has either vertices or a file; remove one of them (got: both)");
+        }
+        double scale = number(element, "scale", "1");
+        MeshKey key = new MeshKey(locate(element, file), scale, solid, element.bounds);
+        MeshObject known = meshes.get(key);
+        if (known == null) {
+            MeshObject surface = ObjReader.read(key.file, scale);
+            known = element.bounds == null && !solid
+                    ? surface
+                    : mesh(surface.vertices(), surface.faces(), element.bounds, solid);
+            meshes.put(key, known);
+        }
+        return known;
+    }
+
+    private static MeshObject mesh(
+            List<Point> vertices, int[][] faces, @Nullable GeometryObject bounds, boolean solid) {
+        MeshObject mesh = bounds == null ? new MeshObject(vertices, faces) : new MeshObject(vertices, faces, bounds);
+        return solid ? mesh.solid() : mesh;
+    }
+
+    /** The file that a mesh names, which is there and within the tree of the world's folder. */
+    private Path locate(Element element, String file) throws WorldException {
+        if (base == null) {
+            throw new IllegalArgumentException(
+                    "a world from a stream without a folder has no files; give the mesh inline (got: " + file + ")");
+        }
+        try {
+            if (file.indexOf('\\') >= 0) {
+                throw outside(file);
+            }
+            Path path = base.resolve(file).normalize();
+            if (Path.of(file).isAbsolute() || !path.startsWith(base.normalize())) {
+                throw outside(file);
+            }
+            if (!Files.isRegularFile(path)) {
+                throw new IllegalArgumentException(
+                        "there is no such mesh file in " + base + "; check the path (got: " + file + ")");
+            }
+            Path real = path.toRealPath(); // where links lead
+            if (!real.startsWith(base.toRealPath())) {
+                throw outside(file);
+            }
+            return real;
+        } catch (InvalidPathException e) {
+            throw new IllegalArgumentException("file must be a path (got: " + file + ")", e);
+        } catch (IOException e) {
+            throw new WorldException(
+                    source, element.line, element.column, "the mesh file " + file + " could not be read: " + e, e);
+        }
+    }
+
+    private static IllegalArgumentException outside(String file) {
+        return new IllegalArgumentException(
+                "file must be a path with / from the world file's folder, and stay inside it (got: " + file + ")");
+    }
+
+    /** Reads the numbers of an element of text. */
+    void readText(Element element) throws WorldException {
+        if (!element.takesText()) {
+            return;
+        }
+        Text text = element.text;
+        boolean places = element.name.equals("vertices");
+        int size = element.name.equals("quads") ? 4 : 3;
+        Unit unit = unit(element);
+        double[] place = new double[3];
+        int[] face = new int[size];
+        int count = 0;
+        while (text.next()) {
+            try {
+                if (places) {
+                    place[count % 3] = Numbers.length(text.token(), unit);
+                } else {
+                    face[count % size] = Numbers.index(text.token());
+                }
+                count++;
+                if (count % size == 0) {
+                    if (places) {
+                        element.vertices.add(new Point(place[0], place[1], place[2]));
+                    } else {
+                        element.faces.add(face.clone());
+                    }
+                }
+            } catch (IllegalArgumentException e) {
+                throw new WorldException(
+                        source, text.line(), text.column(), "<" + element.name + ">: " + e.getMessage(), e);
+            }
+        }
+        if (count == 0 || count % size != 0) {
+            throw new IllegalArgumentException((places ? "x y z of each vertex" : size + " indices for each face")
+                    + " are needed (got: " + count + " numbers)");
+        }
+    }
+}

@@ -1,0 +1,51 @@
+package robosim.geometry.world;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import org.jspecify.annotations.Nullable;
+
+/** A unit of length that a world file can name: for its world unit, and behind single numbers, as in {@code 25cm}. */
+public enum Unit {
+    KILOMETRE("km", "1000000"),
+    METRE("m", "1000"),
+    CENTIMETRE("cm", "10"),
+    MILLIMETRE("mm", "1"),
+    INCH("in", "25.4"),
+    FOOT("ft", "304.8");
+
+    private final String symbol;
+    private final BigDecimal millimetres;
+
+    Unit(String symbol, String millimetres) {
+        this.symbol = symbol;
+        this.millimetres = new BigDecimal(millimetres);
+    }
+
+    /** The symbol in a file: {@code km}, {@code m}, {@code cm}, {@code mm}, {@code in} or {@code ft}. */
+    public String symbol() {
+        return symbol;
+    }
+
+    /** How many metres it is long. */
+    public double metres() {
+        return millimetres.movePointLeft(3).doubleValue();
+    }
+
+    /** The unit of a symbol, or null where there is none. */
+    public static @Nullable Unit of(String symbol) {
+        for (Unit unit : values()) {
+            if (unit.symbol.equals(symbol)) {
+                return unit;
+            }
+        }
+        return null;
+    }
+
+    /** A decimal number of this unit in another one: the nearest double. */
+    double in(Unit other, String decimal) {
+        BigDecimal length = new BigDecimal(decimal).multiply(millimetres);
+        // Between the units of ten the division ends; 60 digits leave no doubt in practice where it does not.
+        return length.divide(other.millimetres, new MathContext(60 + length.precision()))
+                .doubleValue();
+    }
+}

@@ -1,0 +1,97 @@
+package robosim.geometry.world;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.Geometry;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
+
+/**
+ * A world as a file holds it: its settings and its objects, in their order. A value; {@link #toGeometry()} makes one of
+ * it that moves and measures.
+ *
+ * @param width     extent along X in world units, about the origin; at least 0
+ * @param height    extent along Y; the ground is at {@code -height / 2}
+ * @param length    extent along Z
+ * @param unit      what one world unit is, for people and for lengths with a unit of their own; null where it is open
+ * @param dimension whether heights count
+ * @param accuracy  what stands for an object in a query
+ * @param objects   with names that are unique among them
+ */
+public record World(
+        double width,
+        double height,
+        double length,
+        @Nullable Unit unit,
+        Dimension dimension,
+        Accuracy accuracy,
+        List<WorldObject> objects) {
+
+    /** Refuses sizes that are none, and two objects of one name. */
+    public World {
+        width = size("width", width);
+        height = size("height", height);
+        length = size("length", length);
+        if (dimension == null) {
+            throw new IllegalArgumentException("dimension must be given (got: null)");
+        }
+        if (accuracy == null) {
+            throw new IllegalArgumentException("accuracy must be given (got: null)");
+        }
+        objects = List.copyOf(objects);
+        Set<String> names = new HashSet<>();
+        for (WorldObject object : objects) {
+            String name = object.object().name();
+            if (name != null && !names.add(name)) {
+                throw new IllegalArgumentException("names must be unique in a world (got twice: " + name + ")");
+            }
+        }
+    }
+
+    /** A world in space, decided exactly, without a unit. */
+    public World(double width, double height, double length, List<WorldObject> objects) {
+        this(width, height, length, null, Dimension.SPATIAL, Accuracy.EXACT, objects);
+    }
+
+    private static double size(String argument, double value) {
+        if (!(value >= 0 && value <= 0x1p100)) { // written so that NaN fails it
+            throw new IllegalArgumentException(argument + " must be a number from 0 to 2^100 (got: " + value + ")");
+        }
+        return value + 0.0;
+    }
+
+    /**
+     * This world with all its objects, added unchecked in their order: they may overlap, as the walls of a plan do.
+     *
+     * @throws IllegalArgumentException naming the objects that reach beyond the world's border
+     */
+    public Geometry toGeometry() {
+        List<String> outside = new ArrayList<>();
+        Geometry geometry = toGeometry(refused -> outside.add(refused.object().toString()));
+        if (!outside.isEmpty()) {
+            throw new IllegalArgumentException("every object must lie within the world of " + width + " x " + height
+                    + " x " + length + " about the origin; enlarge it or move them (got outside: "
+                    + String.join("; ", outside) + ")");
+        }
+        return geometry;
+    }
+
+    /**
+     * This world with all objects that fit in, added unchecked in their order.
+     *
+     * @param refused told each object that reaches beyond the world's border and was left out
+     */
+    public Geometry toGeometry(Consumer<WorldObject> refused) {
+        Geometry geometry = new Geometry(width, height, length, dimension, accuracy);
+        for (WorldObject object : objects) {
+            if (!geometry.addObjectUnchecked(object.object())) {
+                refused.accept(object);
+            }
+        }
+        return geometry;
+    }
+}

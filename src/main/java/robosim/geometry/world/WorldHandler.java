@@ -1,0 +1,246 @@
+package robosim.geometry.world;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import javax.xml.validation.ValidatorHandler;
+import org.jspecify.annotations.Nullable;
+import org.xml.sax.Attributes;
+import org.xml.sax.InputSource;
+import org.xml.sax.Locator;
+import org.xml.sax.SAXException;
+import org.xml.sax.SAXParseException;
+import org.xml.sax.helpers.DefaultHandler;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+
+/**
+ * Follows the parser through a world file. Each event goes past the limits, then to the schema's validator, and only
+ * then into the world.
+ */
+final class WorldHandler extends DefaultHandler {
+    private final String source;
+    private final ValidatorHandler validator;
+    private final ObjectBuilder builder;
+    private final Map<String, Integer> linesOfNames = new HashMap<>();
+    private final List<WorldObject> objects = new ArrayList<>();
+
+    private @Nullable Locator locator;
+    private @Nullable Element open;
+    private @Nullable World world;
+    private @Nullable SAXParseException detail;
+    private int count;
+
+    WorldHandler(String source, @Nullable Path base, ValidatorHandler validator) {
+        this.source = source;
+        this.builder = new ObjectBuilder(source, base);
+        this.validator = validator;
+        validator.setErrorHandler(new DefaultHandler() {
+            @Override
+            public void error(SAXParseException e) throws SAXException {
+                invalid(e);
+            }
+
+            @Override
+            public void fatalError(SAXParseException e) throws SAXException {
+                invalid(e);
+            }
+        });
+    }
+
+    /** The world that was read. */
+    World world() {
+        if (world == null) {
+            throw new IllegalStateException("the document has not ended");
+        }
+        return world;
+    }
+
+    int line() {
+        return locator == null ? 0 : locator.getLineNumber();
+    }
+
+    int column() {
+        return locator == null ? 0 : locator.getColumnNumber();
+    }
+
+    @Override
+    public void setDocumentLocator(Locator given) {
+        locator = given;
+        validator.setDocumentLocator(given);
+    }
+
+    @Override
+    public void startDocument() throws SAXException {
+        validator.startDocument();
+    }
+
+    @Override
+    public void endDocument() throws SAXException {
+        validator.endDocument();
+    }
+
+    @Override
+    public void startPrefixMapping(String prefix, String uri) throws SAXException {
+        validator.startPrefixMapping(prefix, uri);
+    }
+
+    @Override
+    public void endPrefixMapping(String prefix) throws SAXException {
+        validator.endPrefixMapping(prefix);
+    }
+
+    @Override
+    public void startElement(String uri, String name, String qualified, Attributes attributes) throws SAXException {
+        for (int k = 0; k < attributes.getLength(); k++) {
+            if (attributes.getValue(k).length() > Limits.MAX_ATTRIBUTE) {
+                throw refusal(attributes.getQName(k) + " of <" + name + "> must have at most " + Limits.MAX_ATTRIBUTE
+                        + " characters (got: " + attributes.getValue(k).length() + ")");
+            }
+        }
+        Element element = new Element(open, uri, name, attributes, line(), column());
+        open = element;
+        if (element.groups() > Limits.MAX_GROUPS) {
+            throw refusal("groups must be at most " + Limits.MAX_GROUPS + " within each other (got: one more)");
+        }
+        if (ObjectBuilder.isObject(element) && ++count > Limits.MAX_OBJECTS) {
+            throw refusal("a world must have at most " + Limits.MAX_OBJECTS + " objects (got: more)");
+        }
+        checkName(element);
+        validator.startElement(uri, name, qualified, attributes);
+        flushDetail();
+    }
+
+    private void checkName(Element element) throws SAXException {
+        String name = element.attribute("name");
+        if (element.parent == null || element.parent.parent != null || name == null) {
+            return; // only in the world itself are names unique
+        }
+        Integer earlier = linesOfNames.putIfAbsent(name, element.line);
+        if (earlier != null) {
+            throw refusal("names must be unique in a world; rename this object or the one in line " + earlier
+                    + " (got twice: " + name + ")");
+        }
+    }
+
+    @Override
+    public void characters(char[] text, int start, int length) throws SAXException {
+        if (open != null && open.takesText()) {
+            open.text.add(text, start, length, line());
+        }
+        validator.characters(text, start, length);
+    }
+
+    @Override
+    public void ignorableWhitespace(char[] text, int start, int length) throws SAXException {
+        characters(text, start, length);
+    }
+
+    @Override
+    public void processingInstruction(String target, String data) throws SAXException {
+        validator.processingInstruction(target, data);
+    }
+
+    @Override
+    public void endElement(String uri, String name, String qualified) throws SAXException {
+        Element element = open;
+        if (element == null) {
+            throw new IllegalStateException("an element ends that did not begin: " + name);
+        }
+        try {
+            builder.readText(element); // before the validator, which would not say which number is wrong
+            validator.endElement(uri, name, qualified);
+            flushDetail();
+            finish(element);
+        } catch (WorldException e) {
+            throw new SAXException(e);
+        } catch (IllegalArgumentException e) {
+            throw new SAXException(new WorldException(
+                    source, element.line, element.column, "<" + element.name + ">: " + e.getMessage(), e));
+        }
+        open = element.parent;
+    }
+
+    private void finish(Element element) throws WorldException {
+        Element parent = element.parent;
+        if (parent == null) {
+            world = new World(
+                    builder.length(element, "width", "0"),
+                    builder.length(element, "height", "0"),
+                    builder.length(element, "length", "0"),
+                    builder.unit(element),
+                    Dimension.valueOf(element.attribute("dimension", "SPATIAL")),
+                    Accuracy.valueOf(element.attribute("accuracy", "EXACT")),
+                    objects);
+            return;
+        }
+        if (ObjectBuilder.isObject(element)) {
+            GeometryObject object = builder.object(element);
+            if (parent.parent == null) {
+                objects.add(new WorldObject(object, element.attribute("color"), element.sonars));
+            } else {
+                parent.members.add(object);
+            }
+            return;
+        }
+        switch (element.name) {
+            case "bounds" -> parent.bounds = element.members.get(0);
+            case "sonar" -> parent.sonars.add(builder.sonar(element));
+            case "vertices" -> parent.vertices.addAll(element.vertices);
+            default -> parent.faces.addAll(element.faces);
+        }
+    }
+
+    // The parser's own errors: not well-formed, or against its limits.
+
+    @Override
+    public void error(SAXParseException e) throws SAXException {
+        fatalError(e);
+    }
+
+    @Override
+    public void fatalError(SAXParseException e) throws SAXException {
+        String message = String.valueOf(e.getMessage());
+        String problem = message.contains("disallow-doctype-decl")
+                ? "a document type is not accepted; remove <!DOCTYPE ...>, a world has no entities"
+                : "this is no well-formed XML: " + message;
+        throw new SAXException(new WorldException(source, e.getLineNumber(), e.getColumnNumber(), problem, e));
+    }
+
+    /** Nothing outside the file is ever read, whatever a feature's default may be. */
+    @Override
+    public InputSource resolveEntity(@Nullable String publicId, @Nullable String systemId) throws SAXException {
+        throw refusal("a world has no external entities; remove the reference (got: " + systemId + ")");
+    }
+
+    // The validator's errors.
+
+    private void invalid(SAXParseException e) throws SAXException {
+        if (SchemaErrors.isDetail(e)) {
+            detail = detail == null ? e : detail;
+        } else {
+            throw explained(e);
+        }
+    }
+
+    private void flushDetail() throws SAXException {
+        if (detail != null) {
+            throw explained(detail);
+        }
+    }
+
+    private SAXException explained(SAXParseException e) {
+        Element element = open;
+        return element == null
+                ? refusal(String.valueOf(e.getMessage()))
+                : new SAXException(new WorldException(
+                        source, e.getLineNumber(), e.getColumnNumber(), SchemaErrors.explain(e, element), e));
+    }
+
+    private SAXException refusal(String problem) {
+        return new SAXException(new WorldException(source, line(), column(), problem));
+    }
+}

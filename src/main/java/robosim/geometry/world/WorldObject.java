@@ -1,0 +1,37 @@
+package robosim.geometry.world;
+
+import java.util.List;
+import java.util.Locale;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.GeometryObject;
+
+/**
+ * An object of a world file: the object itself, and what only viewers and environments ask for.
+ *
+ * @param object the object with its name and place
+ * @param color  for the viewer, {@code #rrggbb} in lower case; null leaves it to the viewer
+ * @param sonars range sensors; only an object with a name can have any
+ */
+public record WorldObject(GeometryObject object, @Nullable String color, List<SonarRing> sonars) {
+    /** Refuses a colour of another form, and sensors without a name to ask them by. */
+    public WorldObject {
+        if (object == null) {
+            throw new IllegalArgumentException("object must be given (got: null)");
+        }
+        if (color != null) {
+            if (!color.matches("#[0-9a-fA-F]{6}")) {
+                throw new IllegalArgumentException("color must be # and six hexadecimal digits (got: " + color + ")");
+            }
+            color = color.toLowerCase(Locale.ROOT);
+        }
+        sonars = List.copyOf(sonars);
+        if (!sonars.isEmpty() && object.name() == null) {
+            throw new IllegalArgumentException("an object with sonars must have a name (got: " + object + ")");
+        }
+    }
+
+    /** An object without a colour of its own or sensors. */
+    public WorldObject(GeometryObject object) {
+        this(object, null, List.of());
+    }
+}

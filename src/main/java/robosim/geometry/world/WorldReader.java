@@ -1,0 +1,117 @@
+package robosim.geometry.world;
+
+import java.io.BufferedInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.URL;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.Locale;
+import javax.xml.XMLConstants;
+import javax.xml.parsers.ParserConfigurationException;
+import javax.xml.parsers.SAXParserFactory;
+import javax.xml.validation.Schema;
+import javax.xml.validation.SchemaFactory;
+import javax.xml.validation.ValidatorHandler;
+import org.jspecify.annotations.Nullable;
+import org.xml.sax.InputSource;
+import org.xml.sax.SAXException;
+import org.xml.sax.XMLReader;
+
+/**
+ * Reads a world from XML. The format is that of the schema {@code world.xsd}; docs/world-format.md explains it.
+ *
+ * <p>A file from a stranger costs no more than its size: there is no document type, no entity and no address that the
+ * parser would follow, OBJ files come from the world file's own folder tree, and what is too large, too deep or too long
+ * is refused. A world is read whole or not at all.
+ */
+public final class WorldReader {
+    /** Parser and validator are made to speak English, their root language: it is what {@link SchemaErrors} reads. */
+    private static final String LOCALE = "http://apache.org/xml/properties/locale";
+
+    private WorldReader() {}
+
+    /**
+     * Reads a world file.
+     *
+     * @throws WorldException naming file, line, column and remedy, where the file cannot be read or is no world
+     */
+    public static World read(Path file) throws WorldException {
+        try (InputStream in = Files.newInputStream(file)) {
+            return read(in, file.toString(), file.toAbsolutePath().getParent());
+        } catch (WorldException e) {
+            throw e;
+        } catch (NoSuchFileException e) {
+            throw new WorldException(file.toString(), 0, 0, "there is no such file; check the path", e);
+        } catch (IOException e) {
+            throw new WorldException(file.toString(), 0, 0, "the file could not be read: " + e, e);
+        }
+    }
+
+    /**
+     * Reads a world from a stream, which is left open.
+     *
+     * @param source what messages call the stream
+     * @param base   the folder in whose tree OBJ files are looked for; null where there are none to be had
+     * @throws WorldException naming source, line, column and remedy, where the stream fails or holds no world
+     */
+    public static World read(InputStream in, String source, @Nullable Path base) throws WorldException {
+        ValidatorHandler validator = SchemaHolder.SCHEMA.newValidatorHandler();
+        WorldHandler handler = new WorldHandler(source, base, validator);
+        try {
+            validator.setProperty(LOCALE, Locale.ROOT);
+            XMLReader reader = hardenedReader();
+            reader.setContentHandler(handler);
+            reader.setErrorHandler(handler);
+            reader.setEntityResolver(handler);
+            reader.parse(new InputSource(new Bounded(new BufferedInputStream(in))));
+            return handler.world();
+        } catch (SAXException e) {
+            if (e.getException() instanceof WorldException refusal) {
+                throw refusal;
+            }
+            throw new WorldException(source, handler.line(), handler.column(), "the XML was refused: " + e, e);
+        } catch (IOException e) {
+            throw new WorldException(
+                    source, handler.line(), handler.column(), "the file could not be read: " + e.getMessage(), e);
+        } catch (ParserConfigurationException e) {
+            throw new IllegalStateException("the JDK's XML parser refuses to be hardened", e);
+        }
+    }
+
+    private static XMLReader hardenedReader() throws ParserConfigurationException, SAXException {
+        // The JDK's own, whatever else is on the class path.
+        SAXParserFactory factory = SAXParserFactory.newDefaultNSInstance();
+        factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);
+        factory.setFeature("http://apache.org/xml/features/disallow-doctype-decl", true);
+        factory.setFeature("http://xml.org/sax/features/external-general-entities", false);
+        factory.setFeature("http://xml.org/sax/features/external-parameter-entities", false);
+        factory.setFeature("http://apache.org/xml/features/nonvalidating/load-external-dtd", false);
+        factory.setXIncludeAware(false);
+        XMLReader reader = factory.newSAXParser().getXMLReader();
+        reader.setProperty(LOCALE, Locale.ROOT);
+        return reader;
+    }
+
+    /** Loaded when the first world is read. */
+    private static final class SchemaHolder {
+        static final Schema SCHEMA = load();
+
+        private static Schema load() {
+            URL resource = WorldReader.class.getResource("world.xsd");
+            if (resource == null) {
+                throw new IllegalStateException("world.xsd is missing beside the classes of robosim.geometry.world");
+            }
+            try {
+                SchemaFactory factory = SchemaFactory.newDefaultInstance();
+                factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);
+                factory.setProperty(XMLConstants.ACCESS_EXTERNAL_DTD, "");
+                factory.setProperty(XMLConstants.ACCESS_EXTERNAL_SCHEMA, "");
+                return factory.newSchema(resource);
+            } catch (SAXException e) {
+                throw new IllegalStateException("world.xsd is no schema: " + e.getMessage(), e);
+            }
+        }
+    }
+}

@@ -1,0 +1,262 @@
+package robosim.geometry.world;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+import robosim.geometry.model.SphereObject;
+
+/**
+ * Writes a world as XML that reads back to an equal one. The same world always gives the same text.
+ *
+ * <p>Numbers are in world units, in the shortest form that is exact. An attitude is a heading where that gives back the
+ * same rotation to the bit, and nine numbers else. Meshes are written inline, also those that came from a file.
+ */
+public final class WorldWriter {
+    /** The namespace of the format. */
+    public static final String NAMESPACE = "urn:robosim:world:1";
+
+    private final StringBuilder out = new StringBuilder();
+
+    private WorldWriter() {}
+
+    /**
+     * Writes a world file, all of it or nothing: an earlier file of the name stays as it was until the new one is whole.
+     *
+     * @throws WorldException where the file cannot be written
+     * @throws IllegalArgumentException as {@link #toXml} does
+     */
+    public static void write(World world, Path file) throws WorldException {
+        byte[] bytes = toXml(world).getBytes(StandardCharsets.UTF_8);
+        Path target = file.toAbsolutePath();
+        Path whole = target.resolveSibling(target.getFileName() + ".new");
+        try {
+            Files.write(whole, bytes);
+            Files.move(whole, target, StandardCopyOption.REPLACE_EXISTING);
+        } catch (IOException e) {
+            throw new WorldException(file.toString(), 0, 0, "the file could not be written: " + e, e);
+        }
+    }
+
+    /**
+     * A world as the text of its file.
+     *
+     * @throws IllegalArgumentException where XML cannot hold it: a name with a character that XML does not have or of
+     *     more than 1000 of them, or groups more than 50 deep
+     */
+    public static String toXml(World world) {
+        WorldWriter writer = new WorldWriter();
+        writer.world(world);
+        return writer.out.toString();
+    }
+
+    private void world(World world) {
+        out.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<world xmlns=\"")
+                .append(NAMESPACE)
+                .append('"');
+        number("width", world.width());
+        number("height", world.height());
+        number("length", world.length());
+        Unit unit = world.unit();
+        if (unit != null) {
+            attribute("unit", unit.symbol());
+        }
+        attribute("dimension", world.dimension().name());
+        attribute("accuracy", world.accuracy().name());
+        out.append(">\n");
+        for (WorldObject object : world.objects()) {
+            object(object.object(), object.color(), object.sonars(), 1);
+        }
+        out.append("</world>\n");
+    }
+
+    private void object(GeometryObject object, @Nullable String color, List<SonarRing> sonars, int depth) {
+        if (depth > Limits.MAX_GROUPS + 1) {
+            throw new IllegalArgumentException(
+                    "groups must be at most " + Limits.MAX_GROUPS + " within each other (got: one more)");
+        }
+        String tag = switch (object.kind()) {
+            case BOX -> "box";
+            case CYLINDER -> "cylinder";
+            case SPHERE -> "sphere";
+            case MESH -> "mesh";
+            case GROUP -> "group";
+        };
+        indent(depth).append('<').append(tag);
+        placed(object);
+        size(object);
+        if (color != null) {
+            attribute("color", color);
+        }
+        int begin = out.append(">\n").length();
+        content(object, depth + 1);
+        for (SonarRing sonar : sonars) {
+            sonar(sonar, depth + 1);
+        }
+        if (out.length() == begin) {
+            out.setLength(begin - 2);
+            out.append("/>\n");
+        } else {
+            indent(depth).append("</").append(tag).append(">\n");
+        }
+    }
+
+    private void placed(GeometryObject object) {
+        String name = object.name();
+        if (name != null) {
+            attribute("name", name);
+        }
+        if (object.isMoveable()) {
+            attribute("moveable", "true");
+        }
+        Pose pose = object.pose();
+        Point center = pose.center();
+        if (!center.equals(new Point())) {
+            attribute("center", center.x() + " " + center.y() + " " + center.z());
+        }
+        double heading = pose.heading();
+        if (!Pose.of(center, heading).equals(pose)) {
+            StringBuilder numbers = new StringBuilder();
+            for (int k = 0; k < 9; k++) {
+                numbers.append(k == 0 ? "" : " ").append(pose.rotation(k));
+            }
+            attribute("rotation", numbers.toString());
+        } else if (heading != 0) {
+            number("heading", heading);
+        }
+    }
+
+    private void size(GeometryObject object) {
+        switch (object.kind()) {
+            case BOX -> {
+                BoxObject box = (BoxObject) object;
+                number("width", box.width());
+                number("height", box.height());
+                number("length", box.length());
+            }
+            case CYLINDER -> {
+                CylinderObject cylinder = (CylinderObject) object;
+                number("radius", cylinder.radius());
+                number("height", cylinder.height());
+            }
+            case SPHERE -> number("radius", ((SphereObject) object).radius());
+            case MESH -> {
+                if (((MeshObject) object).isSolid()) {
+                    attribute("solid", "true");
+                }
+            }
+            case GROUP -> {}
+        }
+    }
+
+    private void content(GeometryObject object, int depth) {
+        if (object instanceof MeshObject mesh) {
+            bounds(mesh.boundingVolume(), depth);
+            surface(mesh, depth);
+        } else if (object instanceof ObjectGroup group) {
+            bounds(group.boundingVolume(), depth);
+            for (GeometryObject member : group.members()) {
+                object(member, null, List.of(), depth);
+            }
+        }
+    }
+
+    private void bounds(@Nullable GeometryObject volume, int depth) {
+        if (volume != null) {
+            indent(depth).append("<bounds>\n");
+            object(volume, null, List.of(), depth + 1);
+            indent(depth).append("</bounds>\n");
+        }
+    }
+
+    private void surface(MeshObject mesh, int depth) {
+        indent(depth).append("<vertices>\n");
+        for (Point vertex : mesh.vertices()) {
+            indent(depth + 1).append(vertex.x()).append(' ').append(vertex.y()).append(' ');
+            out.append(vertex.z()).append('\n');
+        }
+        indent(depth).append("</vertices>\n");
+        int size = 0; // of the faces in the run that is open
+        for (int[] face : mesh.faces()) {
+            if (face.length != size) {
+                closeRun(size, depth);
+                indent(depth).append('<').append(run(face.length)).append(">\n");
+                size = face.length;
+            }
+            indent(depth + 1).append(face[0]);
+            for (int k = 1; k < size; k++) {
+                out.append(' ').append(face[k]);
+            }
+            out.append('\n');
+        }
+        closeRun(size, depth);
+    }
+
+    private void closeRun(int size, int depth) {
+        if (size > 0) {
+            indent(depth).append("</").append(run(size)).append(">\n");
+        }
+    }
+
+    private static String run(int size) {
+        return size == 3 ? "triangles" : "quads";
+    }
+
+    private void sonar(SonarRing sonar, int depth) {
+        indent(depth).append("<sonar count=\"").append(sonar.count()).append('"');
+        number("first", sonar.first());
+        number("step", sonar.step());
+        number("min", sonar.min());
+        if (sonar.max() < Double.POSITIVE_INFINITY) {
+            number("max", sonar.max());
+        }
+        number("width", sonar.width());
+        out.append("/>\n");
+    }
+
+    private StringBuilder indent(int depth) {
+        return out.append("  ".repeat(depth));
+    }
+
+    private void number(String attribute, double value) {
+        attribute(attribute, Double.toString(value));
+    }
+
+    private void attribute(String attribute, String value) {
+        if (value.length() > Limits.MAX_ATTRIBUTE) {
+            throw new IllegalArgumentException(attribute + " must have at most " + Limits.MAX_ATTRIBUTE
+                    + " characters (got: " + value.length() + ")");
+        }
+        out.append(' ').append(attribute).append("=\"");
+        value.codePoints().forEach(c -> character(attribute, c));
+        out.append('"');
+    }
+
+    private void character(String attribute, int c) {
+        switch (c) {
+            case '&' -> out.append("&amp;");
+            case '<' -> out.append("&lt;");
+            case '"' -> out.append("&quot;");
+            case '\t', '\n', '\r' -> out.append("&#").append(c).append(';'); // else they would be read as spaces
+            default -> {
+                // XML 1.0, production 2
+                boolean legal = (c >= 0x20 && c < 0xd800) || (c >= 0xe000 && c <= 0xfffd) || c >= 0x10000;
+                if (!legal) {
+                    throw new IllegalArgumentException(attribute + " must have only characters that XML has (got: U+"
+                            + Integer.toHexString(c) + ")");
+                }
+                out.appendCodePoint(c);
+            }
+        }
+    }
+}

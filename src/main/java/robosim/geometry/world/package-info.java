@@ -1,0 +1,11 @@
+/**
+ * Worlds as files: an XML format with a schema, its reader and writer, and a reader of OBJ meshes.
+ *
+ * <p>{@link robosim.geometry.world.WorldReader} turns a file into a {@link robosim.geometry.world.World}, a value;
+ * {@link robosim.geometry.world.World#toGeometry()} makes a world of it that moves and measures. The format's schema is
+ * {@code worlds/world.xsd}, which is also in the jar beside this package's classes.
+ */
+@NullMarked
+package robosim.geometry.world;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,131 @@
+package robosim.geometry.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Properties;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.DistanceBundle;
+import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.MessageReader;
+import robosim.geometry.protocol.MessageWriter;
+import robosim.geometry.protocol.MoveBundle;
+
+/** The main job on a small world, as two processes over TCP: environment, module, audit, picture, summary. */
+class DemoTest {
+    private static final String WORLD = """
+            <world xmlns="urn:robosim:world:1" width="8" height="3" length="6" unit="m" dimension="PLANAR">
+              <box center="0 0 -2.9" width="8" height="2" length="0.2"/>
+              <box center="0 0 2.9" width="8" height="2" length="0.2"/>
+              <box center="-3.9 0 0" width="0.2" height="2" length="6"/>
+              <box center="3.9 0 0" width="0.2" height="2" length="6"/>
+              <box name="screen" center="0.5 0 0.4" heading="30" width="2.5" height="2" length="0.1"/>
+              <cylinder name="pole" center="-1.5 0 -1" radius="0.2" height="2"/>
+              <cylinder name="drum" moveable="true" center="-2.5 0 1" radius="0.3" height="1">
+                <sonar count="8" min="0.05" max="3" width="30"/>
+              </cylinder>
+              <box name="cart" moveable="true" center="2 0 -1.5" heading="90" width="0.7" height="1" length="0.5">
+                <sonar count="5" first="-60" step="30" min="0.05" max="4" width="0"/>
+              </box>
+            </world>
+            """;
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter err = new StringWriter();
+
+    private int demo(Path folder, String... more) throws Exception {
+        Path world = folder.resolve("small.xml");
+        Files.writeString(world, WORLD);
+        String[] arguments = new String[7 + more.length];
+        System.arraycopy(
+                new String[] {"demo", "--world", world.toString(), "--steps", "200", "-o", folder.toString()},
+                0,
+                arguments,
+                0,
+                7);
+        System.arraycopy(more, 0, arguments, 7, more.length);
+        return Commands.run(new PrintWriter(out, true), new PrintWriter(err, true), arguments);
+    }
+
+    @Test
+    void twoHundredStepsOnASmallWorldAreAllRight(@TempDir Path folder) throws Exception {
+        int code = demo(folder, "--speed", "0.1");
+        assertThat(err.toString()).isEmpty();
+        assertThat(out.toString()).contains("nothing is wrong", "200 steps of 2 robots");
+        assertThat(code).isZero();
+        assertThat(folder.resolve("world.svg")).content().contains("drum", "refusal", "ping", "scale-bar");
+        assertThat(folder.resolve("world.png")).isNotEmptyFile();
+        assertThat(Files.readString(folder.resolve("summary.txt"))).contains("400 asked", "2,613 answered");
+        Properties audit = properties(folder.resolve("audit.properties"));
+        assertThat(audit).containsEntry("faults", "0").containsEntry("moves.asked", "400");
+        // A walk that meets nothing, or goes nowhere, would prove nothing.
+        assertThat(Integer.parseInt(audit.getProperty("moves.refused"))).isBetween(1, 200);
+        assertThat(Double.parseDouble(audit.getProperty("distances.largest.error")))
+                .isLessThan(1e-9);
+        assertThat(Integer.parseInt(
+                        properties(folder.resolve("environment.properties")).getProperty("echoes")))
+                .isBetween(500, 2612);
+    }
+
+    @Test
+    void theSameSeedMakesTheSameConversationWhoeverDials(@TempDir Path first, @TempDir Path second, @TempDir Path third)
+            throws Exception {
+        assertThat(demo(first)).isZero();
+        assertThat(demo(second, "--dial")).isZero();
+        assertThat(demo(third, "--seed", "2")).isZero();
+        for (String file : new String[] {"to-module.bin", "from-module.bin"}) {
+            assertThat(first.resolve(file)).hasSameBinaryContentAs(second.resolve(file));
+            assertThat(Files.mismatch(first.resolve(file), third.resolve(file))).isNotNegative();
+        }
+        assertThat(first.resolve("world.svg")).hasSameTextualContentAs(second.resolve("world.svg"));
+    }
+
+    @Test
+    void aTamperedRecordingIsFoundOut(@TempDir Path folder, @TempDir Path compiled) throws Exception {
+        assertThat(demo(folder)).isZero();
+        Path source = Examples.FOLDER.resolve("ConversationAudit.java");
+        assertThat(Examples.compile(java.util.List.of(source), compiled)).isEmpty();
+        assertThat(Examples.audit(folder, compiled)).contains("nothing is wrong");
+
+        byte[] truth = Files.readAllBytes(folder.resolve("from-module.bin"));
+        rewrite(folder, truth, 1, bundle -> {
+            var distances = new java.util.ArrayList<>(((DistanceBundle) bundle).distances());
+            distances.set(0, Math.min(distances.get(0), 3) - 0.001);
+            return new DistanceBundle(distances);
+        });
+        assertThat(Examples.audit(folder, compiled)).contains("1 FAULTS", "a distance of");
+        rewrite(
+                folder,
+                truth,
+                2,
+                bundle -> new MoveBundle(((MoveBundle) bundle).moves().subList(1, 2)));
+        assertThat(Examples.audit(folder, compiled)).contains("refused that is free by", "exit 1");
+    }
+
+    /** Changes one of the module's answers, counted from 1. */
+    private static void rewrite(Path folder, byte[] truth, int which, java.util.function.UnaryOperator<Bundle> change)
+            throws Exception {
+        try (var outgoing = Files.newOutputStream(folder.resolve("from-module.bin"))) {
+            MessageReader reader = new MessageReader(new java.io.ByteArrayInputStream(truth));
+            MessageWriter writer = new MessageWriter(outgoing);
+            int k = 1;
+            for (Bundle bundle = reader.read(); bundle != null; bundle = reader.read(), k++) {
+                assertThat(bundle).isNotInstanceOf(InitBundle.class);
+                writer.write(k == which ? change.apply(bundle) : bundle);
+            }
+        }
+    }
+
+    private static Properties properties(Path file) throws Exception {
+        Properties properties = new Properties();
+        try (var in = Files.newBufferedReader(file)) {
+            properties.load(in);
+        }
+        return properties;
+    }
+}

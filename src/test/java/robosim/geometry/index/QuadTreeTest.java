@@ -1,0 +1,502 @@
+package robosim.geometry.index;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+class QuadTreeTest {
+    private static final double WORLD = 500;
+
+    /** Where boxes are and how large, in ways that are hard on a tree. */
+    enum Scene {
+        SPREAD,
+        GRID,
+        ONE_PLACE,
+        POINTS_ON_A_LATTICE,
+        HUGE_AMONG_TINY,
+        ONE_CORNER,
+        CLOSE_PAIRS,
+        OUTSIDE,
+        LONG_WALLS;
+
+        double[] box(SplittableRandom random) {
+            return switch (this) {
+                case SPREAD -> around(random, any(random), any(random), random.nextDouble(8), random.nextDouble(8));
+                case GRID -> corner(random.nextInt(-50, 50) * 8, random.nextInt(-50, 50) * 8, 8, 8);
+                case ONE_PLACE -> around(random, 3, -7, random.nextDouble(50), random.nextDouble(50));
+                case POINTS_ON_A_LATTICE -> corner(random.nextInt(-9, 10) * 0.5, random.nextInt(-9, 10) * 0.5, 0, 0);
+                case HUGE_AMONG_TINY -> {
+                    double reach = random.nextInt(20) == 0 ? WORLD / 2 : 0x1p-10;
+                    yield around(random, any(random) / 2, any(random) / 2, reach, reach);
+                }
+                case ONE_CORNER ->
+                    corner(WORLD - random.nextDouble() * 1e-9, WORLD - random.nextDouble() * 1e-9, 1e-12, 1e-12);
+                case CLOSE_PAIRS ->
+                    corner(
+                            random.nextInt(-20, 20) * 25 + random.nextInt(2) * 1e-10,
+                            random.nextInt(-20, 20) * 25,
+                            1,
+                            1);
+                case OUTSIDE -> around(random, any(random) * 1e6, any(random) * 1e-6, 1e5, 1);
+                case LONG_WALLS ->
+                    random.nextBoolean()
+                            ? around(random, any(random), any(random), 200, 0.1)
+                            : around(random, any(random), any(random), 0.1, 200);
+            };
+        }
+
+        private static double any(SplittableRandom random) {
+            return random.nextDouble(-WORLD, WORLD);
+        }
+
+        private static double[] corner(double x, double z, double width, double length) {
+            return new double[] {x, z, x + width, z + length};
+        }
+
+        private static double[] around(SplittableRandom random, double x, double z, double reachX, double reachZ) {
+            double halfX = random.nextInt(8) == 0 ? 0 : reachX;
+            double halfZ = random.nextInt(8) == 0 ? 0 : reachZ;
+            return new double[] {x - halfX, z - halfZ, x + halfX, z + halfZ};
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void boxesFindWhatTheListFinds(Scene scene) {
+        SplittableRandom random = new SplittableRandom(51 + scene.ordinal());
+        double[][] boxes = new double[400][];
+        QuadTree tree = new QuadTree(-WORLD, -WORLD, WORLD, WORLD);
+        QuadTree.Cursor cursor = tree.cursor();
+        int found = 0;
+        int asked = 0;
+        for (int step = 0; step < 3000; step++) {
+            int id = random.nextInt(boxes.length);
+            churn(tree, boxes, id, scene, random, step);
+            if (step % 4 == 0) {
+                double[] query = random.nextInt(3) == 0 ? touching(boxes, random) : scene.box(random);
+                found += assertBox(tree, cursor, boxes, query);
+                asked += tree.size();
+            }
+        }
+        assertThat(found).isBetween(1, asked - (scene == Scene.ONE_PLACE ? 0 : 1));
+        for (int id = 0; id < boxes.length; id++) {
+            assertThat(tree.remove(id)).isEqualTo(boxes[id] != null);
+        }
+        assertThat(tree.size()).isZero();
+        assertThat(tree.regions()).isEqualTo(1);
+        assertBox(tree, cursor, new double[0][], new double[] {-1e300, -1e300, 1e300, 1e300});
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void raysFindWhatTheListFinds(Scene scene) {
+        SplittableRandom random = new SplittableRandom(71 + scene.ordinal());
+        double[][] boxes = new double[150][];
+        QuadTree tree = new QuadTree(-WORLD, -WORLD, WORLD, WORLD);
+        QuadTree.Cursor cursor = tree.cursor();
+        int hits = 0;
+        int misses = 0;
+        int entriesChecked = 0;
+        for (int step = 0; step < 900; step++) {
+            churn(tree, boxes, random.nextInt(boxes.length), scene, random, step);
+            if (step % 3 != 0) {
+                continue;
+            }
+            double[] ray = ray(boxes, scene, random);
+            double limit = random.nextInt(3) == 0 ? random.nextDouble(3) : Double.POSITIVE_INFINITY;
+            BitSet ids = collectRay(cursor, ray, limit);
+            entriesChecked += assertEntries(cursor, ray, boxes);
+            for (int id = 0; id < boxes.length; id++) {
+                BigDecimal truth = boxes[id] == null ? null : Entry.exact(ray, boxes[id]);
+                boolean hit = truth != null
+                        && (limit == Double.POSITIVE_INFINITY || truth.compareTo(new BigDecimal(limit)) <= 0);
+                if (hit) {
+                    assertThat(ids.get(id)).as("box %d on the ray", id).isTrue();
+                    hits++;
+                } else if (boxes[id] != null && !Entry.isNear(ray, boxes[id], limit)) {
+                    assertThat(ids.get(id)).as("box %d off the ray", id).isFalse();
+                    misses++;
+                }
+            }
+        }
+        assertThat(hits).isGreaterThan(50);
+        assertThat(entriesChecked).isGreaterThan(50);
+        assertThat(misses).isGreaterThan(scene == Scene.ONE_CORNER ? 0 : 50);
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void pointsFindWhatTheListFinds(Scene scene) {
+        SplittableRandom random = new SplittableRandom(91 + scene.ordinal());
+        double[][] boxes = new double[150][];
+        QuadTree tree = new QuadTree(-WORLD, -WORLD, WORLD, WORLD);
+        QuadTree.Cursor cursor = tree.cursor();
+        int inside = 0;
+        int near = 0;
+        for (int step = 0; step < 900; step++) {
+            churn(tree, boxes, random.nextInt(boxes.length), scene, random, step);
+            double[] at = random.nextInt(3) == 0 ? touching(boxes, random) : scene.box(random);
+            double limit = random.nextInt(4) == 0 ? 0 : random.nextDouble(scene == Scene.OUTSIDE ? 1e8 : 300);
+            double last = 0;
+            BitSet ids = new BitSet();
+            cursor.startPoint(at[0], at[1], limit);
+            for (int id = cursor.next(limit); id >= 0; id = cursor.next(limit)) {
+                ids.set(id);
+                assertThat(cursor.entry()).isBetween(last, limit);
+                last = cursor.entry();
+                BigDecimal truth = Entry.squareOfDistance(at[0], at[1], boxes[id]);
+                assertThat(new BigDecimal(last).pow(2)).isLessThanOrEqualTo(truth);
+                assertThat(last * (1 + 1e-14) + 1e-300).isGreaterThan(Math.sqrt(truth.doubleValue()));
+            }
+            for (int id = 0; id < boxes.length; id++) {
+                if (boxes[id] != null
+                        && Entry.squareOfDistance(at[0], at[1], boxes[id]).compareTo(new BigDecimal(limit).pow(2))
+                                <= 0) {
+                    assertThat(ids.get(id)).isTrue();
+                    near++;
+                    inside += limit == 0 ? 1 : 0;
+                }
+            }
+        }
+        assertThat(near).isGreaterThan(100);
+        assertThat(inside).isPositive();
+    }
+
+    @Test
+    void aShrinkingLimitEndsARay() {
+        QuadTree tree = new QuadTree(-10, -10, 10, 10);
+        for (int id = 0; id < 8; id++) {
+            tree.add(id, id, -1, id + 0.5, 1);
+        }
+        QuadTree.Cursor cursor = tree.cursor();
+        cursor.startRay(-5, 0, 1, 0, Double.POSITIVE_INFINITY);
+        assertThat(cursor.next(100)).isZero();
+        assertThat(cursor.entry()).isBetween(5 - 1e-14, 5.0);
+        assertThat(cursor.next(6)).isEqualTo(1);
+        assertThat(cursor.next(6)).isEqualTo(-1);
+        cursor.startRay(3.25, 0, 0x1p-1040, 0, Double.POSITIVE_INFINITY);
+        assertThat(cursor.next(Double.POSITIVE_INFINITY)).isEqualTo(3);
+        assertThat(cursor.next(Double.POSITIVE_INFINITY)).isEqualTo(4);
+        assertThat(cursor.entry())
+                .as("an overflowing parameter is still a lower bound")
+                .isEqualTo(Double.MAX_VALUE);
+    }
+
+    @Test
+    void raysAlongBordersMeetThem() {
+        QuadTree tree = new QuadTree(-10, -10, 10, 10);
+        tree.add(0, 1, 1, 2, 2);
+        QuadTree.Cursor cursor = tree.cursor();
+        double[][] rays = {
+            {0, 1, 1, 0},
+            {0, 2, 5, -0.0},
+            {1, 0, 0, 1},
+            {2, 5, -0.0, -3},
+            {2, 2, 1, 1},
+            {2, 2, -0.0, 1},
+            {1, 1, -1, 0},
+            {0, 0, 1, 1},
+            {0, 3, 1, -1},
+            {0, 0, 0x1p-1030, 0x1p-1030},
+            {0, 0, 0x1p1000, 0x1p1000}
+        };
+        for (double[] ray : rays) {
+            assertThat(collectRay(cursor, ray, Double.POSITIVE_INFINITY).cardinality())
+                    .as(Arrays.toString(ray))
+                    .isEqualTo(1);
+        }
+        double[][] others = {{0, Math.nextDown(1.0), 1, 0}, {Math.nextUp(2.0), 0, 0, 1}, {3, 1, 1, 0}, {0, 0, -1, -1}};
+        for (double[] ray : others) {
+            assertThat(collectRay(cursor, ray, Double.POSITIVE_INFINITY).isEmpty())
+                    .as(Arrays.toString(ray))
+                    .isTrue();
+        }
+    }
+
+    @Test
+    void queriesLookIntoFewRegions() {
+        SplittableRandom random = new SplittableRandom(61);
+        int n = 20_000;
+        double side = Math.sqrt(n) * 5;
+        QuadTree tree = new QuadTree(0, 0, side, side);
+        for (int id = 0; id < n; id++) {
+            double x = random.nextDouble(side);
+            double z = random.nextDouble(side);
+            tree.add(id, x, z, x + 1, z + 1);
+        }
+        assertThat(tree.regions()).isLessThan(4 * n);
+        QuadTree.Cursor cursor = tree.cursor();
+        int queries = 1000;
+        for (int i = 0; i < queries; i++) {
+            double x = random.nextDouble(side);
+            double z = random.nextDouble(side);
+            cursor.startBox(x, z, x + 1, z + 1);
+            while (cursor.next() >= 0) {}
+        }
+        long byBoxes = cursor.visited();
+        assertThat(byBoxes / queries).isBetween(4L, 40L);
+        for (int i = 0; i < queries; i++) {
+            double angle = random.nextDouble(2 * Math.PI);
+            cursor.startRay(
+                    random.nextDouble(side),
+                    random.nextDouble(side),
+                    StrictMath.cos(angle),
+                    StrictMath.sin(angle),
+                    Double.POSITIVE_INFINITY);
+            cursor.next(Double.POSITIVE_INFINITY);
+        }
+        assertThat((cursor.visited() - byBoxes) / queries).isBetween(4L, 60L);
+    }
+
+    @Test
+    void linesOfClosePairsStaySmall() {
+        QuadTree tree = new QuadTree(0, 0, 1000, 1000);
+        for (int id = 0; id < 1000; id++) {
+            double x = id / 2 + id % 2 * 1e-11;
+            tree.add(id, x, x, x, x);
+        }
+        assertThat(tree.regions()).isLessThan(4 * 1000);
+    }
+
+    @Test
+    void everyObjectHasARegionOfItsOwn() {
+        SplittableRandom random = new SplittableRandom(62);
+        QuadTree tree = new QuadTree(-WORLD, -WORLD, WORLD, WORLD);
+        for (int id = 0; id < 2000; id++) {
+            double[] box = Scene.SPREAD.box(random);
+            tree.add(id, box[0], box[1], box[2], box[3]);
+        }
+        int objects = 0;
+        for (int region = 0; region < tree.regions(); region++) {
+            int link = tree.regions.links[region];
+            objects += link < 0 && link != Regions.EMPTY && ~link <= QuadTree.MAX_ID ? 1 : 0;
+        }
+        assertThat(objects).isEqualTo(2000);
+    }
+
+    @Test
+    void queriesAllocateNothing() {
+        SplittableRandom random = new SplittableRandom(63);
+        QuadTree tree = new QuadTree(-WORLD, -WORLD, WORLD, WORLD);
+        for (int id = 0; id < 2000; id++) {
+            double[] box = Scene.SPREAD.box(random);
+            tree.add(id, box[0], box[1], box[2], box[3]);
+        }
+        QuadTree.Cursor cursor = tree.cursor();
+        query(cursor, 3000);
+        var threads = (com.sun.management.ThreadMXBean) java.lang.management.ManagementFactory.getThreadMXBean();
+        long before = threads.getCurrentThreadAllocatedBytes();
+        query(cursor, 3000);
+        assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(3000);
+    }
+
+    private static void query(QuadTree.Cursor cursor, int count) {
+        for (int i = 0; i < count; i++) {
+            double x = (i * 37) % 1000 - WORLD;
+            double z = (i * 91) % 1000 - WORLD;
+            cursor.startRay(x, z, i % 7 - 3, i % 5 + 1, 1000);
+            while (cursor.next(1000) >= 0) {}
+            cursor.startPoint(x, z, 100);
+            while (cursor.next(100) >= 0) {}
+            cursor.startBox(x, z, x + 50, z + 50);
+            while (cursor.next() >= 0) {}
+        }
+    }
+
+    @Test
+    void refusesWhatItCannotHold() {
+        QuadTree tree = new QuadTree(0, 0, 0, 0);
+        tree.add(3, 1, 1, 1, 1);
+        assertThat(tree.contains(3)).isTrue();
+        assertThat(tree.contains(4)).isFalse();
+        assertThat(tree.remove(4)).isFalse();
+        assertThat(tree.remove(-1)).isFalse();
+        assertThat(tree.remove(1 << 30)).isFalse();
+        assertThatThrownBy(() -> tree.add(3, 0, 0, 1, 1)).hasMessageContaining("got: 3");
+        assertThatThrownBy(() -> tree.add(-1, 0, 0, 1, 1)).isInstanceOf(IllegalArgumentException.class);
+        assertThatThrownBy(() -> tree.add(1, 0, Double.NaN, 1, 1)).isInstanceOf(IllegalArgumentException.class);
+        assertThatThrownBy(() -> tree.add(1, 2, 0, 1, 1)).isInstanceOf(IllegalArgumentException.class);
+        assertThatThrownBy(() -> tree.cursor().startRay(0, 0, 0, -0.0, 1)).isInstanceOf(IllegalArgumentException.class);
+        assertThatThrownBy(() -> tree.cursor().startRay(0, 0, Double.NaN, 1, 1))
+                .isInstanceOf(IllegalArgumentException.class);
+        assertThatThrownBy(() -> new QuadTree(0, 0, Double.NaN, 1)).isInstanceOf(IllegalArgumentException.class);
+        assertThat(tree.size()).isEqualTo(1);
+    }
+
+    // One change; at first mostly additions, so that there is something to find.
+    private static void churn(QuadTree tree, double[][] boxes, int id, Scene scene, SplittableRandom random, int step) {
+        if (boxes[id] == null) {
+            double[] box = scene.box(random);
+            tree.add(id, box[0], box[1], box[2], box[3]);
+            boxes[id] = box;
+        } else if (step > boxes.length && random.nextBoolean()) {
+            assertThat(tree.remove(id)).isTrue();
+            assertThat(tree.contains(id)).isFalse();
+            boxes[id] = null;
+        }
+    }
+
+    private static double[] touching(double[][] boxes, SplittableRandom random) {
+        double[] box = boxes[random.nextInt(boxes.length)];
+        return box == null
+                ? new double[] {0, 0, 0, 0}
+                : new double[] {
+                    box[2], random.nextBoolean() ? box[3] : Math.nextUp(box[3]), box[2] + 1, Math.nextUp(box[3]) + 1
+                };
+    }
+
+    private static int assertBox(QuadTree tree, QuadTree.Cursor cursor, double[][] boxes, double[] query) {
+        BitSet expected = new BitSet();
+        int size = 0;
+        for (int id = 0; id < boxes.length; id++) {
+            double[] box = boxes[id];
+            size += box == null ? 0 : 1;
+            expected.set(
+                    id,
+                    box != null
+                            && box[0] <= query[2]
+                            && query[0] <= box[2]
+                            && box[1] <= query[3]
+                            && query[1] <= box[3]);
+        }
+        BitSet ids = new BitSet();
+        cursor.startBox(query[0], query[1], query[2], query[3]);
+        for (int id = cursor.next(); id >= 0; id = cursor.next()) {
+            assertThat(ids.get(id)).as("once only").isFalse();
+            ids.set(id);
+        }
+        assertThat(ids).isEqualTo(expected);
+        assertThat(tree.size()).isEqualTo(size);
+        return ids.cardinality();
+    }
+
+    // Some at random, some along the axes, some exactly at corners or along borders.
+    private static double[] ray(double[][] boxes, Scene scene, SplittableRandom random) {
+        double[] from = scene.box(random);
+        double[] to = scene.box(random);
+        double[] target = boxes[random.nextInt(boxes.length)];
+        double[] ray = {from[0], from[1], to[0] - from[0], to[1] - from[1]};
+        switch (random.nextInt(6)) {
+            case 0 -> ray[2] = random.nextBoolean() ? 0.0 : -0.0;
+            case 1 -> ray[3] = random.nextBoolean() ? 0.0 : -0.0;
+            case 2 -> {
+                if (target != null) {
+                    ray = new double[] {target[0] - 3, target[1] - 4, 3, 4};
+                }
+            }
+            case 3 -> {
+                if (target != null) {
+                    ray = new double[] {target[0], from[1], -0.0, random.nextBoolean() ? 1 : -1};
+                }
+            }
+            case 4 -> {
+                if (target != null) {
+                    ray = new double[] {target[2], target[3], random.nextInt(-1, 2), random.nextInt(-1, 2)};
+                }
+            }
+            default -> {}
+        }
+        return ray[2] == 0 && ray[3] == 0 ? new double[] {from[0], from[1], 1, 0} : ray;
+    }
+
+    private static BitSet collectRay(QuadTree.Cursor cursor, double[] ray, double limit) {
+        BitSet ids = new BitSet();
+        double last = 0;
+        cursor.startRay(ray[0], ray[1], ray[2], ray[3], limit);
+        for (int id = cursor.next(limit); id >= 0; id = cursor.next(limit)) {
+            assertThat(ids.get(id)).as("once only").isFalse();
+            ids.set(id);
+            assertThat(cursor.entry()).isBetween(last, limit);
+            last = cursor.entry();
+        }
+        return ids;
+    }
+
+    // Rounded down, and by little.
+    private static int assertEntries(QuadTree.Cursor cursor, double[] ray, double[][] boxes) {
+        int checked = 0;
+        cursor.startRay(ray[0], ray[1], ray[2], ray[3], Double.POSITIVE_INFINITY);
+        for (int id = cursor.next(Double.POSITIVE_INFINITY); id >= 0; id = cursor.next(Double.POSITIVE_INFINITY)) {
+            BigDecimal truth = Entry.exact(ray, boxes[id]);
+            if (truth != null) {
+                assertThat(new BigDecimal(cursor.entry())).isLessThanOrEqualTo(truth);
+                assertThat(cursor.entry() * (1 + 1e-14) + 1e-300).isGreaterThanOrEqualTo(truth.doubleValue());
+                checked++;
+            }
+        }
+        return checked;
+    }
+
+    /** The exact twin of a ray against a box. */
+    static final class Entry {
+        private static final MathContext DIGITS = new MathContext(80);
+
+        private Entry() {}
+
+        // The parameter of entry, rounded in the 80th digit, or null; decided by cross-multiplied rationals.
+        static BigDecimal exact(double[] ray, double[] box) {
+            BigDecimal[][] interval = new BigDecimal[2][];
+            for (int axis = 0; axis < 2; axis++) {
+                BigDecimal direction = new BigDecimal(ray[2 + axis]);
+                BigDecimal low = new BigDecimal(box[axis]).subtract(new BigDecimal(ray[axis]));
+                BigDecimal high = new BigDecimal(box[2 + axis]).subtract(new BigDecimal(ray[axis]));
+                if (direction.signum() == 0) {
+                    if (low.signum() > 0 || high.signum() < 0) {
+                        return null;
+                    }
+                    continue;
+                }
+                boolean back = direction.signum() < 0;
+                interval[axis] =
+                        new BigDecimal[] {back ? high.negate() : low, back ? low.negate() : high, direction.abs()};
+                if (interval[axis][1].signum() < 0) {
+                    return null;
+                }
+            }
+            BigDecimal enter = BigDecimal.ZERO;
+            for (BigDecimal[] own : interval) {
+                if (own != null) {
+                    enter = enter.max(own[0].divide(own[2], DIGITS));
+                    for (BigDecimal[] other : interval) {
+                        if (other != null && own[0].multiply(other[2]).compareTo(other[1].multiply(own[2])) > 0) {
+                            return null;
+                        }
+                    }
+                }
+            }
+            return enter;
+        }
+
+        // So near that rounding may keep it: the box grown by a little is met, within a limit that is a little longer.
+        static boolean isNear(double[] ray, double[] box, double limit) {
+            double most = 0;
+            for (double number : box) {
+                most = Math.max(most, Math.abs(number));
+            }
+            double more = 1e-13 * Math.max(most, Math.max(Math.abs(ray[0]), Math.abs(ray[1])));
+            BigDecimal entry = exact(ray, new double[] {box[0] - more, box[1] - more, box[2] + more, box[3] + more});
+            return entry != null
+                    && (limit == Double.POSITIVE_INFINITY || entry.compareTo(new BigDecimal(limit * (1 + 1e-13))) <= 0);
+        }
+
+        static BigDecimal squareOfDistance(double x, double z, double[] box) {
+            BigDecimal dx = outside(x, box[0], box[2]);
+            BigDecimal dz = outside(z, box[1], box[3]);
+            return dx.multiply(dx).add(dz.multiply(dz));
+        }
+
+        private static BigDecimal outside(double x, double min, double max) {
+            return x < min
+                    ? new BigDecimal(min).subtract(new BigDecimal(x))
+                    : x > max ? new BigDecimal(x).subtract(new BigDecimal(max)) : BigDecimal.ZERO;
+        }
+    }
+}

@@ -1,0 +1,161 @@
+package robosim.geometry.narrow;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import robosim.geometry.exact.Degrees;
+
+/** Rows of leaves for the tests of the planar kernels: of any kind, and of the awkward sort. */
+final class PlanarRows {
+    static final int[] EXACT_KINDS = {Leaf.UPRIGHT_BOX, Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE, Leaf.BOX, Leaf.TRIANGLE};
+
+    private final SplittableRandom random;
+
+    PlanarRows(long seed) {
+        random = new SplittableRandom(seed);
+    }
+
+    SplittableRandom random() {
+        return random;
+    }
+
+    int exactKind() {
+        return EXACT_KINDS[random.nextInt(EXACT_KINDS.length)];
+    }
+
+    /** A row with its middle within {@code spread} of the origin and sizes up to {@code size}. */
+    double[] row(int kind, double spread, double size) {
+        double[] row = new double[Leaf.STRIDE];
+        for (int k = 0; k < 3; k++) {
+            row[k] = between(spread);
+        }
+        switch (kind) {
+            case Leaf.TRIANGLE -> {
+                double[] middle = Arrays.copyOf(row, 3);
+                for (int k = 0; k < 9; k++) {
+                    row[k] = middle[k % 3] + between(size);
+                }
+                if (random.nextInt(8) == 0) {
+                    System.arraycopy(row, 0, row, 3, 3);
+                }
+            }
+            case Leaf.PRISM -> prism(row, size);
+            default -> {
+                for (int k = 3; k < 6; k++) {
+                    row[k] = random.nextInt(12) == 0 ? 0 : random.nextDouble() * size;
+                }
+                rotation(kind, row);
+            }
+        }
+        return row;
+    }
+
+    private void prism(double[] row, double size) {
+        double cx = row[0];
+        double cz = row[2];
+        Arrays.fill(row, 0);
+        for (int k = 0; k < 10; k += 2) {
+            row[k] = Double.POSITIVE_INFINITY;
+            row[k + 1] = Double.NEGATIVE_INFINITY;
+        }
+        for (int k = 0; k < 6; k++) {
+            double x = cx + between(size);
+            double z = cz + between(size);
+            double y = between(size);
+            extend(row, 0, x);
+            extend(row, 2, z);
+            extend(row, 4, x + z);
+            extend(row, 6, x - z);
+            extend(row, 8, y);
+        }
+    }
+
+    private static void extend(double[] row, int at, double value) {
+        row[at] = Math.min(row[at], Math.nextDown(value));
+        row[at + 1] = Math.max(row[at + 1], Math.nextUp(value));
+    }
+
+    private void rotation(int kind, double[] row) {
+        if (kind == Leaf.UPRIGHT_BOX || kind == Leaf.UPRIGHT_CYLINDER || kind == Leaf.SPHERE) {
+            upright(row, random.nextInt(3) == 0 ? 90 * random.nextInt(4) : between(360));
+            return;
+        }
+        // a quaternion's matrix
+        double w = between(1);
+        double x = between(1);
+        double y = between(1);
+        double z = between(1);
+        double n = Math.sqrt(w * w + x * x + y * y + z * z);
+        w /= n;
+        x /= n;
+        y /= n;
+        z /= n;
+        double[] r = {
+            1 - 2 * (y * y + z * z),
+            2 * (x * y - z * w),
+            2 * (x * z + y * w),
+            2 * (x * y + z * w),
+            1 - 2 * (x * x + z * z),
+            2 * (y * z - x * w),
+            2 * (x * z - y * w),
+            2 * (y * z + x * w),
+            1 - 2 * (x * x + y * y)
+        };
+        System.arraycopy(r, 0, row, Leaf.ROTATION, 9);
+    }
+
+    static void upright(double[] row, double heading) {
+        double c = Degrees.cos(heading);
+        double s = Degrees.sin(heading);
+        double[] r = {c, 0, s, 0, 1, 0, -s, 0, c};
+        System.arraycopy(r, 0, row, Leaf.ROTATION, 9);
+    }
+
+    /** On a grid of small integers, where touching is frequent and exact. */
+    double[] gridRow(int kind) {
+        double[] row = new double[Leaf.STRIDE];
+        for (int k = 0; k < 9; k++) {
+            row[k] = random.nextInt(-4, 5);
+        }
+        if (kind == Leaf.TRIANGLE) {
+            return row;
+        }
+        for (int k = 3; k < 6; k++) {
+            row[k] = random.nextInt(0, 4);
+        }
+        Arrays.fill(row, 6, 16, 0);
+        if (kind == Leaf.BOX && random.nextBoolean()) {
+            rotation(kind, row);
+        } else {
+            upright(row, 90 * random.nextInt(4));
+        }
+        return row;
+    }
+
+    /** The same leaf, shifted. */
+    static double[] moved(int kind, double[] row, double x, double z) {
+        double[] moved = row.clone();
+        if (kind == Leaf.PRISM) {
+            throw new IllegalArgumentException("kind must not be an octagon (got: " + kind + ")");
+        }
+        int corners = kind == Leaf.TRIANGLE ? 3 : 1;
+        for (int k = 0; k < corners; k++) {
+            moved[3 * k] += x;
+            moved[3 * k + 2] += z;
+        }
+        return moved;
+    }
+
+    /** The same leaf in a world scaled by a power of two. */
+    static double[] scaled(int kind, double[] row, double factor) {
+        double[] scaled = row.clone();
+        int lengths = kind == Leaf.TRIANGLE ? 9 : kind == Leaf.PRISM ? 10 : 6;
+        for (int k = 0; k < lengths; k++) {
+            scaled[k] *= factor;
+        }
+        return scaled;
+    }
+
+    double between(double size) {
+        return (2 * random.nextDouble() - 1) * size;
+    }
+}

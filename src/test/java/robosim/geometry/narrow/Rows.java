@@ -1,0 +1,124 @@
+package robosim.geometry.narrow;
+
+import java.util.SplittableRandom;
+
+/** Rows of leaves for tests. */
+final class Rows {
+    private Rows() {}
+
+    static double[] box(double x, double y, double z, double hx, double hy, double hz, double[] r) {
+        double[] row = new double[Leaf.STRIDE];
+        row[0] = x;
+        row[1] = y;
+        row[2] = z;
+        row[3] = hx;
+        row[4] = hy;
+        row[5] = hz;
+        System.arraycopy(r, 0, row, Leaf.ROTATION, 9);
+        return row;
+    }
+
+    static double[] cylinder(double x, double y, double z, double radius, double halfHeight, double[] r) {
+        double[] row = new double[Leaf.STRIDE];
+        row[0] = x;
+        row[1] = y;
+        row[2] = z;
+        row[3] = radius;
+        row[4] = halfHeight;
+        System.arraycopy(r, 0, row, Leaf.ROTATION, 9);
+        return row;
+    }
+
+    static double[] sphere(double x, double y, double z, double radius) {
+        return new double[] {x, y, z, radius, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+    }
+
+    static double[] triangle(double... corners) {
+        double[] row = new double[Leaf.STRIDE];
+        System.arraycopy(corners, 0, row, 0, 9);
+        return row;
+    }
+
+    static double[] identity() {
+        return new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    }
+
+    /** The matrix of an upright attitude. */
+    static double[] yaw(double radians) {
+        double c = StrictMath.cos(radians);
+        double s = StrictMath.sin(radians);
+        return new double[] {c, 0, s, 0, 1, 0, -s, 0, c};
+    }
+
+    /** A random rotation, from a quaternion. */
+    static double[] rotation(SplittableRandom random) {
+        double a = random.nextDouble(-1, 1);
+        double b = random.nextDouble(-1, 1);
+        double c = random.nextDouble(-1, 1);
+        double d = random.nextDouble(-1, 1);
+        double n = Math.sqrt(a * a + b * b + c * c + d * d);
+        if (n < 0.1) {
+            return identity();
+        }
+        a /= n;
+        b /= n;
+        c /= n;
+        d /= n;
+        return new double[] {
+            1 - 2 * (c * c + d * d),
+            2 * (b * c - a * d),
+            2 * (b * d + a * c),
+            2 * (b * c + a * d),
+            1 - 2 * (b * b + d * d),
+            2 * (c * d - a * b),
+            2 * (b * d - a * c),
+            2 * (c * d + a * b),
+            1 - 2 * (b * b + c * c)
+        };
+    }
+
+    /** A random leaf of a kind, of size about 1, with its centre in a cube of the given half width. */
+    static double[] random(int kind, SplittableRandom random, double spread) {
+        double x = random.nextDouble(-spread, spread);
+        double y = random.nextDouble(-spread, spread);
+        double z = random.nextDouble(-spread, spread);
+        double p = random.nextDouble(0.2, 1);
+        double q = random.nextDouble(0.2, 1);
+        double r = random.nextDouble(0.2, 1);
+        return switch (kind) {
+            case Leaf.UPRIGHT_BOX -> box(x, y, z, p, q, r, yaw(random.nextDouble(-3, 3)));
+            case Leaf.BOX -> box(x, y, z, p, q, r, rotation(random));
+            case Leaf.UPRIGHT_CYLINDER -> cylinder(x, y, z, p, q, identity());
+            case Leaf.CYLINDER -> cylinder(x, y, z, p, q, rotation(random));
+            case Leaf.SPHERE -> sphere(x, y, z, p);
+            case Leaf.PRISM -> prism(x, y, z, p, q, r, random);
+            case Leaf.TRIANGLE -> {
+                double[] corners = new double[9];
+                for (int k = 0; k < 9; k += 3) {
+                    corners[k] = x + random.nextDouble(-1, 1);
+                    corners[k + 1] = y + random.nextDouble(-1, 1);
+                    corners[k + 2] = z + random.nextDouble(-1, 1);
+                }
+                yield triangle(corners);
+            }
+            default -> throw new IllegalArgumentException("no such kind (got: " + kind + ")");
+        };
+    }
+
+    private static double[] prism(double x, double y, double z, double p, double q, double r, SplittableRandom random) {
+        double[] row = new double[Leaf.STRIDE];
+        double s = random.nextDouble(Math.max(p, r), p + r);
+        double d = random.nextDouble(Math.max(p, r), p + r);
+        row[0] = x - p;
+        row[1] = x + p;
+        row[2] = z - r;
+        row[3] = z + r;
+        row[4] = x + z - s;
+        row[5] = x + z + s;
+        row[6] = x - z - d;
+        row[7] = x - z + d;
+        row[8] = y - q;
+        row[9] = y + q;
+        return row;
+    }
+}

@@ -1,0 +1,257 @@
+package robosim.geometry.viewer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import javax.imageio.ImageIO;
+import javax.xml.parsers.DocumentBuilderFactory;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.w3c.dom.Document;
+import org.w3c.dom.Element;
+import org.w3c.dom.NodeList;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.SphereObject;
+
+class PainterTest {
+    private static final int RED = 0xff0000;
+
+    /** 20 by 10 units: 75 pixels a unit. */
+    private static final Scene.View VIEW = Scene.View.world(20, 10);
+
+    private static Scene scene() {
+        List<Scene.Thing> things = List.of(
+                new Scene.Thing(new BoxObject(new Point(-5, 0, 0), 4, 1, 2).named("wall & <door>"), RED),
+                new Scene.Thing(
+                        new BoxObject(new Point(-5, 0, 3), 2, 1, 1)
+                                .turned(30, 20)
+                                .turned(25, 40),
+                        null),
+                new Scene.Thing(new CylinderObject(new Point(0, 0, 0), 1, 1), 0x00ff00),
+                new Scene.Thing(new CylinderObject(new Point(0, 0, 3), 0.5, 2).turned(90, 0), null),
+                new Scene.Thing(new SphereObject(new Point(5, 0, 0), 1.5), 0x0000ff),
+                new Scene.Thing(mesh().movedTo(new Point(5, 0, 3)), null),
+                new Scene.Thing(
+                        new ObjectGroup(List.of(
+                                new BoxObject(new Point(), 1, 1, 1), new SphereObject(new Point(1, 0, 0), 0.5))),
+                        null),
+                new Scene.Thing(new CylinderObject(new Point(0, 0, -3), 0.4, 1).moveable("drum"), null));
+        return Scene.of("Everything", VIEW, things)
+                .described("a line below", "m")
+                .with(
+                        List.of(new Scene.Trail("drum", List.of(new Point(-3, 0, -3), new Point(0, 0, -3)))),
+                        List.of(
+                                new Scene.Ping(new Point(0, 0, -3), 30, 20, 5, 2),
+                                new Scene.Ping(new Point(0, 0, -3), 0, 0, 5, 4),
+                                new Scene.Ping(new Point(0, 0, -3), 200, 20, 5, Double.POSITIVE_INFINITY)),
+                        List.of(new Scene.Refusal(new Point(-2, 0, -3), 90)));
+    }
+
+    private static MeshObject mesh() {
+        return new MeshObject(
+                List.of(new Point(0, 0, 0), new Point(1, 0, 0), new Point(1, 0, 1), new Point(0, 1, 1)),
+                new int[][] {{0, 1, 2, 3}});
+    }
+
+    private static Document parse(String svg) throws Exception {
+        DocumentBuilderFactory factory = DocumentBuilderFactory.newInstance();
+        factory.setNamespaceAware(true);
+        return factory.newDocumentBuilder().parse(new ByteArrayInputStream(svg.getBytes(StandardCharsets.UTF_8)));
+    }
+
+    private static List<Element> withClass(Document document, String role) {
+        List<Element> found = new ArrayList<>();
+        NodeList groups = document.getElementsByTagNameNS("http://www.w3.org/2000/svg", "g");
+        for (int k = 0; k < groups.getLength(); k++) {
+            Element group = (Element) groups.item(k);
+            if (List.of(group.getAttribute("class").split(" ")).contains(role)) {
+                found.add(group);
+            }
+        }
+        return found;
+    }
+
+    private static int count(Element group, String tag) {
+        return group.getElementsByTagName(tag).getLength();
+    }
+
+    @Test
+    void everyThingStandsInTheDocument() throws Exception {
+        Document document = parse(Painter.svg(scene()));
+        assertThat(withClass(document, "box")).hasSize(2);
+        assertThat(withClass(document, "cylinder")).hasSize(3); // the robot is one
+        assertThat(withClass(document, "sphere")).hasSize(1);
+        assertThat(withClass(document, "mesh")).hasSize(1);
+        assertThat(withClass(document, "group")).hasSize(1);
+        assertThat(withClass(document, "robot")).hasSize(1);
+        assertThat(withClass(document, "trail")).hasSize(1);
+        assertThat(withClass(document, "ping")).hasSize(2);
+        assertThat(withClass(document, "silence")).hasSize(1);
+        // One in the map, one in the legend.
+        assertThat(withClass(document, "refusal")).hasSize(2);
+        assertThat(withClass(document, "scale-bar")).hasSize(1);
+        assertThat(withClass(document, "ramp")).hasSize(1);
+        assertThat(document.getDocumentElement().getTextContent())
+                .contains("Everything", "a line below", "wall & <door>", "drum", "2 m", "refused move, 1 in all");
+    }
+
+    @Test
+    void shapesAreDrawnAsWhatTheyCover() throws Exception {
+        Document document = parse(Painter.svg(scene()));
+        Element sphere = (Element) withClass(document, "sphere")
+                .get(0)
+                .getElementsByTagName("circle")
+                .item(0);
+        assertThat(sphere.getAttribute("r")).isEqualTo("112.5");
+        assertThat(sphere.getAttribute("cx")).isEqualTo(SvgCanvas.number(MapFrame.SIDE + 15 * 75));
+        assertThat(sphere.getAttribute("cy")).isEqualTo(SvgCanvas.number(MapFrame.TOP + 5 * 75));
+        Element box = (Element)
+                withClass(document, "box").get(0).getElementsByTagName("path").item(0);
+        assertThat(box.getAttribute("d").replaceAll("[^MLZ]", "")).isEqualTo("MLLLZ");
+        Element tipped = (Element)
+                withClass(document, "box").get(1).getElementsByTagName("path").item(0);
+        assertThat(tipped.getAttribute("d").replaceAll("[^MLZ]", "")).isEqualTo("MLLLLLZ");
+        Element mesh = (Element)
+                withClass(document, "mesh").get(0).getElementsByTagName("path").item(0);
+        assertThat(mesh.getAttribute("d").replaceAll("[^MLZ]", "")).isEqualTo("MLLZMLLZ");
+        Element group = withClass(document, "group").get(0);
+        assertThat(count(group, "path")).isEqualTo(1);
+        assertThat(count(group, "circle")).isEqualTo(1);
+    }
+
+    @Test
+    void theSameSceneGivesTheSameBytes() {
+        assertThat(Painter.svg(scene())).isEqualTo(Painter.svg(scene()));
+        BufferedImage first = Painter.image(scene(), Theme.DARK);
+        BufferedImage second = Painter.image(scene(), Theme.DARK);
+        int width = first.getWidth();
+        int height = first.getHeight();
+        assertThat(first.getRGB(0, 0, width, height, null, 0, width))
+                .isEqualTo(second.getRGB(0, 0, width, height, null, 0, width));
+    }
+
+    @Test
+    void pixelsHaveTheColourOfWhatIsThere() {
+        BufferedImage image = Painter.image(scene(), Theme.LIGHT);
+        assertThat(at(image, -6.7, 0.7)).isEqualTo(RED);
+        assertThat(at(image, 0.7, 0))
+                .isEqualTo(Palette.of(GeometryObject.Kind.GROUP).light()); // drawn after the cylinder
+        assertThat(at(image, 5.6, 0.9)).isEqualTo(0x0000ff);
+        assertThat(at(image, 9.4, 4.6)).isEqualTo(Palette.FLOOR.light());
+        assertThat(image.getRGB(3, 3) & 0xffffff).isEqualTo(Palette.PAPER.light());
+        // Within the cone that was heard after 2 units, and just beyond it.
+        double x = 1.5 * StrictMath.cos(StrictMath.toRadians(30));
+        double z = -3 - 1.5 * StrictMath.sin(StrictMath.toRadians(30));
+        assertThat(at(image, x, z)).isNotEqualTo(Palette.FLOOR.light());
+        assertThat(at(image, 1.6 * x, -3 + 1.6 * (z + 3))).isEqualTo(Palette.FLOOR.light());
+        BufferedImage dark = Painter.image(scene(), Theme.DARK);
+        assertThat(at(dark, 9.4, 4.6)).isEqualTo(Palette.FLOOR.dark());
+    }
+
+    private static int at(BufferedImage image, double x, double z) {
+        MapFrame frame = new MapFrame(VIEW);
+        return image.getRGB((int) frame.x(x), (int) frame.y(z)) & 0xffffff;
+    }
+
+    @Test
+    void positiveTurnsAreCounterClockwiseOnThePage() throws Exception {
+        // A long box turned by +30: its far end is up the page, towards -Z.
+        Scene scene = Scene.of(
+                "turned", VIEW, List.of(new Scene.Thing(new BoxObject(new Point(), 8, 1, 0.5).turned(0, 30), RED)));
+        BufferedImage image = Painter.image(scene, Theme.LIGHT);
+        double c = 3.5 * StrictMath.cos(StrictMath.toRadians(30));
+        double s = 3.5 * StrictMath.sin(StrictMath.toRadians(30));
+        assertThat(at(image, c, -s)).isEqualTo(RED);
+        assertThat(at(image, c, s)).isEqualTo(Palette.FLOOR.light());
+    }
+
+    @Test
+    void nearerIsStrongerAgainstThePaper() {
+        for (Theme theme : Theme.values()) {
+            double before = contrast(0, theme);
+            for (int k = 1; k < Palette.RAMP; k++) {
+                double now = contrast(k, theme);
+                assertThat(now).as("step %d on %s", k, theme).isLessThan(before + 0.02);
+                before = now;
+            }
+            assertThat(contrast(Palette.RAMP - 1, theme)).isLessThan(contrast(0, theme) - 0.25);
+        }
+    }
+
+    /** The difference of lightness (the cube root of luminance) from the floor. */
+    private static double contrast(int step, Theme theme) {
+        int ink = Palette.distance(step / (Palette.RAMP - 1.0)).in(theme);
+        return Math.abs(Math.cbrt(luminance(ink)) - Math.cbrt(luminance(Palette.FLOOR.in(theme))));
+    }
+
+    private static double luminance(int rgb) {
+        return 0.2126 * linear(rgb >> 16 & 0xff) + 0.7152 * linear(rgb >> 8 & 0xff) + 0.0722 * linear(rgb & 0xff);
+    }
+
+    private static double linear(int channel) {
+        double v = channel / 255.0;
+        return v <= 0.04045 ? v / 12.92 : Math.pow((v + 0.055) / 1.055, 2.4);
+    }
+
+    @Test
+    void flatAndPointedThingsAreStillDrawn() throws Exception {
+        List<Scene.Thing> things = List.of(
+                new Scene.Thing(new BoxObject(new Point(), 0, 0, 0), null),
+                new Scene.Thing(new BoxObject(new Point(), 0, 1, 3), null),
+                new Scene.Thing(new SphereObject(new Point(), 0), null),
+                new Scene.Thing(new CylinderObject(new Point(), 0, 2).turned(90, 0), null));
+        Document document = parse(Painter.svg(Scene.of("flat", VIEW, things)));
+        assertThat(withClass(document, "object")).hasSize(4);
+        assertThat(Painter.svg(Scene.of("flat", VIEW, things)))
+                .doesNotContain("NaN")
+                .doesNotContain("Infinity");
+    }
+
+    @Test
+    void theNameOfTheFileDecidesTheFormat(@TempDir Path folder) throws Exception {
+        Painter.write(scene(), Theme.LIGHT, folder.resolve("a.svg"));
+        Painter.write(scene(), Theme.LIGHT, folder.resolve("a.PNG"));
+        assertThat(Files.readString(folder.resolve("a.svg"))).isEqualTo(Painter.svg(scene()));
+        BufferedImage read = ImageIO.read(folder.resolve("a.PNG").toFile());
+        assertThat(read.getWidth())
+                .isEqualTo(Painter.image(scene(), Theme.LIGHT).getWidth());
+        assertThatThrownBy(() -> Painter.write(scene(), Theme.LIGHT, folder.resolve("a.gif")))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("a.gif");
+    }
+
+    @Test
+    void aViewMustHaveAnArea() {
+        assertThatThrownBy(() -> new Scene.View(0, 0, 0, 1, true)).hasMessageContaining("got: x 0.0 to 0.0");
+        assertThatThrownBy(() -> new Scene.View(0, 0, Double.NaN, 1, true)).hasMessageContaining("NaN");
+        Scene.View around = Scene.View.around(List.of(new SphereObject(new Point(3, 0, 4), 2)));
+        assertThat(around.minX()).isEqualTo(0.8);
+        assertThat(around.maxZ()).isEqualTo(6.2);
+        assertThat(Scene.View.around(List.of()).maxX()).isEqualTo(0.5);
+    }
+
+    @Test
+    void numbersAreShortAndNeverSurprising() {
+        assertThat(SvgCanvas.number(1)).isEqualTo("1");
+        assertThat(SvgCanvas.number(-0.001)).isEqualTo("0");
+        assertThat(SvgCanvas.number(-0.05)).isEqualTo("-0.05");
+        assertThat(SvgCanvas.number(12.5)).isEqualTo("12.5");
+        assertThat(SvgCanvas.number(12.346)).isEqualTo("12.35");
+        assertThat(SvgCanvas.escape("a\u0000<&>\"")).isEqualTo("a\ufffd&lt;&amp;&gt;&quot;");
+        assertThat(MapFrame.roundLength(7)).isEqualTo(5);
+        assertThat(MapFrame.roundLength(0.02)).isEqualTo(0.02);
+        assertThat(GridPainter.text(0.30000000000000004, 0.1)).isEqualTo("0.3");
+    }
+}

@@ -1,0 +1,141 @@
+package robosim.geometry.world;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.ByteArrayInputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.SphereObject;
+
+class WorldWriterTest {
+    private static World reread(String xml) throws WorldException {
+        return WorldReader.read(new ByteArrayInputStream(xml.getBytes(StandardCharsets.UTF_8)), "test", null);
+    }
+
+    @Test
+    void readsBackToAnEqualWorld() throws WorldException {
+        int worlds = 600;
+        int[] seen = new int[features("").length];
+        for (int seed = 0; seed < worlds; seed++) {
+            World world = new RandomWorlds(seed).next();
+            String xml = WorldWriter.toXml(world);
+            World again = reread(xml);
+            assertThat(again).as("seed %d:\n%s", seed, xml).isEqualTo(world);
+            assertThat(WorldWriter.toXml(again)).as("seed %d", seed).isEqualTo(xml);
+            boolean[] features = features(xml);
+            for (int k = 0; k < seen.length; k++) {
+                seen[k] += features[k] ? 1 : 0;
+            }
+        }
+        for (int k = 0; k < seen.length; k++) {
+            assertThat(seen[k]).as("feature %d", k).isBetween(worlds / 50, worlds * 49 / 50);
+        }
+    }
+
+    private static boolean[] features(String xml) {
+        String[] texts = {
+            "<box", "<cylinder", "<sphere", "<mesh", "<group", "<bounds>", "<quads>", "<triangles>", "solid=", "color=",
+            "<sonar", "max=", "heading=", "rotation=", "moveable=", "center=", "unit=", "PLANAR", "SPATIAL", "&quot;",
+            "&lt;", "&amp;", "&#9;", "&#10;", "\ud83e\udd16", "  <group", "      <group", "E-3"
+        };
+        boolean[] found = new boolean[texts.length];
+        for (int k = 0; k < texts.length; k++) {
+            found[k] = xml.contains(texts[k]);
+        }
+        return found;
+    }
+
+    @Test
+    void writesAHeadingWhereItGivesTheRotationBack() {
+        GeometryObject turned = new BoxObject(new Point(), 1, 1, 1).turned(0, 33.3);
+        assertThat(WorldWriter.toXml(new World(9, 9, 9, List.of(new WorldObject(turned)))))
+                .contains("heading=\"33.3\"")
+                .doesNotContain("rotation");
+    }
+
+    @Test
+    void writesTheSameTextForTheSameWorld() {
+        World world = new World(
+                4,
+                2,
+                4.5,
+                List.of(
+                        new WorldObject(
+                                new SphereObject(new Point(1, 0, -1), 0.5).moveable("ball"),
+                                "#FF0000",
+                                List.of(new SonarRing(4, 0, 3, 10))),
+                        new WorldObject(new ObjectGroup(List.of(new BoxObject(new Point(), 1, 1, 0.1))))));
+        assertThat(WorldWriter.toXml(world)).isEqualTo("""
+                        <?xml version="1.0" encoding="UTF-8"?>
+                        <world xmlns="urn:robosim:world:1" width="4.0" height="2.0" length="4.5" dimension="SPATIAL" accuracy="EXACT">
+                          <sphere name="ball" moveable="true" center="1.0 0.0 -1.0" radius="0.5" color="#ff0000">
+                            <sonar count="4" first="0.0" step="90.0" min="0.0" max="3.0" width="10.0"/>
+                          </sphere>
+                          <group>
+                            <box width="1.0" height="1.0" length="0.1"/>
+                          </group>
+                        </world>
+                        """);
+    }
+
+    @Test
+    void writesAWholeFileOrNone(@TempDir Path folder) throws Exception {
+        Path file = folder.resolve("world.xml");
+        World good = new World(1, 2, 3, List.of());
+        WorldWriter.write(good, file);
+        World bad = new World(
+                1, 2, 3, List.of(new WorldObject(new SphereObject(new Point(), 0).named("control \u0001 character"))));
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> WorldWriter.write(bad, file))
+                .withMessage("name must have only characters that XML has (got: U+1)");
+        assertThat(WorldReader.read(file)).isEqualTo(good);
+        try (var files = Files.list(folder)) {
+            assertThat(files).containsExactly(file);
+        }
+        Path nowhere = folder.resolve("missing/world.xml");
+        assertThatThrownBy(() -> WorldWriter.write(good, nowhere))
+                .isInstanceOf(WorldException.class)
+                .hasMessageContaining(nowhere.toString())
+                .hasMessageContaining("could not be written");
+    }
+
+    @Test
+    void refusesWhatTheReaderWouldRefuse() throws WorldException {
+        World named = named("x".repeat(1000));
+        assertThat(reread(WorldWriter.toXml(named))).isEqualTo(named);
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> WorldWriter.toXml(named("x".repeat(1001))))
+                .withMessageContaining("at most 1000 characters (got: 1001)");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> WorldWriter.toXml(named("half a pair \ud83e")))
+                .withMessageContaining("(got: U+d83e)");
+
+        World deep = nested(50);
+        assertThat(reread(WorldWriter.toXml(deep))).isEqualTo(deep);
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> WorldWriter.toXml(nested(51)))
+                .withMessageContaining("at most 50");
+    }
+
+    private static World named(String name) {
+        return new World(9, 9, 9, List.of(new WorldObject(new SphereObject(new Point(), 1).named(name))));
+    }
+
+    private static World nested(int groups) {
+        GeometryObject object = new SphereObject(new Point(), 1);
+        for (int k = 0; k < groups; k++) {
+            object = new ObjectGroup(List.of(object));
+        }
+        return new World(9, 9, 9, List.of(new WorldObject(object)));
+    }
+}
