@@ -68,7 +68,7 @@ class PlanarOverlapTest {
         PlanarRows rows = new PlanarRows(3);
         int hits = 0;
         int count = 0;
-        for (int k = 0; k < 350; k++) {
+        for (int k = 0; k < 600; k++) {
             int kindA = rows.exactKind();
             int kindB = rows.exactKind();
             double factor = Math.scalb(1.0, rows.random().nextInt(-40, 41));
@@ -154,7 +154,7 @@ class PlanarOverlapTest {
         int hits = 0;
         int count = 0;
         for (int exponent : new int[] {-1060, -1000, -540, -300, 90, 97}) {
-            for (int k = 0; k < 60; k++) {
+            for (int k = 0; k < 12; k++) {
                 int kindA = rows.exactKind();
                 int kindB = rows.exactKind();
                 double factor = Math.scalb(1.0, exponent);
