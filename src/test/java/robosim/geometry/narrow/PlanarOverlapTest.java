@@ -154,7 +154,7 @@ class PlanarOverlapTest {
         int hits = 0;
         int count = 0;
         for (int exponent : new int[] {-1060, -1000, -540, -300, 90, 97}) {
-            for (int k = 0; k < 12; k++) {
+            for (int k = 0; k < 60; k++) {
                 int kindA = rows.exactKind();
                 int kindB = rows.exactKind();
                 double factor = Math.scalb(1.0, exponent);
@@ -189,7 +189,7 @@ class PlanarOverlapTest {
         PlanarRows rows = new PlanarRows(7);
         int[] kinds = {0, 1, 2, 3, 4, 5, 6};
         int hits = 0;
-        int count = 4000;
+        int count = 1000;
         for (int k = 0; k < count; k++) {
             int kindA = k % 2 == 0 ? Leaf.CYLINDER : Leaf.PRISM;
             int kindB = kinds[rows.random().nextInt(kinds.length)];
