@@ -190,7 +190,8 @@ public final class Geometry {
      */
     public boolean placeObject(String name, Point center, double heading) {
         int id = mover(name);
-        GeometryObject placed = bodies.value(id).at(Pose.of(Arguments.present("center", center), Arguments.angle("heading", heading)));
+        GeometryObject placed =
+                bodies.value(id).at(Pose.of(Arguments.present("center", center), Arguments.angle("heading", heading)));
         if (!fits(placed) || collides(level, placed, id)) {
             return false;
         }

@@ -59,7 +59,9 @@ public final class SonarBundles {
                     300,
                     201,
                     () -> overSocket(writer, reader, requests).distances().size(),
-                    () -> ((DistanceBundle) session.answer(requests)).distances().size(),
+                    () -> ((DistanceBundle) session.answer(requests))
+                            .distances()
+                            .size(),
                     () -> asBytes(requests) + asBytes(truth));
             Timing.print("microseconds a bundle of %d requests, median of 201", REQUESTS);
             Timing.print("%-42s %8.0f", "over loopback", Timing.median(nanos[0]) / 1000);
