@@ -71,6 +71,7 @@ final class ConeCylinder {
     private double aside;
     private double rate;
 
+    // Its best t and what k(n) is there, rounding and all.
     private double value;
     private double share;
     private double lastY;
