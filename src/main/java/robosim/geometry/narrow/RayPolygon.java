@@ -47,7 +47,10 @@ final class RayPolygon {
             }
         }
         double square = ux * ux + uz * uz;
-        double share = Math.min(entry(q, ux, uz, nearest / square), furthest / square);
+        double first = kind == Leaf.BOX || kind == Leaf.UPRIGHT_BOX
+                ? RayZonogon.entry(ox, oz, ux, uz, b, j)
+                : lastCrossing(q, ux, uz);
+        double share = Math.min(Math.max(first, nearest / square), furthest / square);
         return Math.max(0, share) * Math.sqrt(square);
     }
 
@@ -75,8 +78,8 @@ final class RayPolygon {
     }
 
     // The last of the sides' lines that the ray crosses inward, for a ray that is known to hit.
-    private static double entry(PlanarShape q, double ux, double uz, double nearest) {
-        double share = Math.max(0, nearest);
+    private static double lastCrossing(PlanarShape q, double ux, double uz) {
+        double share = 0;
         int last = q.count - 1;
         for (int k = 0; k <= last; k++) {
             int previous = k == 0 ? last : k - 1;

@@ -82,7 +82,7 @@ public final class Sweep {
 
     private void bounds(int kind, double[] row, int at, double[] out) {
         if (turns) {
-            SweptBounds.turn(kind, row, at, px, py, pz, wx, wy, wz, degrees, out);
+            SweptBounds.turn(kind, row, at, px, py, pz, wx, wy, wz, degrees, out, s);
         } else {
             SweptBounds.translation(kind, row, at, dx, dy, dz, out);
         }

@@ -48,7 +48,7 @@ class DegreesTest {
     }
 
     @Test
-    void withinAnUlpOfTheSeries() {
+    void withinOneAndAHalfUlpOfTheSeries() {
         SplittableRandom random = new SplittableRandom(21);
         double worst = 0;
         for (int i = 0; i < 1500; i++) {
@@ -69,7 +69,7 @@ class DegreesTest {
                             Degrees.cos(degrees, lo),
                             sine(big(degrees).add(big(lo)).add(big(90)))));
         }
-        assertThat(worst).isBetween(0.4, 1.0);
+        assertThat(worst).isBetween(0.4, 1.5);
     }
 
     @Test

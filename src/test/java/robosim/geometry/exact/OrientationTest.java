@@ -162,7 +162,8 @@ class OrientationTest {
             }
             case 4 -> { // the same, too large or too small for products of doubles
                 onGrid(random, p);
-                scale(p, random.nextBoolean() ? 0x1p900 : 0x1p-1060);
+                double[] scales = {0x1p900, 0x1p-1060, 0x1p-539, 0x1p-541};
+                scale(p, scales[random.nextInt(4)]);
             }
             case 5 -> { // mixed magnitudes
                 onGrid(random, p);
@@ -213,7 +214,8 @@ class OrientationTest {
         int at = random.nextInt(12);
         p[at] = random.nextBoolean() ? p[at] : Samples.near(p[at], random);
         if (family == 4) {
-            scale(p, random.nextBoolean() ? 0x1p800 : 0x1p-1020);
+            double[] scales = {0x1p800, 0x1p-1020, 0x1p-360, 0x1p-362};
+            scale(p, scales[random.nextInt(4)]);
         }
     }
 

@@ -24,7 +24,7 @@ class WorldWriterTest {
 
     @Test
     void readsBackToAnEqualWorld() throws WorldException {
-        int worlds = 600;
+        int worlds = 300;
         int[] seen = new int[features("").length];
         for (int seed = 0; seed < worlds; seed++) {
             World world = new RandomWorlds(seed).next();
