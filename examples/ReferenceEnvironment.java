@@ -339,7 +339,7 @@ public final class ReferenceEnvironment {
                 retreatSteps--;
                 return backOff();
             }
-            if (boldSteps == 0 && random.nextInt(120) == 0) {
+            if (boldSteps == 0 && random.nextInt(50) == 0) {
                 boldSteps = 40;
             }
             if (boldSteps > 0) {
