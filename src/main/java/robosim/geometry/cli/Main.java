@@ -18,7 +18,8 @@ public final class Main {
             code = Commands.run(arguments);
         } catch (NoClassDefFoundError missing) {
             System.err.println("The command line needs picocli on the class path, which this one has not: "
-                    + "start it as `mvn -q compile exec:java`, or add the jar (missing: " + missing.getMessage() + ")");
+                    + "start it as `mvn -q compile exec:java`, or add picocli's jar; on a module path also"
+                    + " --add-modules info.picocli,java.desktop (missing: " + missing.getMessage() + ")");
             code = Commands.UNUSABLE;
         }
         if (code != 0) {

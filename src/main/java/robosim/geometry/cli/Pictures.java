@@ -3,6 +3,7 @@ package robosim.geometry.cli;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.viewer.Scene;
 import robosim.geometry.world.Unit;
@@ -21,7 +22,7 @@ final class Pictures {
         }
         String subtitle = things.size()
                 + (things.size() == 1 ? " object, " : " objects, ")
-                + world.dimension().name().toLowerCase(java.util.Locale.ROOT);
+                + world.dimension().name().toLowerCase(Locale.ROOT);
         return Scene.of(title, view(world, things), things).described(subtitle, unit(world));
     }
 

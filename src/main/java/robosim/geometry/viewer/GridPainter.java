@@ -1,5 +1,8 @@
 package robosim.geometry.viewer;
 
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+
 /** The floor, lines at round coordinates with their numbers, the world's border, and the title. */
 final class GridPainter {
     private final Scene scene;
@@ -59,8 +62,6 @@ final class GridPainter {
         if (places > 9 || Math.abs(value) >= 1e9) {
             return Double.toString(value);
         }
-        return new java.math.BigDecimal(value)
-                .setScale(places, java.math.RoundingMode.HALF_EVEN)
-                .toPlainString();
+        return new BigDecimal(value).setScale(places, RoundingMode.HALF_EVEN).toPlainString();
     }
 }

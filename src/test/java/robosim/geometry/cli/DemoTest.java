@@ -2,11 +2,15 @@ package robosim.geometry.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.ByteArrayInputStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Properties;
+import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.protocol.Bundle;
@@ -86,15 +90,29 @@ class DemoTest {
     }
 
     @Test
+    void failsWhereTheAuditFindsAnything(@TempDir Path folder) throws Exception {
+        Path examples = Files.createDirectories(folder.resolve("programs"));
+        Files.copy(Examples.FOLDER.resolve("ReferenceEnvironment.java"), examples.resolve("ReferenceEnvironment.java"));
+        // An auditor that doubts everything.
+        Files.writeString(
+                examples.resolve("ConversationAudit.java"),
+                "class ConversationAudit { public static void main(String[] a) {"
+                        + " System.out.println(\"1 FAULTS\"); System.exit(1); } }");
+        assertThat(demo(folder, "--examples", examples.toString())).isEqualTo(Commands.WRONG);
+        assertThat(Files.readString(folder.resolve("summary.txt"))).contains("1 FAULTS");
+        assertThat(Files.readString(folder.resolve("world.svg"))).contains("the audit found something wrong");
+    }
+
+    @Test
     void aTamperedRecordingIsFoundOut(@TempDir Path folder, @TempDir Path compiled) throws Exception {
         assertThat(demo(folder)).isZero();
         Path source = Examples.FOLDER.resolve("ConversationAudit.java");
-        assertThat(Examples.compile(java.util.List.of(source), compiled)).isEmpty();
+        assertThat(Examples.compile(List.of(source), compiled)).isEmpty();
         assertThat(Examples.audit(folder, compiled)).contains("nothing is wrong");
 
         byte[] truth = Files.readAllBytes(folder.resolve("from-module.bin"));
         rewrite(folder, truth, 1, bundle -> {
-            var distances = new java.util.ArrayList<>(((DistanceBundle) bundle).distances());
+            var distances = new ArrayList<>(((DistanceBundle) bundle).distances());
             distances.set(0, Math.min(distances.get(0), 3) - 0.001);
             return new DistanceBundle(distances);
         });
@@ -108,10 +126,9 @@ class DemoTest {
     }
 
     /** Changes one of the module's answers, counted from 1. */
-    private static void rewrite(Path folder, byte[] truth, int which, java.util.function.UnaryOperator<Bundle> change)
-            throws Exception {
+    private static void rewrite(Path folder, byte[] truth, int which, UnaryOperator<Bundle> change) throws Exception {
         try (var outgoing = Files.newOutputStream(folder.resolve("from-module.bin"))) {
-            MessageReader reader = new MessageReader(new java.io.ByteArrayInputStream(truth));
+            MessageReader reader = new MessageReader(new ByteArrayInputStream(truth));
             MessageWriter writer = new MessageWriter(outgoing);
             int k = 1;
             for (Bundle bundle = reader.read(); bundle != null; bundle = reader.read(), k++) {
