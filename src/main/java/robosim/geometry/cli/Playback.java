@@ -9,7 +9,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
@@ -117,12 +116,6 @@ final class Playback {
                     new Scene.Ping(pose.center(), heading, Math.toDegrees(beam.width()), beam.max(), distances.get(k)));
         }
         pings = round;
-    }
-
-    /** Where an object is at the end; null for one that never could move. */
-    @Nullable
-    Pose place(String name) {
-        return places.get(name);
     }
 
     /** The world at the end of the conversation, with all that happened in it. */
