@@ -28,9 +28,9 @@ public final class LeafBounds {
     }
 
     private static void around(double[] rows, int at, double halfX, double halfY, double halfZ, double[] out6) {
-        out6[0] = -Upright.sumUp(-rows[at], halfX);
-        out6[1] = -Upright.sumUp(-rows[at + 1], halfY);
-        out6[2] = -Upright.sumUp(-rows[at + 2], halfZ);
+        out6[0] = 0 - Upright.sumUp(-rows[at], halfX);
+        out6[1] = 0 - Upright.sumUp(-rows[at + 1], halfY);
+        out6[2] = 0 - Upright.sumUp(-rows[at + 2], halfZ);
         out6[3] = Upright.sumUp(rows[at], halfX);
         out6[4] = Upright.sumUp(rows[at + 1], halfY);
         out6[5] = Upright.sumUp(rows[at + 2], halfZ);

@@ -13,25 +13,24 @@ package robosim.geometry.narrow;
  * allocated by a question.
  */
 final class Penetration {
-    private static final int MOST = 160;
     private static final int MOST_PROBES = 600;
     private static final double FIRST_STEP = 0.5;
     private static final double LAST_STEP = 0x1p-30;
 
-    /** Directions closer than this are one. */
-    private static final double SAME = 0x1p-40;
+    /** Directions tried around an edge before the best is refined, a 15-8-17 triangle's angle apart: 28 degrees. */
+    private static final int SPREAD = 13;
+
+    private static final double SPREAD_COS = 15 / 17.0;
+    private static final double SPREAD_SIN = 8 / 17.0;
 
     private final Gjk gjk = new Gjk();
+    private final Gjk plane = new Gjk();
     private final Support first = new Support();
     private final Support second = new Support();
     private final Facets facetsA = new Facets();
     private final Facets facetsB = new Facets();
 
-    private int count;
-    private final double[] x = new double[MOST];
-    private final double[] y = new double[MOST];
-    private final double[] z = new double[MOST];
-    private final double[] depths = new double[MOST];
+    private final Directions directions = new Directions();
     private double margins;
     private boolean flat;
 
@@ -54,22 +53,27 @@ final class Penetration {
         return ordered(kindA, a, i, kindB, b, j);
     }
 
+    /** The distance question that the last one began with; its a and b may be exchanged. */
+    Gjk bracket() {
+        return gjk;
+    }
+
     /** How many directions tie; at least 1. */
     int count() {
-        return count;
+        return directions.count();
     }
 
     /** A unit direction in which a has to move to get out. */
     double nx(int k) {
-        return x[k];
+        return directions.x(k);
     }
 
     double ny(int k) {
-        return y[k];
+        return directions.y(k);
     }
 
     double nz(int k) {
-        return z[k];
+        return directions.z(k);
     }
 
     private double ordered(int kindA, double[] a, int i, int kindB, double[] b, int j) {
@@ -77,11 +81,7 @@ final class Penetration {
             return solve(kindA, a, i, kindB, b, j);
         }
         double depth = solve(kindB, b, j, kindA, a, i);
-        for (int k = 0; k < count; k++) {
-            x[k] = -x[k];
-            y[k] = -y[k];
-            z[k] = -z[k];
-        }
+        directions.reverse();
         return depth;
     }
 
@@ -91,19 +91,23 @@ final class Penetration {
         } else {
             gjk.spatial(kindA, a, i, kindB, b, j);
         }
-        count = 0;
+        directions.clear();
         if (gjk.coreReach() > gjk.error()) {
             take(gjk.nx(), gjk.ny(), gjk.nz(), -gjk.reach());
             return -gjk.reach();
         }
         load(kindA, a, i, kindB, b, j);
-        candidates();
-        double depth = least();
-        if (!first.isPolytope() || !second.isPolytope()) {
-            refine(depth);
-            depth = least();
+        if (!flat && Leaf.isUpright(kindA) && Leaf.isUpright(kindB)) {
+            level(kindA, a, i, kindB, b, j);
+        } else {
+            candidates();
+            if (!first.isPolytope() || !second.isPolytope()) {
+                directions.beginSearch();
+                refine();
+            }
         }
-        keepTies(depth, depth + 2 * gjk.error());
+        double depth = directions.least();
+        directions.keepTies(depth + 2 * gjk.error());
         return depth;
     }
 
@@ -125,6 +129,24 @@ final class Penetration {
         margins = first.margin + second.margin;
     }
 
+    /**
+     * Between upright leaves: up and down, the sides of both bases, and the direction to the nearest point of the plane
+     * where a disc's centre is outside. That is all, as the difference set stands upright too.
+     */
+    private void level(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        both(0, 1, 0);
+        facetsA.planar(kindA, a, i);
+        facetsB.planar(kindB, b, j);
+        sides(facetsA);
+        sides(facetsB);
+        plane.planar(kindA, a, i, kindB, b, j);
+        if (plane.coreReach() > plane.error()) {
+            take(plane.nx(), 0, plane.nz(), depth(plane.nx(), 0, plane.nz()));
+        } else if (facetsA.faces + facetsB.faces == 0) {
+            both(1, 0, 0); // one axis in two discs
+        }
+    }
+
     /** The directions of the flat sides of the difference set; in a difference set without any, two across it. */
     private void candidates() {
         sides(facetsA);
@@ -140,7 +162,7 @@ final class Penetration {
                         facetsB.edgeZ[m]);
             }
         }
-        if (count == 0) {
+        if (directions.count() == 0) {
             across();
         }
     }
@@ -187,11 +209,7 @@ final class Penetration {
     }
 
     private void take(double dx, double dy, double dz, double depth) {
-        x[count] = dx;
-        y[count] = dy;
-        z[count] = dz;
-        depths[count] = depth;
-        count++;
+        directions.take(dx, dy, dz, depth);
     }
 
     /** How far a has to move along a unit direction until the supporting planes meet. */
@@ -201,21 +219,19 @@ final class Penetration {
         return dx * (second.x - first.x) + dy * (second.y - first.y) + dz * (second.z - first.z) + margins;
     }
 
-    private double least() {
-        double least = Double.POSITIVE_INFINITY;
-        for (int k = 0; k < count; k++) {
-            least = Math.min(least, depths[k]);
+    /**
+     * Looks for a shallower direction between the flat sides: across each straight edge, where valleys are sharp, then
+     * freely from the best of the flat sides, GJK's slab and the centres.
+     */
+    private void refine() {
+        if (flat) {
+            circle(0, 1, 0);
+        } else {
+            around(facetsA);
+            around(facetsB);
         }
-        return least;
-    }
-
-    /** Looks for a shallower direction between the flat sides: from the best of them, GJK's slab and the centres. */
-    private void refine(double depth) {
-        int best = 0;
-        while (depths[best] > depth) {
-            best++;
-        }
-        searchFrom(x[best], y[best], z[best], depths[best]);
+        int best = directions.best();
+        searchFrom(directions.x(best), directions.y(best), directions.z(best), directions.depth(best));
         double length = Math.sqrt(gjk.nx() * gjk.nx() + gjk.ny() * gjk.ny() + gjk.nz() * gjk.nz());
         if (length > 0.5) {
             searchFrom(gjk.nx(), gjk.ny(), gjk.nz(), depth(gjk.nx(), gjk.ny(), gjk.nz()));
@@ -227,6 +243,50 @@ final class Penetration {
         if (length > 0) {
             searchFrom(cx / length, cy / length, cz / length, depth(cx / length, cy / length, cz / length));
         }
+    }
+
+    private void around(Facets facets) {
+        for (int k = 0; k < facets.edges; k++) {
+            circle(facets.edgeX[k], facets.edgeY[k], facets.edgeZ[k]);
+        }
+    }
+
+    /** Searches the circle across a unit direction, from the best of some directions spread over it. */
+    private void circle(double ex, double ey, double ez) {
+        double tx = ez;
+        double ty = 0;
+        double tz = -ex;
+        if (Math.abs(ex) + Math.abs(ez) < 0x1p-10) {
+            tx = 1;
+            ty = -ex / ey;
+            tz = 0;
+        }
+        double length = Math.sqrt(tx * tx + ty * ty + tz * tz);
+        tx /= length;
+        ty /= length;
+        tz /= length;
+        double sx = ey * tz - ez * ty;
+        double sy = ez * tx - ex * tz;
+        double sz = ex * ty - ey * tx;
+        searchDepth = Double.POSITIVE_INFINITY;
+        double c = 1;
+        double s = 0;
+        for (int n = 0; n < SPREAD; n++) {
+            tryAt(c * tx + s * sx - searchX, c * ty + s * sy - searchY, c * tz + s * sz - searchZ);
+            double turned = c * SPREAD_COS - s * SPREAD_SIN;
+            s = s * SPREAD_COS + c * SPREAD_SIN;
+            c = turned;
+        }
+        probes = 0;
+        for (double step = SPREAD_SIN; step > LAST_STEP && probes < MOST_PROBES; ) {
+            double ax = step * (ey * searchZ - ez * searchY);
+            double ay = step * (ez * searchX - ex * searchZ);
+            double az = step * (ex * searchY - ey * searchX);
+            if (!tryAt(ax, ay, az) && !tryAt(-ax, -ay, -az)) {
+                step *= 0.5;
+            }
+        }
+        take(searchX, searchY, searchZ, searchDepth);
     }
 
     private void searchFrom(double dx, double dy, double dz, double depth) {
@@ -246,9 +306,7 @@ final class Penetration {
                 turnC = c;
             }
         }
-        if (count < MOST) {
-            take(searchX, searchY, searchZ, searchDepth);
-        }
+        take(searchX, searchY, searchZ, searchDepth);
     }
 
     /** One round of tries around the place where the search stands; moves it to the first that is shallower. */
@@ -301,48 +359,5 @@ final class Penetration {
         searchZ = dz;
         searchDepth = depth;
         return true;
-    }
-
-    private void keepTies(double depth, double limit) {
-        int kept = 0;
-        // The least itself comes first, so that a witness may take number 0.
-        for (int k = 0; k < count; k++) {
-            if (depths[k] == depth) {
-                swap(0, k);
-                break;
-            }
-        }
-        for (int k = 0; k < count; k++) {
-            if (depths[k] <= limit && isNew(k, kept)) {
-                swap(kept, k);
-                kept++;
-            }
-        }
-        count = kept;
-    }
-
-    private boolean isNew(int k, int kept) {
-        for (int m = 0; m < kept; m++) {
-            double apart = Math.max(Math.abs(x[k] - x[m]), Math.max(Math.abs(y[k] - y[m]), Math.abs(z[k] - z[m])));
-            if (apart < SAME) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    private void swap(int k, int m) {
-        double hold = x[k];
-        x[k] = x[m];
-        x[m] = hold;
-        hold = y[k];
-        y[k] = y[m];
-        y[m] = hold;
-        hold = z[k];
-        z[k] = z[m];
-        z[m] = hold;
-        hold = depths[k];
-        depths[k] = depths[m];
-        depths[m] = hold;
     }
 }

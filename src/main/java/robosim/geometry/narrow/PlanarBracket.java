@@ -158,7 +158,8 @@ final class PlanarBracket {
         double ex = toX - fromX;
         double ez = toZ - fromZ;
         double square = ex * ex + ez * ez;
-        double share = -(fromX * ex + fromZ * ez) / square;
+        // Both ends of the arc may have the same corner foremost.
+        double share = square > 0 ? -(fromX * ex + fromZ * ez) / square : 0;
         share = Math.max(0, Math.min(1, share));
         double vx = fromX + share * ex;
         double vz = fromZ + share * ez;

@@ -93,7 +93,30 @@ public final class PlanarCone {
             Scratch s) {
         PlanarShape q = s.planarB;
         q.set(kind, b, j, ox, oz);
+        if (nearest(q)) {
+            return 0;
+        }
+        if (holds(leftX, leftZ, rightX, rightZ, q.pointX, q.pointZ)) {
+            return Math.sqrt(q.pointX * q.pointX + q.pointZ * q.pointZ);
+        }
+        // On an edge of the sector; a corner there may be all that it meets.
         double best = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < q.count; k++) {
+            if (holds(leftX, leftZ, rightX, rightZ, q.x[k], q.z[k])) {
+                best = Math.min(best, Math.sqrt(q.x[k] * q.x[k] + q.z[k] * q.z[k]));
+            }
+        }
+        // The rays' distances come from the row itself, and write over q.
+        double left = PlanarRay.scaled(ox, oz, leftX, leftZ, kind, b, j, s);
+        double right = PlanarRay.scaled(ox, oz, rightX, rightZ, kind, b, j, s);
+        return Math.min(best, Math.min(left, right));
+    }
+
+    // The point nearest to the apex is left in q's point; true where the apex is inside.
+    private static boolean nearest(PlanarShape q) {
+        q.pointX = q.x[0];
+        q.pointZ = q.z[0];
+        double least = q.pointX * q.pointX + q.pointZ * q.pointZ;
         boolean inside = q.count > 2;
         int last = q.count - 1;
         for (int k = 0; k <= last; k++) {
@@ -102,30 +125,29 @@ public final class PlanarCone {
             double az = q.z[previous];
             double bx = q.x[k];
             double bz = q.z[k];
-            if (holds(leftX, leftZ, rightX, rightZ, bx, bz)) {
-                best = Math.min(best, Math.sqrt(bx * bx + bz * bz));
+            double square = bx * bx + bz * bz;
+            if (square < least) {
+                least = square;
+                q.pointX = bx;
+                q.pointZ = bz;
             }
             double ex = bx - ax;
             double ez = bz - az;
             double across = ax * bz - az * bx;
-            inside &= across >= 0;
+            inside &= across >= 0 || q.isBlurred(ex, ez);
             double along = -(ex * ax + ez * az);
-            double square = ex * ex + ez * ez;
+            double length = ex * ex + ez * ez;
             // The foot of the apex on the side's line, where that is on the side.
-            if (along > 0 && along < square) {
-                double turn = across / square;
-                if (holds(leftX, leftZ, rightX, rightZ, ez * turn, -ex * turn)) {
-                    best = Math.min(best, Math.abs(across) / Math.sqrt(square));
+            if (along > 0 && along < length) {
+                double turn = across / length;
+                if (across * turn < least) {
+                    least = across * turn;
+                    q.pointX = ez * turn;
+                    q.pointZ = -ex * turn;
                 }
             }
         }
-        if (inside) {
-            return 0;
-        }
-        // The rays' distances come from the row itself, and write over q.
-        double left = PlanarRay.scaled(ox, oz, leftX, leftZ, kind, b, j, s);
-        double right = PlanarRay.scaled(ox, oz, rightX, rightZ, kind, b, j, s);
-        return Math.min(best, Math.min(left, right));
+        return inside;
     }
 
     private static double oval(
@@ -147,8 +169,8 @@ public final class PlanarCone {
         if (!bracket.isApart()) {
             return 0;
         }
-        q.support(-bracket.normalX, -bracket.normalZ);
-        if (holds(leftX, leftZ, rightX, rightZ, q.pointX, q.pointZ)) {
+        // Seen from the apex, the nearest point lies along the best normal.
+        if (holds(leftX, leftZ, rightX, rightZ, bracket.normalX, bracket.normalZ)) {
             return bracket.distance();
         }
         return Math.min(

@@ -6,6 +6,9 @@ public final class PlanarContact {
     private static final int DIRECTIONS = 64;
     private static final int REFINEMENTS = 60;
 
+    // The direction between curved outlines is known to half the digits: what is foremost to within that is one side.
+    private static final double SIDE = 0x1p27;
+
     private PlanarContact() {}
 
     /**
@@ -44,8 +47,8 @@ public final class PlanarContact {
             nz = s.planarNormal[1];
         }
         point(p, q, nx, nz, ox, oz, out);
-        out[3] = nx;
-        out[5] = nz;
+        out[3] = nx + 0.0; // no -0.0
+        out[5] = nz + 0.0;
     }
 
     // How far q has to go against n, or p along it, until they are apart.
@@ -77,6 +80,10 @@ public final class PlanarContact {
     }
 
     private static void sides(PlanarShape of, int sign, PlanarShape p, PlanarShape q, double[] normal) {
+        if (of.family == PlanarShape.OVAL) {
+            offer(p, q, of.axisZ, -of.axisX, normal);
+            offer(p, q, -of.axisZ, of.axisX, normal);
+        }
         if (of.family != PlanarShape.POLYGON) {
             return;
         }
@@ -143,7 +150,7 @@ public final class PlanarContact {
 
     // Midway between the two outlines, in the middle of what the two sides have in common.
     private static void point(PlanarShape p, PlanarShape q, double nx, double nz, double ox, double oz, double[] out) {
-        double slack = 8 * (p.error + q.error);
+        double slack = SIDE * (p.error + q.error);
         double level = (q.support(nx, nz) - p.support(-nx, -nz)) / 2;
         double pLeast = end(p, -nx, -nz, -nz, nx, -1, slack);
         double pMost = end(p, -nx, -nz, -nz, nx, 1, slack);

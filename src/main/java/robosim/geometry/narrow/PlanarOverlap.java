@@ -32,9 +32,16 @@ public final class PlanarOverlap {
         if (familyB == PlanarShape.DISC) {
             return discPolygon(b, j, kindA, a, i, s);
         }
-        return (kindA == Leaf.UPRIGHT_BOX && kindB == Leaf.UPRIGHT_BOX)
+        if (!isBox(kindA) || !isBox(kindB)) {
+            return PolygonPolygon.touch(kindA, a, i, kindB, b, j, s);
+        }
+        return kindB == Leaf.UPRIGHT_BOX
                 ? RectangleRectangle.touch(a, i, b, j)
-                : PolygonPolygon.touch(kindA, a, i, kindB, b, j, s);
+                : ZonogonZonogon.touch(kindA, a, i, kindB, b, j);
+    }
+
+    private static boolean isBox(int kind) {
+        return kind == Leaf.UPRIGHT_BOX || kind == Leaf.BOX;
     }
 
     private static boolean discPolygon(double[] disc, int i, int kind, double[] b, int j, Scratch s) {

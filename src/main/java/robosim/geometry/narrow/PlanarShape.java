@@ -1,5 +1,7 @@
 package robosim.geometry.narrow;
 
+import robosim.geometry.exact.DoubleDouble;
+
 /**
  * What is left of a leaf on the XZ plane, relative to an origin near it: a disc, a convex polygon, or the oval that a
  * turned cylinder throws (an ellipse pushed along its minor axis).
@@ -25,6 +27,11 @@ final class PlanarShape {
     int count;
     final double[] x = new double[CORNERS];
     final double[] z = new double[CORNERS];
+
+    /** What rounding took from the corners of a triangle, which are rounded once; 0 for all others. */
+    final double[] tailX = new double[CORNERS];
+
+    final double[] tailZ = new double[CORNERS];
 
     /** No corner is off by more in x or in z; for a disc or an oval the same of its outline. */
     double error;
@@ -156,6 +163,20 @@ final class PlanarShape {
         } else {
             flatTriangle(x0, z0, x1, z1, x2, z2);
         }
+        tails(row, at, ox, oz);
+    }
+
+    // Each corner is one of the row's three, in whatever order.
+    private void tails(double[] row, int at, double ox, double oz) {
+        for (int k = 0; k < count; k++) {
+            for (int from = at; from < at + 9; from += 3) {
+                if (row[from] - ox == x[k] && row[from + 2] - oz == z[k]) {
+                    tailX[k] = DoubleDouble.differenceTail(row[from], ox, x[k]);
+                    tailZ[k] = DoubleDouble.differenceTail(row[from + 2], oz, z[k]);
+                    break;
+                }
+            }
+        }
     }
 
     // The longest side of a triangle that is flat, or so thin that its area is lost.
@@ -182,6 +203,8 @@ final class PlanarShape {
     private void corner(double px, double pz) {
         x[count] = px;
         z[count] = pz;
+        tailX[count] = 0;
+        tailZ[count] = 0;
         count++;
     }
 
@@ -221,6 +244,10 @@ final class PlanarShape {
             z[k] = cz + pz;
             x[k + spans] = cx - px;
             z[k + spans] = cz - pz;
+            tailX[k] = 0;
+            tailZ[k] = 0;
+            tailX[k + spans] = 0;
+            tailZ[k + spans] = 0;
             px += 2 * spanX[k];
             pz += 2 * spanZ[k];
         }

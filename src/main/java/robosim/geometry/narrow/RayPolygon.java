@@ -47,7 +47,10 @@ final class RayPolygon {
             }
         }
         double square = ux * ux + uz * uz;
-        double share = Math.min(entry(q, ux, uz, nearest / square), furthest / square);
+        double first = kind == Leaf.BOX || kind == Leaf.UPRIGHT_BOX
+                ? RayZonogon.entry(ox, oz, ux, uz, b, j)
+                : lastCrossing(q, ux, uz);
+        double share = Math.min(Math.max(first, nearest / square), furthest / square);
         return Math.max(0, share) * Math.sqrt(square);
     }
 
@@ -75,19 +78,36 @@ final class RayPolygon {
     }
 
     // The last of the sides' lines that the ray crosses inward, for a ray that is known to hit.
-    private static double entry(PlanarShape q, double ux, double uz, double nearest) {
-        double share = Math.max(0, nearest);
+    private static double lastCrossing(PlanarShape q, double ux, double uz) {
+        double share = 0;
         int last = q.count - 1;
         for (int k = 0; k <= last; k++) {
             int previous = k == 0 ? last : k - 1;
-            double nx = q.z[k] - q.z[previous];
-            double nz = q.x[previous] - q.x[k];
-            double ahead = DoubleDouble.sumOfProducts(nx, q.x[k], nz, q.z[k]);
-            double way = DoubleDouble.sumOfProducts(nx, ux, nz, uz);
-            if (ahead < 0 && way < 0 && !q.isBlurred(nx, nz)) {
-                share = Math.max(share, ahead / way);
+            double ex = q.x[k] - q.x[previous];
+            double ez = q.z[k] - q.z[previous];
+            double ahead = ez * q.x[k] - ex * q.z[k];
+            double way = ez * ux - ex * uz;
+            if (ahead < 0 && way < 0 && !q.isBlurred(ex, ez)) {
+                share = Math.max(share, crossing(q, previous, k, ux, uz));
             }
         }
         return share;
+    }
+
+    // Where the ray crosses the line of a side: a quotient of two cross products, each good to an ulp or two of the
+    // stored corners however low the angle.
+    private static double crossing(PlanarShape q, int from, int to, double ux, double uz) {
+        double ex = q.x[to] - q.x[from];
+        double ez = q.z[to] - q.z[from];
+        double exTail = DoubleDouble.differenceTail(q.x[to], q.x[from], ex) + (q.tailX[to] - q.tailX[from]);
+        double ezTail = DoubleDouble.differenceTail(q.z[to], q.z[from], ez) + (q.tailZ[to] - q.tailZ[from]);
+        double ahead = cross(q.x[to], q.z[to], ex, ez)
+                + ((q.x[to] * ezTail - q.z[to] * exTail) + (q.tailX[to] * ez - q.tailZ[to] * ex));
+        double way = cross(ux, uz, ex, ez) + (ux * ezTail - uz * exTail);
+        return way != 0 ? ahead / way : 0;
+    }
+
+    private static double cross(double ax, double az, double bx, double bz) {
+        return DoubleDouble.differenceOfProducts(ax, bz, az, bx);
     }
 }

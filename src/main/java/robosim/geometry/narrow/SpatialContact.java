@@ -14,8 +14,7 @@ public final class SpatialContact {
     public static void between(int kindA, double[] a, int i, int kindB, double[] b, int j, double[] out, Scratch s) {
         Penetration penetration = s.penetration;
         penetration.spatial(kindA, a, i, kindB, b, j);
-        Gjk gjk = s.gjk;
-        gjk.spatial(kindA, a, i, kindB, b, j);
+        Gjk gjk = penetration.bracket();
         out[0] = 0.5 * gjk.ax() + 0.5 * gjk.bx();
         out[1] = 0.5 * gjk.ay() + 0.5 * gjk.by();
         out[2] = 0.5 * gjk.az() + 0.5 * gjk.bz();

@@ -7,7 +7,8 @@ public final class SpatialDistance {
     private SpatialDistance() {}
 
     /**
-     * The least distance, 0 where {@link SpatialOverlap} says that they touch; the same bits for (a, b) and (b, a).
+     * The least distance, 0 where {@link SpatialOverlap} says that they touch, and where they are apart by less than
+     * doubles can tell; the same bits for (a, b) and (b, a).
      *
      * <p>Upright pairs: the planar distance and the gap between the heights put together. Spheres, boxes, triangles and
      * prisms: off by no more than 2^-48 of the sizes and the offset. A cylinder that is not beside another upright leaf:

@@ -38,7 +38,7 @@ public final class Upright {
 
     /** The least height of an upright leaf, rounded down. */
     public static double least(int kind, double[] row, int at) {
-        return kind == Leaf.PRISM ? row[at + 8] : -sumUp(-row[at + 1], row[at + 4]);
+        return kind == Leaf.PRISM ? row[at + 8] : 0 - sumUp(-row[at + 1], row[at + 4]);
     }
 
     /** The greatest height of an upright leaf, rounded up. */

@@ -68,7 +68,7 @@ class PlanarOverlapTest {
         PlanarRows rows = new PlanarRows(3);
         int hits = 0;
         int count = 0;
-        for (int k = 0; k < 300; k++) {
+        for (int k = 0; k < 600; k++) {
             int kindA = rows.exactKind();
             int kindB = rows.exactKind();
             double factor = Math.scalb(1.0, rows.random().nextInt(-40, 41));

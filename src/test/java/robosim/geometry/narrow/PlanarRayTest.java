@@ -58,9 +58,7 @@ class PlanarRayTest {
             double aim = Math.toRadians(rows.between(35));
             double ux = -StrictMath.cos(t + aim) * 3;
             double uz = -StrictMath.sin(t + aim) * 3;
-            // Boxes at an attitude have their corners rounded before a ray meets a side at a low angle.
-            double ulps = kind == Leaf.BOX || kind == Leaf.TRIANGLE ? 1e6 : 4;
-            hits += checked(ox, oz, ux, uz, kind, row, ulps) ? 1 : 0;
+            hits += checked(ox, oz, ux, uz, kind, row, 4) ? 1 : 0;
         }
         assertThat(hits).isBetween(count * 3 / 10, count * 7 / 10);
     }
@@ -80,7 +78,7 @@ class PlanarRayTest {
                 uz = -1;
             }
             ux = ux == 0 && random.nextBoolean() ? -0.0 : ux;
-            hits += checked(random.nextInt(-6, 7), random.nextInt(-6, 7), ux, uz, kind, row, 16) ? 1 : 0;
+            hits += checked(random.nextInt(-6, 7), random.nextInt(-6, 7), ux, uz, kind, row, 4) ? 1 : 0;
         }
         assertThat(hits).isBetween(count * 2 / 10, count * 7 / 10);
     }
@@ -105,7 +103,7 @@ class PlanarRayTest {
             double ux = cornerX - ox;
             double uz = cornerZ - oz;
             for (int step = -1; step <= 1; step++) {
-                hits += checked(ox, oz, ux + step * Math.ulp(ux), uz, kind, row, 1e3) ? 1 : 0;
+                hits += checked(ox, oz, ux + step * Math.ulp(ux), uz, kind, row, 4) ? 1 : 0;
                 count++;
             }
         }
@@ -181,6 +179,69 @@ class PlanarRayTest {
     }
 
     @Test
+    void boxesAtAnAttitudeAndTrianglesMetAtLowAnglesAreAsGood() {
+        PlanarRows rows = new PlanarRows(19);
+        int hits = 0;
+        int count = 2000;
+        for (int k = 0; k < count; k++) {
+            int kind = k % 2 == 0 ? Leaf.BOX : Leaf.TRIANGLE;
+            double[] row = rows.row(kind, 10, 5);
+            double dirX = kind == Leaf.BOX ? row[6] : row[3] - row[0];
+            double dirZ = kind == Leaf.BOX ? row[12] : row[5] - row[2];
+            if (dirX == 0 && dirZ == 0) {
+                continue;
+            }
+            // towards a point of the leaf at a low angle to a side
+            double along = 20 + 1000 * rows.random().nextDouble();
+            double slope = rows.between(1e-5);
+            double offX = kind == Leaf.BOX ? row[5] * row[8] + row[4] * row[7] : 0;
+            double offZ = kind == Leaf.BOX ? row[5] * row[14] + row[4] * row[13] : 0;
+            double ux = dirX - slope * dirZ;
+            double uz = dirZ + slope * dirX;
+            double ox = row[0] + offX - along * ux + rows.between(1e-4);
+            double oz = row[2] + offZ - along * uz + rows.between(1e-4);
+            hits += checked(ox, oz, ux, uz, kind, row, 4) ? 1 : 0;
+        }
+        assertThat(hits).isBetween(count * 3 / 10, count * 8 / 10);
+    }
+
+    /** Shifts the start until a step of one ulp changes hit to miss, and asks the reference about the steps around. */
+    @Test
+    void neighboursAcrossTheOutlineAgreeWithTheReference() {
+        PlanarRows rows = new PlanarRows(20);
+        int hits = 0;
+        int count = 0;
+        for (int k = 0; k < 1000; k++) {
+            int kind = rows.exactKind();
+            double[] row = rows.row(kind, 1, 1);
+            double ux = rows.between(0.3);
+            double oz = rows.between(1);
+            double in = rows.between(1);
+            double out = 9;
+            if (ray(in, oz, ux, 1, kind, row) == Double.POSITIVE_INFINITY) {
+                continue;
+            }
+            while (true) {
+                double middle = in + (out - in) / 2;
+                if (middle == in || middle == out) {
+                    break;
+                }
+                if (ray(middle, oz, ux, 1, kind, row) < Double.POSITIVE_INFINITY) {
+                    in = middle;
+                } else {
+                    out = middle;
+                }
+            }
+            for (int step = -2; step <= 3; step++) {
+                hits += checked(in + step * Math.ulp(in), oz, ux, 1, kind, row, 1e9) ? 1 : 0;
+                count++;
+            }
+        }
+        assertThat(count).isGreaterThan(500);
+        assertThat(hits).isBetween(count * 3 / 10, count * 7 / 10);
+    }
+
+    @Test
     void directionsOfAnyLengthGiveTheSame() {
         PlanarRows rows = new PlanarRows(16);
         int hits = 0;
@@ -229,11 +290,11 @@ class PlanarRayTest {
                 assertThat(distance).as(text).isLessThanOrEqualTo(truth + 1e-9);
                 double inwards =
                         PlanarSampling.depth(ox + distance * ux, oz + distance * uz, PlanarSampling.points(kind, row));
-                assertThat(Math.abs(inwards)).as(text).isLessThan(1e-5);
+                assertThat(Math.abs(inwards)).as(text).isLessThan(1e-4);
             } else if (distance < Double.POSITIVE_INFINITY) {
                 double inwards =
                         PlanarSampling.depth(ox + distance * ux, oz + distance * uz, PlanarSampling.points(kind, row));
-                assertThat(Math.abs(inwards)).as(text).isLessThan(1e-5);
+                assertThat(Math.abs(inwards)).as(text).isLessThan(1e-4);
             }
         }
         assertThat(hits).isBetween(count * 3 / 10, count * 8 / 10);

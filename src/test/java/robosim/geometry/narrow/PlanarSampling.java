@@ -5,7 +5,7 @@ import java.util.List;
 
 /** Outlines as many points, straight from the definition of each leaf: for what no exact twin can be had. */
 final class PlanarSampling {
-    private static final int RIM = 1440;
+    private static final int RIM = 360;
 
     private PlanarSampling() {}
 
@@ -93,7 +93,7 @@ final class PlanarSampling {
         for (int k = 0; k < 720; k++) {
             double nx = Math.cos(Math.PI * k / 360);
             double nz = Math.sin(Math.PI * k / 360);
-            widest = Math.max(widest, -support(q, -nx, -nz) - support(p, nx, nz) - 4e-6 * isCurved(kindA, kindB));
+            widest = Math.max(widest, -support(q, -nx, -nz) - support(p, nx, nz) - 1e-4 * isCurved(kindA, kindB));
         }
         return widest;
     }
@@ -169,5 +169,89 @@ final class PlanarSampling {
 
     private static boolean isLeft(double[] a, double[] b, double[] p) {
         return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) > 0;
+    }
+
+    /** The least distance from (ox, oz) to the hull of points within a sector: what is left of the hull when cut by it. */
+    static double cone(double ox, double oz, double aim, double half, List<double[]> points) {
+        List<double[]> left = points.size() > 2 ? hull(points) : points;
+        left = cut(left, ox, oz, StrictMath.sin(aim + half), -StrictMath.cos(aim + half));
+        left = cut(left, ox, oz, -StrictMath.sin(aim - half), StrictMath.cos(aim - half));
+        return left.isEmpty() ? Double.POSITIVE_INFINITY : distance(ox, oz, left);
+    }
+
+    // What is left of a polygon on the side of a line through (ox, oz) to which n points.
+    private static List<double[]> cut(List<double[]> polygon, double ox, double oz, double nx, double nz) {
+        List<double[]> kept = new ArrayList<>();
+        for (int k = 0; k < polygon.size(); k++) {
+            double[] a = polygon.get(k);
+            double[] b = polygon.get((k + 1) % polygon.size());
+            double p = nx * (a[0] - ox) + nz * (a[1] - oz);
+            double q = nx * (b[0] - ox) + nz * (b[1] - oz);
+            if (p >= 0) {
+                kept.add(a);
+            }
+            if ((p < 0 && q > 0) || (p > 0 && q < 0)) {
+                double t = p / (p - q);
+                kept.add(new double[] {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])});
+            }
+        }
+        return kept;
+    }
+
+    /** The least distance from a point to a polygon, 0 inside. */
+    static double distance(double x, double z, List<double[]> polygon) {
+        double least = Double.POSITIVE_INFINITY;
+        boolean inside = polygon.size() > 2;
+        for (int k = 0; k < polygon.size(); k++) {
+            double[] a = polygon.get(k);
+            double[] b = polygon.get((k + 1) % polygon.size());
+            double ex = b[0] - a[0];
+            double ez = b[1] - a[1];
+            double square = ex * ex + ez * ez;
+            double t = square > 0 ? ((x - a[0]) * ex + (z - a[1]) * ez) / square : 0;
+            t = Math.max(0, Math.min(1, t));
+            least = Math.min(least, StrictMath.hypot(a[0] + t * ex - x, a[1] + t * ez - z));
+            inside &= ex * (z - a[1]) - ez * (x - a[0]) >= 0;
+        }
+        return inside ? 0 : least;
+    }
+
+    /** The least distance of two hulls. */
+    static double between(List<double[]> a, List<double[]> b) {
+        List<double[]> p = hull(a);
+        List<double[]> q = hull(b);
+        for (double[] n : p) {
+            if (isInside(n, q)) {
+                return 0;
+            }
+        }
+        for (double[] n : q) {
+            if (isInside(n, p)) {
+                return 0;
+            }
+        }
+        for (int k = 0; k < p.size(); k++) {
+            for (int m = 0; m < q.size(); m++) {
+                if (isCrossing(p.get(k), p.get((k + 1) % p.size()), q.get(m), q.get((m + 1) % q.size()))) {
+                    return 0;
+                }
+            }
+        }
+        double least = Double.POSITIVE_INFINITY;
+        for (double[] n : p) {
+            least = Math.min(least, distance(n[0], n[1], q));
+        }
+        for (double[] n : q) {
+            least = Math.min(least, distance(n[0], n[1], p));
+        }
+        return least;
+    }
+
+    private static boolean isInside(double[] n, List<double[]> hull) {
+        return distance(n[0], n[1], hull) == 0;
+    }
+
+    private static boolean isCrossing(double[] a, double[] b, double[] c, double[] d) {
+        return isLeft(a, b, c) != isLeft(a, b, d) && isLeft(c, d, a) != isLeft(c, d, b);
     }
 }

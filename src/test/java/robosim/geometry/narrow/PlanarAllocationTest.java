@@ -1,0 +1,44 @@
+package robosim.geometry.narrow;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import org.junit.jupiter.api.Test;
+
+class PlanarAllocationTest {
+    /** Random rows are never in doubt, so that the exact path (which allocates) stays out of it. */
+    @Test
+    void planarQuestionsAllocateNothing() {
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        int rounds = 200;
+        double[][] rows = new double[7 * rounds][];
+        PlanarRows make = new PlanarRows(71);
+        for (int k = 0; k < rows.length; k++) {
+            rows[k] = make.row(k % 7, 1, 1);
+            if (k % 7 == Leaf.TRIANGLE) {
+                rows[k][3] += 1; // none that is a segment
+            }
+        }
+        Scratch scratch = new Scratch();
+        ask(rows, scratch);
+        long before = threads.getCurrentThreadAllocatedBytes();
+        double answers = ask(rows, scratch);
+        long bytes = threads.getCurrentThreadAllocatedBytes() - before;
+        assertThat(answers).isGreaterThan(0);
+        assertThat(bytes / (4.0 * rows.length)).isLessThan(1);
+    }
+
+    private static double ask(double[][] rows, Scratch scratch) {
+        double sum = 0;
+        for (int k = 0; k < rows.length; k++) {
+            int kind = k % 7;
+            int m = (k * 31 + 5) % rows.length;
+            sum += PlanarOverlap.test(kind, rows[k], 0, m % 7, rows[m], 0, scratch) ? 1 : 0;
+            sum += PlanarDistance.between(kind, rows[k], 0, m % 7, rows[m], 0, scratch);
+            sum += Math.min(9, PlanarRay.distance(-3, 0.1, 1, 0, kind, rows[k], 0, scratch));
+            sum += Math.min(9, PlanarCone.distance(-3, 0.1, 1, 0, 0.96, 0.28, kind, rows[k], 0, scratch));
+        }
+        return sum;
+    }
+}

@@ -1,0 +1,136 @@
+package robosim.geometry.narrow;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class PlanarConeTest {
+    private final Scratch scratch = new Scratch();
+
+    private double cone(double ox, double oz, double aim, double half, int kind, double[] row) {
+        return PlanarCone.distance(
+                ox,
+                oz,
+                StrictMath.cos(aim),
+                StrictMath.sin(aim),
+                StrictMath.cos(half),
+                StrictMath.sin(half),
+                kind,
+                row,
+                0,
+                scratch);
+    }
+
+    private static boolean isCurved(int kind) {
+        return PlanarShape.family(kind) != PlanarShape.POLYGON;
+    }
+
+    @Test
+    void nearestPointWithinTheSectorIsThatOfTheShapeCutByIt() {
+        PlanarRows rows = new PlanarRows(21);
+        int hits = 0;
+        int edges = 0;
+        int inside = 0;
+        int count = 7000;
+        for (int k = 0; k < count; k++) {
+            int kind = k % 7;
+            double[] row = rows.row(kind, 1, 1);
+            double ox = rows.between(2);
+            double oz = rows.between(2);
+            double aim = rows.between(3.2);
+            double half = 0.01 + 1.5 * rows.random().nextDouble();
+            List<double[]> outline = PlanarSampling.points(kind, row);
+            double truth = PlanarSampling.cone(ox, oz, aim, half, outline);
+            double distance = cone(ox, oz, aim, half, kind, row);
+            String text = PlanarRayTest.text(ox, oz, aim, half, kind, row);
+            if (truth < Double.POSITIVE_INFINITY) {
+                assertThat(distance).as(text).isLessThanOrEqualTo(truth + 1e-11);
+                // an inscribed outline, and an edge of the sector that grazes it
+                double looser = isCurved(kind) ? PlanarSampling.cone(ox, oz, aim, half + 2e-3, outline) : truth;
+                assertThat(distance).as(text).isGreaterThanOrEqualTo(looser - (isCurved(kind) ? 1e-4 : 1e-11));
+                hits++;
+                inside += distance == 0 ? 1 : 0;
+                edges += distance > PlanarSampling.distance(ox, oz, PlanarSampling.hull(outline)) + 1e-3 ? 1 : 0;
+            } else if (isCurved(kind)) {
+                double looser = PlanarSampling.cone(ox, oz, aim, half + 2e-2, outline);
+                assertThat(distance).as(text).isGreaterThanOrEqualTo(looser - 1e-2);
+            } else {
+                assertThat(distance).as(text).isInfinite();
+            }
+        }
+        assertThat(hits).isBetween(count * 3 / 10, count * 8 / 10);
+        assertThat(edges).isGreaterThan(count / 20);
+        assertThat(inside).isGreaterThan(count / 50);
+    }
+
+    @Test
+    void noRayWithinIsShorter() {
+        PlanarRows rows = new PlanarRows(22);
+        int hits = 0;
+        int close = 0;
+        for (int k = 0; k < 1400; k++) {
+            int kind = k % 7;
+            double[] row = rows.row(kind, 1, 1);
+            double ox = rows.between(3);
+            double oz = 3;
+            double aim = -1.5 + rows.between(0.5);
+            double half = 0.3;
+            double distance = cone(ox, oz, aim, half, kind, row);
+            double least = Double.POSITIVE_INFINITY;
+            for (int n = 0; n <= 400; n++) {
+                double at = aim - half + 2 * half * n / 400;
+                least = Math.min(
+                        least,
+                        PlanarRay.distance(ox, oz, StrictMath.cos(at), StrictMath.sin(at), kind, row, 0, scratch));
+            }
+            String text = PlanarRayTest.text(ox, oz, aim, half, kind, row);
+            assertThat(distance).as(text).isLessThanOrEqualTo(least + 1e-12);
+            if (distance < Double.POSITIVE_INFINITY) {
+                hits++;
+                close += least - distance < 1e-2 ? 1 : 0;
+            }
+        }
+        assertThat(hits).isBetween(300, 1300);
+        assertThat(close).isGreaterThan(hits * 8 / 10);
+    }
+
+    @Test
+    void aThinPoleBetweenAllRaysIsHeard() {
+        double[] pole = new double[Leaf.STRIDE];
+        pole[0] = 100 * StrictMath.cos(0.1234);
+        pole[2] = 100 * StrictMath.sin(0.1234);
+        pole[3] = 1e-6;
+        assertThat(cone(0, 0, 0, 0.2, Leaf.UPRIGHT_CYLINDER, pole)).isBetween(100 - 1.1e-6, 100 - 0.9e-6);
+        assertThat(cone(0, 0, 0, 0.12, Leaf.UPRIGHT_CYLINDER, pole)).isInfinite();
+        pole[3] = 0;
+        assertThat(cone(0, 0, 0, 0.2, Leaf.SPHERE, pole)).isBetween(100 - 1e-13, 100 + 1e-13);
+        pole[3] = 1;
+        assertThat(cone(0, 0, Math.PI, 0.2, Leaf.SPHERE, pole)).isInfinite();
+        assertThat(cone(pole[0], pole[2], 0, 0.2, Leaf.SPHERE, pole)).isZero();
+    }
+
+    @Test
+    void aCornerOnTheEdgeOfTheSectorIsWithin() {
+        double[] row = new double[Leaf.STRIDE];
+        row[0] = 5;
+        row[2] = 2;
+        row[3] = 1;
+        row[5] = 1;
+        for (int quarter = 0; quarter < 4; quarter++) {
+            PlanarRows.upright(row, 90 * quarter);
+            // the nearest corner (4, 1) is on one edge, the rest beyond
+            double half = StrictMath.atan2(1, 4);
+            assertThat(cone(0, 0, 0, half, Leaf.UPRIGHT_BOX, row))
+                    .isBetween(Math.sqrt(17) - 1e-15, Math.sqrt(17) + 1e-12);
+        }
+        // 3, 4, 5: the far corner (6, 1) lies on an edge that no other point is at
+        double distance =
+                PlanarCone.distance(0, 0, 1, 0, 0.8, 0.6, Leaf.TRIANGLE, triangle(4, 3, 5, 8, 0, 9), 0, scratch);
+        assertThat(distance).isBetween(5 - 1e-14, 5 + 1e-14);
+    }
+
+    private static double[] triangle(double ax, double az, double bx, double bz, double cx, double cz) {
+        return new double[] {ax, 0, az, bx, 0, bz, cx, 0, cz, 0, 0, 0, 0, 0, 0, 0};
+    }
+}
