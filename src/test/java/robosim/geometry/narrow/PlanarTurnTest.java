@@ -22,7 +22,7 @@ class PlanarTurnTest {
     @Test
     void isFreeUpToContactAndNoFurther() {
         int count = 0;
-        for (int k = 0; k < 25; k++) {
+        for (int k = 0; k < 15; k++) {
             for (int kindA : KINDS) {
                 for (int kindB : KINDS) {
                     double[] a = SweepRows.random(kindA, 1.6, random);
@@ -52,8 +52,8 @@ class PlanarTurnTest {
         double start = pair.gap(0);
         double limit = Math.min(start, 0);
         double end = Math.min(1, share);
-        for (int k = 0; k <= 400; k++) {
-            double gap = pair.gap(degrees * end * k / 400);
+        for (int k = 0; k <= 100; k++) {
+            double gap = pair.gap(degrees * end * k / 100);
             assertThat(gap).as(what).isGreaterThan(limit - 1e-13);
         }
         if (share <= 1) {

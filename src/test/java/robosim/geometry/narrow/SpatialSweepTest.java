@@ -67,14 +67,21 @@ class SpatialSweepTest {
     @Test
     void whatCameToContactGoesNoFurther() {
         int stopped = 0;
+        int headOn = 0;
         double[] pose = new double[Leaf.STRIDE];
         for (int k = 0; k < 4000; k++) {
             int kindA = random.nextInt(Leaf.KINDS);
             int kindB = random.nextInt(Leaf.KINDS);
             double[] a = SweepRows.random(kindA, 3, random);
             double[] b = SweepRows.random(kindB, 0.3, random);
+            if (k % 4 == 0) { // side by side and upright, or hardly leaning
+                kindA = Leaf.CYLINDER;
+                kindB = Leaf.CYLINDER;
+                a = SweepRows.cylinder(a[0], 0.1 * a[1], a[2], 0.2, 0.7, 0, (k % 8) * 1e-4, 0);
+                b = SweepRows.cylinder(b[0], b[1], b[2], 0.5, 0.9, 0, 0, 0);
+            }
             double dx = -a[0] + random.nextDouble(-1, 1);
-            double dy = -a[1] + random.nextDouble(-1, 1);
+            double dy = (-a[1] + random.nextDouble(-1, 1)) * (k % 4 == 0 ? 0.01 : 1);
             double dz = -a[2] + random.nextDouble(-1, 1);
             double time = SpatialSweep.translation(kindA, a, 0, dx, dy, dz, kindB, b, 0, scratch);
             if (time == 0 || time > 1) {
@@ -86,8 +93,25 @@ class SpatialSweepTest {
                     .formatted(kindA, Arrays.toString(a), dx, dy, dz, kindB, Arrays.toString(b));
             assertThat(more).as(what).isLessThan(1e-9);
             stopped++;
+            // The same a little deeper, where it did not arrive grazing.
+            double before = time - 1e-6;
+            Poses.moved(kindA, a, 0, before * dx, before * dy, before * dz, pose);
+            gjk.spatial(kindA, pose, 0, kindB, b, 0);
+            double closing = -(gjk.nx() * dx + gjk.ny() * dy + gjk.nz() * dz);
+            if (gjk.lower() > 0 && closing > 0.1 * Math.sqrt(dx * dx + dy * dy + dz * dz)) {
+                double after = time + 1e-6;
+                Poses.moved(kindA, a, 0, after * dx, after * dy, after * dz, pose);
+                assertThat(SpatialSweep.translation(kindA, pose, 0, dx, dy, dz, kindB, b, 0, scratch))
+                        .as(what)
+                        .isZero();
+                assertThat(SpatialSweep.translation(kindA, pose, 0, -dx, -dy, -dz, kindB, b, 0, scratch))
+                        .as(what)
+                        .isInfinite();
+                headOn++;
+            }
         }
         assertThat(stopped).isGreaterThan(1000);
+        assertThat(headOn).isGreaterThan(500);
     }
 
     private double[] axis(int k) {
