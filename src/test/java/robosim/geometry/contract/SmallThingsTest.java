@@ -1,0 +1,77 @@
+package robosim.geometry.contract;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import robosim.geometry.Geometry;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.Move;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Ray;
+import robosim.geometry.model.SphereObject;
+
+/** What is no larger than a spot or a thread is where it is, and nowhere else. */
+class SmallThingsTest {
+    private static final double INFINITE = Double.POSITIVE_INFINITY;
+
+    private static Geometry planar(GeometryObject... objects) {
+        Geometry world = new Geometry(64, 64, 64, Dimension.PLANAR, Accuracy.EXACT);
+        for (GeometryObject object : objects) {
+            assertThat(world.addObjectUnchecked(object)).isTrue();
+        }
+        return world;
+    }
+
+    @Test
+    void aSpotFarAwayIsNotAtTheBeginningOfACone() {
+        Geometry world = planar(new CylinderObject(new Point(-2.25, 0, 1.25), 0, 0.5));
+        Ray ray = new Ray(new Point(-0.625, -0.875, -1), new Point(0, 1, 1));
+        double far = Math.hypot(1.625, 2.25);
+        assertThat(world.getRayDistance(ray, 0, INFINITE, 116.2, Accuracy.DOP)).isBetween(far - 1e-9, far);
+        assertThat(world.getRayDistance(ray, 0, INFINITE, 116.2)).isBetween(far - 1e-9, far + 1e-9);
+    }
+
+    /** A box on edge, of which the plane shows a thread whose ends are shorter than rounding. */
+    @Test
+    void aConeDoesNotBeginOnTheContinuationOfAThread() {
+        BoxObject thread = new BoxObject(new Point(3, 0, 3), 2, 1e-17, 1e-17).turned(30, 40);
+        for (double along : new double[] {-4, -2, 2, 4}) {
+            Point start = new Point(3 + along * thread.rotation()[0], 0, 3 + along * thread.rotation()[6]);
+            Ray back = new Ray(start, new Point(3 - start.x(), 0, 3 - start.z()));
+            assertThat(planar(thread).getRayDistance(back, 0, INFINITE, 20))
+                    .isBetween(Math.abs(along) - 1 - 1e-9, Math.abs(along) - 1 + 1e-9);
+        }
+    }
+
+    @Test
+    void aDiscDoesNotTouchASpotElsewhere() {
+        MeshObject spot = new MeshObject(
+                List.of(new Point(0, 0, 0), new Point(1e-16, 0, 0), new Point(0, 0, 1e-16)), new int[][] {{0, 1, 2}});
+        Geometry world = planar(spot);
+        assertThat(world.testObject(new SphereObject(new Point(0.9, 0, 0.9), 1)))
+                .isFalse();
+        assertThat(world.testObject(new SphereObject(new Point(0.9, 0, 0.9), 1.3)))
+                .isTrue();
+        BoxObject speck = new BoxObject(new Point(), 1e-17, 1e-17, 1e-17).turned(30, 40);
+        assertThat(planar(speck).testObject(new SphereObject(new Point(0.9, 0, 0.9), 1)))
+                .isFalse();
+    }
+
+    /** The top of a rod that tips over is flat; a search for it must not take all afternoon. */
+    @Test
+    void aRodTipsInNoTime() {
+        Geometry world = planar(new CylinderObject(new Point(-9, 1.5, -2.6), 0, 0.55).moveable("rod"));
+        long before = System.nanoTime();
+        for (int k = 0; k < 100; k++) {
+            assertThat(world.move("rod", new Move(0, 0, 0, 28.3, 17.4)).allowed())
+                    .isTrue();
+        }
+        assertThat(System.nanoTime() - before).isLessThan(2_000_000_000L);
+    }
+}
