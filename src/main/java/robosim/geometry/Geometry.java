@@ -31,8 +31,6 @@ import robosim.geometry.narrow.Scratch;
  * exception the world is as it was. A world belongs to one thread at a time.
  */
 public final class Geometry {
-    private static final double LIMIT = 0x1p100;
-
     private final double width;
     private final double height;
     private final double length;
@@ -74,11 +72,11 @@ public final class Geometry {
      * @param accuracy  what stands for an object where a query does not say
      */
     public Geometry(double width, double height, double length, Dimension dimension, Accuracy accuracy) {
-        this.width = size("width", width);
-        this.height = size("height", height);
-        this.length = size("length", length);
-        this.dimension = present("dimension", dimension);
-        this.accuracy = present("accuracy", accuracy);
+        this.width = Arguments.worldSize("width", width);
+        this.height = Arguments.worldSize("height", height);
+        this.length = Arguments.worldSize("length", length);
+        this.dimension = Arguments.present("dimension", dimension);
+        this.accuracy = Arguments.present("accuracy", accuracy);
         border = new Border(width, height, length, dimension);
         level = new Level(accuracy, dimension, width, length);
         levels = new Level[] {level};
@@ -133,7 +131,7 @@ public final class Geometry {
     }
 
     private boolean add(GeometryObject object, boolean checked) {
-        String name = present("object", object).name();
+        String name = Arguments.present("object", object).name();
         if (name != null && bodies.find(name) >= 0) {
             throw new IllegalArgumentException("name must be unique in its world (got: \"" + name + "\" again)");
         }
@@ -163,17 +161,17 @@ public final class Geometry {
      * leave the world is refused when it is added.
      */
     public boolean testObject(GeometryObject object) {
-        return collides(level, present("object", object), -1);
+        return collides(level, Arguments.present("object", object), -1);
     }
 
     /** Whether an object would touch or overlap another one, at a given accuracy. */
     public boolean testObject(GeometryObject object, Accuracy accuracy) {
-        return collides(at(accuracy), present("object", object), -1);
+        return collides(at(accuracy), Arguments.present("object", object), -1);
     }
 
     /** Takes an object out; false where there is none of that name. */
     public boolean removeObject(String name) {
-        int id = bodies.find(present("name", name));
+        int id = bodies.find(Arguments.present("name", name));
         if (id < 0) {
             return false;
         }
@@ -192,7 +190,8 @@ public final class Geometry {
      */
     public boolean placeObject(String name, Point center, double heading) {
         int id = mover(name);
-        GeometryObject placed = bodies.value(id).at(Pose.of(present("center", center), angle("heading", heading)));
+        GeometryObject placed =
+                bodies.value(id).at(Pose.of(Arguments.present("center", center), Arguments.angle("heading", heading)));
         if (!fits(placed) || collides(level, placed, id)) {
             return false;
         }
@@ -219,7 +218,7 @@ public final class Geometry {
 
     /** Whether there is an object of that name. */
     public boolean hasObject(String name) {
-        return bodies.find(present("name", name)) >= 0;
+        return bodies.find(Arguments.present("name", name)) >= 0;
     }
 
     /** All objects at their present places, in the order in which they were added. */
@@ -239,7 +238,7 @@ public final class Geometry {
 
     /** The world as it is seen at an accuracy, made when it is first asked. */
     private Level at(Accuracy asked) {
-        present("accuracy", asked);
+        Arguments.present("accuracy", asked);
         for (Level each : levels) {
             if (each.accuracy == asked) {
                 return each;
@@ -260,7 +259,7 @@ public final class Geometry {
      */
     public boolean simpleMove(String name, double x, double y, double z) {
         int id = mover(name);
-        ownToWorld(id, coordinate("x", x), coordinate("y", y), coordinate("z", z));
+        ownToWorld(id, Arguments.coordinate("x", x), Arguments.coordinate("y", y), Arguments.coordinate("z", z));
         return carryOut(id, vector[0], vector[1], vector[2], 0, 0);
     }
 
@@ -272,7 +271,7 @@ public final class Geometry {
      */
     public boolean simpleTurn(String name, double degrees) {
         int id = mover(name);
-        angle("degrees", degrees);
+        Arguments.angle("degrees", degrees);
         return commitIf(id, motion.attemptTurn(level, id, degrees));
     }
 
@@ -298,7 +297,7 @@ public final class Geometry {
      */
     public MoveResult move(String name, Move move) {
         int id = mover(name);
-        Move asked = present("move", move);
+        Move asked = Arguments.present("move", move);
         ownToWorld(id, asked.x(), asked.y(), asked.z());
         return result(carryOut(id, vector[0], vector[1], vector[2], asked.rx(), asked.ry()));
     }
@@ -306,7 +305,7 @@ public final class Geometry {
     /** Makes a move whose translation is along the world's axes; its turns are about the object's own. */
     public MoveResult moveGlobal(String name, Move move) {
         int id = mover(name);
-        Move asked = present("move", move);
+        Move asked = Arguments.present("move", move);
         return result(carryOut(id, asked.x(), asked.y(), asked.z(), asked.rx(), asked.ry()));
     }
 
@@ -319,10 +318,8 @@ public final class Geometry {
      */
     public MoveResult moveToContact(String name, Move move, double clearance) {
         int id = mover(name);
-        Move asked = present("move", move);
-        if (!(clearance >= 0 && clearance <= LIMIT)) {
-            throw new IllegalArgumentException("clearance must be from 0 to 2^100 (got: " + clearance + ")");
-        }
+        Move asked = Arguments.present("move", move);
+        Arguments.clearance(clearance);
         ownToWorld(id, asked.x(), asked.y(), asked.z());
         boolean all = motion.attempt(level, id, vector[0], vector[1], vector[2], asked.rx(), asked.ry(), clearance);
         MoveResult result = result(all);
@@ -380,7 +377,7 @@ public final class Geometry {
     }
 
     private double range(Level seen, Ray ray, double min, double max, double width, int but) {
-        Point from = present("ray", ray).start();
+        Point from = Arguments.present("ray", ray).start();
         Point to = ray.direction();
         return range(seen, from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), min, max, width, but);
     }
@@ -397,24 +394,12 @@ public final class Geometry {
             double max,
             double width,
             int but) {
-        checkRange(min, max);
-        if (!(width >= 0 && width < 180)) {
-            throw new IllegalArgumentException(
-                    "width must be from 0 up to, not including, 180 degrees (got: " + width + ")");
-        }
+        Arguments.range(min, max);
+        Arguments.width(width);
         checkLevel(dx, dy, dz);
         ranging.beam(dimension, x, y, z, dx, dy, dz, width);
         double nearest = ranging.nearest(seen, max, but);
         return nearest < min ? min : nearest;
-    }
-
-    private static void checkRange(double min, double max) {
-        if (!(min >= 0 && min <= LIMIT)) {
-            throw new IllegalArgumentException("min must be from 0 to 2^100 (got: " + min + ")");
-        }
-        if (!(max >= min)) {
-            throw new IllegalArgumentException("max must be at least min, " + min + " (got: " + max + ")");
-        }
     }
 
     private void checkLevel(double dx, double dy, double dz) {
@@ -433,8 +418,8 @@ public final class Geometry {
      */
     public double getSonarDistance(String name, double x, double z, double min, double max, double width) {
         int id = mover(name);
-        coordinate("x", x);
-        coordinate("z", z);
+        Arguments.coordinate("x", x);
+        Arguments.coordinate("z", z);
         if (x == 0 && z == 0) {
             throw new IllegalArgumentException("direction must not be zero (got: x " + x + ", z " + z + ")");
         }
@@ -444,7 +429,7 @@ public final class Geometry {
     /** Distance that a sonar hears along a ray given in a moveable object's own frame; the object itself is silent. */
     public double getSonarDistance(String name, Ray mount, double min, double max, double width) {
         int id = mover(name);
-        Point from = present("mount", mount).start();
+        Point from = Arguments.present("mount", mount).start();
         Point to = mount.direction();
         return sonar(id, from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), min, max, width);
     }
@@ -478,7 +463,7 @@ public final class Geometry {
      */
     public double getProximity(String name, double max) {
         int id = known(name);
-        checkRange(0, max);
+        Arguments.range(0, max);
         return ranging.proximity(level, id, max);
     }
 
@@ -487,9 +472,9 @@ public final class Geometry {
      * distance 0. In PLANAR the point keeps the height of the ray's start.
      */
     public @Nullable RayHit castRay(Ray ray, double max) {
-        Point from = present("ray", ray).start();
+        Point from = Arguments.present("ray", ray).start();
         Point to = ray.direction();
-        checkRange(0, max);
+        Arguments.range(0, max);
         checkLevel(to.x(), to.y(), to.z());
         ranging.beam(dimension, from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), 0);
         double distance = ranging.nearest(level, max, -1);
@@ -512,10 +497,7 @@ public final class Geometry {
      * @return a distance each, as {@link #getRayDistance} answers it with a width of 0
      */
     public double[] scan(String name, double firstDegrees, double stepDegrees, int count, double min, double max) {
-        if (count < 0) {
-            throw new IllegalArgumentException("count must be at least 0 (got: " + count + ")");
-        }
-        double[] distances = new double[count];
+        double[] distances = new double[Arguments.count(count)];
         scan(name, firstDegrees, stepDegrees, min, max, distances);
         return distances;
     }
@@ -532,7 +514,7 @@ public final class Geometry {
      */
     public void scan(
             String name, Point mount, double firstDegrees, double stepDegrees, double min, double max, double[] out) {
-        present("mount", mount);
+        Arguments.present("mount", mount);
         scan(name, mount.x(), mount.y(), mount.z(), firstDegrees, stepDegrees, min, max, out);
     }
 
@@ -547,18 +529,18 @@ public final class Geometry {
             double max,
             double[] out) {
         int id = mover(name);
-        angle("firstDegrees", firstDegrees);
-        angle("stepDegrees", stepDegrees);
-        checkRange(min, max);
-        present("out", out);
+        Arguments.angle("firstDegrees", firstDegrees);
+        Arguments.angle("stepDegrees", stepDegrees);
+        Arguments.range(min, max);
+        Arguments.present("out", out);
         for (int k = 0; k < out.length; k++) {
-            double degrees = angle("angle of the last ray", firstDegrees + k * stepDegrees);
+            double degrees = Arguments.angle("angle of the last ray", firstDegrees + k * stepDegrees);
             out[k] = sonar(id, x, y, z, Degrees.cos(degrees), 0, -Degrees.sin(degrees), min, max, 0);
         }
     }
 
     private int known(String name) {
-        int id = bodies.find(present("name", name));
+        int id = bodies.find(Arguments.present("name", name));
         if (id < 0) {
             throw new IllegalArgumentException("name must be that of an object in the world (got: \"" + name + "\")");
         }
@@ -572,34 +554,5 @@ public final class Geometry {
                     "name must be that of a moveable object; this one is static (got: \"" + name + "\")");
         }
         return id;
-    }
-
-    private static <T> T present(String argument, T value) {
-        if (value == null) {
-            throw new IllegalArgumentException(argument + " must be given (got: null)");
-        }
-        return value;
-    }
-
-    private static double size(String argument, double value) {
-        if (!(value > 0 && value <= 2 * LIMIT)) {
-            throw new IllegalArgumentException(argument + " must be above 0 and at most 2^101 (got: " + value + ")");
-        }
-        return value;
-    }
-
-    private static double coordinate(String argument, double value) {
-        if (!(Math.abs(value) <= LIMIT)) {
-            throw new IllegalArgumentException(
-                    argument + " must be a number from -2^100 to 2^100 (got: " + value + ")");
-        }
-        return value;
-    }
-
-    private static double angle(String argument, double degrees) {
-        if (!Double.isFinite(degrees)) {
-            throw new IllegalArgumentException(argument + " must be a finite angle in degrees (got: " + degrees + ")");
-        }
-        return degrees;
     }
 }

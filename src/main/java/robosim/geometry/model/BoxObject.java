@@ -3,11 +3,15 @@ package robosim.geometry.model;
 import java.io.InvalidObjectException;
 import java.io.ObjectInputStream;
 import java.io.Serial;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 
 /** A solid box, placed by its centre; width along its own X, height along Y, length along Z. */
-public final class BoxObject extends Placed<BoxObject> implements GeometryObject {
+public final class BoxObject implements GeometryObject {
     private static final long serialVersionUID = 1;
 
+    private final transient Tag tag;
+    private final transient Pose pose;
     private final transient double width;
     private final transient double height;
     private final transient double length;
@@ -25,15 +29,61 @@ public final class BoxObject extends Placed<BoxObject> implements GeometryObject
     }
 
     BoxObject(Tag tag, Pose pose, double width, double height, double length) {
-        super(tag, pose);
+        this.tag = tag;
+        this.pose = pose;
         this.width = Checks.size("width", width);
         this.height = Checks.size("height", height);
         this.length = Checks.size("length", length);
     }
 
-    @Override
+    /** The same shape under another tag and pose. */
     BoxObject with(Tag newTag, Pose newPose) {
         return new BoxObject(newTag, newPose, width, height, length);
+    }
+
+    @Override
+    public @Nullable String name() {
+        return tag.name();
+    }
+
+    @Override
+    public boolean isMoveable() {
+        return tag.moveable();
+    }
+
+    @Override
+    public Pose pose() {
+        return pose;
+    }
+
+    @Override
+    public BoxObject named(String name) {
+        return with(tag.named(name), pose);
+    }
+
+    @Override
+    public BoxObject moveable(String name) {
+        return with(Tag.moveable(name), pose);
+    }
+
+    @Override
+    public BoxObject movedTo(Point center) {
+        return with(tag, pose.movedTo(center));
+    }
+
+    @Override
+    public BoxObject turned(double rx, double ry) {
+        return with(tag, pose.turned(rx, ry));
+    }
+
+    @Override
+    public BoxObject oriented(double[] rotation) {
+        return with(tag, pose.oriented(rotation));
+    }
+
+    @Override
+    public BoxObject at(Pose place) {
+        return with(tag, Checks.present("pose", place));
     }
 
     @Override
@@ -62,17 +112,18 @@ public final class BoxObject extends Placed<BoxObject> implements GeometryObject
                 && width == that.width
                 && height == that.height
                 && length == that.length
-                && samePlace(that);
+                && tag.equals(that.tag)
+                && pose.equals(that.pose);
     }
 
     @Override
     public int hashCode() {
-        return 31 * placeHash() + Double.hashCode(width + 3 * height + 7 * length);
+        return 31 * Objects.hash(tag, pose) + Double.hashCode(width + 3 * height + 7 * length);
     }
 
     @Override
     public String toString() {
-        return "box" + placeText() + ", " + width + " x " + height + " x " + length;
+        return "box" + tag.text(pose) + ", " + width + " x " + height + " x " + length;
     }
 
     @Serial

@@ -3,11 +3,15 @@ package robosim.geometry.model;
 import java.io.InvalidObjectException;
 import java.io.ObjectInputStream;
 import java.io.Serial;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 
 /** A solid cylinder, placed by its centre; its axis is its own Y. */
-public final class CylinderObject extends Placed<CylinderObject> implements GeometryObject {
+public final class CylinderObject implements GeometryObject {
     private static final long serialVersionUID = 1;
 
+    private final transient Tag tag;
+    private final transient Pose pose;
     private final transient double radius;
     private final transient double height;
 
@@ -23,14 +27,60 @@ public final class CylinderObject extends Placed<CylinderObject> implements Geom
     }
 
     CylinderObject(Tag tag, Pose pose, double radius, double height) {
-        super(tag, pose);
+        this.tag = tag;
+        this.pose = pose;
         this.radius = Checks.size("radius", radius);
         this.height = Checks.size("height", height);
     }
 
-    @Override
+    /** The same shape under another tag and pose. */
     CylinderObject with(Tag newTag, Pose newPose) {
         return new CylinderObject(newTag, newPose, radius, height);
+    }
+
+    @Override
+    public @Nullable String name() {
+        return tag.name();
+    }
+
+    @Override
+    public boolean isMoveable() {
+        return tag.moveable();
+    }
+
+    @Override
+    public Pose pose() {
+        return pose;
+    }
+
+    @Override
+    public CylinderObject named(String name) {
+        return with(tag.named(name), pose);
+    }
+
+    @Override
+    public CylinderObject moveable(String name) {
+        return with(Tag.moveable(name), pose);
+    }
+
+    @Override
+    public CylinderObject movedTo(Point center) {
+        return with(tag, pose.movedTo(center));
+    }
+
+    @Override
+    public CylinderObject turned(double rx, double ry) {
+        return with(tag, pose.turned(rx, ry));
+    }
+
+    @Override
+    public CylinderObject oriented(double[] rotation) {
+        return with(tag, pose.oriented(rotation));
+    }
+
+    @Override
+    public CylinderObject at(Pose place) {
+        return with(tag, Checks.present("pose", place));
     }
 
     @Override
@@ -53,17 +103,18 @@ public final class CylinderObject extends Placed<CylinderObject> implements Geom
         return other instanceof CylinderObject that
                 && radius == that.radius
                 && height == that.height
-                && samePlace(that);
+                && tag.equals(that.tag)
+                && pose.equals(that.pose);
     }
 
     @Override
     public int hashCode() {
-        return 31 * placeHash() + Double.hashCode(radius + 3 * height);
+        return 31 * Objects.hash(tag, pose) + Double.hashCode(radius + 3 * height);
     }
 
     @Override
     public String toString() {
-        return "cylinder" + placeText() + ", radius " + radius + ", height " + height;
+        return "cylinder" + tag.text(pose) + ", radius " + radius + ", height " + height;
     }
 
     @Serial

@@ -15,9 +15,11 @@ import org.jspecify.annotations.Nullable;
  * <p>Vertices are given in the mesh's own frame, whose origin is its centre: (0, 0, 0) until it is moved. All placements
  * of one mesh share its triangles and their tree. Degenerate faces are legal: each is the segment or point that it is.
  */
-public final class MeshObject extends Placed<MeshObject> implements GeometryObject {
+public final class MeshObject implements GeometryObject {
     private static final long serialVersionUID = 1;
 
+    private final transient Tag tag;
+    private final transient Pose pose;
     private final transient TriangleMesh triangles;
     private final transient boolean solid;
     private final transient @Nullable GeometryObject boundingVolume;
@@ -50,7 +52,8 @@ public final class MeshObject extends Placed<MeshObject> implements GeometryObje
 
     MeshObject(
             Tag tag, Pose pose, TriangleMesh triangles, boolean solid, @Nullable GeometryObject checkedBoundingVolume) {
-        super(tag, pose);
+        this.tag = tag;
+        this.pose = pose;
         this.triangles = triangles;
         this.solid = solid;
         this.boundingVolume = checkedBoundingVolume;
@@ -77,14 +80,14 @@ public final class MeshObject extends Placed<MeshObject> implements GeometryObje
 
     /** This mesh with a bounding volume in its own frame, or without one of its own. */
     MeshObject bounded(@Nullable GeometryObject volume) {
-        MeshObject bounded = new MeshObject(tag(), pose(), triangles, solid, volume);
+        MeshObject bounded = new MeshObject(tag, pose, triangles, solid, volume);
         if (volume != null) {
             Enclosing.check(volume, bounded);
         }
         return bounded;
     }
 
-    @Override
+    /** The same shape under another tag and pose. */
     MeshObject with(Tag newTag, Pose newPose) {
         return new MeshObject(newTag, newPose, triangles, solid, boundingVolume);
     }
@@ -101,7 +104,52 @@ public final class MeshObject extends Placed<MeshObject> implements GeometryObje
             throw new IllegalArgumentException(
                     "a solid mesh must be closed: close the surface or use it as a surface (got: " + open + ")");
         }
-        return new MeshObject(tag(), pose(), triangles, true, boundingVolume);
+        return new MeshObject(tag, pose, triangles, true, boundingVolume);
+    }
+
+    @Override
+    public @Nullable String name() {
+        return tag.name();
+    }
+
+    @Override
+    public boolean isMoveable() {
+        return tag.moveable();
+    }
+
+    @Override
+    public Pose pose() {
+        return pose;
+    }
+
+    @Override
+    public MeshObject named(String name) {
+        return with(tag.named(name), pose);
+    }
+
+    @Override
+    public MeshObject moveable(String name) {
+        return with(Tag.moveable(name), pose);
+    }
+
+    @Override
+    public MeshObject movedTo(Point center) {
+        return with(tag, pose.movedTo(center));
+    }
+
+    @Override
+    public MeshObject turned(double rx, double ry) {
+        return with(tag, pose.turned(rx, ry));
+    }
+
+    @Override
+    public MeshObject oriented(double[] rotation) {
+        return with(tag, pose.oriented(rotation));
+    }
+
+    @Override
+    public MeshObject at(Pose place) {
+        return with(tag, Checks.present("pose", place));
     }
 
     @Override
@@ -142,19 +190,20 @@ public final class MeshObject extends Placed<MeshObject> implements GeometryObje
     public boolean equals(Object other) {
         return other instanceof MeshObject that
                 && solid == that.solid
-                && samePlace(that)
+                && tag.equals(that.tag)
+                && pose.equals(that.pose)
                 && Objects.equals(boundingVolume, that.boundingVolume)
                 && triangles.equals(that.triangles);
     }
 
     @Override
     public int hashCode() {
-        return 31 * placeHash() + triangles.hashCode();
+        return 31 * Objects.hash(tag, pose) + triangles.hashCode();
     }
 
     @Override
     public String toString() {
-        return (solid ? "solid mesh" : "mesh") + placeText() + ", " + triangles.vertices() + " vertices, "
+        return (solid ? "solid mesh" : "mesh") + tag.text(pose) + ", " + triangles.vertices() + " vertices, "
                 + triangles.size() + " triangles";
     }
 

@@ -13,9 +13,11 @@ import org.jspecify.annotations.Nullable;
  * <p>The frame's origin is the group's centre: (0, 0, 0) until it is moved. What the members are called and whether they
  * are moveable has no meaning inside a group.
  */
-public final class ObjectGroup extends Placed<ObjectGroup> implements GeometryObject {
+public final class ObjectGroup implements GeometryObject {
     private static final long serialVersionUID = 1;
 
+    private final transient Tag tag;
+    private final transient Pose pose;
     private final transient List<GeometryObject> members;
     private final transient @Nullable GeometryObject boundingVolume;
 
@@ -43,7 +45,8 @@ public final class ObjectGroup extends Placed<ObjectGroup> implements GeometryOb
 
     private ObjectGroup(
             Tag tag, Pose pose, List<GeometryObject> members, @Nullable GeometryObject checkedBoundingVolume) {
-        super(tag, pose);
+        this.tag = tag;
+        this.pose = pose;
         this.members = members;
         this.boundingVolume = checkedBoundingVolume;
     }
@@ -59,9 +62,54 @@ public final class ObjectGroup extends Placed<ObjectGroup> implements GeometryOb
         return List.copyOf(members);
     }
 
-    @Override
+    /** The same shape under another tag and pose. */
     ObjectGroup with(Tag newTag, Pose newPose) {
         return new ObjectGroup(newTag, newPose, members, boundingVolume);
+    }
+
+    @Override
+    public @Nullable String name() {
+        return tag.name();
+    }
+
+    @Override
+    public boolean isMoveable() {
+        return tag.moveable();
+    }
+
+    @Override
+    public Pose pose() {
+        return pose;
+    }
+
+    @Override
+    public ObjectGroup named(String name) {
+        return with(tag.named(name), pose);
+    }
+
+    @Override
+    public ObjectGroup moveable(String name) {
+        return with(Tag.moveable(name), pose);
+    }
+
+    @Override
+    public ObjectGroup movedTo(Point center) {
+        return with(tag, pose.movedTo(center));
+    }
+
+    @Override
+    public ObjectGroup turned(double rx, double ry) {
+        return with(tag, pose.turned(rx, ry));
+    }
+
+    @Override
+    public ObjectGroup oriented(double[] rotation) {
+        return with(tag, pose.oriented(rotation));
+    }
+
+    @Override
+    public ObjectGroup at(Pose place) {
+        return with(tag, Checks.present("pose", place));
     }
 
     @Override
@@ -82,19 +130,20 @@ public final class ObjectGroup extends Placed<ObjectGroup> implements GeometryOb
     @Override
     public boolean equals(Object other) {
         return other instanceof ObjectGroup that
-                && samePlace(that)
+                && tag.equals(that.tag)
+                && pose.equals(that.pose)
                 && Objects.equals(boundingVolume, that.boundingVolume)
                 && members.equals(that.members);
     }
 
     @Override
     public int hashCode() {
-        return 31 * placeHash() + members.hashCode();
+        return 31 * Objects.hash(tag, pose) + members.hashCode();
     }
 
     @Override
     public String toString() {
-        return "group" + placeText() + " of " + members.size();
+        return "group" + tag.text(pose) + " of " + members.size();
     }
 
     @Serial

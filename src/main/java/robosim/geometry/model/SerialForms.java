@@ -42,7 +42,7 @@ public final class SerialForms {
         @Serial
         private static final long serialVersionUID = 1;
 
-        static Place of(Placed<?> object) {
+        static Place of(GeometryObject object) {
             double[] entry = new double[Attitude.STRIDE];
             object.pose().attitude(entry, 0);
             return new Place(
@@ -54,8 +54,8 @@ public final class SerialForms {
                     entry[10]);
         }
 
-        Placed.Tag tag() {
-            return new Placed.Tag(name == null ? null : Checks.name(name), moveable);
+        Tag tag() {
+            return new Tag(name, moveable);
         }
 
         Pose pose() {

@@ -3,11 +3,15 @@ package robosim.geometry.model;
 import java.io.InvalidObjectException;
 import java.io.ObjectInputStream;
 import java.io.Serial;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 
 /** A solid sphere, placed by its centre. It has an attitude too, which says where forward is. */
-public final class SphereObject extends Placed<SphereObject> implements GeometryObject {
+public final class SphereObject implements GeometryObject {
     private static final long serialVersionUID = 1;
 
+    private final transient Tag tag;
+    private final transient Pose pose;
     private final transient double radius;
 
     /**
@@ -21,13 +25,59 @@ public final class SphereObject extends Placed<SphereObject> implements Geometry
     }
 
     SphereObject(Tag tag, Pose pose, double radius) {
-        super(tag, pose);
+        this.tag = tag;
+        this.pose = pose;
         this.radius = Checks.size("radius", radius);
     }
 
-    @Override
+    /** The same shape under another tag and pose. */
     SphereObject with(Tag newTag, Pose newPose) {
         return new SphereObject(newTag, newPose, radius);
+    }
+
+    @Override
+    public @Nullable String name() {
+        return tag.name();
+    }
+
+    @Override
+    public boolean isMoveable() {
+        return tag.moveable();
+    }
+
+    @Override
+    public Pose pose() {
+        return pose;
+    }
+
+    @Override
+    public SphereObject named(String name) {
+        return with(tag.named(name), pose);
+    }
+
+    @Override
+    public SphereObject moveable(String name) {
+        return with(Tag.moveable(name), pose);
+    }
+
+    @Override
+    public SphereObject movedTo(Point center) {
+        return with(tag, pose.movedTo(center));
+    }
+
+    @Override
+    public SphereObject turned(double rx, double ry) {
+        return with(tag, pose.turned(rx, ry));
+    }
+
+    @Override
+    public SphereObject oriented(double[] rotation) {
+        return with(tag, pose.oriented(rotation));
+    }
+
+    @Override
+    public SphereObject at(Pose place) {
+        return with(tag, Checks.present("pose", place));
     }
 
     @Override
@@ -42,17 +92,20 @@ public final class SphereObject extends Placed<SphereObject> implements Geometry
 
     @Override
     public boolean equals(Object other) {
-        return other instanceof SphereObject that && radius == that.radius && samePlace(that);
+        return other instanceof SphereObject that
+                && radius == that.radius
+                && tag.equals(that.tag)
+                && pose.equals(that.pose);
     }
 
     @Override
     public int hashCode() {
-        return 31 * placeHash() + Double.hashCode(radius);
+        return 31 * Objects.hash(tag, pose) + Double.hashCode(radius);
     }
 
     @Override
     public String toString() {
-        return "sphere" + placeText() + ", radius " + radius;
+        return "sphere" + tag.text(pose) + ", radius " + radius;
     }
 
     @Serial

@@ -186,16 +186,31 @@ public final class TriangleMesh {
         return r;
     }
 
-    /** For each vertex the first one at the same place. */
+    /** For each vertex the first one at the same place. By sorting: no choice of coordinates makes that slow. */
     private int[] joinEqual() {
-        Map<Point, Integer> first = new HashMap<>();
+        Integer[] sorted = new Integer[vertices()];
+        Arrays.setAll(sorted, v -> v);
+        Arrays.sort(sorted, (v, w) -> {
+            int order = comparePlaces(v, w);
+            return order != 0 ? order : Integer.compare(v, w);
+        });
         int[] joined = new int[vertices()];
-        for (int v = 0; v < joined.length; v++) {
-            Point place = new Point(coordinate(v, 0), coordinate(v, 1), coordinate(v, 2));
-            Integer earlier = first.putIfAbsent(place, v);
-            joined[v] = earlier == null ? v : earlier;
+        for (int k = 0; k < sorted.length; k++) {
+            int v = sorted[k];
+            boolean same = k > 0 && comparePlaces(sorted[k - 1], v) == 0;
+            joined[v] = same ? joined[sorted[k - 1]] : v;
         }
         return joined;
+    }
+
+    private int comparePlaces(int v, int w) {
+        for (int axis = 0; axis < 3; axis++) {
+            int order = Double.compare(coordinate(v, axis), coordinate(w, axis));
+            if (order != 0) {
+                return order;
+            }
+        }
+        return 0;
     }
 
     /** An edge that an odd number of triangles use, as a text for people; null where the surface is closed. */

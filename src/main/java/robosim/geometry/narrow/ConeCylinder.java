@@ -4,7 +4,8 @@ import static robosim.geometry.narrow.RayMath.U;
 
 /**
  * The least distance from a cone's apex to a solid cylinder inside the cone: a lower bound that is certain, within
- * 2^-40 of the truth unless the cone only grazes the cylinder.
+ * 2^-40 of the truth (seen so down to grazes of 10^-13 of the radius, where the direction that proves the most is found
+ * and weighed in pairs of doubles). Apart only where a plane proves it by more than 24u of the coordinates.
  *
  * <p>The distance is the largest {@code k(n) / s(n)} over directions n, where {@code k(n)} is the least n.x of the
  * cylinder and {@code s(n)} the support of the cone's part inside the unit sphere. Where the nearest point of the whole
@@ -24,6 +25,24 @@ final class ConeCylinder {
     /** k(v + t w) is a sum of few products of numbers below the extent times 1 + t, each off by a few u. */
     private static final double BOUND_ERROR = 24 * U;
 
+    /** The same in pairs of doubles, of which every step is good to 2^-100 of what goes in. */
+    private static final double PAIRS_ERROR = 0x1p-94;
+
+    /** Tried where rounding hides how large the best t is, as the cone all but misses. */
+    private static final double GRAZING = 0x1p26;
+
+    /** From this t on the best is looked for once more. */
+    private static final double STEEP = 256;
+
+    private static final int NORMAL = Cone.FREE;
+    private static final int CENTER = NORMAL + 3;
+    private static final int BODY = CENTER + 3;
+    private static final int CROSS = BODY + 3;
+    private static final int SUPPORT = CROSS + 3;
+    private static final int LEAST = SUPPORT + 1;
+    private static final int PART = LEAST + 1;
+    private static final int TEMPORARY = PART + 1;
+
     private Cone cone = new Cone();
     private double extent;
     private double radius;
@@ -37,6 +56,14 @@ final class ConeCylinder {
     private double ay;
     private double az;
 
+    // The other two axes of that frame in the world.
+    private double ex;
+    private double ey;
+    private double ez;
+    private double fx;
+    private double fy;
+    private double fz;
+
     // What the last angle told: the best certain bound, whether the cylinder is proved apart, where x lies aside of the
     // border, and how fast that changes the bound.
     private double best;
@@ -44,7 +71,17 @@ final class ConeCylinder {
     private double aside;
     private double rate;
 
+    // Its best t and what k(n) is there, rounding and all.
     private double value;
+    private double share;
+    private double lastY;
+    private double lastZ;
+
+    // The direction with the greatest k(n) of all that were looked at, without regard to rounding.
+    private double bestValue;
+    private double bestShare;
+    private double bestY;
+    private double bestZ;
 
     /** The distance; the apex is outside the cylinder. */
     double distance(Cone cone, double[] b, int j, double axisX, double axisY, double axisZ) {
@@ -66,24 +103,28 @@ final class ConeCylinder {
         double wy = middle * py - my;
         double wz = middle * pz - mz;
         double away = RayMath.length(wx, wy, wz);
-        double share = away > radius ? radius / away : 1;
-        double nx = mx + along * px + share * wx;
-        double ny = my + along * py + share * wy;
-        double nz = mz + along * pz + share * wz;
+        double inward = away > radius ? radius / away : 1;
+        double nx = mx + along * px + inward * wx;
+        double ny = my + along * py + inward * wy;
+        double nz = mz + along * pz + inward * wz;
         best = Math.max(0, RayMath.length(nx, ny, nz) - BOUND_ERROR * extent);
         if (cone.depth(nx, ny, nz) >= 0) {
             return best;
         }
         frame(mx, my, mz, px, py, pz);
-        return search();
+        if (search() && best > 0) {
+            polish(b, j, axisX, axisY, axisZ, bestShare, bestY, bestZ);
+            polish(b, j, axisX, axisY, axisZ, share, lastY, lastZ);
+        }
+        return isApart ? Double.POSITIVE_INFINITY : best;
     }
 
     // A frame with the cone's axis first and the centre in the half plane of the second.
     private void frame(double mx, double my, double mz, double px, double py, double pz) {
         cx = mx * cone.ux + my * cone.uy + mz * cone.uz;
-        double ex = mx - cx * cone.ux;
-        double ey = my - cx * cone.uy;
-        double ez = mz - cx * cone.uz;
+        ex = mx - cx * cone.ux;
+        ey = my - cx * cone.uy;
+        ez = mz - cx * cone.uz;
         double size = RayMath.length(ex, ey, ez);
         if (!(size > 0x1p-40 * extent)) {
             // On the axis to speak of: any direction across it.
@@ -105,9 +146,9 @@ final class ConeCylinder {
         ex /= size;
         ey /= size;
         ez /= size;
-        double fx = cone.uy * ez - cone.uz * ey;
-        double fy = cone.uz * ex - cone.ux * ez;
-        double fz = cone.ux * ey - cone.uy * ex;
+        fx = cone.uy * ez - cone.uz * ey;
+        fy = cone.uz * ex - cone.ux * ez;
+        fz = cone.ux * ey - cone.uy * ex;
         cy = mx * ex + my * ey + mz * ez;
         cz = mx * fx + my * fy + mz * fz;
         ax = px * cone.ux + py * cone.uy + pz * cone.uz;
@@ -115,11 +156,13 @@ final class ConeCylinder {
         az = px * fx + py * fy + pz * fz;
     }
 
-    private double search() {
+    // Whether the bounds are worth another look: they are not where the cylinder is apart.
+    private boolean search() {
         isApart = false;
+        bestValue = Double.NEGATIVE_INFINITY;
         look(1, 0);
         if (isApart) {
-            return Double.POSITIVE_INFINITY;
+            return false;
         }
         double fromY = 1;
         double fromZ = 0;
@@ -134,7 +177,7 @@ final class ConeCylinder {
         for (int i = 0; i < STEPS; i++) {
             look(midY, midZ);
             if (isApart) {
-                return Double.POSITIVE_INFINITY;
+                return false;
             }
             width /= 2;
             if (Math.abs(aside) * rate * width <= ENOUGH * best && i > 2) {
@@ -161,11 +204,90 @@ final class ConeCylinder {
                 midZ = z / size;
             }
         }
-        return best;
+        return true;
+    }
+
+    // A large t comes out of a difference in which most cancels: it is looked for by parabolas, closer and closer.
+    private void polish(double[] b, int j, double axisX, double axisY, double axisZ, double t, double y, double z) {
+        double value = inPairs(b, j, axisX, axisY, axisZ, t, y, z);
+        double center = t;
+        double width = t > STEEP ? 0.5 : 0;
+        while (width > 0x1p-12) {
+            double less = inPairs(b, j, axisX, axisY, axisZ, center * (1 - width), y, z);
+            double more = inPairs(b, j, axisX, axisY, axisZ, center * (1 + width), y, z);
+            double bend = (value - less) + (value - more);
+            double step = bend > 0 ? (more - less) / (2 * bend) : more > less ? 1 : -1;
+            double next = center * (1 + width * Math.max(-1, Math.min(1, step)));
+            double there = inPairs(b, j, axisX, axisY, axisZ, next, y, z);
+            if (there > value) {
+                value = there;
+                center = next;
+            }
+            width *= Math.abs(step) < 1 ? 0.25 : 0.75;
+        }
+    }
+
+    /**
+     * The bound {@code k(n) / s(n)} once more in pairs of doubles, for the direction v + t w at an angle as rounded: where
+     * the cone grazes the cylinder t is large, and of k(n) little is left.
+     */
+    private double inPairs(double[] b, int j, double axisX, double axisY, double axisZ, double t, double y, double z) {
+        double across = cone.sin + t * cone.cos;
+        double ahead = cone.cos - t * cone.sin;
+        Pairs p = cone.pairs;
+        p.set(NORMAL, ahead * cone.ux + across * (y * ex + z * fx));
+        p.set(NORMAL + 1, ahead * cone.uy + across * (y * ey + z * fy));
+        p.set(NORMAL + 2, ahead * cone.uz + across * (y * ez + z * fz));
+        p.difference(CENTER, b[j], cone.ox);
+        p.difference(CENTER + 1, b[j + 1], cone.oy);
+        p.difference(CENTER + 2, b[j + 2], cone.oz);
+        p.set(BODY, axisX);
+        p.set(BODY + 1, axisY);
+        p.set(BODY + 2, axisZ);
+        double value = ratio(p, b[j + 4], t);
+        // Where the best n is square to the axis rounding must not make it reach along the axis.
+        p.dot(PART, NORMAL, BODY, TEMPORARY);
+        p.dot(LEAST, BODY, BODY, TEMPORARY);
+        p.divide(PART, PART, LEAST);
+        p.negate(PART);
+        p.advance(NORMAL, NORMAL, PART, BODY, TEMPORARY);
+        return Math.max(value, ratio(p, b[j + 4], t));
+    }
+
+    private double ratio(Pairs p, double halfHeight, double t) {
+        // s(n): along the border's direction that is nearest to n; n itself is never inside the cone.
+        p.dot(SUPPORT, NORMAL, Cone.AXIS, TEMPORARY);
+        p.multiply(SUPPORT, SUPPORT, Cone.COS);
+        p.cross(CROSS, NORMAL, Cone.AXIS, TEMPORARY);
+        p.dot(LEAST, CROSS, CROSS, TEMPORARY);
+        p.root(LEAST, LEAST);
+        p.multiply(LEAST, LEAST, Cone.SIN);
+        p.add(SUPPORT, SUPPORT, LEAST);
+        // k(n) = n.m - r |n x a| / |a| - h |n.a|
+        p.cross(CROSS, NORMAL, BODY, TEMPORARY);
+        p.dot(PART, CROSS, CROSS, TEMPORARY);
+        p.dot(LEAST, BODY, BODY, TEMPORARY);
+        p.divide(PART, PART, LEAST);
+        p.root(PART, PART);
+        p.multiply(PART, PART, radius);
+        p.dot(LEAST, NORMAL, CENTER, TEMPORARY);
+        p.subtract(LEAST, LEAST, PART);
+        p.dot(PART, NORMAL, BODY, TEMPORARY);
+        p.multiply(PART, PART, p.get(PART) < 0 ? -halfHeight : halfHeight);
+        p.subtract(LEAST, LEAST, PART);
+        p.divide(LEAST, LEAST, SUPPORT);
+        double support = p.get(SUPPORT);
+        if (support > 0) {
+            double error = PAIRS_ERROR * extent * (1 + t) / support;
+            best = Math.max(best, Math.nextDown(p.get(LEAST) - error));
+        }
+        return p.get(LEAST);
     }
 
     /** What the border at the angle with this cosine and sine tells. */
     private void look(double y, double z) {
+        lastY = y;
+        lastZ = z;
         double c = cone.cos;
         double s = cone.sin;
         // Along the border, outward, and around: centre and axis in that frame.
@@ -190,12 +312,22 @@ final class ConeCylinder {
         t = bound(stationary(mw + half * aw, kappa, av * aw, gv), mv, mw, av, aw, ab, t);
         rate = s + t * c;
         value = least(t, mv, mw, av, aw, ab);
+        share = t;
+        if (value > bestValue) {
+            bestValue = value;
+            bestShare = t;
+            bestY = y;
+            bestZ = z;
+        }
         aside = t == 0 ? freePoint(mb, av, aw, ab) : section(mv, mw, mb, aw, kappa, fv, gv);
     }
 
     // Where k(v + t w) is stationary beside its kink: the radius's part has the slope that the rest has.
     private double stationary(double slope, double kappa, double product, double gv) {
         double square = (radius * kappa - slope) * (radius * kappa + slope);
+        if (slope > 0 && !(square > 0)) {
+            return GRAZING;
+        }
         return slope * Math.abs(gv) / (kappa * Math.sqrt(square)) + product / (kappa * kappa);
     }
 
@@ -223,8 +355,8 @@ final class ConeCylinder {
         double qw = -av * aw;
         double qb = -av * ab;
         double size = RayMath.length(qv, qw, qb);
-        double share = size > 0 ? radius / size : 0;
-        return mb - (av > 0 ? half : -half) * ab - share * qb;
+        double inward = size > 0 ? radius / size : 0;
+        return mb - (av > 0 ? half : -half) * ab - inward * qb;
     }
 
     /**

@@ -31,7 +31,11 @@ final class ExactMath {
         int power = exponent(square) & ~1;
         Dyadic scaled = square.scale(-power); // from 1 up to, not including, 4
         double root = Math.sqrt(scaled.doubleValue());
-        double rest = scaled.subtract(Dyadic.of(root).square()).doubleValue() / (2 * root);
+        Dyadic missing = scaled.subtract(Dyadic.of(root).square());
+        if (missing.signum() == 0) {
+            return Dyadic.of(root).scale(power / 2);
+        }
+        double rest = missing.doubleValue() / (2 * root);
         return Dyadic.of(root).add(Dyadic.of(rest)).add(Dyadic.of(0x1p-95)).scale(power / 2);
     }
 

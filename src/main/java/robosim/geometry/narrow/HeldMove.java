@@ -12,6 +12,7 @@ final class HeldMove {
 
     private final Support mover = new Support();
     private final Support rest = new Support();
+    private final LeastWays ways = new LeastWays();
     private final double[] pose = new double[Leaf.STRIDE];
 
     /** As {@link SpatialSweep#translation} and {@link PlanarSweep#translation}. */
@@ -49,13 +50,8 @@ final class HeldMove {
                 if (step > 0) {
                     return t;
                 }
-                Penetration ways = s.penetration;
-                if (planar) {
-                    ways.planar(kindA, a, i, kindB, b, j);
-                } else {
-                    ways.spatial(kindA, a, i, kindB, b, j);
-                }
-                return isAgainstAll(ways, dx, vy, dz) ? 0 : Double.POSITIVE_INFINITY;
+                ways.find(planar, kindA, a, i, kindB, b, j, s);
+                return isAgainstAll(s, dx, vy, dz) ? 0 : Double.POSITIVE_INFINITY;
             }
             double nx = gjk.nx();
             double ny = gjk.ny();
@@ -97,10 +93,10 @@ final class HeldMove {
     }
 
     // What is across the way out, to rounding, is along it.
-    private static boolean isAgainstAll(Penetration ways, double dx, double dy, double dz) {
+    private boolean isAgainstAll(Scratch s, double dx, double dy, double dz) {
         double slack = Gjk.ROUNDOFF * (Math.abs(dx) + Math.abs(dy) + Math.abs(dz));
-        for (int k = 0; k < ways.count(); k++) {
-            if (!(ways.nx(k) * dx + ways.ny(k) * dy + ways.nz(k) * dz < -slack)) {
+        for (int k = 0; k < ways.count(s); k++) {
+            if (!(ways.nx(k, s) * dx + ways.ny(k, s) * dy + ways.nz(k, s) * dz < -slack)) {
                 return false;
             }
         }

@@ -19,6 +19,7 @@ final class HeldTurn {
 
     private final TurnBody mover = new TurnBody();
     private final TurnBody rest = new TurnBody();
+    private final LeastWays ways = new LeastWays();
     private final double[] pose = new double[Leaf.STRIDE];
     private final double[] box = new double[Leaf.STRIDE];
 
@@ -45,7 +46,6 @@ final class HeldTurn {
             int j,
             Scratch s) {
         Gjk gjk = s.gjk;
-        Penetration ways = s.penetration;
         double way = degrees < 0 ? -1 : 1;
         planar = inPlane;
         wx = way * axisX;
@@ -59,8 +59,9 @@ final class HeldTurn {
         double depth = 0;
         ask(gjk, kindA, a, i, kindB, b, j);
         if (!(gjk.lower() > 0)) {
-            depth = Math.max(0, depth(ways, kindA, a, i, kindB, b, j));
-            t = fromContact(ways);
+            ways.find(planar, kindA, a, i, kindB, b, j, s);
+            depth = Math.max(0, ways.depth);
+            t = fromContact(s);
             if (t == 0) {
                 return 0;
             }
@@ -77,9 +78,9 @@ final class HeldTurn {
             if (gjk.lower() > 0) {
                 next = hold(gjk.nx(), gjk.ny(), gjk.nz(), t, depth);
             } else if (depth > 0) {
-                depth(ways, kind, pose, 0, kindB, b, j);
-                for (int k = 0; k < ways.count(); k++) {
-                    next = Math.max(next, hold(ways.nx(k), ways.ny(k), ways.nz(k), t, depth));
+                ways.find(planar, kind, pose, 0, kindB, b, j, s);
+                for (int k = 0; k < ways.count(s); k++) {
+                    next = Math.max(next, hold(ways.nx(k, s), ways.ny(k, s), ways.nz(k, s), t, depth));
                 }
             }
             if (!(next > t) || (gap + depth < CLOSE * mover.extent && next - t < STALLED)) {
@@ -96,10 +97,6 @@ final class HeldTurn {
         } else {
             gjk.spatial(kindA, a, i, kindB, b, j);
         }
-    }
-
-    private double depth(Penetration ways, int kindA, double[] a, int i, int kindB, double[] b, int j) {
-        return planar ? ways.planar(kindA, a, i, kindB, b, j) : ways.spatial(kindA, a, i, kindB, b, j);
     }
 
     private void pose(int kind, double[] row, int at, double px, double py, double pz, double t) {
@@ -136,13 +133,13 @@ final class HeldTurn {
         return end;
     }
 
-    private double fromContact(Penetration ways) {
+    private double fromContact(Scratch s) {
         double best = 0;
-        for (int k = 0; k < ways.count(); k++) {
-            mover.aim(ways.nx(k), ways.ny(k), ways.nz(k), 1);
+        for (int k = 0; k < ways.count(s); k++) {
+            mover.aim(ways.nx(k, s), ways.ny(k, s), ways.nz(k, s), 1);
             best = Math.max(best, mover.notFurtherBack());
             if (!planar || (wx == 0 && wz == 0)) {
-                rest.aim(-ways.nx(k), -ways.ny(k), -ways.nz(k), -1);
+                rest.aim(-ways.nx(k, s), -ways.ny(k, s), -ways.nz(k, s), -1);
                 best = Math.max(best, rest.notFurtherBack());
             }
         }

@@ -23,8 +23,12 @@ final class MovingAxes {
     private static final double SMALL = 0x1p-900;
     private static final int MOST = 96;
 
-    /** Entry times narrower than this share are answered as they are; wider ones are refined. */
-    private static final double NARROW = 0x1p-44;
+    // A time of contact is answered as early as it may be: by at most this share of itself, or of the whole motion.
+    private static final double NARROW = 0x1p-40;
+    private static final double SLIGHT = 0x1p-46;
+
+    /** Below this the squares of normals would underflow. */
+    private static final double MINUTE = 0x1p-200;
 
     private final AxisBody first = new AxisBody();
     private final AxisBody second = new AxisBody();
@@ -69,6 +73,9 @@ final class MovingAxes {
         my = mode == PLANAR ? 0 : first.my + second.my;
         mz = first.mz + second.mz;
         count = 0;
+        if (mx + my + mz < MINUTE) {
+            return Double.NaN;
+        }
         if (separatesByNormal(first) || separatesByNormal(second)) {
             return Double.POSITIVE_INFINITY;
         }
@@ -212,10 +219,15 @@ final class MovingAxes {
             if (enterLo > 1 || enterLo > leaveHi) {
                 return Double.POSITIVE_INFINITY;
             }
-            boolean sure = enterHi <= 1 && enterHi <= leaveLo && enterHi - enterLo <= NARROW * enterHi;
+            boolean sure = enterHi <= 1 && enterHi <= leaveLo && isNarrow(enterLo, enterHi);
             return sure ? enterLo : Double.NaN;
         }
         return doubt ? Double.NaN : fromContact();
+    }
+
+    /** Whether the bounds of a time of contact are so close that the lower one can be answered. */
+    static boolean isNarrow(double lo, double hi) {
+        return hi - lo <= Math.max(NARROW * hi, SLIGHT);
     }
 
     /** Overlapping for certain at the start: refused where the move goes against every least way out. */

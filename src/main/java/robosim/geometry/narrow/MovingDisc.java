@@ -11,8 +11,8 @@ final class MovingDisc {
     private static final double ROUNDOFF = MovingAxes.ROUNDOFF;
     private static final double TINY = MovingAxes.TINY;
 
-    /** Times of contact narrower than this share are answered as they are; wider ones are refined. */
-    private static final double NARROW = 0x1p-44;
+    /** Below this squares of coordinates would underflow. */
+    private static final double MINUTE = 0x1p-200;
 
     /** Whether the last question found the two in contact at the start, for certain. */
     boolean contact;
@@ -28,6 +28,9 @@ final class MovingDisc {
     /** Time of contact with a polygon; NaN where plain doubles cannot tell. */
     double time(Outline o, double radius, double dx, double dz) {
         contact = false;
+        if (o.size + radius < MINUTE) {
+            return Double.NaN;
+        }
         double enterLo = 0;
         double enterHi = 0;
         double leaveHi = Double.POSITIVE_INFINITY;
@@ -88,13 +91,16 @@ final class MovingDisc {
         if (share > square + e) {
             return corner(o.x[next], o.z[next], o.size, radius, dx, dz);
         }
-        boolean sure = share > e && share < square - e && hi <= 1 && hi - lo <= NARROW * hi;
+        boolean sure = share > e && share < square - e && hi <= 1 && MovingAxes.isNarrow(lo, hi);
         return sure ? lo : Double.NaN;
     }
 
     /** Time of contact with a circle around a point that carries 8 units of roundoff of a size; NaN in doubt. */
     double corner(double qx, double qz, double size, double radius, double dx, double dz) {
         contact = false;
+        if (size + radius < MINUTE) {
+            return Double.NaN;
+        }
         double span = Math.abs(dx) + Math.abs(dz);
         double beyond = qx * qx + qz * qz - radius * radius;
         double e = ROUNDOFF * ((Math.abs(qx) + Math.abs(qz)) * size + radius * radius) + TINY;
@@ -130,7 +136,7 @@ final class MovingDisc {
         if (lo > 1) {
             return Double.POSITIVE_INFINITY;
         }
-        return hi <= 1 && hi - lo <= NARROW * hi ? lo : Double.NaN;
+        return hi <= 1 && MovingAxes.isNarrow(lo, hi) ? lo : Double.NaN;
     }
 
     /** Between the offset lines but outside the polygon: near an edge, or at a corner and perhaps clear of it. */

@@ -13,7 +13,6 @@ package robosim.geometry.narrow;
  * allocated by a question.
  */
 final class Penetration {
-    private static final int MOST = 160;
     private static final int MOST_PROBES = 600;
     private static final double FIRST_STEP = 0.5;
     private static final double LAST_STEP = 0x1p-30;
@@ -24,12 +23,6 @@ final class Penetration {
     private static final double SPREAD_COS = 15 / 17.0;
     private static final double SPREAD_SIN = 8 / 17.0;
 
-    /** Directions closer than this are one. */
-    private static final double SAME = 0x1p-40;
-
-    /** A search comes no closer to a direction than this, as depths are flat there. */
-    private static final double FOUND_SAME = 0x1p-22;
-
     private final Gjk gjk = new Gjk();
     private final Gjk plane = new Gjk();
     private final Support first = new Support();
@@ -37,16 +30,9 @@ final class Penetration {
     private final Facets facetsA = new Facets();
     private final Facets facetsB = new Facets();
 
-    private int count;
-    private final double[] x = new double[MOST];
-    private final double[] y = new double[MOST];
-    private final double[] z = new double[MOST];
-    private final double[] depths = new double[MOST];
+    private final Directions directions = new Directions();
     private double margins;
     private boolean flat;
-
-    /** How many of the directions belong to sides; the rest came from a search. */
-    private int sides;
 
     // Where the pattern search stands.
     private double searchX;
@@ -74,20 +60,20 @@ final class Penetration {
 
     /** How many directions tie; at least 1. */
     int count() {
-        return count;
+        return directions.count();
     }
 
     /** A unit direction in which a has to move to get out. */
     double nx(int k) {
-        return x[k];
+        return directions.x(k);
     }
 
     double ny(int k) {
-        return y[k];
+        return directions.y(k);
     }
 
     double nz(int k) {
-        return z[k];
+        return directions.z(k);
     }
 
     private double ordered(int kindA, double[] a, int i, int kindB, double[] b, int j) {
@@ -95,11 +81,7 @@ final class Penetration {
             return solve(kindA, a, i, kindB, b, j);
         }
         double depth = solve(kindB, b, j, kindA, a, i);
-        for (int k = 0; k < count; k++) {
-            x[k] = 0 - x[k];
-            y[k] = 0 - y[k];
-            z[k] = 0 - z[k];
-        }
+        directions.reverse();
         return depth;
     }
 
@@ -109,7 +91,7 @@ final class Penetration {
         } else {
             gjk.spatial(kindA, a, i, kindB, b, j);
         }
-        count = 0;
+        directions.clear();
         if (gjk.coreReach() > gjk.error()) {
             take(gjk.nx(), gjk.ny(), gjk.nz(), -gjk.reach());
             return -gjk.reach();
@@ -117,15 +99,15 @@ final class Penetration {
         load(kindA, a, i, kindB, b, j);
         if (!flat && Leaf.isUpright(kindA) && Leaf.isUpright(kindB)) {
             level(kindA, a, i, kindB, b, j);
+        } else {
+            candidates();
+            if (!first.isPolytope() || !second.isPolytope()) {
+                directions.beginSearch();
+                refine();
+            }
         }
-        candidates();
-        sides = count;
-        double depth = least();
-        if (!first.isPolytope() || !second.isPolytope()) {
-            refine(depth);
-            depth = least();
-        }
-        keepTies(depth + 2 * gjk.error());
+        double depth = directions.least();
+        directions.keepTies(depth + 2 * gjk.error());
         return depth;
     }
 
@@ -147,11 +129,21 @@ final class Penetration {
         margins = first.margin + second.margin;
     }
 
-    /** Between upright leaves: the direction to the nearest point of the plane, where a disc's centre is outside. */
+    /**
+     * Between upright leaves: up and down, the sides of both bases, and the direction to the nearest point of the plane
+     * where a disc's centre is outside. That is all, as the difference set stands upright too.
+     */
     private void level(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        both(0, 1, 0);
+        facetsA.planar(kindA, a, i);
+        facetsB.planar(kindB, b, j);
+        sides(facetsA);
+        sides(facetsB);
         plane.planar(kindA, a, i, kindB, b, j);
         if (plane.coreReach() > plane.error()) {
             take(plane.nx(), 0, plane.nz(), depth(plane.nx(), 0, plane.nz()));
+        } else if (facetsA.faces + facetsB.faces == 0) {
+            both(1, 0, 0); // one axis in two discs
         }
     }
 
@@ -170,7 +162,7 @@ final class Penetration {
                         facetsB.edgeZ[m]);
             }
         }
-        if (count == 0) {
+        if (directions.count() == 0) {
             across();
         }
     }
@@ -217,11 +209,7 @@ final class Penetration {
     }
 
     private void take(double dx, double dy, double dz, double depth) {
-        x[count] = dx + 0.0; // no -0
-        y[count] = dy + 0.0;
-        z[count] = dz + 0.0;
-        depths[count] = depth;
-        count++;
+        directions.take(dx, dy, dz, depth);
     }
 
     /** How far a has to move along a unit direction until the supporting planes meet. */
@@ -231,30 +219,19 @@ final class Penetration {
         return dx * (second.x - first.x) + dy * (second.y - first.y) + dz * (second.z - first.z) + margins;
     }
 
-    private double least() {
-        double least = Double.POSITIVE_INFINITY;
-        for (int k = 0; k < count; k++) {
-            least = Math.min(least, depths[k]);
-        }
-        return least;
-    }
-
     /**
      * Looks for a shallower direction between the flat sides: across each straight edge, where valleys are sharp, then
      * freely from the best of the flat sides, GJK's slab and the centres.
      */
-    private void refine(double depth) {
+    private void refine() {
         if (flat) {
             circle(0, 1, 0);
         } else {
             around(facetsA);
             around(facetsB);
         }
-        int best = 0;
-        while (depths[best] > depth) {
-            best++;
-        }
-        searchFrom(x[best], y[best], z[best], depths[best]);
+        int best = directions.best();
+        searchFrom(directions.x(best), directions.y(best), directions.z(best), directions.depth(best));
         double length = Math.sqrt(gjk.nx() * gjk.nx() + gjk.ny() * gjk.ny() + gjk.nz() * gjk.nz());
         if (length > 0.5) {
             searchFrom(gjk.nx(), gjk.ny(), gjk.nz(), depth(gjk.nx(), gjk.ny(), gjk.nz()));
@@ -329,9 +306,7 @@ final class Penetration {
                 turnC = c;
             }
         }
-        if (count < MOST) {
-            take(searchX, searchY, searchZ, searchDepth);
-        }
+        take(searchX, searchY, searchZ, searchDepth);
     }
 
     /** One round of tries around the place where the search stands; moves it to the first that is shallower. */
@@ -384,42 +359,5 @@ final class Penetration {
         searchZ = dz;
         searchDepth = depth;
         return true;
-    }
-
-    /** Keeps the directions that tie, in the order in which they were found: sides before what a search came to. */
-    private void keepTies(double limit) {
-        int kept = 0;
-        for (int k = 0; k < count; k++) {
-            if (depths[k] <= limit && isNew(k, kept, k < sides ? SAME : FOUND_SAME)) {
-                swap(kept, k);
-                kept++;
-            }
-        }
-        count = kept;
-    }
-
-    private boolean isNew(int k, int kept, double same) {
-        for (int m = 0; m < kept; m++) {
-            double apart = Math.max(Math.abs(x[k] - x[m]), Math.max(Math.abs(y[k] - y[m]), Math.abs(z[k] - z[m])));
-            if (apart < same) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    private void swap(int k, int m) {
-        double hold = x[k];
-        x[k] = x[m];
-        x[m] = hold;
-        hold = y[k];
-        y[k] = y[m];
-        y[m] = hold;
-        hold = z[k];
-        z[k] = z[m];
-        z[m] = hold;
-        hold = depths[k];
-        depths[k] = depths[m];
-        depths[m] = hold;
     }
 }

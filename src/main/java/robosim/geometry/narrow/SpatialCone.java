@@ -5,7 +5,7 @@ package robosim.geometry.narrow;
  *
  * <p>Boxes, triangles and prisms: whether anything is in the cone is exact for the stored cosine, and the distance is
  * within 8 ulp of the largest coordinate. Spheres: certain to 2^-90. Cylinders: a lower bound of the distance, within
- * 2^-40 of it except where the cone only grazes them; infinite only where they are proved apart.
+ * 2^-40 of it; infinite only where they are proved apart.
  */
 public final class SpatialCone {
     private SpatialCone() {}

@@ -31,7 +31,7 @@ final class TurnDisc {
     void load(double x, double z, Outline o) {
         px = x;
         pz = z;
-        rho = Math.sqrt(x * x + z * z);
+        rho = TurnOutline.length(x, z);
         error = ROUNDOFF * (rho + o.size) + MovingAxes.TINY;
         double least = Double.POSITIVE_INFINITY;
         outside = o.normals == 0;
@@ -45,7 +45,7 @@ final class TurnDisc {
             double share = square > 0 ? Math.max(0, Math.min(1, (ax * ex + az * ez) / square)) : 0;
             double bx = ax - share * ex;
             double bz = az - share * ez;
-            least = Math.min(least, Math.sqrt(bx * bx + bz * bz));
+            least = Math.min(least, TurnOutline.length(bx, bz));
             outside |= k < o.normals && o.nx[k] * ax + o.nz[k] * az > 0;
         }
         distance = outside ? least : 0;
@@ -76,12 +76,12 @@ final class TurnDisc {
     }
 
     private double circle(double vx, double vz) {
-        double v = Math.sqrt(vx * vx + vz * vz);
+        double v = TurnOutline.length(vx, vz);
         double cross = px * vz - pz * vx;
         double dot = px * vx + pz * vz;
         double ax = px - vx;
         double az = pz - vz;
-        if (closed && Math.sqrt(ax * ax + az * az) <= limit + 2 * error) {
+        if (closed && TurnOutline.length(ax, az) <= limit + 2 * error) {
             // The distance grows as -cos(t - phase) does.
             return TurnOutline.rising(-dot, -cross, error * Math.max(rho, v));
         }
@@ -99,11 +99,11 @@ final class TurnDisc {
     private double edge(double x0, double z0, double x1, double z1, double normalX, double normalZ) {
         double ex = x1 - x0;
         double ez = z1 - z0;
-        double length = Math.sqrt(ex * ex + ez * ez);
+        double length = TurnOutline.length(ex, ez);
         if (length == 0) {
             return Double.POSITIVE_INFINITY;
         }
-        double l = Math.sqrt(normalX * normalX + normalZ * normalZ);
+        double l = TurnOutline.length(normalX, normalZ);
         double nx = normalX / l;
         double nz = normalZ / l;
         double c = nx * x0 + nz * z0;

@@ -145,13 +145,19 @@ final class TurnOutline {
 
     /** How long {@code a cos x + b sin x > c}, which holds at x = t, goes on; shortened by the margin. */
     static double beyond(double a, double b, double c, double t) {
-        double rho = Math.sqrt(a * a + b * b);
+        double rho = length(a, b);
         if (c < -rho) {
             return Double.POSITIVE_INFINITY;
         }
         double arc = StrictMath.acos(Math.min(1, c / rho));
         double since = Math.IEEEremainder(t - StrictMath.atan2(b, a), FULL);
         return Math.max(0, arc - since - MARGIN);
+    }
+
+    /** The length of a vector of any size. */
+    static double length(double x, double z) {
+        double square = x * x + z * z;
+        return square > 0x1p-900 ? Math.sqrt(square) : StrictMath.hypot(x, z);
     }
 
     /** From contact, or a gap that is hardly one: no normal of the greatest gap may get deeper than it is. */
@@ -180,7 +186,7 @@ final class TurnOutline {
 
     /** How long {@code a cos x + b sin x} stays at least what it is at x = 0, where b is off by at most e. */
     static double rising(double a, double b, double e) {
-        double rho = Math.sqrt(a * a + b * b);
+        double rho = length(a, b);
         if (rho <= e) {
             return Double.POSITIVE_INFINITY; // at the pivot
         }

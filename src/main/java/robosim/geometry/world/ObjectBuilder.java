@@ -23,8 +23,8 @@ final class ObjectBuilder {
     private final String source;
     private final @Nullable Path base;
 
-    /** Meshes of files, so that all placements of one share their triangles. */
-    private final Map<MeshKey, MeshObject> meshes = new HashMap<>();
+    private final Map<MeshKey, MeshObject> files = new HashMap<>();
+    private final Map<MeshObject, MeshObject> meshes = new HashMap<>();
 
     private record MeshKey(
             Path file,
@@ -162,22 +162,37 @@ final class ObjectBuilder {
                 throw new IllegalArgumentException(
                         "scale is for a mesh from a file; remove it (got: " + element.attribute("scale") + ")");
             }
-            return mesh(element.vertices, element.faces.toArray(int[][]::new), element.bounds, solid);
+            return shared(mesh(element.vertices, element.faces.toArray(int[][]::new), element.bounds, solid));
         }
         if (!element.faces.isEmpty()) {
             throw new IllegalArgumentException("a mesh has either vertices or a file; remove one of them (got: both)");
         }
+        Path path = locate(element, file);
         double scale = number(element, "scale", "1");
-        MeshKey key = new MeshKey(locate(element, file), scale, solid, element.bounds);
-        MeshObject known = meshes.get(key);
+        return shared(fromFile(new MeshKey(path, scale, solid, element.bounds)));
+    }
+
+    private MeshObject fromFile(MeshKey key) throws WorldException {
+        MeshObject known = files.get(key);
         if (known == null) {
-            MeshObject surface = ObjReader.read(key.file, scale);
-            known = element.bounds == null && !solid
-                    ? surface
-                    : mesh(surface.vertices(), surface.faces(), element.bounds, solid);
-            meshes.put(key, known);
+            MeshKey plain = new MeshKey(key.file, key.scale, false, null);
+            if (key.equals(plain)) {
+                known = ObjReader.read(key.file, key.scale);
+            } else if (key.bounds == null) {
+                known = fromFile(plain).solid();
+            } else {
+                MeshObject surface = fromFile(plain);
+                known = mesh(surface.vertices(), surface.faces(), key.bounds, key.solid);
+            }
+            files.put(key, known);
         }
         return known;
+    }
+
+    /** The first mesh that is equal, so that all placements of one share their triangles, also those written out. */
+    private MeshObject shared(MeshObject mesh) {
+        MeshObject first = meshes.putIfAbsent(mesh, mesh);
+        return first == null ? mesh : first;
     }
 
     private static MeshObject mesh(

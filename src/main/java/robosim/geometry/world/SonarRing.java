@@ -31,8 +31,8 @@ public record SonarRing(int count, double first, double step, double min, double
         if (!Double.isFinite(step)) {
             throw new IllegalArgumentException("step must be a finite angle in degrees (got: " + step + ")");
         }
-        if (!(min >= 0 && min < Double.POSITIVE_INFINITY)) {
-            throw new IllegalArgumentException("min must be at least 0 and finite (got: " + min + ")");
+        if (!(min >= 0 && min <= 0x1p100)) {
+            throw new IllegalArgumentException("min must be from 0 to 2^100 (got: " + min + ")");
         }
         if (!(max >= min)) {
             throw new IllegalArgumentException("max must be at least min, " + min + " (got: " + max + ")");

@@ -14,7 +14,7 @@ import robosim.geometry.model.Dimension;
  * A world as a file holds it: its settings and its objects, in their order. A value; {@link #toGeometry()} makes one of
  * it that moves and measures.
  *
- * @param width     extent along X in world units, about the origin; at least 0
+ * @param width     extent along X in world units, about the origin; above 0 and at most 2<sup>101</sup>
  * @param height    extent along Y; the ground is at {@code -height / 2}
  * @param length    extent along Z
  * @param unit      what one world unit is, for people and for lengths with a unit of their own; null where it is open
@@ -58,10 +58,10 @@ public record World(
     }
 
     private static double size(String argument, double value) {
-        if (!(value >= 0 && value <= 0x1p100)) { // written so that NaN fails it
-            throw new IllegalArgumentException(argument + " must be a number from 0 to 2^100 (got: " + value + ")");
+        if (!(value > 0 && value <= 0x1p101)) { // written so that NaN fails it
+            throw new IllegalArgumentException(argument + " must be above 0 and at most 2^101 (got: " + value + ")");
         }
-        return value + 0.0;
+        return value;
     }
 
     /**

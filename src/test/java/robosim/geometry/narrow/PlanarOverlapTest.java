@@ -189,7 +189,7 @@ class PlanarOverlapTest {
         PlanarRows rows = new PlanarRows(7);
         int[] kinds = {0, 1, 2, 3, 4, 5, 6};
         int hits = 0;
-        int count = 4000;
+        int count = 1000;
         for (int k = 0; k < count; k++) {
             int kindA = k % 2 == 0 ? Leaf.CYLINDER : Leaf.PRISM;
             int kindB = kinds[rows.random().nextInt(kinds.length)];

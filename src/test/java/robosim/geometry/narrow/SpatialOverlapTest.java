@@ -64,6 +64,67 @@ class SpatialOverlapTest {
     }
 
     @Test
+    void boxesThatEndedOutsideThePolytope() { // FCL #399 and #493: exceptions
+        double c = 0.099432387353076273628;
+        double s = 0.99504432079443971837;
+        double[] first = {-c, s, 0, -s, -c, 0, 0, 0, 1};
+        double[] a = Rows.box(
+                0.29526406526565551758,
+                -0.013230856508016586304,
+                0,
+                0.23768037557601928711 / 2,
+                0.15702305734157562256 / 2,
+                0.125,
+                first);
+        c = 0.99506598442099225554;
+        s = 0.099215354901756730444;
+        double[] b = Rows.box(
+                0.22759585694545214629,
+                0.14974093549228112421,
+                0,
+                0.010000000000000000208 / 2,
+                0.78165709972381591797 / 2,
+                0.125,
+                new double[] {c, s, 0, -s, c, 0, 0, 0, 1});
+        both(Leaf.BOX, a, Leaf.BOX, b, true);
+        assertThat(scratch.penetration.spatial(Leaf.BOX, a, 0, Leaf.BOX, b, 0)).isBetween(3.38e-5, 3.382e-5);
+        double[] r = {
+            0.96193976625564348026,
+            0.15401279915737359216,
+            0.22572537250328919556,
+            -0.19134171618254486313,
+            0.96936494951283913579,
+            0.15401279915737359216,
+            -0.19509032201612822033,
+            -0.19134171618254486313,
+            0.96193976625564348026
+        };
+        a = Rows.box(2.0770063995786869349, 0.48468247475641951239, 1.1543291419087275962, 0.25, 0.25, 0.25, r);
+        b = Rows.box(2, 0, 1.25, 0.25, 0.25, 0.25, r);
+        both(Leaf.BOX, a, Leaf.BOX, b, true); // by 3.8e-17
+    }
+
+    @Test
+    void boxesApartByLessThanAnUlp() { // FCL #495: one solver says touching, the other apart
+        double[] r = {
+            0.94096063217417758029,
+            0.29296840037289501035,
+            0.16959541586174811667,
+            -0.23569836841299879326,
+            0.92661523595848427348,
+            -0.29296840037289506586,
+            -0.2429801799032638987,
+            0.23569836841299884878,
+            0.94096063217417758029
+        };
+        double[] a =
+                Rows.box(0.073242100093223821977, 0.2316538089896212349, 1.3089245921032497399, 0.125, 0.125, 0.125, r);
+        double[] b = Rows.box(0, 0, 1.25, 0.125, 0.125, 0.125, r);
+        both(Leaf.BOX, a, Leaf.BOX, b, false); // by 1.81e-16
+        assertThat(DecimalAxes.overlap(Leaf.BOX, a, Leaf.BOX, b)).isFalse();
+    }
+
+    @Test
     void turnedBoxesCornerOnCorner() { // MathGeoLib #12: not touching even with 1e-7
         double s = .86602540378444;
         double[] a = Rows.box(0.5, 0.5, 0.5, 0.5, 0.5, 0.5, Rows.identity());

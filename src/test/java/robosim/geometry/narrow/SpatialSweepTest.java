@@ -64,6 +64,32 @@ class SpatialSweepTest {
         assertMix(12 * 42);
     }
 
+    @Test
+    void whatCameToContactGoesNoFurther() {
+        int stopped = 0;
+        double[] pose = new double[Leaf.STRIDE];
+        for (int k = 0; k < 4000; k++) {
+            int kindA = random.nextInt(Leaf.KINDS);
+            int kindB = random.nextInt(Leaf.KINDS);
+            double[] a = SweepRows.random(kindA, 3, random);
+            double[] b = SweepRows.random(kindB, 0.3, random);
+            double dx = -a[0] + random.nextDouble(-1, 1);
+            double dy = -a[1] + random.nextDouble(-1, 1);
+            double dz = -a[2] + random.nextDouble(-1, 1);
+            double time = SpatialSweep.translation(kindA, a, 0, dx, dy, dz, kindB, b, 0, scratch);
+            if (time == 0 || time > 1) {
+                continue;
+            }
+            Poses.moved(kindA, a, 0, time * dx, time * dy, time * dz, pose);
+            double more = SpatialSweep.translation(kindA, pose, 0, dx, dy, dz, kindB, b, 0, scratch);
+            String what = "kind %d %s by (%s, %s, %s), kind %d %s"
+                    .formatted(kindA, Arrays.toString(a), dx, dy, dz, kindB, Arrays.toString(b));
+            assertThat(more).as(what).isLessThan(1e-9);
+            stopped++;
+        }
+        assertThat(stopped).isGreaterThan(1000);
+    }
+
     private double[] axis(int k) {
         if (k % 3 == 0) {
             return new double[] {0, k % 2 == 0 ? 1 : -1, 0};

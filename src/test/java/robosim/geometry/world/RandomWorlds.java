@@ -47,9 +47,9 @@ final class RandomWorlds {
         }
         Unit[] units = Unit.values();
         return new World(
-                size(),
-                size(),
-                size(),
+                Math.max(size(), Double.MIN_VALUE),
+                Math.max(size(), Double.MIN_VALUE),
+                Math.max(size(), Double.MIN_VALUE),
                 random.nextBoolean() ? units[random.nextInt(units.length)] : null,
                 random.nextBoolean() ? Dimension.PLANAR : Dimension.SPATIAL,
                 Accuracy.values()[random.nextInt(5)],

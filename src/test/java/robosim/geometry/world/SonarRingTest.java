@@ -34,8 +34,8 @@ class SonarRingTest {
         refused(
                 () -> new SonarRing(1, 0, Double.POSITIVE_INFINITY, 0, 1, 0),
                 "step must be a finite angle in degrees (got: Infinity)");
-        refused(() -> new SonarRing(1, -1, 1, 0), "min must be at least 0 and finite (got: -1.0)");
-        refused(() -> new SonarRing(1, Double.NaN, 1, 0), "min must be at least 0 and finite (got: NaN)");
+        refused(() -> new SonarRing(1, -1, 1, 0), "min must be from 0 to 2^100 (got: -1.0)");
+        refused(() -> new SonarRing(1, Double.NaN, 1, 0), "min must be from 0 to 2^100 (got: NaN)");
         refused(() -> new SonarRing(1, 2, 1, 0), "max must be at least min, 2.0 (got: 1.0)");
         refused(() -> new SonarRing(1, 0, Double.NaN, 0), "max must be at least min, 0.0 (got: NaN)");
         refused(() -> new SonarRing(1, 0, 1, 180), "width must be 0 to below 180 degrees (got: 180.0)");

@@ -227,6 +227,7 @@ class WorldReaderTest {
                 "<world width='1'/>|the root must be <world xmlns=\"urn:robosim:world:1\" ...>",
                 "<box xmlns='urn:robosim:world:1'/>|the root must be <world",
                 "''|no well-formed XML",
+                "<world xmlns='urn:robosim:world:1' width='1' height='0' length='1'/>|<world>: height must be above 0",
                 "hello|no well-formed XML",
                 "<world xmlns='urn:robosim:world:1' width='1' height='1'/>|<world> needs the attribute length",
                 "<world xmlns='urn:robosim:world:1' width='1' height='1' length='1' unit='yd'/>|must be km, m, cm, mm, in or ft",
@@ -252,6 +253,25 @@ class WorldReaderTest {
         } finally {
             Locale.setDefault(before);
         }
+    }
+
+    @Test
+    void refusesAnotherTypeForAnElement() {
+        String type =
+                " xmlns:xsi='http://www.w3.org/2001/XMLSchema-instance' xmlns='urn:robosim:world:1' xsi:type='worldBox'";
+        assertThat(refusal(OPEN + "><group><box" + type
+                        + " width='1' height='1' length='1' color='#ffffff'/></group></world>"))
+                .hasMessageContaining("t.xml:1:")
+                .hasMessageContaining("worldBox");
+    }
+
+    @Test
+    void refusesBytesThatAreNoText() {
+        byte[] latin = (OPEN + "><sphere radius='1' name='caf\u00e9'/></world>").getBytes(StandardCharsets.ISO_8859_1);
+        assertThatThrownBy(() -> WorldReader.read(new ByteArrayInputStream(latin), "t.xml", null))
+                .isInstanceOf(WorldException.class)
+                .hasMessageContaining("t.xml:1")
+                .hasMessageContaining("UTF-8");
     }
 
     // Hostile files.
@@ -399,6 +419,10 @@ class WorldReaderTest {
         assertThat(first.vertices()).contains(new Point(0, 2, 0)).hasSize(4);
         assertThat(second.triangles()).isSameAs(first.triangles());
         assertThat(third.isSolid()).isTrue();
+        World again = read(WorldWriter.toXml(world));
+        assertThat(((MeshObject) again.objects().get(1).object()).triangles())
+                .as("shared by meshes that are written out too")
+                .isSameAs(((MeshObject) again.objects().get(0).object()).triangles());
         assertThat(third.vertices()).contains(new Point(0, 1, 0));
         assertThat(fourth.boundingVolume()).isEqualTo(new SphereObject(new Point(), 2));
         assertThat(read(WorldWriter.toXml(world))).isEqualTo(world);

@@ -53,10 +53,10 @@ class WorldTest {
 
     @Test
     void refusesSizesThatAreNoneAndNamesTwice() {
-        for (double wrong : new double[] {-1, Double.NaN, Double.POSITIVE_INFINITY, 0x1p101}) {
+        for (double wrong : new double[] {0, -1, Double.NaN, Double.POSITIVE_INFINITY, 0x1p102}) {
             assertThatIllegalArgumentException()
                     .isThrownBy(() -> new World(1, wrong, 1, List.of()))
-                    .withMessage("height must be a number from 0 to 2^100 (got: " + wrong + ")");
+                    .withMessage("height must be above 0 and at most 2^101 (got: " + wrong + ")");
         }
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> new World(9, 9, 9, List.of(ball("a", 0), ball("b", 1), ball("a", 2))))

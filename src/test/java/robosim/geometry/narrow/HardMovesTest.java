@@ -1,0 +1,284 @@
+package robosim.geometry.narrow;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.lang.management.ManagementFactory;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+/** Motions that other engines got wrong, and those at the edges of the contract. */
+class HardMovesTest {
+    private static final double FREE = Double.POSITIVE_INFINITY;
+
+    private final Scratch scratch = new Scratch();
+    private final SplittableRandom random = new SplittableRandom(20055);
+
+    private double planar(int kindA, double[] a, double dx, double dz, int kindB, double[] b) {
+        return PlanarSweep.translation(kindA, a, 0, dx, 0, dz, kindB, b, 0, scratch);
+    }
+
+    private double spatial(int kindA, double[] a, double dx, double dy, double dz, int kindB, double[] b) {
+        return SpatialSweep.translation(kindA, a, 0, dx, dy, dz, kindB, b, 0, scratch);
+    }
+
+    private double turn(int kindA, double[] a, double px, double pz, double degrees, int kindB, double[] b) {
+        return PlanarSweep.turn(kindA, a, 0, px, 0, pz, 0, 1, 0, degrees, kindB, b, 0, scratch);
+    }
+
+    @Test
+    void nothingTunnelsThroughAThinWall() {
+        double[] wall = SweepRows.uprightBox(0, 0, 0, 0, 5, 10, 0);
+        for (double far = 1; far < 0x1p60; far *= 8) {
+            double[] disc = SweepRows.disc(-far, 0, 0.3, 0x1p-20, 1);
+            double[] box = SweepRows.uprightBox(-far, 0, 0.3, 0x1p-20, 1, 0x1p-20, 0);
+            double[] dot = SweepRows.triangle(-far, 0, 0, -far, 0, 0, -far, 0, 0);
+            double[] leaning = SweepRows.cylinder(-far, 0, 0, 0x1p-20, 0x1p-20, 0, 30, 0);
+            assertThat(planar(1, disc, 2 * far, 0, 0, wall)).isBetween(0.49, 0.5);
+            assertThat(planar(0, box, 2 * far, 0, 0, wall)).isBetween(0.49, 0.5);
+            assertThat(spatial(0, box, 2 * far, 0, 0, 0, wall)).isBetween(0.49, 0.5);
+            assertThat(spatial(1, disc, 2 * far, 0, 0, 0, wall)).isBetween(0.49, 0.5);
+            assertThat(spatial(2, disc, 2 * far, 0, 0, 0, wall)).isBetween(0.49, 0.5);
+            assertThat(spatial(5, dot, 2 * far, 0, 0, 0, wall)).isEqualTo(0.5);
+            assertThat(planar(5, dot, 2 * far, 0, 0, wall)).isEqualTo(0.5);
+            assertThat(spatial(4, leaning, 2 * far, 0, 0, 0, wall)).isBetween(0.49, 0.5);
+        }
+    }
+
+    @Test
+    void touchingAtTheEndIsAHit() {
+        double[] box = SweepRows.uprightBox(0, 0, 0, 1, 1, 1, 0);
+        assertThat(planar(1, SweepRows.disc(-4, 0, 0, 1, 1), 2, 0, 0, box)).isEqualTo(1);
+        assertThat(planar(0, SweepRows.uprightBox(-4, 0, 0, 1, 1, 1, 0), 2, 0, 0, box))
+                .isEqualTo(1);
+        assertThat(planar(1, SweepRows.disc(-4, 0, 0, 1, 1), Math.nextDown(2.0), 0, 0, box))
+                .isEqualTo(FREE);
+        // Corner to rim: 3, 4, 5.
+        assertThat(planar(1, SweepRows.disc(-4 - 8, 0, -5, 5, 1), 8, 0, 0, box)).isEqualTo(1);
+        assertThat(spatial(1, SweepRows.disc(0, 4, 0, 1, 1), 0, -2, 0, 0, box)).isEqualTo(1);
+        assertThat(spatial(1, SweepRows.disc(0, 4, 0, 1, 1), 0, -1.75, 0, 0, box))
+                .isEqualTo(FREE);
+    }
+
+    @Test
+    void grazingInPassingIsAHitAndSlidingFromContactIsNot() {
+        double[] box = SweepRows.uprightBox(0, 0, 0, 1, 1, 1, 0);
+        double[] disc = SweepRows.disc(-5, 0, 2, 1, 1);
+        assertThat(planar(1, disc, 10, 0, 0, box)).isEqualTo(Math.nextDown(0.4)); // the double 0.4 is above 2/5
+        assertThat(planar(1, SweepRows.disc(-5, 0, Math.nextUp(2.0), 1, 1), 10, 0, 0, box))
+                .isEqualTo(FREE);
+        double[] touching = SweepRows.disc(0.5, 0, 2, 1, 1);
+        assertThat(planar(1, touching, 3, 0, 0, box)).isEqualTo(FREE);
+        assertThat(planar(1, touching, 0, 0, 0, box)).isEqualTo(FREE);
+        assertThat(planar(1, touching, 3, 1e-300, 0, box)).isEqualTo(FREE);
+        assertThat(planar(1, touching, 3, -1e-300, 0, box)).isEqualTo(0);
+        double[] square = SweepRows.uprightBox(2, 0, 0.5, 1, 1, 1, 0);
+        assertThat(planar(0, square, 0, 3, 0, box)).isEqualTo(FREE);
+        assertThat(planar(0, square, -1e-300, 3, 0, box)).isEqualTo(0);
+        assertThat(planar(0, square, 1e-300, 3, 0, box)).isEqualTo(FREE);
+        // Corner on corner: two least ways out, only against both is into.
+        double[] corner = SweepRows.uprightBox(2, 0, 2, 1, 1, 1, 0);
+        assertThat(planar(0, corner, -1, 1, 0, box)).isEqualTo(FREE);
+        assertThat(planar(0, corner, -1, 0, 0, box)).isEqualTo(FREE);
+        assertThat(planar(0, corner, -1, -1, 0, box)).isEqualTo(0);
+    }
+
+    @Test
+    void standingOnAFloorHindersNoLevelMotion() {
+        double[] floor = SweepRows.uprightBox(0, -1, 0, 50, 1, 50, 30);
+        double[] robot = SweepRows.disc(3, 0.5, 4, 0.3, 0.5);
+        double[] cart = SweepRows.uprightBox(3, 0.5, 4, 0.3, 0.5, 0.2, 12);
+        for (int k = 0; k < 100; k++) {
+            double dx = random.nextDouble(-9, 9);
+            double dz = random.nextDouble(-9, 9);
+            double degrees = random.nextDouble(-900, 900);
+            assertThat(spatial(1, robot, dx, 0, dz, 0, floor)).isEqualTo(FREE);
+            assertThat(spatial(0, cart, dx, 0, dz, 0, floor)).isEqualTo(FREE);
+            assertThat(spatial(1, robot, dx, 0.1, dz, 0, floor)).isEqualTo(FREE);
+            assertThat(spatial(0, cart, dx, -0.1, dz, 0, floor)).isEqualTo(0);
+            assertThat(spatial(1, robot, dx, -1e-9, dz, 0, floor)).isEqualTo(0);
+            assertThat(SpatialSweep.turn(0, cart, 0, 3, 0.5, 4, 0, 1, 0, degrees, 0, floor, 0, scratch))
+                    .isEqualTo(FREE);
+        }
+    }
+
+    @Test
+    void noConvexPieceTrapsAMover() {
+        for (int k = 0; k < 400; k++) {
+            int kindA = random.nextInt(Leaf.KINDS);
+            int kindB = random.nextInt(Leaf.KINDS);
+            double[] a = SweepRows.random(kindA, 0.3, random);
+            double[] b = SweepRows.random(kindB, 0.3, random);
+            int free = 0;
+            int into = 0;
+            for (int m = 0; m < 26; m++) {
+                double[] d = {random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1)};
+                double time = spatial(kindA, a, d[0], d[1], d[2], kindB, b);
+                double back = spatial(kindA, a, -d[0], -d[1], -d[2], kindB, b);
+                if (time != 0 && back != 0 && time <= 1) {
+                    free = 1; // apart to begin with
+                    break;
+                }
+                free += time == FREE ? 1 : 0;
+                into += time == 0 && back == 0 ? 1 : 0;
+            }
+            assertThat(free).as("kinds %d, %d", kindA, kindB).isPositive();
+            assertThat(into).as("kinds %d, %d", kindA, kindB).isZero();
+        }
+    }
+
+    @Test
+    void parryCase180SquareFallsOnASegment() {
+        double[] square = SweepRows.uprightBox(15.689465, 0, 54.00709, 2, 1, 2, 0);
+        double[] ground = SweepRows.triangle(1, 0, 1, 124, 0, 1, 124, 0, 1);
+        double time = planar(0, square, 0.0081385 * 64, -0.999966 * 64, Leaf.TRIANGLE, ground);
+        assertThat(time * 64).isBetween(51.0088, 51.0089);
+    }
+
+    @Test
+    void ncollideCase4BallAtABlock() {
+        double[] ball = SweepRows.disc(784.470154 - 1e3, 0, 0, 15, 1);
+        double[] block = SweepRows.uprightBox(820 - 1e3, 0, 0, 20, 1, 20, 0);
+        double time = planar(2, ball, 0.630261 * 100, 0, 0, block);
+        assertThat(time * 100).isBetween(0.840676, 0.840679);
+    }
+
+    @Test
+    void box2dCase115ManyTurnsAreNotReduced() {
+        double[] post = SweepRows.disc(3, 0, 0, 0.5, 1);
+        double[] arm = SweepRows.uprightBox(0, 0, 0, 4, 1, 0.1, 90);
+        for (double turns = 1; turns < 1e9; turns *= 10) {
+            assertThat(turn(0, arm, 0, 0, 360 * turns, 1, post)).isPositive().isLessThan(0.25 / turns);
+            assertThat(turn(0, arm, 0, 0, -360 * turns, 1, post)).isPositive().isLessThan(0.25 / turns);
+            assertThat(turn(0, arm, 0, 0, 360 * turns, 1, SweepRows.disc(9, 0, 0, 0.5, 1)))
+                    .isEqualTo(FREE);
+        }
+    }
+
+    @Test
+    void tinyTurnsAreSeen() {
+        double[] arm = SweepRows.uprightBox(0, 0, 0, 1, 1, 0.25, 0);
+        for (double gap = 0x1p-10; gap > 0x1p-40; gap /= 4) {
+            // The arm's far corner goes down by about its length times the angle.
+            double[] wall = SweepRows.uprightBox(0, 0, 1.25 + gap, 9, 1, 1, 0);
+            double degrees = -Math.toDegrees(gap);
+            assertThat(turn(0, arm, 0, 0, 0.9 * degrees, 0, wall)).isEqualTo(FREE);
+            assertThat(turn(0, arm, 0, 0, -0.9 * degrees, 0, wall)).isEqualTo(FREE);
+            assertThat(turn(0, arm, 0, 0, 1.1 * degrees, 0, wall)).isBetween(0.85, 0.95);
+        }
+    }
+
+    @Test
+    void aTurnFromContactIsJudgedByWhereItGoes() {
+        double[] wall = SweepRows.uprightBox(0, 0, 2, 9, 1, 1, 0);
+        // Flush with the wall: one corner goes in, whichever way.
+        double[] flush = SweepRows.uprightBox(0, 0, 0, 1, 1, 1, 0);
+        assertThat(turn(0, flush, 0, 0, 1, 0, wall)).isZero();
+        assertThat(turn(0, flush, 0, 0, -1, 0, wall)).isZero();
+        // Hinged at the corner that touches: free towards the open side.
+        double[] hinged = SweepRows.uprightBox(0, 0, 0, 1, 1, 1, 0);
+        assertThat(turn(0, hinged, 1, 1, 80, 0, wall)).isZero();
+        assertThat(turn(0, hinged, 1, 1, -80, 0, wall)).isEqualTo(FREE);
+        // A disc about its own centre never gets anywhere.
+        double[] disc = SweepRows.disc(0, 0, 0.5, 1, 1);
+        assertThat(turn(1, disc, 0, 0.5, 1e9, 0, wall)).isEqualTo(FREE);
+        // Off its centre, touching at the nearest point of its circle: away both ways; from the far side, in.
+        double[] swung = SweepRows.disc(0, 0, 0, 1, 1);
+        assertThat(turn(1, swung, 0, -3, 40, 0, wall)).isEqualTo(FREE);
+        assertThat(turn(1, swung, 0, -3, -40, 0, wall)).isEqualTo(FREE);
+        assertThat(turn(1, swung, 0, 3, 40, 0, wall)).isZero();
+        assertThat(turn(1, swung, 0, 3, -40, 0, wall)).isZero();
+        // In contact sideways: one way is in, the other out.
+        assertThat(turn(1, swung, -3, 0, 10, 0, wall)).isEqualTo(FREE);
+        assertThat(turn(1, swung, -3, 0, -10, 0, wall)).isZero();
+    }
+
+    @Test
+    void answersScaleByPowersOfTwo() {
+        for (int k = 0; k < 300; k++) {
+            int kindA = new int[] {0, 1, 2, 3, 5, 6}[random.nextInt(6)];
+            int kindB = new int[] {0, 1, 2, 3, 5, 6}[random.nextInt(6)];
+            double[] a = SweepRows.random(kindA, 2, random);
+            double[] b = SweepRows.random(kindB, 2, random);
+            double dx = random.nextDouble(-3, 3);
+            double dz = random.nextDouble(-3, 3);
+            double time = planar(kindA, a, dx, dz, kindB, b);
+            double share = turn(kindA, a, 0.25, 0.5, 200, kindB, b);
+            for (int power : new int[] {-300, -40, 40}) {
+                double f = Math.scalb(1.0, power);
+                double[] p = scaled(kindA, a, f);
+                double[] q = scaled(kindB, b, f);
+                double scaledTime = planar(kindA, p, dx * f, dz * f, kindB, q);
+                double scaledShare = turn(kindA, p, 0.25 * f, 0.5 * f, 200, kindB, q);
+                if (power == -300) { // exact arithmetic throughout, or less rounding
+                    assertThat(scaledTime > 1).isEqualTo(time > 1);
+                    assertThat(Math.min(2, scaledTime)).isCloseTo(Math.min(2, time), within(0x1p-38));
+                    assertThat(Math.min(2, scaledShare)).isCloseTo(Math.min(2, share), within(0x1p-38));
+                } else {
+                    assertThat(scaledTime).isEqualTo(time);
+                    assertThat(scaledShare).isEqualTo(share);
+                }
+            }
+        }
+    }
+
+    private static double[] scaled(int kind, double[] row, double f) {
+        double[] out = row.clone();
+        int sizes = kind == Leaf.TRIANGLE ? 9 : kind == Leaf.PRISM ? 10 : 6;
+        for (int k = 0; k < sizes; k++) {
+            out[k] *= f;
+        }
+        return out;
+    }
+
+    @Test
+    void slidingAlongAnObliqueWallIsNeverBlocked() {
+        double yaw = 30;
+        double[] wall = SweepRows.uprightBox(0, 0, 0, 2000, 1, 0.5, yaw);
+        double ux = wall[6];
+        double uz = wall[12];
+        double[] robot = new double[Leaf.STRIDE];
+        double[] cart = SweepRows.uprightBox(0, 0, 0, 0.5, 1, 0.4, yaw);
+        double clearance = 1e-9;
+        double[][] movers = {SweepRows.disc(0, 0, 0, 0.4, 1), cart};
+        for (int kind = 0; kind < 2; kind++) {
+            int leaf = kind == 0 ? Leaf.UPRIGHT_CYLINDER : Leaf.UPRIGHT_BOX;
+            System.arraycopy(movers[kind], 0, robot, 0, Leaf.STRIDE);
+            robot[0] = -1000 * ux + wall[8] * (0.9 + clearance);
+            robot[2] = -1000 * uz + wall[14] * (0.9 + clearance);
+            for (int k = 0; k < 100_000; k++) {
+                double time = planar(leaf, robot, 0.02 * ux, 0.02 * uz, 0, wall);
+                if (time != FREE) {
+                    throw new AssertionError("blocked at step " + k + ": " + time);
+                }
+                robot[0] += 0.02 * ux;
+                robot[2] += 0.02 * uz;
+            }
+        }
+    }
+
+    @Test
+    void nothingIsAllocatedOnTheWay() {
+        double[] disc = SweepRows.disc(-2, 0, 0.3, 0.5, 1);
+        double[] box = SweepRows.uprightBox(0, 0, 0, 1, 1, 2, 33);
+        double[] other = SweepRows.uprightBox(-3, 0, 0, 0.6, 1, 0.5, 12);
+        var threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
+        double sum = 0;
+        long before = 0;
+        for (int k = 0; k < 60_000; k++) {
+            if (k == 10_000) {
+                before = threads.getCurrentThreadAllocatedBytes();
+            }
+            double angle = k * 1e-4;
+            double dx = 3 * StrictMath.cos(angle);
+            double dz = 3 * StrictMath.sin(angle);
+            sum += Math.min(2, planar(1, disc, dx, dz, 0, box));
+            sum += Math.min(2, planar(0, other, dx, dz, 0, box));
+            sum += Math.min(2, turn(0, other, -2, 1, angle * 20, 0, box));
+        }
+        long bytes = threads.getCurrentThreadAllocatedBytes() - before;
+        assertThat(sum).isPositive();
+        // A few in ten thousand graze so closely that they are decided exactly.
+        assertThat(bytes / 150_000.0).isLessThan(4);
+    }
+}
