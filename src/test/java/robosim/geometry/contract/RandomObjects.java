@@ -49,6 +49,17 @@ final class RandomObjects {
         return simple(random.nextInt(3)).turned(0, heading()).movedTo(place(spread));
     }
 
+    /** What the reference knows: all but tipped cylinders, solid meshes and moved groups. */
+    GeometryObject plain() {
+        return switch (random.nextInt(6)) {
+            case 0, 1 -> placed(simple(0), spread);
+            case 2 -> simple(1).turned(180 * random.nextInt(2), heading()).movedTo(place(spread));
+            case 3 -> placed(simple(2), spread);
+            case 4 -> placed(surface(), spread);
+            default -> new ObjectGroup(List.of(simple(1).movedTo(place(spread)), placed(simple(0), spread)));
+        };
+    }
+
     Point place() {
         return place(spread);
     }
@@ -165,5 +176,11 @@ final class RandomObjects {
                     (k & 4) == 0 ? -box.length() / 2 : box.length() / 2));
         }
         return new MeshObject(vertices, BOX_TRIANGLES).solid().at(box.pose());
+    }
+
+    /** The surface of an upright box that faces +X, in its own place. */
+    static MeshObject surfaceOf(BoxObject box) {
+        MeshObject mesh = meshOf(box);
+        return new MeshObject(mesh.vertices(), BOX_TRIANGLES).at(box.pose());
     }
 }
