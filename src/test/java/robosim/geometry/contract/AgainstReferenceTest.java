@@ -64,7 +64,8 @@ class AgainstReferenceTest {
     void pairsWithinUlpsOfContact(Dimension dimension) {
         RandomObjects objects = new RandomObjects(new SplittableRandom(12), 0.6);
         int met = 0;
-        for (int k = 0; k < 60; k++) {
+        int count = dimension == Dimension.PLANAR ? 60 : 30;
+        for (int k = 0; k < count; k++) {
             GeometryObject a = objects.plain();
             GeometryObject b = objects.plain();
             if (a.kind() == GeometryObject.Kind.GROUP) {
@@ -89,7 +90,7 @@ class AgainstReferenceTest {
             check(at(a, Math.nextUp(out)), b, dimension);
             met++;
         }
-        assertThat(met).isGreaterThan(15);
+        assertThat(met).isGreaterThan(count / 4);
     }
 
     private static GeometryObject at(GeometryObject object, double x) {
