@@ -50,7 +50,7 @@ class AgainstReferenceTest {
     @EnumSource(Dimension.class)
     void pairsAtRandom(Dimension dimension) {
         RandomObjects objects = new RandomObjects(new SplittableRandom(11), 1.2);
-        int count = 400;
+        int count = 1000;
         int hits = 0;
         for (int k = 0; k < count; k++) {
             hits += check(objects.plain(), objects.plain(), dimension) ? 1 : 0;
@@ -64,7 +64,7 @@ class AgainstReferenceTest {
     void pairsWithinUlpsOfContact(Dimension dimension) {
         RandomObjects objects = new RandomObjects(new SplittableRandom(12), 0.6);
         int met = 0;
-        int count = dimension == Dimension.PLANAR ? 60 : 30;
+        int count = 100;
         for (int k = 0; k < count; k++) {
             GeometryObject a = objects.plain();
             GeometryObject b = objects.plain();
@@ -168,7 +168,7 @@ class AgainstReferenceTest {
         SplittableRandom random = new SplittableRandom(13);
         RandomObjects objects = new RandomObjects(random, 1);
         RandomObjects starts = new RandomObjects(random, 4);
-        int count = 500;
+        int count = 2000;
         int hits = 0;
         for (int k = 0; k < count; k++) {
             GeometryObject object = objects.plain();

@@ -18,6 +18,14 @@ final class Rational implements Comparable<Rational> {
 
     /** In lowest terms, over a positive denominator. */
     static Rational of(BigInteger over, BigInteger under) {
+        // Doubles have powers of two below: their common divisor is plain to see.
+        boolean binary = under.signum() > 0 && under.bitCount() == 1;
+        if (binary) {
+            int twos = over.signum() == 0
+                    ? under.getLowestSetBit()
+                    : Math.min(over.getLowestSetBit(), under.getLowestSetBit());
+            return new Rational(over.shiftRight(twos), under.shiftRight(twos));
+        }
         BigInteger common = over.gcd(under);
         BigInteger divisor = under.signum() < 0 ? common.negate() : common;
         return new Rational(over.divide(divisor), under.divide(divisor));
@@ -26,9 +34,11 @@ final class Rational implements Comparable<Rational> {
     /** Exactly what a double stands for. */
     static Rational of(double value) {
         BigDecimal decimal = new BigDecimal(value);
-        return decimal.scale() > 0
-                ? of(decimal.unscaledValue(), BigInteger.TEN.pow(decimal.scale()))
-                : of(decimal.toBigIntegerExact(), BigInteger.ONE);
+        int places = Math.max(0, decimal.scale());
+        // So many decimal places come of as many binary ones.
+        return of(
+                decimal.multiply(new BigDecimal(BigInteger.TWO.pow(places))).toBigIntegerExact(),
+                BigInteger.TWO.pow(places));
     }
 
     Rational plus(Rational that) {

@@ -245,7 +245,7 @@ public final class Reference {
         Rational length = Rational.dot(e, e);
         return along.signum() > 0
                 && along.compareTo(length) < 0
-                && Rational.dot(w, w).minus(along.square().over(length)).compareTo(most) <= 0;
+                && Rational.dot(w, w).minus(most).times(length).compareTo(along.square()) <= 0;
     }
 
     /** By the foot of the point on the plane, where that is in the triangle. */
@@ -265,8 +265,9 @@ public final class Reference {
                 && v.signum() >= 0
                 && u.plus(v).compareTo(area) <= 0
                 && Rational.dot(w, w)
-                                .minus(u.times(we).plus(v.times(wf)).over(area))
-                                .compareTo(most)
+                                .minus(most)
+                                .times(area)
+                                .compareTo(u.times(we).plus(v.times(wf)))
                         <= 0;
     }
 
