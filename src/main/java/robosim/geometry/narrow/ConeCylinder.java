@@ -158,8 +158,14 @@ final class ConeCylinder {
 
     // Whether the bounds are worth another look: they are not where the cylinder is apart.
     private boolean search() {
-        isApart = false;
         bestValue = Double.NEGATIVE_INFINITY;
+        // What reaches across the axis behind the apex is apart by the plane across the axis, and by none of the
+        // border's.
+        double foremost = cx + radius * Math.sqrt(Math.max(0, (1 - ax) * (1 + ax))) + half * Math.abs(ax);
+        isApart = foremost < -BOUND_ERROR * extent;
+        if (isApart) {
+            return false;
+        }
         look(1, 0);
         if (isApart) {
             return false;

@@ -74,4 +74,32 @@ class SmallThingsTest {
         }
         assertThat(System.nanoTime() - before).isLessThan(2_000_000_000L);
     }
+
+    /** All of it is more than 144 degrees from the axis, on all sides of the axis's continuation backwards. */
+    @Test
+    void aCylinderBehindIsNotHeard() {
+        double[] rotation = {
+            -0.5895188045535283,
+            -0.33365351401683097,
+            0.7356241646805788,
+            -0.6401989055738964,
+            -0.36233723651314764,
+            -0.677389908647893,
+            0.49255755032256315,
+            -0.8702798743049478,
+            0.0
+        };
+        Point centre = new Point(2.422318507825363, -0.34606560067240727, -3.75);
+        Geometry world = new Geometry(64, 64, 64);
+        assertThat(world.addObject(new CylinderObject(centre, 0.625, 0.5).oriented(rotation)))
+                .isTrue();
+        Ray ray = new Ray(
+                new Point(2.75, 0.125, -2.2031182566277385),
+                new Point(0.057194729939018085, 0.3733787970343072, 0.7973270868496163));
+        for (double width : new double[] {1, 5, 14.46, 25, 30, 90, 179}) {
+            assertThat(world.getRayDistance(ray, 0, INFINITE, width))
+                    .as(width + " degrees")
+                    .isEqualTo(INFINITE);
+        }
+    }
 }
