@@ -102,4 +102,25 @@ class SmallThingsTest {
                     .isEqualTo(INFINITE);
         }
     }
+
+    /** It crosses the axis's continuation backwards and reaches forward to 71 degrees from the axis. */
+    @Test
+    void aCylinderBesideAndBehindIsHeardFromItsOwnAngleOn() {
+        double[] rotation = {
+            0.701619025739367, 0.7125522736757925, 0, 0, 0, -1, -0.7125522736757925, 0.701619025739367, 0
+        };
+        Geometry world = new Geometry(64, 64, 64);
+        assertThat(world.addObject(
+                        new CylinderObject(new Point(2.75, 0, 2.375), 1, 1.963499513604216).oriented(rotation)))
+                .isTrue();
+        Ray ray = new Ray(
+                new Point(2.277777512391883, -0.11019926407329872, 1.3292865702013472),
+                new Point(-0.6713798257557437, -0.16985117840209352, -0.3150485499640949));
+        for (double width : new double[] {1, 5, 31.3, 60, 100, 141}) {
+            assertThat(world.getRayDistance(ray, 0, INFINITE, width))
+                    .as(width + " degrees")
+                    .isEqualTo(INFINITE);
+        }
+        assertThat(world.getRayDistance(ray, 0, INFINITE, 150)).isBetween(0.6215, 0.6226);
+    }
 }
