@@ -123,4 +123,63 @@ class SmallThingsTest {
         }
         assertThat(world.getRayDistance(ray, 0, INFINITE, 150)).isBetween(0.6215, 0.6226);
     }
+
+    /** On its way the ball is seen along a cylinder's axis, up to rounding that must not show a point beyond the caps. */
+    @Test
+    void aBallThatPassesACapIsApartAllTheWay() {
+        double half = 0.7071067811865476;
+        Geometry world = new Geometry(64, 64, 64);
+        assertThat(world.addObject(new CylinderObject(
+                                new Point(-0.9141236174918203, 0.9132202173842221, 2.0605702268985464),
+                                0.9994648512364057,
+                                0.7015093347692214)
+                        .oriented(new double[] {-half, half, 0, 0, 0, 1, half, half, 0})))
+                .isTrue();
+        SphereObject ball = new SphereObject(new Point(), 0.626468752210691);
+        for (int k = 0; k <= 37_000; k++) {
+            double share = k * 1e-5;
+            Point place = new Point(
+                    0.7902184407612634 - 0.9240577927005654 * share,
+                    0.625 + 0.42266543782080596 * share,
+                    2.559481481946456 - 1.2535363134608983 * share);
+            if (world.testObject(ball.movedTo(place))) {
+                assertThat(share).as("touches at").isGreaterThan(0.377);
+            }
+        }
+    }
+
+    @Test
+    void aFlatCylinderIsAsFarFromATriangleAsItIs() {
+        double x = 1.8115048755807353 / 2;
+        double y = 1.0589823113556835 / 2;
+        double z = 0.8291242457730184 / 2;
+        GeometryObject triangle = new MeshObject(
+                        List.of(new Point(x, -y, -z), new Point(x, y, z), new Point(x, -y, z)), new int[][] {{0, 1, 2}})
+                .oriented(new double[] {
+                    -0.8242187848838144,
+                    -0.5198784991312185,
+                    -0.22447659295730626,
+                    0.0,
+                    0.3964116133891461,
+                    -0.9180728907718679,
+                    0.5662714849298423,
+                    -0.7566929224667599,
+                    -0.3267298983014344
+                })
+                .movedTo(new Point(0.9755319522062047, 0.18984585170458013, 0.09416918266285901));
+        GeometryObject disc = new CylinderObject(
+                        new Point(-0.762529912636146, 0.29082760926728024, 0.05090955591578883), 0.9662174341916427, 0)
+                .turned(90, 45);
+        Geometry world = new Geometry(64, 64, 64);
+        assertThat(world.addObject(triangle)).isTrue();
+        assertThat(world.addObject(disc.moveable("disc"))).isTrue();
+        assertThat(world.getProximity("disc", INFINITE)).isBetween(0.454841, 0.454842);
+    }
+
+    @Test
+    void aStaticObjectIsNotNearItself() {
+        Geometry world = planar(new SphereObject(new Point(), 1).named("a"), new SphereObject(new Point(5, 0, 0), 1));
+        assertThat(world.getProximity("a", INFINITE)).isEqualTo(3);
+        assertThat(world.getProximity("a", 2)).isEqualTo(INFINITE);
+    }
 }
