@@ -182,4 +182,21 @@ class SmallThingsTest {
         assertThat(world.getProximity("a", INFINITE)).isEqualTo(3);
         assertThat(world.getProximity("a", 2)).isEqualTo(INFINITE);
     }
+
+    /** The side of a box without thickness is 2.4e-19 farther away than the ball is thick, and has edges without length. */
+    @Test
+    void aFlatBoxIsNoNearerThanItsSide() {
+        BoxObject flat = new BoxObject(
+                        new Point(0.09478078590787249, -0.06377673465265199, 0.125), 0, 0.75, 0.5425716702258296)
+                .oriented(new double[] {
+                    0.9843967256175623, -0.1759633103616258, 0, 0, 0, -1, 0.1759633103616258, 0.9843967256175623, 0
+                });
+        Geometry world = new Geometry(64, 64, 64);
+        assertThat(world.addObject(flat)).isTrue();
+        double radius = 0.5958046947776636;
+        Point place = new Point(-0.5104677681279863, 0, 0.125);
+        assertThat(world.testObject(new SphereObject(place, radius))).isFalse();
+        assertThat(world.testObject(new SphereObject(place, Math.nextUp(radius))))
+                .isTrue();
+    }
 }
