@@ -246,7 +246,9 @@ final class Ranging {
         double reach = limit;
         level.cursor.startPoint(x, z, reach + radius);
         for (int other = level.cursor.next(reach + radius); other >= 0; other = level.cursor.next(reach + radius)) {
-            reach = tryPair(level, id, other, reach);
+            if (other != id) {
+                reach = tryPair(level, id, other, reach);
+            }
         }
         for (int m = 0; m < bodies.moverCount(); m++) {
             if (bodies.mover(m) != id) {

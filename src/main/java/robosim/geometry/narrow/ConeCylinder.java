@@ -31,6 +31,12 @@ final class ConeCylinder {
     /** Tried where rounding hides how large the best t is, as the cone all but misses. */
     private static final double GRAZING = 0x1p26;
 
+    /** The share of a golden section, and how many of them; and the largest cotangent for which they are fine enough. */
+    private static final double GOLDEN = 0.6180339887498949;
+
+    private static final int SECTIONS = 40;
+    private static final double LEAST_LEAN = 1024;
+
     /** From this t on the best is looked for once more. */
     private static final double STEEP = 256;
 
@@ -158,8 +164,12 @@ final class ConeCylinder {
 
     // Whether the bounds are worth another look: they are not where the cylinder is apart.
     private boolean search() {
-        isApart = false;
         bestValue = Double.NEGATIVE_INFINITY;
+        double alongAxis = radius * Math.sqrt(Math.max(0, (1 - ax) * (1 + ax))) + half * Math.abs(ax);
+        isApart = cx + alongAxis < -BOUND_ERROR * extent;
+        if (isApart) {
+            return false;
+        }
         look(1, 0);
         if (isApart) {
             return false;
@@ -204,7 +214,73 @@ final class ConeCylinder {
                 midZ = z / size;
             }
         }
-        return true;
+        isApart = cx - alongAxis < 0 && isApartAcross();
+        return !isApart;
+    }
+
+    /**
+     * What lies partly behind the apex may be apart by no plane along the border, but by one that leans away from it:
+     * with the normal n = (-1, y, z) in the frame of the cone, y and z in a disc with the cotangent of the half angle for
+     * its radius. There k(n) is concave: its top is looked for by golden sections, and any place above 0 is proof.
+     */
+    private boolean isApartAcross() {
+        double reach = Math.min(cone.cos / cone.sin, LEAST_LEAN);
+        double low = -reach;
+        double high = reach;
+        double left = high - GOLDEN * (high - low);
+        double right = low + GOLDEN * (high - low);
+        double atLeft = topAlong(left, reach);
+        double atRight = topAlong(right, reach);
+        for (int i = 0; i < SECTIONS && !isApart; i++) {
+            if (atLeft >= atRight) {
+                high = right;
+                right = left;
+                atRight = atLeft;
+                left = high - GOLDEN * (high - low);
+                atLeft = topAlong(left, reach);
+            } else {
+                low = left;
+                left = right;
+                atLeft = atRight;
+                right = low + GOLDEN * (high - low);
+                atRight = topAlong(right, reach);
+            }
+        }
+        return isApart;
+    }
+
+    /** The greatest k(-1, y, z) over the z of the disc; apart where it is certainly above 0. */
+    private double topAlong(double y, double reach) {
+        double high = Math.sqrt(Math.max(0, (reach - y) * (reach + y)));
+        double low = -high;
+        double left = high - GOLDEN * (high - low);
+        double right = low + GOLDEN * (high - low);
+        double atLeft = behind(y, left);
+        double atRight = behind(y, right);
+        for (int i = 0; i < SECTIONS && !isApart; i++) {
+            if (atLeft >= atRight) {
+                high = right;
+                right = left;
+                atRight = atLeft;
+                left = high - GOLDEN * (high - low);
+                atLeft = behind(y, left);
+            } else {
+                low = left;
+                left = right;
+                atLeft = atRight;
+                right = low + GOLDEN * (high - low);
+                atRight = behind(y, right);
+            }
+        }
+        return Math.max(atLeft, atRight);
+    }
+
+    private double behind(double y, double z) {
+        double along = y * ay + z * az - ax;
+        double across = RayMath.length(y * az - z * ay, z * ax + az, -ay - y * ax);
+        double least = y * cy + z * cz - cx - radius * across - half * Math.abs(along);
+        isApart |= least > BOUND_ERROR * extent * (1 + Math.abs(y) + Math.abs(z));
+        return least;
     }
 
     // A large t comes out of a difference in which most cancels: it is looked for by parabolas, closer and closer.

@@ -245,7 +245,10 @@ final class ExactDisc {
             Dyadic[] edge = ExactOutline.subtract(outline.corner(k + 1), p);
             Dyadic length = ExactOutline.dot(edge, edge);
             Dyadic share = ExactOutline.dot(p, edge).negate();
-            boolean face = share.signum() > 0 && share.compareTo(length) < 0;
+            // What is flat has an edge for either side, of which only the one that faces the centre counts.
+            boolean face = share.signum() > 0
+                    && share.compareTo(length) < 0
+                    && ExactOutline.dot(outline.normals().get(k), p).signum() <= 0;
             Dyadic distance = face ? ExactOutline.cross(edge, p).square() : ExactOutline.dot(p, p);
             Dyadic square = face ? length : Dyadic.ONE;
             if (den.signum() == 0 || distance.multiply(den).compareTo(num.multiply(square)) < 0) {

@@ -46,8 +46,9 @@ final class ExactSphere {
         }
         Dyadic ahead = w.dot(edge.along());
         Dyadic length = edge.along().square();
-        return ahead.signum() >= 0
-                && ahead.compareTo(length) <= 0
+        // Strictly between the ends, which have been asked: an edge without length has nothing there.
+        return ahead.signum() > 0
+                && ahead.compareTo(length) < 0
                 && w.square().multiply(length).subtract(ahead.square()).compareTo(square.multiply(length)) <= 0;
     }
 

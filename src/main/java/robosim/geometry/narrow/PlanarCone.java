@@ -117,7 +117,8 @@ public final class PlanarCone {
         q.pointX = q.x[0];
         q.pointZ = q.z[0];
         double least = q.pointX * q.pointX + q.pointZ * q.pointZ;
-        boolean inside = q.count > 2;
+        // A blurred side does not tell, so what only such sides bound is judged by the bounds as well.
+        boolean inside = q.count > 2 && !PointPolygon.isBeyond(0, 0, q, q.error);
         int last = q.count - 1;
         for (int k = 0; k <= last; k++) {
             int previous = k == 0 ? last : k - 1;

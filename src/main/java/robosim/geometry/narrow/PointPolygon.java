@@ -38,7 +38,7 @@ final class PointPolygon {
      * 1 where the point is inside by more than the error, -1 where it is outside by more, 0 where the sides do not tell.
      */
     static int side(double px, double pz, PlanarShape q, double error) {
-        if (q.count < 3) {
+        if (q.count < 3 || isBeyond(px, pz, q, error)) {
             return -1;
         }
         int verdict = 1;
@@ -48,6 +48,7 @@ final class PointPolygon {
             double ex = q.x[k] - q.x[previous];
             double ez = q.z[k] - q.z[previous];
             if (q.isBlurred(ex, ez)) {
+                verdict = 0;
                 continue;
             }
             double slack = error * (Math.abs(ex) + Math.abs(ez));
@@ -60,5 +61,20 @@ final class PointPolygon {
             }
         }
         return verdict;
+    }
+
+    /** Whether a point lies beyond all corners along an axis, by more than the error: sides that are blurred do not tell. */
+    static boolean isBeyond(double px, double pz, PlanarShape q, double error) {
+        boolean left = true;
+        boolean right = true;
+        boolean below = true;
+        boolean above = true;
+        for (int k = 0; k < q.count; k++) {
+            left &= px < q.x[k] - error;
+            right &= px > q.x[k] + error;
+            below &= pz < q.z[k] - error;
+            above &= pz > q.z[k] + error;
+        }
+        return left || right || below || above;
     }
 }

@@ -147,14 +147,13 @@ final class Support {
     private void findRound(double dx, double dy, double dz) {
         double along = dx * axisX + dy * axisY + dz * axisZ;
         double s = along < 0 ? -1 : 1;
-        double rx = dx - along * axisX;
-        double ry = dy - along * axisY;
-        double rz = dz - along * axisZ;
-        // Once more, as what is left of a direction close to the axis is mostly rounding.
-        along = rx * axisX + ry * axisY + rz * axisZ;
-        rx -= along * axisX;
-        ry -= along * axisY;
-        rz -= along * axisZ;
+        // axis x (d x axis) is square to the axis even where d is along it and all of this is rounding.
+        double qx = dy * axisZ - dz * axisY;
+        double qy = dz * axisX - dx * axisZ;
+        double qz = dx * axisY - dy * axisX;
+        double rx = axisY * qz - axisZ * qy;
+        double ry = axisZ * qx - axisX * qz;
+        double rz = axisX * qy - axisY * qx;
         double length = Math.sqrt(rx * rx + ry * ry + rz * rz);
         double reach = length > 0 ? radius / length : 0;
         x = centreX + (s * ux + reach * rx);

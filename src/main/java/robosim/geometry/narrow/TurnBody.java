@@ -337,7 +337,8 @@ final class TurnBody {
         double swing = Math.sqrt(sa * sa + sb * sb);
         double rho = Math.sqrt(a[m] * a[m] + b[m] * b[m]);
         // By the steepest that the rim gets, and by how fast its reach may grow from the middle.
-        double simple = k[m] + a[m] * cos + b[m] * sin + rho * half + radius * steepest(from, to);
+        double rise = Math.min(rho, Math.abs(b[m] * cos - a[m] * sin) + 0.5 * rho * half) * half;
+        double simple = k[m] + a[m] * cos + b[m] * sin + rise + radius * steepest(from, to);
         double flattest = flattest(Math.abs(s) + swing * half);
         double bySlope = Double.POSITIVE_INFINITY;
         if (flattest > 0) {
