@@ -13,7 +13,10 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
 
-/** The calls of every simulated step allocate nothing. */
+/**
+ * The calls of every simulated step allocate nothing of their own. From JDK 21 on StrictMath, which is written in Java
+ * there, makes an array of two doubles a call: what asks for a sine is allowed that much.
+ */
 class AllocationTest {
     private static final int CALLS = 20_000;
 
@@ -35,6 +38,11 @@ class AllocationTest {
         return made;
     }
 
+    /** One byte a call, and on newer JDKs the arrays of so many sines and angles. */
+    private static double nothingBut(int sines) {
+        return Runtime.version().feature() < 21 ? 1 : 1 + 40 * sines;
+    }
+
     /** Bytes a call, after the calls that warm it up. */
     private static double bytesPerCall(Runnable call) {
         ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
@@ -54,8 +62,8 @@ class AllocationTest {
         assertThat(bytesPerCall(() -> sum += geometry.getRayDistance(ray, 0, 50, 0)))
                 .isLessThan(1);
         assertThat(bytesPerCall(() -> sum += geometry.getSonarDistance("r1", 1, 0.5, 0, 50, 20)))
-                .isLessThan(1);
-        assertThat(bytesPerCall(() -> geometry.scan("r2", -80, 10, 0, 50, out))).isLessThan(1);
+                .isLessThan(nothingBut(2));
+        assertThat(bytesPerCall(() -> geometry.scan("r2", -80, 10, 0, 50, out))).isLessThan(nothingBut(2 * out.length));
     }
 
     @Test
@@ -64,7 +72,7 @@ class AllocationTest {
         assertThat(bytesPerCall(() -> made[geometry.simpleMove("r3", 0.07, 0, 0.01) ? 1 : 0]++))
                 .isLessThan(1);
         assertThat(bytesPerCall(() -> made[geometry.simpleTurn("r3", 13) ? 1 : 0]++))
-                .isLessThan(1);
+                .isLessThan(nothingBut(12));
         assertThat(made[1]).as("moves made").isPositive();
     }
 }
