@@ -83,12 +83,13 @@ public final class GeometryServer implements AutoCloseable {
                 Socket socket = listening.accept();
                 boolean refused = connections.size() >= options.connections();
                 if (refused) {
-                    socket.close();
+                    // Said before it is done: who sees the connection end finds the reason in the log.
                     if (!full) {
                         LOG.log(
                                 System.Logger.Level.WARNING,
                                 "server " + port() + ": connections are refused, there are " + options.connections());
                     }
+                    socket.close();
                 } else {
                     serve(socket);
                 }
