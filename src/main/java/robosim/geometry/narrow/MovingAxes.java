@@ -210,7 +210,7 @@ final class MovingAxes {
                 enterHi = Math.max(enterHi, -v > ev ? (g + e) / (-v - ev) : Double.POSITIVE_INFINITY);
             } else if (!(g < -e)) {
                 doubt = true;
-                enterHi = Math.max(enterHi, -v > ev ? (g + e) / (-v - ev) : v < ev ? Double.POSITIVE_INFINITY : 0);
+                enterHi = Math.max(enterHi, -v > ev ? (g + e) / (-v - ev) : v <= ev ? Double.POSITIVE_INFINITY : 0);
                 leaveLo = v > -ev ? 0 : leaveLo;
             } else if (v > -ev && v + ev > 0) {
                 leaveLo = Math.min(leaveLo, (-g - e) / (v + ev));
