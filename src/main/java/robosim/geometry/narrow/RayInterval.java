@@ -15,6 +15,11 @@ final class RayInterval {
     /** Which slab it enters last; -1 where it starts inside all. */
     int face;
 
+    // What is known of the entry into that slab, and the latest that the entry into any other may be.
+    private double faceLow;
+    private double faceHigh;
+    private double othersHigh;
+
     private double enterLow;
     private double enterHigh;
     private double leaveLow;
@@ -24,6 +29,9 @@ final class RayInterval {
     void reset() {
         enter = 0;
         face = -1;
+        faceLow = 0;
+        faceHigh = 0;
+        othersHigh = 0;
         enterLow = 0;
         enterHigh = 0;
         leaveLow = Double.POSITIVE_INFINITY;
@@ -52,8 +60,13 @@ final class RayInterval {
     /** Keeps what lies between two parameters, each known to the error that follows it. */
     void clip(double first, double firstError, double last, double lastError, int id) {
         if (first > enter) {
+            othersHigh = Math.max(othersHigh, faceHigh);
             enter = first;
             face = id;
+            faceLow = first - firstError;
+            faceHigh = first + firstError;
+        } else {
+            othersHigh = Math.max(othersHigh, first + firstError);
         }
         enterLow = Math.max(enterLow, first - firstError);
         enterHigh = Math.max(enterHigh, first + firstError);
@@ -86,8 +99,11 @@ final class RayInterval {
         return enterLow > leaveHigh;
     }
 
-    /** Something of the ray is left, certainly, and whether it starts inside is certain too. */
+    /**
+     * Something of the ray is left, certainly, and whether it starts inside is certain too, and which slab it enters last:
+     * by an edge two are as good as tied, and the distance to the wrong one would be off by more than a few ulp.
+     */
     boolean isCertain() {
-        return !doubtful && enterHigh <= leaveLow && (enterLow > 0 || enterHigh == 0);
+        return !doubtful && enterHigh <= leaveLow && (enterHigh == 0 || (enterLow > 0 && othersHigh <= faceLow));
     }
 }
