@@ -1,12 +1,14 @@
 package robosim.geometry.narrow;
 
-import static robosim.geometry.narrow.RayMath.U;
+import robosim.geometry.exact.Filter;
 
 /**
  * The part of a ray inside one slab after the other (any set that a line meets in an interval), each end known to a
  * bound. Certain verdicts come out of it, or doubt.
  */
 final class RayInterval {
+    private static final double U = Filter.bound(RayMath.U);
+
     /** About where the ray enters; 0 where it starts inside. */
     double enter;
 
@@ -66,7 +68,7 @@ final class RayInterval {
             none();
         } else {
             // On the border counts as inside, and is certain where nothing was rounded.
-            doubtful |= low > -lowError || high < highError;
+            doubtful |= !(low <= -lowError && high >= highError);
         }
     }
 
