@@ -38,7 +38,7 @@ public final class SpatialOverlap {
             return spheres(a, i, b, j);
         }
         if (Filter.isDoubting() && hasExact(kindA, kindB)) {
-            return exactly(kindA, a, i, kindB, b, j);
+            return exactly(kindA, a, i, kindB, b, j, s);
         }
         Gjk gjk = s.gjk;
         gjk.spatial(kindA, a, i, kindB, b, j);
