@@ -5,6 +5,15 @@ package robosim.geometry.narrow;
  * between threads.
  */
 public final class Scratch {
+    /**
+     * Whether a kernel has answered "touch" or 0 without a proof since this was last set to false.
+     *
+     * <p>Only certified pairs do that (see {@link SpatialOverlap#test} and {@link PlanarOverlap#test}), and only where the
+     * true gap is below their stated bound. Kernels only set it; whoever wants to know sets it to false before the
+     * question. A question that ends with "apart" may have set it on the way, from a part that did not decide.
+     */
+    public boolean uncertain;
+
     final MeshWalk outer = new MeshWalk();
     final MeshWalk inner = new MeshWalk();
     final MeshWalk around = new MeshWalk();

@@ -38,14 +38,14 @@ public final class SpatialOverlap {
             return spheres(a, i, b, j);
         }
         if (Filter.isDoubting() && hasExact(kindA, kindB)) {
-            return exactly(kindA, a, i, kindB, b, j);
+            return exactly(kindA, a, i, kindB, b, j, s);
         }
         Gjk gjk = s.gjk;
         gjk.spatial(kindA, a, i, kindB, b, j);
         if (gjk.lower() > 0) {
             return false;
         }
-        return gjk.isDeep() || exactly(kindA, a, i, kindB, b, j);
+        return gjk.isDeep() || exactly(kindA, a, i, kindB, b, j, s);
     }
 
     /** Whether {@link #exactly} decides for certain. */
@@ -55,7 +55,7 @@ public final class SpatialOverlap {
     }
 
     /** What neither a slab nor a common point could decide. */
-    private static boolean exactly(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    private static boolean exactly(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
         EXACT.count();
         if (kindA == Leaf.SPHERE) {
             return sphere(new ExactSphere(a, i), kindB, b, j);
@@ -69,7 +69,8 @@ public final class SpatialOverlap {
         if (isCylinder(kindA) && isPolytope(kindB)) {
             return new ExactCylinder(kindA, a, i).touchesPolytope(new ExactPolytope(kindB, b, j));
         }
-        return true; // certified: no slab was wide enough
+        s.uncertain = true; // no slab was wide enough, no common point sure enough
+        return true;
     }
 
     private static boolean sphere(ExactSphere sphere, int kind, double[] row, int at) {
