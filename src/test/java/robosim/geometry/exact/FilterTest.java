@@ -29,7 +29,7 @@ class FilterTest {
             Subject.VOLUME,
             Subject.PRODUCTS
         };
-        int count = 400;
+        int count = 150;
         List<Family> families = Questions.families(subjects);
         double[] here = Answers.here(families, SEED, count);
         double[] there = Answers.forked(filter(mode), subjects, SEED, count);
