@@ -16,9 +16,6 @@ final class Branches {
     /** Widening for each unit of the numbers that a box is computed from; see {@link LeafColumn}. */
     private static final double WIDEN = MeshWalk.WIDEN;
 
-    /** What underflow may add, several times over. */
-    private static final double UNDERFLOW = 0x1p-1000;
-
     /** A share of the size that two cylinders may be apart by without {@link SpatialOverlap} being certain of it. */
     private static final double DOUBTFUL = 0x1p-40;
 
@@ -260,7 +257,7 @@ final class Branches {
             int r = c + Leaf.ROTATION + 3 * axis;
             double middle = frame[r] * middleX + frame[r + 1] * middleY + frame[r + 2] * middleZ + frame[c + axis];
             double half = Math.abs(frame[r]) * halfX + Math.abs(frame[r + 1]) * halfY + Math.abs(frame[r + 2]) * halfZ;
-            double pad = WIDEN * (reach + Math.abs(frame[c + axis])) + UNDERFLOW;
+            double pad = WIDEN * (reach + Math.abs(frame[c + axis])) + MeshWalk.UNDERFLOW;
             out[axis] = middle - half - pad;
             out[3 + axis] = middle + half + pad;
         }

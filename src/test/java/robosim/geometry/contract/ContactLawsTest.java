@@ -128,7 +128,7 @@ class ContactLawsTest {
             }
         }
         assertThat(seen).isGreaterThan(COUNT);
-        assertThat(worst).isBetween(0x1p-60, 0x1p-40);
+        assertThat(worst).isBetween(0x1p-60, 0x1p-36);
     }
 
     @ParameterizedTest
