@@ -35,6 +35,9 @@ public final class Scratch {
     /** Distance and penetration of the two leaves of a question, in space or in the plane. */
     final Gjk gjk = new Gjk();
 
+    /** Looks at the two leaves that {@link #gjk} was asked about last. */
+    final InnerHull hull = new InnerHull(gjk.first, gjk.second);
+
     final PolytopePolytope polytopes = new PolytopePolytope();
     final Penetration penetration = new Penetration();
 
