@@ -17,6 +17,9 @@ final class MeshWalk {
      */
     static final double WIDEN = 0x1p-46;
 
+    /** And for the roundings of what underflows, each of which is off by less than 2^-1074. */
+    static final double UNDERFLOW = 0x1p-1068;
+
     private final double[] low = new double[3];
     private final double[] high = new double[3];
     private final double[] start = new double[3];
@@ -106,14 +109,15 @@ final class MeshWalk {
             start[j] = place[r] * x + place[r + 3] * y + place[r + 6] * z;
             inverse[j] = 1 / (place[r] * ux + place[r + 3] * uy + place[r + 6] * uz);
         }
-        pad = WIDEN
-                * (Math.abs(ox)
-                        + Math.abs(oy)
-                        + Math.abs(oz)
-                        + Math.abs(place[at])
-                        + Math.abs(place[at + 1])
-                        + Math.abs(place[at + 2])
-                        + reach());
+        pad = UNDERFLOW
+                + WIDEN
+                        * (Math.abs(ox)
+                                + Math.abs(oy)
+                                + Math.abs(oz)
+                                + Math.abs(place[at])
+                                + Math.abs(place[at + 1])
+                                + Math.abs(place[at + 2])
+                                + reach());
         isRay = true;
         push(tree.root(), key(tree.root()));
     }
@@ -134,7 +138,7 @@ final class MeshWalk {
         for (int k = 0; k < 3; k++) {
             size += Math.abs(box[k]) + Math.abs(box[3 + k]) + Math.abs(place[at + k]);
         }
-        pad = WIDEN * size;
+        pad = WIDEN * size + UNDERFLOW;
         for (int j = 0; j < 3; j++) {
             double middle = 0;
             double half = 0;

@@ -30,6 +30,7 @@ final class Families {
         planar(all);
         spatial(all);
         rays(all);
+        meshes(all);
         return all;
     }
 
@@ -71,5 +72,14 @@ final class Families {
         all.add(new RayFamily("ray-sphere", false, BALL, 1.3));
         all.add(new RayFamily("ray-upright cylinder", false, UPRIGHT_TUBE, 1.2));
         all.add(new RayFamily("ray-turned cylinder", false, TURNED_TUBE, 1.2));
+    }
+
+    private static void meshes(List<Family> all) {
+        all.add(new MeshFamily("mesh-mesh", false));
+        all.add(new MeshFamily("solid mesh-mesh", true));
+        all.add(new SolidFamily("solid mesh-box"));
+        all.add(new MeshRayFamily("ray-quad", MeshRayFamily.Target.QUAD));
+        all.add(new MeshRayFamily("ray-closed mesh", MeshRayFamily.Target.CLOSED));
+        all.add(new MeshRayFamily("ray-solid mesh", MeshRayFamily.Target.SOLID));
     }
 }
