@@ -5,6 +5,15 @@ package robosim.geometry.narrow;
  * between threads.
  */
 public final class Scratch {
+    /**
+     * Whether a kernel has answered "touch" or 0 without a proof since this was last set to false.
+     *
+     * <p>Only certified pairs do that (see {@link SpatialOverlap#test} and {@link PlanarOverlap#test}), and only where the
+     * true gap is below their stated bound. Kernels only set it; whoever wants to know sets it to false before the
+     * question. A question that ends with "apart" may have set it on the way, from a part that did not decide.
+     */
+    public boolean uncertain;
+
     final MeshWalk outer = new MeshWalk();
     final MeshWalk inner = new MeshWalk();
     final MeshWalk around = new MeshWalk();
@@ -23,7 +32,11 @@ public final class Scratch {
     /** Distance and penetration of the two leaves of a question, in space or in the plane. */
     final Gjk gjk = new Gjk();
 
+    /** Looks at the two leaves that {@link #gjk} was asked about last. */
+    final InnerHull hull = new InnerHull(gjk.first, gjk.second);
+
     final PolytopePolytope polytopes = new PolytopePolytope();
+    final SphereDistance sphereDistance = new SphereDistance();
     final Penetration penetration = new Penetration();
 
     /** The projections of the two leaves of a planar question. */

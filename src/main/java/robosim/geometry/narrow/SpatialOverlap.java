@@ -7,9 +7,10 @@ public final class SpatialOverlap {
     /**
      * Whether two leaves touch or overlap; the same for (a, b) and (b, a).
      *
-     * <p>Exact for the stored numbers, but for two cylinders of which one is turned, and for a prism with a leaf that is
-     * not upright (or where {@link PlanarOverlap} is not): these are certified, apart only where a slab between the two is
-     * wider than its rounding error, some 2^-48 of the sizes and the offset.
+     * <p>Exact for the stored numbers, but for two cylinders whose axes are not parallel, and for a prism with a sphere or
+     * a turned cylinder (or where {@link PlanarOverlap} is not). These are certified: see {@link CylinderCylinder#touch};
+     * and prisms, which are enclosures and only have to miss nothing, are apart from what is round only where a slab
+     * between the two is wider than its rounding error, some 2^-48 of the sizes and the offset.
      */
     public static boolean test(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
         if (Leaf.isUpright(kindA) && Leaf.isUpright(kindB)) {
@@ -27,20 +28,23 @@ public final class SpatialOverlap {
         if (kindA == Leaf.SPHERE && kindB == Leaf.SPHERE) {
             return spheres(a, i, b, j);
         }
+        if (isCylinder(kindA) && isCylinder(kindB)) {
+            return CylinderCylinder.touch(kindA, a, i, kindB, b, j, s);
+        }
         Gjk gjk = s.gjk;
         gjk.spatial(kindA, a, i, kindB, b, j);
         if (gjk.lower() > 0) {
             return false;
         }
-        return gjk.isDeep() || exactly(kindA, a, i, kindB, b, j);
+        return gjk.isDeep() || exactly(kindA, a, i, kindB, b, j, s);
     }
 
     /** What neither a slab nor a common point could decide. */
-    private static boolean exactly(int kindA, double[] a, int i, int kindB, double[] b, int j) {
-        if (kindA == Leaf.SPHERE) {
+    private static boolean exactly(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+        if (kindA == Leaf.SPHERE && kindB != Leaf.PRISM) {
             return sphere(new ExactSphere(a, i), kindB, b, j);
         }
-        if (kindB == Leaf.SPHERE) {
+        if (kindB == Leaf.SPHERE && kindA != Leaf.PRISM) {
             return sphere(new ExactSphere(b, j), kindA, a, i);
         }
         if (isPolytope(kindA) && isCylinder(kindB)) {
@@ -49,14 +53,18 @@ public final class SpatialOverlap {
         if (isCylinder(kindA) && isPolytope(kindB)) {
             return new ExactCylinder(kindA, a, i).touchesPolytope(new ExactPolytope(kindB, b, j));
         }
-        return true; // certified: no slab was wide enough
+        if (isPolytope(kindA) || isPolytope(kindB)) {
+            return !ExactAxes.areApart(MovingAxes.SPATIAL, kindA, a, i, kindB, b, j); // one is a prism
+        }
+        s.uncertain = true; // a prism and something round: no slab was wide enough
+        return true;
     }
 
     private static boolean sphere(ExactSphere sphere, int kind, double[] row, int at) {
         if (isCylinder(kind)) {
             return sphere.touchesCylinder(new ExactCylinder(kind, row, at));
         }
-        return kind == Leaf.PRISM || sphere.touchesPolytope(new ExactPolytope(kind, row, at));
+        return sphere.touchesPolytope(new ExactPolytope(kind, row, at));
     }
 
     /** Squares compared; 8 roundings of at most a half ulp in the difference of two sums of squares, so 16u of both. */
