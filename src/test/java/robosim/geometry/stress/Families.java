@@ -59,6 +59,7 @@ final class Families {
         all.add(new OverlapFamily("sphere-turned cylinder", false, BALL, TURNED_TUBE, 1.6));
         all.add(new OverlapFamily("turned cylinder-box", false, TURNED_TUBE, POLYGONS, 1.3));
         all.add(new OverlapFamily("upright cylinder-turned box", false, UPRIGHT_TUBE, new Form[] {BOX}, 1.3));
+        all.add(new OverlapFamily("parallel cylinders", false, TURNED_TUBE, TURNED_TUBE, 1.4, true));
         all.add(new OverlapFamily("cylinder-triangle", false, new Form[] {UPRIGHT_CYLINDER, CYLINDER}, TRIANGLES, 1));
     }
 

@@ -118,7 +118,8 @@ final class MeshFamily extends Family {
             System.arraycopy(triangles, 9 * random.nextInt(triangles.length / 9), row, 0, 9);
             double[] p = new double[3];
             Forms.point(robosim.geometry.reference.Truth.Form.TRIANGLE, random, row, p);
-            double[] q = second.corners.get(random.nextInt(second.corners.size())).clone();
+            double[] q =
+                    second.corners.get(random.nextInt(second.corners.size())).clone();
             double gap = random.nextInt(3) == 0 ? Forms.tiny(random) : 0;
             second.move(p[0] - q[0] + gap, p[1] - q[1], p[2] - q[2]);
         }

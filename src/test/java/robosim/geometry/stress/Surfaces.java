@@ -18,8 +18,7 @@ final class Surfaces {
     };
 
     private static final double[][] TETRAHEDRON_AT = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
-    private static final double[][] OCTAHEDRON_AT = {
-        {1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}
+    private static final double[][] OCTAHEDRON_AT = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}
     };
 
     private final SplittableRandom random;
@@ -185,7 +184,10 @@ final class Surfaces {
             // Each placed coordinate is made once, in this order.
             out[to + axis] = place == null
                     ? p[axis]
-                    : place[6 + 3 * axis] * p[0] + place[7 + 3 * axis] * p[1] + place[8 + 3 * axis] * p[2] + place[axis];
+                    : place[6 + 3 * axis] * p[0]
+                            + place[7 + 3 * axis] * p[1]
+                            + place[8 + 3 * axis] * p[2]
+                            + place[axis];
         }
         return to + 3;
     }
