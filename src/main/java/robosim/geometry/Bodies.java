@@ -85,11 +85,22 @@ final class Bodies {
         }
         slots[id] = moverCount;
         movers[moverCount] = id;
-        int at = moverCount++ * PLACE;
+        moverCount++;
+        put(id, pose);
+    }
+
+    /** Puts a moveable object where a pose says. */
+    void put(int id, Pose pose) {
+        int at = place(id);
         places[at] = pose.center().x();
         places[at + 1] = pose.center().y();
         places[at + 2] = pose.center().z();
         pose.attitude(places, at + 3);
+    }
+
+    /** Puts a moveable object at a place of {@link #PLACE} doubles. */
+    void put(int id, double[] place) {
+        System.arraycopy(place, 0, places, place(id), PLACE);
     }
 
     void remove(int id) {
@@ -165,5 +176,13 @@ final class Bodies {
     /** Where a moveable object's place begins. */
     int place(int id) {
         return slots[id] * PLACE;
+    }
+
+    /** Takes a vector from the own axes of a moveable object into the world's. */
+    void toWorld(int id, double x, double y, double z, double[] out) {
+        int at = place(id) + 3;
+        out[0] = places[at] * x + places[at + 1] * y + places[at + 2] * z;
+        out[1] = places[at + 3] * x + places[at + 4] * y + places[at + 5] * z;
+        out[2] = places[at + 6] * x + places[at + 7] * y + places[at + 8] * z;
     }
 }

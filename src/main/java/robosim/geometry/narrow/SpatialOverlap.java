@@ -1,7 +1,17 @@
 package robosim.geometry.narrow;
 
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
+
 /** Whether two leaves touch or overlap in space. */
 public final class SpatialOverlap {
+    /** Squares compared; 8 roundings of at most a half ulp in the difference of two sums of squares, so 16u of both. */
+    private static final double SPHERES_FILTER = Filter.bound(16 * 0x1p-53);
+
+    private static final double UNDERFLOW = 0x1p-1000;
+    private static final Stages.Counter EXACT = Stages.counter("SpatialOverlap");
+    private static final Stages.Counter EXACT_SPHERES = Stages.counter("SpatialOverlap.spheres");
+
     private SpatialOverlap() {}
 
     /**
@@ -31,6 +41,9 @@ public final class SpatialOverlap {
         if (isCylinder(kindA) && isCylinder(kindB)) {
             return CylinderCylinder.touch(kindA, a, i, kindB, b, j, s);
         }
+        if (Filter.isDoubting() && hasExact(kindA, kindB)) {
+            return exactly(kindA, a, i, kindB, b, j, s);
+        }
         Gjk gjk = s.gjk;
         gjk.spatial(kindA, a, i, kindB, b, j);
         if (gjk.lower() > 0) {
@@ -39,8 +52,14 @@ public final class SpatialOverlap {
         return gjk.isDeep() || exactly(kindA, a, i, kindB, b, j, s);
     }
 
+    /** Whether {@link #exactly} decides for certain. */
+    private static boolean hasExact(int kindA, int kindB) {
+        return kindA != Leaf.PRISM && kindB != Leaf.PRISM;
+    }
+
     /** What neither a slab nor a common point could decide. */
     private static boolean exactly(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+        EXACT.count();
         if (kindA == Leaf.SPHERE && kindB != Leaf.PRISM) {
             return sphere(new ExactSphere(a, i), kindB, b, j);
         }
@@ -67,7 +86,6 @@ public final class SpatialOverlap {
         return sphere.touchesPolytope(new ExactPolytope(kind, row, at));
     }
 
-    /** Squares compared; 8 roundings of at most a half ulp in the difference of two sums of squares, so 16u of both. */
     private static boolean spheres(double[] a, int i, double[] b, int j) {
         double dx = b[j] - a[i];
         double dy = b[j + 1] - a[i + 1];
@@ -75,11 +93,15 @@ public final class SpatialOverlap {
         double r = a[i + Leaf.SIZE] + b[j + Leaf.SIZE];
         double apart = dx * dx + dy * dy + dz * dz;
         double reach = r * r;
-        double bound = 16 * 0x1p-53 * (apart + reach) + 0x1p-1000;
+        double bound = SPHERES_FILTER * (apart + reach) + UNDERFLOW;
         if (apart - reach > bound) {
             return false;
         }
-        return apart - reach < -bound || new ExactSphere(a, i).touchesSphere(b, j);
+        if (apart - reach < -bound) {
+            return true;
+        }
+        EXACT_SPHERES.count();
+        return new ExactSphere(a, i).touchesSphere(b, j);
     }
 
     private static boolean isPolytope(int kind) {

@@ -14,6 +14,7 @@ import robosim.geometry.narrow.PlanarOverlap;
 import robosim.geometry.narrow.PlanarRay;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.SpatialOverlap;
+import robosim.geometry.narrow.SpatialRay;
 
 /** What a stress run has found wrong once, in the numbers that it found. */
 class FoundTest {
@@ -118,6 +119,16 @@ class FoundTest {
                 List.of(new Point(-1, 0, 0), new Point(-1, -1, 1), new Point(-1, 0, 2)), new int[][] {{0, 1, 2}});
         assertThat(distance(new Point(-8, 0, 0), triangle)).isEqualTo(8);
         assertThat(distance(new Point(-8, Double.MIN_VALUE, 0), triangle)).isInfinite();
+    }
+
+    /** It starts 5e-324 below a disc and goes down: a share of time so short is no zero. */
+    @Test
+    void aRayFromJustBelowADiscMisses() {
+        double[] disc = new double[16];
+        disc[3] = 3;
+        double distance =
+                SpatialRay.distance(1, -Double.MIN_VALUE, 1, 0, -3, 0, Leaf.UPRIGHT_CYLINDER, disc, 0, new Scratch());
+        assertThat(distance).isInfinite();
     }
 
     private static double distance(Point direction, MeshObject object) {
