@@ -23,6 +23,9 @@ public final class Scratch {
 
     final double[] triangleB = new double[Leaf.STRIDE];
 
+    /** A point as a sphere's row. */
+    final double[] witness = new double[Leaf.STRIDE];
+
     final double[] box = new double[6];
     final double[] triangleBox = new double[6];
     final double[] meshBox = new double[6];
