@@ -14,8 +14,11 @@ import robosim.geometry.model.Pose;
  * moveable ones are now. Ids of removed objects are used again.
  */
 final class Bodies {
-    /** Doubles a place: the centre, then the attitude. */
-    static final int PLACE = 3 + Attitude.STRIDE;
+    /** Where in a place the roundings begin that its centre has lost, one a coordinate: no query sees them. */
+    static final int LOST = 3 + Attitude.STRIDE;
+
+    /** Doubles a place: the centre, the attitude, and what the centre has lost. */
+    static final int PLACE = LOST + 3;
 
     private final Map<String, Integer> byName = new HashMap<>();
     private @Nullable GeometryObject[] values = new GeometryObject[16];
@@ -85,11 +88,23 @@ final class Bodies {
         }
         slots[id] = moverCount;
         movers[moverCount] = id;
-        int at = moverCount++ * PLACE;
+        moverCount++;
+        put(id, pose);
+    }
+
+    /** Puts a moveable object where a pose says. */
+    void put(int id, Pose pose) {
+        int at = place(id);
         places[at] = pose.center().x();
         places[at + 1] = pose.center().y();
         places[at + 2] = pose.center().z();
         pose.attitude(places, at + 3);
+        Arrays.fill(places, at + LOST, at + PLACE, 0);
+    }
+
+    /** Puts a moveable object at a place of {@link #PLACE} doubles. */
+    void put(int id, double[] place) {
+        System.arraycopy(place, 0, places, place(id), PLACE);
     }
 
     void remove(int id) {
@@ -165,5 +180,13 @@ final class Bodies {
     /** Where a moveable object's place begins. */
     int place(int id) {
         return slots[id] * PLACE;
+    }
+
+    /** Takes a vector from the own axes of a moveable object into the world's. */
+    void toWorld(int id, double x, double y, double z, double[] out) {
+        int at = place(id) + 3;
+        out[0] = places[at] * x + places[at + 1] * y + places[at + 2] * z;
+        out[1] = places[at + 3] * x + places[at + 4] * y + places[at + 5] * z;
+        out[2] = places[at + 6] * x + places[at + 7] * y + places[at + 8] * z;
     }
 }

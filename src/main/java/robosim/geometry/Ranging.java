@@ -4,17 +4,13 @@ import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Cast;
 import robosim.geometry.narrow.Distance;
-import robosim.geometry.narrow.LeafColumn;
-import robosim.geometry.narrow.Overlap;
 import robosim.geometry.narrow.Scratch;
 
 /** Beams and least distances in a world: nearest first, and no farther than what has been found. */
 final class Ranging {
     private final Bodies bodies;
-    private final Scratch s;
     private final Cast cast;
     private final Distance distance;
-    private final Near near;
 
     private double ox;
     private double oy;
@@ -35,31 +31,13 @@ final class Ranging {
 
     Ranging(Bodies bodies, Scratch scratch) {
         this.bodies = bodies;
-        s = scratch;
         cast = new Cast(scratch);
         distance = new Distance(scratch);
-        near = new Near(bodies);
     }
 
     /** The object that gave the last answer, or -1. */
     int hit() {
         return hit;
-    }
-
-    /** Whether an object touches or overlaps some leaves with known bounds. */
-    boolean collides(Level level, LeafColumn leaves, double[] box, int but) {
-        near.find(level, box, but);
-        for (int k = 0; k < near.count(); k++) {
-            int other = near.id(k);
-            for (int j = level.first(other); j < level.first(other) + level.count(other); j++) {
-                for (int i = 0; i < leaves.size(); i++) {
-                    if (Overlap.test(level.dimension, leaves, i, level.leaves(), j, s)) {
-                        return true;
-                    }
-                }
-            }
-        }
-        return false;
     }
 
     /**
