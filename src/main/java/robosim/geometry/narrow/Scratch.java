@@ -23,6 +23,9 @@ public final class Scratch {
 
     final double[] triangleB = new double[Leaf.STRIDE];
 
+    /** A point as a sphere's row. */
+    final double[] witness = new double[Leaf.STRIDE];
+
     final double[] box = new double[6];
     final double[] triangleBox = new double[6];
     final double[] meshBox = new double[6];
@@ -32,7 +35,11 @@ public final class Scratch {
     /** Distance and penetration of the two leaves of a question, in space or in the plane. */
     final Gjk gjk = new Gjk();
 
+    /** Looks at the two leaves that {@link #gjk} was asked about last. */
+    final InnerHull hull = new InnerHull(gjk.first, gjk.second);
+
     final PolytopePolytope polytopes = new PolytopePolytope();
+    final SphereDistance sphereDistance = new SphereDistance();
     final Penetration penetration = new Penetration();
 
     /** The projections of the two leaves of a planar question. */

@@ -20,9 +20,10 @@ public final class SpatialOverlap {
     /**
      * Whether two leaves touch or overlap; the same for (a, b) and (b, a).
      *
-     * <p>Exact for the stored numbers, but for two cylinders of which one is turned, and for a prism with a leaf that is
-     * not upright (or where {@link PlanarOverlap} is not): these are certified, apart only where a slab between the two is
-     * wider than its rounding error, some 2^-48 of the sizes and the offset.
+     * <p>Exact for the stored numbers, but for two cylinders whose axes are not parallel, and for a prism with a sphere or
+     * a turned cylinder (or where {@link PlanarOverlap} is not). These are certified: see {@link CylinderCylinder#touch};
+     * and prisms, which are enclosures and only have to miss nothing, are apart from what is round only where a slab
+     * between the two is wider than its rounding error, some 2^-48 of the sizes and the offset.
      */
     public static boolean test(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
         if (Leaf.isUpright(kindA) && Leaf.isUpright(kindB)) {
@@ -40,6 +41,9 @@ public final class SpatialOverlap {
         if (kindA == Leaf.SPHERE && kindB == Leaf.SPHERE) {
             return spheres(a, i, b, j);
         }
+        if (isCylinder(kindA) && isCylinder(kindB)) {
+            return CylinderCylinder.touch(kindA, a, i, kindB, b, j, s);
+        }
         if (Filter.isDoubting() && hasExact(kindA, kindB)) {
             return exactly(kindA, a, i, kindB, b, j, s);
         }
@@ -53,17 +57,16 @@ public final class SpatialOverlap {
 
     /** Whether {@link #exactly} decides for certain. */
     private static boolean hasExact(int kindA, int kindB) {
-        boolean isPrism = kindA == Leaf.PRISM || kindB == Leaf.PRISM;
-        return !isPrism && !(isCylinder(kindA) && isCylinder(kindB));
+        return kindA != Leaf.PRISM && kindB != Leaf.PRISM;
     }
 
     /** What neither a slab nor a common point could decide. */
     private static boolean exactly(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
         EXACT.count();
-        if (kindA == Leaf.SPHERE) {
+        if (kindA == Leaf.SPHERE && kindB != Leaf.PRISM) {
             return sphere(new ExactSphere(a, i), kindB, b, j);
         }
-        if (kindB == Leaf.SPHERE) {
+        if (kindB == Leaf.SPHERE && kindA != Leaf.PRISM) {
             return sphere(new ExactSphere(b, j), kindA, a, i);
         }
         if (isPolytope(kindA) && isCylinder(kindB)) {
@@ -72,7 +75,10 @@ public final class SpatialOverlap {
         if (isCylinder(kindA) && isPolytope(kindB)) {
             return new ExactCylinder(kindA, a, i).touchesPolytope(new ExactPolytope(kindB, b, j));
         }
-        s.uncertain = true; // no slab was wide enough, no common point sure enough
+        if (isPolytope(kindA) || isPolytope(kindB)) {
+            return !ExactAxes.areApart(MovingAxes.SPATIAL, kindA, a, i, kindB, b, j); // one is a prism
+        }
+        s.uncertain = true; // a prism and something round: no slab was wide enough
         return true;
     }
 
@@ -80,7 +86,7 @@ public final class SpatialOverlap {
         if (isCylinder(kind)) {
             return sphere.touchesCylinder(new ExactCylinder(kind, row, at));
         }
-        return kind == Leaf.PRISM || sphere.touchesPolytope(new ExactPolytope(kind, row, at));
+        return sphere.touchesPolytope(new ExactPolytope(kind, row, at));
     }
 
     private static boolean spheres(double[] a, int i, double[] b, int j) {
