@@ -4,7 +4,7 @@ package robosim.geometry.narrow;
 final class ConeCylinderFrame {
     Cone cone = new Cone();
 
-    /** The largest coordinates and the sizes together. */
+    /** The largest offset from the apex and the sizes together. */
     double extent;
 
     double radius;
@@ -42,7 +42,8 @@ final class ConeCylinderFrame {
         double pz = axisZ / length;
         radius = b[j + 3];
         half = b[j + 4] * length;
-        extent = RayMath.largest(cone.ox, cone.oy, cone.oz) + RayMath.largest(b[j], b[j + 1], b[j + 2]) + radius + half;
+        // The differences are off by half an ulp of their own, however far from the origin the two are.
+        extent = RayMath.largest(mx, my, mz) + radius + half;
         double middle = mx * px + my * py + mz * pz;
         double along = Math.max(-half, Math.min(half, -middle));
         double wx = middle * px - mx;

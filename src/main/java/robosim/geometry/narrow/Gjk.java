@@ -273,7 +273,11 @@ final class Gjk {
     private void finish(double ox, double oy, double oz, double unscale) {
         double margins = first.margin + second.margin;
         double near = upper;
-        deep = near + error < margins || (near == 0 && simplex.depth() > DEEP * cube(first.extent + second.extent));
+        // A tetrahedron that seems to hold the origin may be too thin to tell; the point that its weights give is one
+        // of
+        // the leaves' in any case.
+        double sure = simplex.depth() > 0 ? simplex.residual() : near;
+        deep = sure + error < margins || simplex.depth() > DEEP * cube(first.extent + second.extent);
         coreReach = lower * unscale;
         coreUpper = near * unscale;
         reach = (lower - margins) * unscale;

@@ -27,7 +27,7 @@ class ConeErrorTest {
         int heard = 0;
         int silent = 0;
         int close = 0;
-        int count = 600;
+        int count = 300;
         for (int n = 0; n < count; n++) {
             double scale = Math.scalb(1.0, n % 5 == 0 ? random.nextInt(-40, 41) : 0);
             double far = Math.pow(10, random.nextDouble(0, n % 4 == 0 ? 6 : 1));
