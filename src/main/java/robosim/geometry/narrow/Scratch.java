@@ -55,6 +55,11 @@ public final class Scratch {
     final RayInterval ray = new RayInterval();
     final RayRefine refine = new RayRefine();
     final NearestFace face = new NearestFace();
+    final PlanarSector sector = new PlanarSector();
+
+    /** A leaf laid flat. */
+    final double[] flat = new double[Leaf.STRIDE];
+
     final Cone cone = new Cone();
     final ConePolytope conePolytope = new ConePolytope();
     final ConeCylinder coneCylinder = new ConeCylinder();
