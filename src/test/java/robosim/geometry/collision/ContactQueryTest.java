@@ -158,13 +158,15 @@ class ContactQueryTest {
     void pointsOnNeedlesAreGoodToo() {
         SplittableRandom random = new SplittableRandom(43);
         int meeting = 0;
-        for (int k = 0; k < 4000; k++) {
-            MeshObject p = needle(random);
+        for (int k = 0; k < 1000; k++) {
+            double rx = random.nextDouble(-180, 180);
+            double ry = random.nextDouble(-180, 180);
+            GeometryObject p = needle(random).turned(rx, ry);
             GeometryObject q = k % 4 == 0
-                    ? new BoxObject(new Point(random.nextInt(4) * 0x1p-45, random.nextInt(3) / 3.0, 0), 0x1p-44, 1, 0)
-                    : needle(random);
-            Contact contact = ContactQuery.first(p, q.turned(0, k % 3 * 17));
-            Contact again = ContactQuery.first(q.turned(0, k % 3 * 17), p);
+                    ? new BoxObject(new Point(), 0x1p-44, random.nextInt(3), 1).turned(rx, ry)
+                    : needle(random).turned(rx, ry);
+            Contact contact = ContactQuery.first(p, q);
+            Contact again = ContactQuery.first(q, p);
             if (contact == null || again == null) {
                 assertThat(again).isEqualTo(contact);
                 continue;
@@ -172,15 +174,14 @@ class ContactQueryTest {
             assertThat(contact.error()).isLessThan(0x1p-42);
             assertThat(again.point()).isEqualTo(contact.point());
             assertThat(again.error()).isEqualTo(contact.error());
-            if (k % 16 == 1) {
+            if (k % 8 < 2) {
                 SphereObject around = new SphereObject(contact.point(), contact.error());
                 assertThat(Reference.overlap(around, p, Dimension.SPATIAL)).isTrue();
-                assertThat(Reference.overlap(around, q.turned(0, k % 3 * 17), Dimension.SPATIAL))
-                        .isTrue();
+                assertThat(Reference.overlap(around, q, Dimension.SPATIAL)).isTrue();
             }
             meeting++;
         }
-        assertThat(meeting).isBetween(200, 3800);
+        assertThat(meeting).isBetween(200, 800);
     }
 
     private static MeshObject needle(SplittableRandom random) {
