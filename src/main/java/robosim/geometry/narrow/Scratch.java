@@ -18,6 +18,9 @@ public final class Scratch {
     final MeshWalk inner = new MeshWalk();
     final MeshWalk around = new MeshWalk();
 
+    /** Two meshes, descended at once. */
+    final ContactPairs pairs = new ContactPairs(this);
+
     /** A placed triangle of the first and of the second mesh, as leaf rows. */
     final double[] triangleA = new double[Leaf.STRIDE];
 
