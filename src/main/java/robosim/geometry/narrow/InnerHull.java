@@ -104,6 +104,28 @@ final class InnerHull {
         return bestZ;
     }
 
+    /** How many sides the hull has. */
+    int sides() {
+        return sides;
+    }
+
+    /** About how far the plane of a side is, and its direction of unit length. */
+    double reach(int side) {
+        return sideReach[side];
+    }
+
+    double x(int side) {
+        return sideX[side];
+    }
+
+    double y(int side) {
+        return sideY[side];
+    }
+
+    double z(int side) {
+        return sideZ[side];
+    }
+
     /**
      * Grows around the origin until the proven depth reaches a goal, the bracket is closed as far as doubles go, the two
      * turn out to be apart, or the room is used up.
