@@ -1,8 +1,8 @@
 package robosim.geometry.stress;
 
 import java.util.Arrays;
-import java.util.SplittableRandom;
 import java.util.SortedMap;
+import java.util.SplittableRandom;
 import java.util.TreeMap;
 import robosim.geometry.exact.Stages;
 import robosim.geometry.narrow.Scratch;
