@@ -119,7 +119,7 @@ final class SweepFamily extends Family {
             double[] to = {n * x, n * y, n * z};
             Forms.move(c.formB, c.b, to[0], to[1], to[2]);
             boolean thin = c.formA == Form.TRIANGLE && c.formB == Form.TRIANGLE;
-            double off = reach * (thin && !planar ? 0.3 : 0.7);
+            double off = reach * (thin && !planar ? 0.15 : 0.7);
             double length = 0.3 + 1.2 * random.nextDouble();
             for (int k = 0; k < 3; k++) {
                 c.ray[3 + k] = length * (to[k] + Forms.between(random, off));
