@@ -2,13 +2,17 @@ package robosim.geometry.narrow;
 
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Dyadic;
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
 
 /** Two discs on the plane. */
 final class DiscDisc {
     // Differences and the sum of the radii are rounded once, their squares three times in all, the sum of squares once
     // more: either side is off by less than 5 roundings of 2^-53.
-    private static final double FILTER = 8 * 0x1p-53;
+    private static final double FILTER = Filter.bound(8 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
+
+    private static final Stages.Counter EXACT = Stages.counter("DiscDisc");
 
     private DiscDisc() {}
 
@@ -30,6 +34,7 @@ final class DiscDisc {
     }
 
     private static boolean exactTouch(double ax, double az, double ar, double bx, double bz, double br) {
+        EXACT.count();
         Dyadic dx = Dyadic.difference(ax, bx);
         Dyadic dz = Dyadic.difference(az, bz);
         Dyadic r = Dyadic.of(ar).add(Dyadic.of(br));

@@ -1,11 +1,17 @@
 package robosim.geometry.narrow;
 
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
+
 /** A disc and a convex polygon: what a box, a triangle or an octagon throws. */
 final class DiscPolygon {
     // The distance to a side is off by the corners' error in both coordinates and, seen along a side of any length, by
     // no more than 16 roundings of the largest coordinate; the polygon's error is nine roundings of that.
-    private static final double FILTER = 8;
+    private static final double ROUNDING = 8;
+    private static final double FILTER = Filter.bound(ROUNDING);
     private static final double U = 0x1p-53;
+
+    private static final Stages.Counter EXACT = Stages.counter("DiscPolygon");
 
     private DiscPolygon() {}
 
@@ -16,7 +22,7 @@ final class DiscPolygon {
         if (q.isTiny()) {
             return doubtfulTouch(px, pz, r, kind, b, j);
         }
-        double error = FILTER * q.error + 8 * U * r;
+        double error = (kind == Leaf.PRISM ? ROUNDING : FILTER) * (q.error + U * r);
         double outline = Math.sqrt(PointPolygon.squareToOutline(0, 0, q));
         if (outline < r - error) {
             return true;
@@ -32,7 +38,11 @@ final class DiscPolygon {
     }
 
     private static boolean doubtfulTouch(double px, double pz, double r, int kind, double[] b, int j) {
-        return kind == Leaf.PRISM || ExactPlanar.of(kind, b, j).touchesDisc(px, pz, r);
+        if (kind == Leaf.PRISM) {
+            return true;
+        }
+        EXACT.count();
+        return ExactPlanar.of(kind, b, j).touchesDisc(px, pz, r);
     }
 
     /** The least distance, 0 in contact. */

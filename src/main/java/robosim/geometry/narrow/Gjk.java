@@ -40,8 +40,8 @@ final class Gjk {
      */
     private static final double DEEP = 0x1p-43;
 
-    private final Support first = new Support();
-    private final Support second = new Support();
+    final Support first = new Support();
+    final Support second = new Support();
     private final Simplex simplex = new Simplex();
 
     private double lower;

@@ -1,6 +1,7 @@
 package robosim.geometry.narrow;
 
 import robosim.geometry.exact.DoubleDouble;
+import robosim.geometry.exact.Orientation;
 
 /**
  * What is left of a leaf on the XZ plane, relative to an origin near it: a disc, a convex polygon, or the oval that a
@@ -254,13 +255,15 @@ final class PlanarShape {
         count = 2 * spans;
     }
 
-    // Keeps the spans in the order of their directions, and those of one direction as one.
+    // Keeps the spans in the order of their directions, and those of one direction as one. Compared exactly: a long
+    // span
+    // that is taken for parallel to one that is all but nothing would come out of order among the others.
     private int insert(int spans, double gx, double gz) {
         int to = 0;
-        while (to < spans && spanX[to] * gz - spanZ[to] * gx > 0) {
+        while (to < spans && turn(to, gx, gz) > 0) {
             to++;
         }
-        if (to < spans && spanX[to] * gz - spanZ[to] * gx == 0) {
+        if (to < spans && turn(to, gx, gz) == 0) {
             spanX[to] += gx;
             spanZ[to] += gz;
             return spans;
@@ -272,6 +275,10 @@ final class PlanarShape {
         spanX[to] = gx;
         spanZ[to] = gz;
         return spans + 1;
+    }
+
+    private int turn(int span, double gx, double gz) {
+        return Orientation.compareProducts(spanX[span], gz, spanZ[span], gx);
     }
 
     private void octagon(double[] row, int at, double ox, double oz) {

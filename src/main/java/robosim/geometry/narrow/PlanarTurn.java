@@ -101,7 +101,7 @@ final class PlanarTurn {
             double heightDepth) {
         disc.load(x, z, outline);
         double gap = disc.distance - radius;
-        double error = disc.error + MovingAxes.ROUNDOFF * radius;
+        double error = disc.error + 32 * 0x1p-53 * radius;
         if (gap > error) {
             return disc.free(outline, radius, false);
         }

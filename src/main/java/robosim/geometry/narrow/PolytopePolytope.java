@@ -1,5 +1,8 @@
 package robosim.geometry.narrow;
 
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
+
 /**
  * Whether two boxes or triangles, at any attitude, touch or overlap in space: the separating axes in doubles, and exactly
  * where rounding leaves a doubt. An instance holds the working memory.
@@ -14,14 +17,16 @@ package robosim.geometry.narrow;
  * was rounded, so that a gap beyond the first bound is a proof; that an axis does not separate needs the second.
  */
 final class PolytopePolytope {
-    private static final double PROJECTED = 16 * 0x1p-53;
-    private static final double WITH_AXIS = 32 * 0x1p-53;
+    private static final double PROJECTED = Filter.bound(16 * 0x1p-53);
+    private static final double WITH_AXIS = Filter.bound(32 * 0x1p-53);
 
     /** What underflow may add to a gap, several times over. */
     private static final double UNDERFLOW = 0x1p-1000;
 
     /** Where underflow could count, doubles are not asked. */
-    private static final double SMALL = 0x1p-900;
+    private static final double SMALL = Filter.bound(0x1p-900);
+
+    private static final Stages.Counter EXACT = Stages.counter("PolytopePolytope");
 
     private final Sides first = new Sides();
     private final Sides second = new Sides();
@@ -33,7 +38,6 @@ final class PolytopePolytope {
     private double px;
     private double py;
     private double pz;
-    private long exactRuns;
 
     boolean touch(int kindA, double[] a, int i, int kindB, double[] b, int j) {
         first.load(kindA, a, i, a[i], a[i + 1], a[i + 2]);
@@ -63,13 +67,8 @@ final class PolytopePolytope {
         if (doubts == 0) {
             return true;
         }
-        exactRuns++;
+        EXACT.count();
         return !ExactPolytope.apart(kindA, a, i, kindB, b, j, doubts);
-    }
-
-    /** How many questions doubles could not answer. */
-    long exactRuns() {
-        return exactRuns;
     }
 
     private double bound(double factor, double x, double y, double z) {

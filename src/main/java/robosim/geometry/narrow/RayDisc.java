@@ -2,12 +2,16 @@ package robosim.geometry.narrow;
 
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Dyadic;
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
 
 /** A ray and a disc on the plane. */
 final class RayDisc {
     // Each side of the comparisons below is a sum of products of at most seven roundings.
-    private static final double FILTER = 12 * 0x1p-53;
+    private static final double FILTER = Filter.bound(12 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
+
+    private static final Stages.Counter EXACT = Stages.counter("RayDisc");
 
     private RayDisc() {}
 
@@ -18,7 +22,7 @@ final class RayDisc {
         double square = mx * mx + mz * mz;
         double rr = r * r;
         double doubt = FILTER * (square + rr) + UNDERFLOW;
-        if (square < rr - doubt || (square <= rr + doubt && DiscDisc.touch(ox, oz, 0, cx, cz, r))) {
+        if (square < rr - doubt || (!(square > rr + doubt) && DiscDisc.touch(ox, oz, 0, cx, cz, r))) {
             return 0;
         }
         // The start is outside: a line that meets the disc does so on one side of the start.
@@ -45,6 +49,7 @@ final class RayDisc {
 
     // From outside; the tangent is a hit.
     private static boolean exactHit(double ox, double oz, double ux, double uz, double cx, double cz, double r) {
+        EXACT.count();
         Dyadic mx = Dyadic.difference(cx, ox);
         Dyadic mz = Dyadic.difference(cz, oz);
         Dyadic dx = Dyadic.of(ux);

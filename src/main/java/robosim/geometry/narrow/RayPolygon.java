@@ -1,14 +1,20 @@
 package robosim.geometry.narrow;
 
 import robosim.geometry.exact.DoubleDouble;
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
 
 /** A ray and a convex polygon on the plane: what a box, a triangle or an octagon throws. */
 final class RayPolygon {
     // Corners are seen from the start, and off by the shape's error, nine roundings of the largest coordinate; products
     // with the direction or with a side add three more of the same size.
-    private static final double FILTER = 2;
-    private static final double SIDE_FILTER = 8;
+    private static final double ROUNDING = 2;
+    private static final double SIDE_ROUNDING = 8;
+    private static final double FILTER = Filter.bound(ROUNDING);
+    private static final double SIDE_FILTER = Filter.bound(SIDE_ROUNDING);
     private static final double UNDERFLOW = 0x1p-960;
+
+    private static final Stages.Counter EXACT = Stages.counter("RayPolygon");
 
     private RayPolygon() {}
 
@@ -17,7 +23,8 @@ final class RayPolygon {
         PlanarShape q = s.planarB;
         q.set(kind, b, j, ox, oz);
         double speed = Math.abs(ux) + Math.abs(uz);
-        double doubt = FILTER * q.error * speed + UNDERFLOW;
+        boolean isEnclosure = kind == Leaf.PRISM;
+        double doubt = (isEnclosure ? ROUNDING : FILTER) * q.error * speed + UNDERFLOW;
         double left = -Double.MAX_VALUE;
         double right = Double.MAX_VALUE;
         double nearest = Double.MAX_VALUE;
@@ -33,11 +40,13 @@ final class RayPolygon {
         if (left < -doubt || right > doubt || furthest < -doubt) {
             return Double.POSITIVE_INFINITY;
         }
-        int verdict = left > doubt && right < -doubt ? sides(q, ux, uz, speed) : 0;
+        int verdict =
+                left > doubt && right < -doubt ? sides(q, ux, uz, speed, isEnclosure ? SIDE_ROUNDING : SIDE_FILTER) : 0;
         if (verdict < 0) {
             return Double.POSITIVE_INFINITY;
         }
-        if (verdict == 0 && kind != Leaf.PRISM) {
+        if (verdict == 0 && !isEnclosure) {
+            EXACT.count();
             ExactPlanar exact = ExactPlanar.of(kind, b, j);
             if (!exact.isHitBy(ox, oz, ux, uz)) {
                 return Double.POSITIVE_INFINITY;
@@ -55,7 +64,7 @@ final class RayPolygon {
     }
 
     // 1 a clear hit, -1 a clear miss, 0 in doubt, by the side normals alone
-    private static int sides(PlanarShape q, double ux, double uz, double speed) {
+    private static int sides(PlanarShape q, double ux, double uz, double speed, double filter) {
         int verdict = 1;
         int last = q.count - 1;
         for (int k = 0; k <= last; k++) {
@@ -64,9 +73,9 @@ final class RayPolygon {
             double nz = q.x[previous] - q.x[k];
             double beyond = -(nx * q.x[k] + nz * q.z[k]);
             double nearing = -(nx * ux + nz * uz);
-            double doubt = SIDE_FILTER * q.error * (Math.abs(nx) + Math.abs(nz) + Math.abs(q.x[k]) + Math.abs(q.z[k]))
-                    + UNDERFLOW;
-            double nearingDoubt = SIDE_FILTER * q.error * speed + UNDERFLOW;
+            double doubt =
+                    filter * q.error * (Math.abs(nx) + Math.abs(nz) + Math.abs(q.x[k]) + Math.abs(q.z[k])) + UNDERFLOW;
+            double nearingDoubt = filter * q.error * speed + UNDERFLOW;
             if (beyond > doubt && nearing < -nearingDoubt) {
                 return -1;
             }

@@ -1,13 +1,17 @@
 package robosim.geometry.narrow;
 
 import robosim.geometry.exact.Dyadic;
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
 
 /** The rectangles that two upright boxes throw on the plane. */
 final class RectangleRectangle {
     // Both sides of a separating axis test are sums of products of at most seven roundings; no direction is longer than
     // 1 + 1e-9, so that no magnitude in them is above (1 + 1e-8)(|dx| + |dz| + twice the half sizes).
-    private static final double FILTER = 9 * 0x1p-53;
+    private static final double FILTER = Filter.bound(9 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
+
+    private static final Stages.Counter EXACT = Stages.counter("RectangleRectangle");
 
     private RectangleRectangle() {}
 
@@ -47,6 +51,7 @@ final class RectangleRectangle {
     }
 
     private static boolean doubtfulTouch(double[] a, int i, double[] b, int j) {
+        EXACT.count();
         if (DiscRectangle.isAligned(a, i) && DiscRectangle.isAligned(b, j)) {
             return reach(a[i], b[j], DiscRectangle.alignedX(a, i), DiscRectangle.alignedX(b, j))
                     && reach(a[i + 2], b[j + 2], DiscRectangle.alignedZ(a, i), DiscRectangle.alignedZ(b, j));

@@ -5,6 +5,15 @@ package robosim.geometry.narrow;
  * between threads.
  */
 public final class Scratch {
+    /**
+     * Whether a kernel has answered "touch" or 0 without a proof since this was last set to false.
+     *
+     * <p>Only certified pairs do that (see {@link SpatialOverlap#test} and {@link PlanarOverlap#test}), and only where the
+     * true gap is below their stated bound. Kernels only set it; whoever wants to know sets it to false before the
+     * question. A question that ends with "apart" may have set it on the way, from a part that did not decide.
+     */
+    public boolean uncertain;
+
     final MeshWalk outer = new MeshWalk();
     final MeshWalk inner = new MeshWalk();
     final MeshWalk around = new MeshWalk();
@@ -14,6 +23,9 @@ public final class Scratch {
 
     final double[] triangleB = new double[Leaf.STRIDE];
 
+    /** A point as a sphere's row. */
+    final double[] witness = new double[Leaf.STRIDE];
+
     final double[] box = new double[6];
     final double[] triangleBox = new double[6];
     final double[] meshBox = new double[6];
@@ -22,6 +34,9 @@ public final class Scratch {
 
     /** Distance and penetration of the two leaves of a question, in space or in the plane. */
     final Gjk gjk = new Gjk();
+
+    /** Looks at the two leaves that {@link #gjk} was asked about last. */
+    final InnerHull hull = new InnerHull(gjk.first, gjk.second);
 
     final PolytopePolytope polytopes = new PolytopePolytope();
     final Penetration penetration = new Penetration();

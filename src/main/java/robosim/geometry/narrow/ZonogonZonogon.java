@@ -1,10 +1,15 @@
 package robosim.geometry.narrow;
 
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
+
 /** What two boxes at any attitude throw on the plane: each the sum of the segments that its own axes throw. */
 final class ZonogonZonogon {
     // As for two rectangles, but for the length of the axis, which counts here: an own axis may be almost upright.
-    private static final double FILTER = 12 * 0x1p-53;
+    private static final double FILTER = Filter.bound(12 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
+
+    private static final Stages.Counter EXACT = Stages.counter("ZonogonZonogon");
 
     private ZonogonZonogon() {}
 
@@ -19,7 +24,10 @@ final class ZonogonZonogon {
         int verdict = Math.max(apart(a, i, dx, dz, size, a, i, b, j), apart(b, j, dx, dz, size, a, i, b, j));
         return switch (verdict) {
             case 0 -> true;
-            case 1 -> ExactPlanar.of(kindA, a, i).touches(ExactPlanar.of(kindB, b, j));
+            case 1 -> {
+                EXACT.count();
+                yield ExactPlanar.of(kindA, a, i).touches(ExactPlanar.of(kindB, b, j));
+            }
             default -> false;
         };
     }
