@@ -136,7 +136,9 @@ class WrapTest {
             assertThat(world.testObject(new CylinderObject(new Point(12.0625 * unit, 0, 0), unit, 2 * unit)))
                     .isFalse();
             Ray ray = new Ray(new Point(), new Point(1, 0, 0));
-            assertThat(world.getRayDistance(ray, 0, NONE, 0, "robot")).as("ray at 2^" + power).isEqualTo(9 * unit);
+            assertThat(world.getRayDistance(ray, 0, NONE, 0, "robot"))
+                    .as("ray at 2^" + power)
+                    .isEqualTo(9 * unit);
             assertThat(world.getRayDistance(ray, 0, NONE, 30, "robot"))
                     .as("cone at 2^" + power)
                     .isBetween(9 * unit * (1 - 0x1p-40), 9 * unit);
@@ -147,6 +149,29 @@ class WrapTest {
         }
         assertThatIllegalArgumentException().isThrownBy(() -> new Point(0x1p521, 0, 0));
         assertThatIllegalArgumentException().isThrownBy(() -> new SphereObject(new Point(), 0x1p521));
+    }
+
+    /** A direction from centre to centre whose square underflows has no unit vector. */
+    @Test
+    void aSpeckInTheMiddleOfSomethingIsMet() {
+        for (double offset : new double[] {0, Double.MIN_VALUE, 1e-318, 1e-200, 1e-160, 1e-150, 1e-20}) {
+            Point at = new Point(offset, -offset, offset / 3);
+            for (GeometryObject speck : List.of(
+                    new CylinderObject(at, offset / 2, offset).turned(20, 30),
+                    new SphereObject(at, offset / 2),
+                    new BoxObject(at, offset, offset, offset).turned(20, 30))) {
+                CylinderObject tipped = new CylinderObject(new Point(), 1, 2).turned(40, 10);
+                assertThat(world(Dimension.SPATIAL, tipped).testObject(speck))
+                        .as("" + speck)
+                        .isTrue();
+                BoxObject box = robot();
+                Geometry world = world(Dimension.SPATIAL, speck, box);
+                assertThat(world.getProximity("robot", NONE)).as("" + speck).isZero();
+                MoveResult result = world.moveToContact("robot", new Move(0, 0, 0.125, 0, 0), 1);
+                assertThat(result.contact() == null || Math.abs(result.contact().x()) < 1)
+                        .isTrue();
+            }
+        }
     }
 
     private static List<GeometryObject> scaled(double unit) {
@@ -178,7 +203,8 @@ class WrapTest {
             double radius = Math.sqrt(1 - height * height);
             for (int k = 0; k < 8; k++) {
                 double angle = k * Math.PI / 4;
-                corners.add(new Point(radius * round(StrictMath.cos(angle)), height, radius * round(StrictMath.sin(angle))));
+                corners.add(new Point(
+                        radius * round(StrictMath.cos(angle)), height, radius * round(StrictMath.sin(angle))));
                 int here = 2 + 8 * ring + k;
                 int next = 2 + 8 * ring + (k + 1) % 8;
                 if (ring == 0) {
@@ -227,10 +253,7 @@ class WrapTest {
             Point way = point(random, scale);
             Move move = new Move(way.x(), way.y(), way.z(), 0, angle(random));
             double clearance = random.nextDouble() * scale;
-            MoveResult moved;
-            try { moved = world.moveToContact("robot", move, clearance); } catch (IllegalArgumentException e) {
-              System.out.println("BAD " + k + " " + Math.getExponent(scale) + " " + scale + " " + world.objects() + move + clearance); continue;
-            }
+            MoveResult moved = world.moveToContact("robot", move, clearance);
             assertThat(moved.fraction()).isBetween(0.0, 1.0);
             assertThat(moved.turnFraction()).isBetween(0.0, 1.0);
             Point centre = world.getObject("robot").center();

@@ -18,11 +18,7 @@ final class Witness {
     static void of(
             Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j, double[] out, Scratch s) {
         boolean flat = dimension == Dimension.PLANAR;
-        if (flat) {
-            PlanarContact.between(kindA, a, i, kindB, b, j, out, s);
-        } else {
-            SpatialContact.between(kindA, a, i, kindB, b, j, out, s);
-        }
+        Distance.convexContact(dimension, kindA, a, i, kindB, b, j, out, s);
         for (int axis = 0; axis < 3; axis++) {
             out[axis] = Math.max(-MOST, Math.min(MOST, out[axis]));
         }
