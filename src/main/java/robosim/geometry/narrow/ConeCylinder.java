@@ -101,7 +101,8 @@ final class ConeCylinder {
         double pz = axisZ / length;
         radius = b[j + 3];
         half = b[j + 4] * length;
-        extent = RayMath.largest(cone.ox, cone.oy, cone.oz) + RayMath.largest(b[j], b[j + 1], b[j + 2]) + radius + half;
+        // The differences are off by half an ulp of their own, however far from the origin the two are.
+        extent = RayMath.largest(mx, my, mz) + radius + half;
         // The nearest point of the whole cylinder.
         double middle = mx * px + my * py + mz * pz;
         double along = Math.max(-half, Math.min(half, -middle));

@@ -62,6 +62,7 @@ final class InnerHull {
 
     private final Support first;
     private final Support second;
+    private double height;
     private double error;
     private double lower;
     private double upper;
@@ -103,6 +104,28 @@ final class InnerHull {
         return bestZ;
     }
 
+    /** How many sides the hull has. */
+    int sides() {
+        return sides;
+    }
+
+    /** About how far the plane of a side is, and its direction of unit length. */
+    double reach(int side) {
+        return sideReach[side];
+    }
+
+    double x(int side) {
+        return sideX[side];
+    }
+
+    double y(int side) {
+        return sideY[side];
+    }
+
+    double z(int side) {
+        return sideZ[side];
+    }
+
     /**
      * Grows around the origin until the proven depth reaches a goal, the bracket is closed as far as doubles go, the two
      * turn out to be apart, or the room is used up.
@@ -110,6 +133,16 @@ final class InnerHull {
      * @param goal enough depth; the question ends when that much is proven
      */
     void grow(double goal) {
+        grow(goal, 0);
+    }
+
+    /** The same of two leaves loaded in the plane, which are taken for prisms so high that no way out leads up or down. */
+    void growPlanar(double goal) {
+        grow(goal, 4 * (first.extent + second.extent));
+    }
+
+    private void grow(double goal, double height) {
+        this.height = height;
         error = Gjk.ROUNDOFF * (first.extent + second.extent);
         lower = Double.NEGATIVE_INFINITY;
         upper = Double.POSITIVE_INFINITY;
@@ -161,7 +194,7 @@ final class InnerHull {
         first.find(-dx, -dy, -dz);
         second.find(dx, dy, dz);
         double px = second.x - first.x;
-        double py = second.y - first.y;
+        double py = second.y - first.y + (dy < 0 ? -height : height);
         double pz = second.z - first.z;
         x[points] = px;
         y[points] = py;

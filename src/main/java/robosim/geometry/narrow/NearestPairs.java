@@ -1,5 +1,6 @@
 package robosim.geometry.narrow;
 
+import robosim.geometry.exact.Filter;
 import robosim.geometry.model.Dimension;
 
 /**
@@ -140,7 +141,7 @@ public final class NearestPairs {
                 ? gjk.planar(first.kind, first.row, first.at, second.kind, second.row, second.at)
                 : gjk.spatial(first.kind, first.row, first.at, second.kind, second.row, second.at);
         high = Math.min(high, BoxGap.up(gjk.upper() + gjk.error()));
-        if (lower == 0) {
+        if (lower == 0 || Filter.isDoubting()) {
             s.uncertain = false;
             if (Overlap.convex(dimension, first.kind, first.row, first.at, second.kind, second.row, second.at, s)) {
                 certain |= !s.uncertain;

@@ -45,6 +45,10 @@ final class RayInterval {
      */
     void clip(double low, double lowError, double high, double highError, double b, double bError, int id) {
         double certain = Math.abs(b) - bError;
+        if (isVanishing(low) || isVanishing(high)) {
+            doubtful = true;
+            return;
+        }
         if (!(certain > 0x1p-400)) {
             parallel(low, lowError, high, highError, b, bError);
             return;
@@ -55,6 +59,11 @@ final class RayInterval {
         double firstError = ((up ? lowError : highError) + Math.abs(first) * (bError + 2 * U * certain)) / certain;
         double lastError = ((up ? highError : lowError) + Math.abs(last) * (bError + 2 * U * certain)) / certain;
         clip(first, firstError * (1 + 8 * U), last, lastError * (1 + 8 * U), id);
+    }
+
+    /** Whether a quotient of it may underflow, to 0 even, which it is not. */
+    private static boolean isVanishing(double offset) {
+        return offset != 0 && Math.abs(offset) < 0x1p-900;
     }
 
     /** Keeps what lies between two parameters, each known to the error that follows it. */

@@ -42,6 +42,7 @@ public final class Scratch {
     final InnerHull hull = new InnerHull(gjk.first, gjk.second);
 
     final PolytopePolytope polytopes = new PolytopePolytope();
+    final SphereDistance sphereDistance = new SphereDistance();
     final Penetration penetration = new Penetration();
 
     /** The projections of the two leaves of a planar question. */

@@ -14,11 +14,17 @@ import robosim.geometry.reference.Gaps;
 
 /** One variant of the question how far an object may go. */
 final class DriveTrial {
+    /** How early a contact may be answered, of the largest number that it was computed from. */
+    private static final double EARLY = 0x1p-44;
+
     private final HardCase.Drive question;
     private final Variant variant;
     private final GeometryObject mover;
     private final List<GeometryObject> others;
     private final Point way;
+
+    /** Whether the way that is stored is the way that was asked for, up to a rounding. */
+    private final boolean isWhole;
 
     /** Where a finding goes. */
     interface Sink {
@@ -32,7 +38,18 @@ final class DriveTrial {
         others = hard.objects(question.of()).stream().map(variant::place).toList();
         double[] w = question.way();
         double s = variant.scale();
-        way = new Point(w[0] * s, w[1] * s, w[2] * s);
+        Point c = mover.center();
+        way = new Point(stored(c.x(), w[0] * s), stored(c.y(), w[1] * s), stored(c.z(), w[2] * s));
+        isWhole = isAlike(way.x(), w[0] * s) && isAlike(way.y(), w[1] * s) && isAlike(way.z(), w[2] * s);
+    }
+
+    private static boolean isAlike(double stored, double asked) {
+        return Math.abs(stored - asked) <= 1e-6 * Math.abs(asked);
+    }
+
+    /** From the stored start to the stored end. */
+    private static double stored(double start, double by) {
+        return (start + by) - start;
     }
 
     void run(Sink sink) {
@@ -54,16 +71,26 @@ final class DriveTrial {
             sink.find(fromFile(), ours, ours.equals(fromFile()));
             return;
         }
-        BigDecimal share = Trial.known(this::share);
-        if (share != null) {
-            // Rounded down, and the stored place there is free: a rounding of the place, measured by the way.
-            double roundings = 8 * Math.ulp(size()) / length();
-            boolean right = fits
-                    && !result.allowed()
-                    && share.subtract(new BigDecimal(result.fraction())).signum() >= 0
-                    && Trial.far(share, result.fraction()) <= roundings + 4 * Math.ulp(1.0) + question.within();
-            sink.find(Double.toString(share.doubleValue()), ours, right);
-            return;
+        // Rounded down, and the stored place there is free: a rounding of the place, measured by the way.
+        double allowed = EARLY * size() / length() + 4 * Math.ulp(1.0);
+        if (!variant.name().equals("as given")) {
+            boolean never = Trial.known(() -> !touchesBy(1));
+            if (!never) {
+                double late = Math.min(1, result.fraction() + allowed);
+                boolean right = fits && !result.allowed() && !touchesBy(result.fraction()) && touchesBy(late);
+                sink.find("within " + allowed + " before contact", ours, right);
+                return;
+            }
+        } else {
+            BigDecimal share = Trial.known(this::share);
+            if (share != null) {
+                boolean right = fits
+                        && !result.allowed()
+                        && share.subtract(new BigDecimal(result.fraction())).signum() > 0
+                        && Trial.far(share, result.fraction()) <= allowed;
+                sink.find(Double.toString(share.doubleValue()), ours, right);
+                return;
+            }
         }
         double[] turn = question.turn() == 0 ? null : Trial.known(this::turn);
         if (turn == null) {
@@ -92,7 +119,10 @@ final class DriveTrial {
     private String fromFile() {
         String planar = question.planar();
         boolean inPlane = variant.dimension() == Dimension.PLANAR;
-        if (!variant.exact() || (inPlane && planar == null)) {
+        if (question.turn() == 0 && way.equals(new Point())) {
+            return "free";
+        }
+        if (!variant.exact() || !isWhole || (inPlane && planar == null)) {
             throw new UnknownTruthException(new IllegalArgumentException("a start in contact"));
         }
         String truth = inPlane && planar != null ? planar : question.truth();
@@ -108,6 +138,10 @@ final class DriveTrial {
             }
         }
         return first;
+    }
+
+    private boolean touchesBy(double share) {
+        return others.stream().anyMatch(other -> Gaps.touchesBy(share, mover, way, other, variant.dimension()));
     }
 
     private double @Nullable [] turn() {

@@ -140,9 +140,15 @@ public final class Trial {
             for (GeometryObject object : objects) {
                 size = Math.max(size, Truth.size(object));
             }
-            // A line: 4 ulp of the largest number that it was computed from; a cone: 8.
-            double allowed = (question.width() == 0 ? 4 : 8) * Math.ulp(size);
-            right = Double.isFinite(ours) && far(answer, ours) <= allowed && (answer.signum() != 0 || ours == 0);
+            // A line: 4 ulp of the largest number that it was computed from; a cone: 8, or a cylinder's bracket.
+            double off = far(answer, ours);
+            boolean bracket = question.width() > 0
+                    && variant.dimension() == Dimension.SPATIAL
+                    && objects.stream().anyMatch(object -> object.kind() == GeometryObject.Kind.CYLINDER)
+                    && off <= answer.doubleValue() * 0x1p-40
+                    && answer.compareTo(new BigDecimal(ours)) >= 0;
+            right = (off <= (question.width() == 0 ? 4 : 8) * Math.ulp(size) || bracket)
+                    && (answer.signum() != 0 || ours == 0);
         }
         find(index, variant, truth, text(ours), right && scales(variant, ours, given));
     }

@@ -63,7 +63,7 @@ final class Truth {
         if (gap > farthest * 1.001) {
             return null;
         }
-        if (to - from < 0x1p-24) {
+        if (to - from < 0x1p-20) {
             return new double[] {from, to};
         }
         double[] first = turn(mover, degrees, others, dimension, radius, from, middle);
@@ -81,7 +81,7 @@ final class Truth {
             case MESH -> {
                 double most = 0;
                 for (Point p : ((robosim.geometry.model.MeshObject) object).vertices()) {
-                    most = Math.max(most, Math.sqrt(p.x() * p.x() + p.y() * p.y() + p.z() * p.z()));
+                    most = Math.max(most, 2 * Math.max(Math.abs(p.x()), Math.max(Math.abs(p.y()), Math.abs(p.z()))));
                 }
                 yield new double[] {most};
             }

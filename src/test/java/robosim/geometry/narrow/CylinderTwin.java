@@ -92,6 +92,10 @@ final class CylinderTwin {
         };
     }
 
+    static BigDecimal[] minus(BigDecimal[] a, BigDecimal[] b) {
+        return new BigDecimal[] {a[0].subtract(b[0]), a[1].subtract(b[1]), a[2].subtract(b[2])};
+    }
+
     static BigDecimal[] negate(BigDecimal[] a) {
         return new BigDecimal[] {a[0].negate(), a[1].negate(), a[2].negate()};
     }

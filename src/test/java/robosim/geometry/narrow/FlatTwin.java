@@ -36,8 +36,12 @@ final class FlatTwin {
 
     /** Whether the two touch anywhere from time 0 to {@code time}. */
     boolean meetsBy(double time) {
+        return meetsBy(new BigDecimal(time));
+    }
+
+    boolean meetsBy(BigDecimal time) {
         List<BigDecimal[]> swept = new ArrayList<>(differences);
-        swept.addAll(at(new BigDecimal(time)));
+        swept.addAll(at(time));
         return isNear(swept);
     }
 

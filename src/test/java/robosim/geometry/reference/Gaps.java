@@ -1,7 +1,10 @@
 package robosim.geometry.reference;
 
 import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.BoxObject;
@@ -34,6 +37,10 @@ public final class Gaps {
             return points.stream().map(p -> p[1]).reduce(Rational::max).orElseThrow();
         }
 
+        Box box() {
+            return Box.around(points, radius);
+        }
+
         List<Rational[]> outline() {
             return points.stream().map(Reference::flat).toList();
         }
@@ -45,8 +52,19 @@ public final class Gaps {
             return distance(a, b, dimension).signum() == 0;
         }
         List<Reference.Piece> others = pieces(b);
-        return pieces(a).stream()
-                .anyMatch(one -> others.stream().anyMatch(other -> Reference.meet(one, other, dimension)));
+        boolean planar = dimension == Dimension.PLANAR;
+        List<Box> boxes = others.stream()
+                .map(other -> Box.around(other.points(), other.radius()))
+                .toList();
+        for (Reference.Piece one : pieces(a)) {
+            Box box = Box.around(one.points(), one.radius());
+            for (int k = 0; k < boxes.size(); k++) {
+                if (box.apart(boxes.get(k), planar) == 0 && Reference.meet(one, others.get(k), dimension)) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
 
     private static List<Reference.Piece> pieces(GeometryObject object) {
@@ -67,11 +85,38 @@ public final class Gaps {
         boolean straight =
                 object.kind() == Kind.CYLINDER || (object instanceof BoxObject && Math.abs(object.rotation()[4]) == 1);
         List<Body> bodies = new ArrayList<>();
-        for (Reference.Piece piece : pieces(object)) {
+        List<Reference.Piece> pieces = pieces(object);
+        if (isCapsule(pieces)) {
+            List<Rational[]> ends = List.of(
+                    pieces.get(1).points().get(0), pieces.get(2).points().get(0));
+            return List.of(new Body(ends, pieces.get(0).radius(), false, true, false));
+        }
+        for (Reference.Piece piece : pieces) {
             boolean disc = piece.round() && !piece.ball();
             bodies.add(new Body(piece.points(), piece.radius().max(Rational.ZERO), disc, piece.ball(), straight));
         }
         return bodies;
+    }
+
+    /** A cylinder and two balls at its ends, in this order, up to a rounding of where it ends. */
+    private static boolean isCapsule(List<Reference.Piece> pieces) {
+        if (pieces.size() != 3
+                || pieces.get(0).ball()
+                || !pieces.get(1).ball()
+                || !pieces.get(2).ball()) {
+            return false;
+        }
+        Reference.Piece axis = pieces.get(0);
+        boolean same = true;
+        for (int end = 0; end < 2; end++) {
+            same &= pieces.get(1 + end).radius().equals(axis.radius());
+            Rational[] off = Rational.minus(
+                    pieces.get(1 + end).points().get(0), axis.points().get(end));
+            same &= Rational.dot(off, off)
+                            .compareTo(axis.radius().times(Rational.of(0x1p-44)).square())
+                    <= 0;
+        }
+        return same;
     }
 
     /** The least distance between two objects at 80 digits, 0 where they touch or overlap. */
@@ -79,14 +124,55 @@ public final class Gaps {
         if (isLyingCylinder(a) || isLyingCylinder(b)) {
             return isLyingCylinder(a) ? ballAndCylinder(b, a, dimension) : ballAndCylinder(a, b, dimension);
         }
-        BigDecimal least = null;
+        record Pair(Body one, Body other, double atLeast) {}
+        boolean planar = dimension == Dimension.PLANAR;
+        List<Pair> pairs = new ArrayList<>();
         for (Body one : bodies(a)) {
             for (Body other : bodies(b)) {
-                BigDecimal gap = distance(one, other, dimension == Dimension.PLANAR);
+                pairs.add(new Pair(one, other, one.box().apart(other.box(), planar)));
+            }
+        }
+        pairs.sort(Comparator.comparingDouble(Pair::atLeast));
+        BigDecimal least = null;
+        for (Pair pair : pairs) {
+            if (least == null || pair.atLeast <= least.doubleValue() * 1.001) {
+                BigDecimal gap = distance(pair.one, pair.other, planar);
                 least = least == null ? gap : least.min(gap);
             }
         }
         return least;
+    }
+
+    /** A box around something, a little too large: to leave out what can not be the nearest. */
+    private record Box(double[] low, double[] high) {
+        static Box around(List<Rational[]> points, Rational radius) {
+            double swollen = Math.max(0, rounded(radius));
+            double[] low = new double[3];
+            double[] high = new double[3];
+            for (int axis = 0; axis < 3; axis++) {
+                int k = axis;
+                double[] along = points.stream().mapToDouble(p -> rounded(p[k])).toArray();
+                double least = Arrays.stream(along).min().orElseThrow() - swollen;
+                double most = Arrays.stream(along).max().orElseThrow() + swollen;
+                double rounding = 1e-12 * (Math.abs(least) + Math.abs(most) + swollen);
+                low[k] = least - rounding;
+                high[k] = most + rounding;
+            }
+            return new Box(low, high);
+        }
+
+        private static double rounded(Rational number) {
+            return number.toDecimal(MathContext.DECIMAL64).doubleValue();
+        }
+
+        /** How far two boxes are apart, or less. */
+        double apart(Box that, boolean planar) {
+            double most = 0;
+            for (int axis = 0; axis < 3; axis += planar ? 2 : 1) {
+                most = Math.max(most, Math.max(low[axis] - that.high[axis], that.low[axis] - high[axis]));
+            }
+            return most;
+        }
     }
 
     private static BigDecimal distance(Body a, Body b, boolean planar) {
@@ -153,7 +239,10 @@ public final class Gaps {
         Rational[] exactWay = Reference.exact(way);
         for (Body one : bodies(a)) {
             for (Body other : bodies(b)) {
-                BigDecimal share = touch(one, exactWay, other, dimension == Dimension.PLANAR);
+                if (misses(one, exactWay, other, dimension)) {
+                    continue;
+                }
+                BigDecimal share = touch(one, exactWay, other, dimension);
                 if (share != null && (first == null || share.compareTo(first) < 0)) {
                     first = share;
                 }
@@ -162,11 +251,48 @@ public final class Gaps {
         return first;
     }
 
-    private static @Nullable BigDecimal touch(Body a, Rational[] way, Body b, boolean planar) {
+    /** Whether the first object touches the second by a share of a straight way. */
+    public static boolean touchesBy(double share, GeometryObject a, Point way, GeometryObject b, Dimension dimension) {
+        Rational[] exactWay = Reference.exact(way);
+        Rational most = Rational.of(share);
+        for (Body one : bodies(a)) {
+            for (Body other : bodies(b)) {
+                if (misses(one, exactWay, other, dimension)) {
+                    continue;
+                }
+                Rational[] span = heights(one, exactWay, other, dimension == Dimension.PLANAR);
+                if (span != null && span[0].compareTo(most) <= 0) {
+                    Rational end = span[1].compareTo(most) < 0 ? span[1] : most;
+                    if (sweeps(one, exactWay, span[0], end, other, isLevel(one, other, dimension))) {
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
+    /** Whether the boxes around a way and what may be in it are apart. */
+    private static boolean misses(Body a, Rational[] way, Body b, Dimension dimension) {
+        List<Rational[]> swept = new ArrayList<>(a.points);
+        a.points.forEach(p -> swept.add(new Rational[] {p[0].plus(way[0]), p[1].plus(way[1]), p[2].plus(way[2])}));
+        return Box.around(swept, a.radius).apart(b.box(), dimension == Dimension.PLANAR) > 0;
+    }
+
+    private static boolean isLevel(Body a, Body b, Dimension dimension) {
+        return dimension == Dimension.PLANAR || a.disc || b.disc;
+    }
+
+    private static @Nullable BigDecimal touch(Body a, Rational[] way, Body b, Dimension dimension) {
+        Rational[] span = heights(a, way, b, dimension == Dimension.PLANAR);
+        return span == null ? null : first(a, way, span[0], span[1], b, isLevel(a, b, dimension));
+    }
+
+    /** The shares between which heights meet, where a cylinder is in it and heights are apart from the rest. */
+    private static Rational @Nullable [] heights(Body a, Rational[] way, Body b, boolean planar) {
         Rational from = Rational.ZERO;
         Rational to = Rational.of(1);
-        boolean level = planar || a.disc || b.disc;
-        if (!planar && level) {
+        if (!planar && (a.disc || b.disc)) {
             if (!(a.straight && b.straight)) {
                 throw new IllegalArgumentException("the way of a cylinder is known beside what stands upright only");
             }
@@ -183,11 +309,28 @@ public final class Gaps {
                 to = to.compareTo(leave) < 0 ? to : leave;
             }
         }
-        if (from.compareTo(to) > 0 || !sweeps(a, way, from, to, b, level)) {
-            return null;
+        return from.compareTo(to) > 0 ? null : new Rational[] {from, to};
+    }
+
+    /** The first share from some share on, by the exact simplex method where nothing is round, else by halving. */
+    private static @Nullable BigDecimal first(
+            Body a, Rational[] way, Rational from, Rational to, Body b, boolean level) {
+        if (a.radius.plus(b.radius).signum() == 0) {
+            List<Rational[]> differences = new ArrayList<>();
+            for (Rational[] p : b.points) {
+                for (Rational[] q : a.points) {
+                    differences.add(level ? Reference.flat(Rational.minus(p, q)) : Rational.minus(p, q));
+                }
+            }
+            Rational[] direction = level ? Reference.flat(way) : way;
+            Rational[] start = Arrays.stream(direction).map(from::times).toArray(Rational[]::new);
+            Rational more = Simplex.enter(start, direction, differences);
+            return more == null || from.plus(more).compareTo(to) > 0
+                    ? null
+                    : from.plus(more).toDecimal(Reference.DIGITS);
         }
-        if (sweeps(a, way, from, from, b, level)) {
-            return from.toDecimal(Reference.DIGITS);
+        if (!sweeps(a, way, from, to, b, level)) {
+            return null;
         }
         Rational before = from;
         Rational after = to;

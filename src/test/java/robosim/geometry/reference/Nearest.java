@@ -29,14 +29,15 @@ final class Nearest {
             if (Rational.dot(least, nearest).compareTo(square) >= 0) {
                 return square;
             }
-            List<Rational[]> grown = new ArrayList<>(simplex);
-            grown.add(least);
+            List<Rational[]> simplexBefore = simplex;
             Rational shortest = null;
-            for (int subset = 1; subset < 1 << grown.size(); subset++) {
+            // The new corner has a part in it: without it nothing was nearer.
+            for (int subset = 0; subset < 1 << simplexBefore.size(); subset++) {
                 List<Rational[]> corners = new ArrayList<>();
-                for (int k = 0; k < grown.size(); k++) {
+                corners.add(least);
+                for (int k = 0; k < simplexBefore.size(); k++) {
                     if ((subset >> k & 1) == 1) {
-                        corners.add(grown.get(k));
+                        corners.add(simplexBefore.get(k));
                     }
                 }
                 Rational[] foot = foot(corners);

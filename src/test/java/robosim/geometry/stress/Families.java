@@ -30,6 +30,7 @@ final class Families {
         planar(all);
         spatial(all);
         rays(all);
+        meshes(all);
         return all;
     }
 
@@ -58,6 +59,7 @@ final class Families {
         all.add(new OverlapFamily("sphere-turned cylinder", false, BALL, TURNED_TUBE, 1.6));
         all.add(new OverlapFamily("turned cylinder-box", false, TURNED_TUBE, POLYGONS, 1.3));
         all.add(new OverlapFamily("upright cylinder-turned box", false, UPRIGHT_TUBE, new Form[] {BOX}, 1.3));
+        all.add(new OverlapFamily("parallel cylinders", false, TURNED_TUBE, TURNED_TUBE, 1.4, true));
         all.add(new OverlapFamily("cylinder-triangle", false, new Form[] {UPRIGHT_CYLINDER, CYLINDER}, TRIANGLES, 1));
     }
 
@@ -71,5 +73,14 @@ final class Families {
         all.add(new RayFamily("ray-sphere", false, BALL, 1.3));
         all.add(new RayFamily("ray-upright cylinder", false, UPRIGHT_TUBE, 1.2));
         all.add(new RayFamily("ray-turned cylinder", false, TURNED_TUBE, 1.2));
+    }
+
+    private static void meshes(List<Family> all) {
+        all.add(new MeshFamily("mesh-mesh", false));
+        all.add(new MeshFamily("solid mesh-mesh", true));
+        all.add(new SolidFamily("solid mesh-box"));
+        all.add(new MeshRayFamily("ray-quad", MeshRayFamily.Target.QUAD));
+        all.add(new MeshRayFamily("ray-closed mesh", MeshRayFamily.Target.CLOSED));
+        all.add(new MeshRayFamily("ray-solid mesh", MeshRayFamily.Target.SOLID));
     }
 }
