@@ -59,6 +59,7 @@ final class CylinderCylinder {
         if (-s.hull.upper() > s.hull.error()) {
             return false; // the slab that GJK did not find
         }
+        EXACT.count();
         ExactCylinders exact = new ExactCylinders(kindA, a, i, kindB, b, j);
         if (exact.isApart(gjk.nx(), gjk.ny(), gjk.nz(), s.hull.x(), s.hull.y(), s.hull.z())) {
             return false;
