@@ -135,7 +135,7 @@ final class NearContacts {
         if (random.nextInt(12) == 0) {
             return 0;
         }
-        return coarse ? random.nextInt(1, 12) / 8.0 : random.nextDouble() * (random.nextInt(8) == 0 ? 0.01 : 1);
+        return coarse ? random.nextInt(1, 12) / 8.0 : random.nextDouble() * (random.nextInt(4) == 0 ? 0.01 : 1);
     }
 
     private double degrees() {
@@ -258,8 +258,9 @@ final class NearContacts {
         support(kindB, b, n, q);
         double[] aside = new double[3];
         if (random.nextInt(4) > 0) {
+            double reach = random.nextBoolean() ? 0.3 * scale : scale;
             for (int k = 0; k < 3; k++) {
-                aside[k] = scale * random.nextDouble(-0.3, 0.3);
+                aside[k] = random.nextDouble(-reach, reach);
             }
             across(aside);
         }

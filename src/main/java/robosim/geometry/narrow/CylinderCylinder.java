@@ -1,5 +1,8 @@
 package robosim.geometry.narrow;
 
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
+
 /** Two cylinders in space, of which at least one is turned. */
 final class CylinderCylinder {
     /**
@@ -8,10 +11,12 @@ final class CylinderCylinder {
      * by 3u of their permanents, their squares and the sum by 6u + 3u of the squared permanents, (r + R)^2 a.a by 7u. The
      * last difference u. All below 16u.
      */
-    private static final double PARALLEL_ERROR = 16 * 0x1p-53;
+    private static final double PARALLEL_ERROR = Filter.bound(16 * 0x1p-53);
 
     /** More than underflow may lose. */
     private static final double UNDERFLOW = 0x1p-960;
+
+    private static final Stages.Counter EXACT = Stages.counter("CylinderCylinder");
 
     private CylinderCylinder() {}
 
@@ -33,7 +38,11 @@ final class CylinderCylinder {
         boolean same = (ax == bx && ay == by && az == bz) || (ax == -bx && ay == -by && az == -bz);
         if (same || (maybeParallel(ax, ay, az, bx, by, bz) && areParallel(kindA, a, i, kindB, b, j))) {
             int sure = parallel(a, i, ax, ay, az, b, j, Math.abs(ax * bx + ay * by + az * bz));
-            return sure != 0 ? sure > 0 : new ExactCylinders(kindA, a, i, kindB, b, j).parallelTouch();
+            if (sure != 0) {
+                return sure > 0;
+            }
+            EXACT.count();
+            return new ExactCylinders(kindA, a, i, kindB, b, j).parallelTouch();
         }
         Gjk gjk = s.gjk;
         gjk.spatial(kindA, a, i, kindB, b, j);
@@ -50,6 +59,7 @@ final class CylinderCylinder {
         if (-s.hull.upper() > s.hull.error()) {
             return false; // the slab that GJK did not find
         }
+        EXACT.count();
         ExactCylinders exact = new ExactCylinders(kindA, a, i, kindB, b, j);
         if (exact.isApart(gjk.nx(), gjk.ny(), gjk.nz(), s.hull.x(), s.hull.y(), s.hull.z())) {
             return false;

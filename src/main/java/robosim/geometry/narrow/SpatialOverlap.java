@@ -5,8 +5,11 @@ import robosim.geometry.exact.Stages;
 
 /** Whether two leaves touch or overlap in space. */
 public final class SpatialOverlap {
-    /** Squares compared; 8 roundings of at most a half ulp in the difference of two sums of squares, so 16u of both. */
-    private static final double SPHERES_FILTER = Filter.bound(16 * 0x1p-53);
+    /**
+     * Squares compared, with u = 2^-53: an offset 1u, which counts twice in its square, that 1u, the sum of three 2u, so 5u;
+     * the reach likewise 3u; their difference keeps its sign.
+     */
+    private static final double SPHERES_FILTER = Filter.bound(5.01 * 0x1p-53);
 
     private static final double UNDERFLOW = 0x1p-1000;
     private static final Stages.Counter EXACT = Stages.counter("SpatialOverlap");

@@ -112,6 +112,9 @@ public final class Trial {
         if (variant.dimension() == Dimension.SPATIAL) {
             same &= CollisionDetection.intersects(a, b) == collides;
         }
+        if (variant.swapped()) {
+            same &= Corners.allOrders(a, b, variant.dimension(), collides);
+        }
         String ours = !same ? "its own ways to ask disagree" : collides ? "collide" : "apart";
         find(index, variant, truth ? "collide" : "apart", ours, same && collides == truth);
     }

@@ -153,6 +153,81 @@ class ContactQueryTest {
         return new MeshObject(corners, faces.toArray(new int[0][]));
     }
 
+    /** Needles on which an iteration in doubles comes to no end: the point is found with exact numbers there. */
+    @Test
+    void pointsOnNeedlesAreGoodToo() {
+        SplittableRandom random = new SplittableRandom(43);
+        int meeting = 0;
+        for (int k = 0; k < 1000; k++) {
+            double rx = random.nextDouble(-180, 180);
+            double ry = random.nextDouble(-180, 180);
+            GeometryObject p = needle(random).turned(rx, ry);
+            GeometryObject q = k % 4 == 0
+                    ? new BoxObject(new Point(), 0x1p-44, random.nextInt(3), 1).turned(rx, ry)
+                    : needle(random).turned(rx, ry);
+            Contact contact = ContactQuery.first(p, q);
+            Contact again = ContactQuery.first(q, p);
+            if (contact == null || again == null) {
+                assertThat(again).isEqualTo(contact);
+                continue;
+            }
+            assertThat(contact.error()).isLessThan(0x1p-42);
+            assertThat(again.point()).isEqualTo(contact.point());
+            assertThat(again.error()).isEqualTo(contact.error());
+            if (k % 8 < 2) {
+                SphereObject around = new SphereObject(contact.point(), contact.error());
+                assertThat(Reference.overlap(around, p, Dimension.SPATIAL)).isTrue();
+                assertThat(Reference.overlap(around, q, Dimension.SPATIAL)).isTrue();
+            }
+            meeting++;
+        }
+        assertThat(meeting).isBetween(200, 800);
+    }
+
+    private static MeshObject needle(SplittableRandom random) {
+        List<Point> corners = new ArrayList<>();
+        for (int k = 0; k < 3; k++) {
+            double y = random.nextInt(4) * (random.nextBoolean() ? 0x1p-50 : 1);
+            corners.add(new Point(random.nextInt(4) * 0x1p-45, y, random.nextInt(4) / 3.0));
+        }
+        return new MeshObject(corners, new int[][] {{0, 1, 2}});
+    }
+
+    /** What is scaled by a power of two has the same contacts, to the bit where nothing underflows. */
+    @Test
+    void scaleDoesNotCount() {
+        SplittableRandom random = new SplittableRandom(44);
+        int seen = 0;
+        for (int k = 0; k < 40; k++) {
+            Family family = Family.values()[k % 5];
+            MeshObject a = family.mesh(random, 4, k % 2);
+            MeshObject b = family.mesh(random, 4, k % 3);
+            List<Contact> contacts = ContactQuery.contacts(a, b);
+            for (double scale : new double[] {0x1p-40, 0x1p40, 0x1p-200, 0x1p90}) {
+                List<Contact> scaled = ContactQuery.contacts(scaled(a, scale), scaled(b, scale));
+                assertThat(scaled)
+                        .extracting(Contact::a)
+                        .isEqualTo(contacts.stream().map(Contact::a).toList());
+                assertThat(scaled)
+                        .extracting(Contact::b)
+                        .isEqualTo(contacts.stream().map(Contact::b).toList());
+                Verdict verdict = ContactQuery.distance(a, b, Budget.UNLIMITED);
+                Verdict there = ContactQuery.distance(scaled(a, scale), scaled(b, scale), Budget.UNLIMITED);
+                assertThat(there.answer()).isEqualTo(verdict.answer());
+                assertThat(there.high()).isBetween(verdict.low() * scale, (verdict.high() + 0x1p-40) * scale);
+            }
+            seen += contacts.size();
+        }
+        assertThat(seen).isGreaterThan(100);
+    }
+
+    private static MeshObject scaled(MeshObject mesh, double scale) {
+        List<Point> corners = mesh.vertices().stream()
+                .map(p -> new Point(p.x() * scale, p.y() * scale, p.z() * scale))
+                .toList();
+        return new MeshObject(corners, mesh.faces()).at(mesh.pose());
+    }
+
     @Test
     void aQuadIsNamedByItsHalf() {
         MeshObject bent = new MeshObject(
