@@ -4,9 +4,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Attitude;
 import robosim.geometry.model.GeometryObject;
-import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 
 /**
@@ -14,8 +12,8 @@ import robosim.geometry.model.Pose;
  * moveable ones are now. Ids of removed objects are used again.
  */
 final class Bodies {
-    /** Doubles a place: the centre, then the attitude. */
-    static final int PLACE = 3 + Attitude.STRIDE;
+    /** Doubles a place, laid out by {@link Pose}. */
+    static final int PLACE = Pose.PLACE;
 
     private final Map<String, Integer> byName = new HashMap<>();
     private @Nullable GeometryObject[] values = new GeometryObject[16];
@@ -85,11 +83,18 @@ final class Bodies {
         }
         slots[id] = moverCount;
         movers[moverCount] = id;
-        int at = moverCount++ * PLACE;
-        places[at] = pose.center().x();
-        places[at + 1] = pose.center().y();
-        places[at + 2] = pose.center().z();
-        pose.attitude(places, at + 3);
+        moverCount++;
+        put(id, pose);
+    }
+
+    /** Puts a moveable object where a pose says. */
+    void put(int id, Pose pose) {
+        pose.place(places, place(id));
+    }
+
+    /** Puts a moveable object at a place of {@link #PLACE} doubles. */
+    void put(int id, double[] place) {
+        System.arraycopy(place, 0, places, place(id), PLACE);
     }
 
     void remove(int id) {
@@ -130,13 +135,7 @@ final class Bodies {
     /** The object as it is now. */
     GeometryObject present(int id) {
         GeometryObject value = value(id);
-        int slot = slots[id];
-        if (slot < 0) {
-            return value;
-        }
-        int at = slot * PLACE;
-        Pose pose = Pose.of(new Point(places[at], places[at + 1], places[at + 2]), places, at + 3);
-        return pose.equals(value.pose()) ? value : value.at(pose);
+        return isMoveable(id) ? value.at(Pose.of(places, place(id))) : value;
     }
 
     boolean isMoveable(int id) {
@@ -165,5 +164,13 @@ final class Bodies {
     /** Where a moveable object's place begins. */
     int place(int id) {
         return slots[id] * PLACE;
+    }
+
+    /** Takes a vector from the own axes of a moveable object into the world's. */
+    void toWorld(int id, double x, double y, double z, double[] out) {
+        int at = place(id) + 3;
+        out[0] = places[at] * x + places[at + 1] * y + places[at + 2] * z;
+        out[1] = places[at + 3] * x + places[at + 4] * y + places[at + 5] * z;
+        out[2] = places[at + 6] * x + places[at + 7] * y + places[at + 8] * z;
     }
 }

@@ -1,22 +1,13 @@
 package robosim.geometry;
 
-import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
-import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
-import robosim.geometry.model.Pose;
 import robosim.geometry.model.Ray;
-import robosim.geometry.narrow.Border;
-import robosim.geometry.narrow.LeafColumn;
-import robosim.geometry.narrow.OwnLeaves;
 import robosim.geometry.narrow.Scratch;
 
 /**
@@ -26,6 +17,25 @@ import robosim.geometry.narrow.Scratch;
  * <p>Static objects stand in a quadtree, moveable ones in a list. Nothing may be added or moved so that any part of it
  * leaves the world, on the way or at the end: such a call answers false. The border is closed (touching it is inside),
  * is always judged on the exact shape, and echoes nothing. In {@link Dimension#PLANAR} it has no heights.
+ *
+ * <h2>Long runs</h2>
+ *
+ * A moveable object's centre and heading are kept as sums together with the rounding that they lost; every query sees
+ * the doubles nearest to them. So rounding does not pile up with the size of the coordinates. After any number of moves,
+ * refused ones included:
+ *
+ * <ul>
+ *   <li>the heading of an upright object is the exact sum of its turns to within half an ulp, 1.5e-14 degree;
+ *   <li>its centre is where exact moves along exact headings lead, to within half an ulp of each coordinate and
+ *       2<sup>-50</sup> of the length of the way that it went;
+ *   <li>a way there and back again, from where it was added or placed, ends there to the bit; so does a closed path of
+ *       quarter turns;
+ *   <li>a tipped object, one whose own Y is not the vertical, stays a rotation to 2<sup>-50</sup> for ever; its direction is
+ *       off by at most 7 * 2<sup>-53</sup> radian a turn, and where it goes along that by as much of its way.
+ * </ul>
+ *
+ * What a place has lost stays with the value that {@link #getObject} answers, but no question sees it, and it does not
+ * travel over a wire.
  *
  * <p>A bad argument throws {@code IllegalArgumentException} with the argument and its value in the message; after any
  * exception the world is as it was. A world belongs to one thread at a time.
@@ -37,20 +47,13 @@ public final class Geometry {
     private final Dimension dimension;
     private final Accuracy accuracy;
 
-    private final Bodies bodies = new Bodies();
-    private final Border border;
-
-    /** The levels made so far, the world's own first. */
-    private Level[] levels;
-
+    private final Population population;
+    private final Bodies bodies;
     private final Level level;
     private final Ranging ranging;
+    private final Beams beams;
     private final Motion motion;
     private final double[] vector = new double[6];
-    private final double[] box = new double[6];
-
-    /** The leaves of an object that is asked about. */
-    private final LeafColumn candidate = new LeafColumn(1);
 
     /** A world of 1000 x 1000 x 1000 world units, SPATIAL and EXACT. */
     public Geometry() {
@@ -77,12 +80,13 @@ public final class Geometry {
         this.length = Arguments.worldSize("length", length);
         this.dimension = Arguments.present("dimension", dimension);
         this.accuracy = Arguments.present("accuracy", accuracy);
-        border = new Border(width, height, length, dimension);
-        level = new Level(accuracy, dimension, width, length);
-        levels = new Level[] {level};
         Scratch scratch = new Scratch();
+        population = new Population(width, height, length, dimension, accuracy, scratch);
+        bodies = population.bodies;
+        level = population.level;
         ranging = new Ranging(bodies, scratch);
-        motion = new Motion(bodies, border, scratch);
+        beams = new Beams(dimension, bodies, ranging);
+        motion = new Motion(bodies, population.border, scratch);
     }
 
     /** Extent along X in world units. */
@@ -117,7 +121,7 @@ public final class Geometry {
      * @throws IllegalArgumentException where its name is taken
      */
     public boolean addObject(GeometryObject object) {
-        return add(object, true);
+        return population.add(object, true);
     }
 
     /**
@@ -127,33 +131,7 @@ public final class Geometry {
      * @throws IllegalArgumentException where its name is taken
      */
     public boolean addObjectUnchecked(GeometryObject object) {
-        return add(object, false);
-    }
-
-    private boolean add(GeometryObject object, boolean checked) {
-        String name = Arguments.present("object", object).name();
-        if (name != null && bodies.find(name) >= 0) {
-            throw new IllegalArgumentException("name must be unique in its world (got: \"" + name + "\" again)");
-        }
-        if (!fits(object) || (checked && collides(level, object, -1))) {
-            return false;
-        }
-        int id = bodies.add(object);
-        for (Level each : levels) {
-            each.add(id, object);
-        }
-        return true;
-    }
-
-    private boolean fits(GeometryObject object) {
-        OwnLeaves.placed(object, candidate);
-        return border.holds(candidate, 0, candidate.size());
-    }
-
-    private boolean collides(Level at, GeometryObject object, int but) {
-        at.placed(object, candidate);
-        at.boundsOf(candidate, 0, candidate.size(), box, 0);
-        return ranging.collides(at, candidate, box, but);
+        return population.add(object, false);
     }
 
     /**
@@ -161,25 +139,17 @@ public final class Geometry {
      * leave the world is refused when it is added.
      */
     public boolean testObject(GeometryObject object) {
-        return collides(level, Arguments.present("object", object), -1);
+        return population.collides(level, object, -1);
     }
 
     /** Whether an object would touch or overlap another one, at a given accuracy. */
     public boolean testObject(GeometryObject object, Accuracy accuracy) {
-        return collides(at(accuracy), Arguments.present("object", object), -1);
+        return population.collides(population.at(accuracy), object, -1);
     }
 
     /** Takes an object out; false where there is none of that name. */
     public boolean removeObject(String name) {
-        int id = bodies.find(Arguments.present("name", name));
-        if (id < 0) {
-            return false;
-        }
-        for (Level each : levels) {
-            each.remove(id, bodies);
-        }
-        bodies.remove(id);
-        return true;
+        return population.remove(name);
     }
 
     /**
@@ -189,31 +159,12 @@ public final class Geometry {
      * @return false, and nothing changes, where it would touch or overlap another object or leave the world
      */
     public boolean placeObject(String name, Point center, double heading) {
-        int id = mover(name);
-        GeometryObject placed =
-                bodies.value(id).at(Pose.of(Arguments.present("center", center), Arguments.angle("heading", heading)));
-        if (!fits(placed) || collides(level, placed, id)) {
-            return false;
-        }
-        double[] places = bodies.places();
-        int at = bodies.place(id);
-        places[at] = center.x();
-        places[at + 1] = center.y();
-        places[at + 2] = center.z();
-        placed.pose().attitude(places, at + 3);
-        moved(id);
-        return true;
-    }
-
-    private void moved(int id) {
-        for (Level each : levels) {
-            each.move(id, bodies.places(), bodies.place(id));
-        }
+        return population.place(population.mover(name), center, heading);
     }
 
     /** The object of a name, at its present place. */
     public GeometryObject getObject(String name) {
-        return bodies.present(known(name));
+        return bodies.present(population.known(name));
     }
 
     /** Whether there is an object of that name. */
@@ -223,32 +174,7 @@ public final class Geometry {
 
     /** All objects at their present places, in the order in which they were added. */
     public List<GeometryObject> objects() {
-        List<GeometryObject> objects = new ArrayList<>(bodies.size());
-        IntStream.range(0, bodies.limit())
-                .filter(bodies::isPresent)
-                .boxed()
-                .sorted(earlierFirst())
-                .forEach(id -> objects.add(bodies.present(id)));
-        return List.copyOf(objects);
-    }
-
-    private Comparator<Integer> earlierFirst() {
-        return (a, b) -> a.equals(b) ? 0 : bodies.isEarlier(a, b) ? -1 : 1;
-    }
-
-    /** The world as it is seen at an accuracy, made when it is first asked. */
-    private Level at(Accuracy asked) {
-        Arguments.present("accuracy", asked);
-        for (Level each : levels) {
-            if (each.accuracy == asked) {
-                return each;
-            }
-        }
-        Level made = new Level(asked, dimension, width, length);
-        IntStream.range(0, bodies.limit()).filter(bodies::isPresent).forEach(id -> made.add(id, bodies.present(id)));
-        levels = Arrays.copyOf(levels, levels.length + 1);
-        levels[levels.length - 1] = made;
-        return made;
+        return population.present();
     }
 
     /**
@@ -258,8 +184,9 @@ public final class Geometry {
      * @return false, and it stays where it is, where anything blocks the way or the end
      */
     public boolean simpleMove(String name, double x, double y, double z) {
-        int id = mover(name);
-        ownToWorld(id, Arguments.coordinate("x", x), Arguments.coordinate("y", y), Arguments.coordinate("z", z));
+        int id = population.mover(name);
+        bodies.toWorld(
+                id, Arguments.coordinate("x", x), Arguments.coordinate("y", y), Arguments.coordinate("z", z), vector);
         return carryOut(id, vector[0], vector[1], vector[2], 0, 0);
     }
 
@@ -270,7 +197,7 @@ public final class Geometry {
      * @return false, and it stays as it is, where anything blocks the turn
      */
     public boolean simpleTurn(String name, double degrees) {
-        int id = mover(name);
+        int id = population.mover(name);
         Arguments.angle("degrees", degrees);
         return commitIf(id, motion.attemptTurn(level, id, degrees));
     }
@@ -281,14 +208,9 @@ public final class Geometry {
 
     private boolean commitIf(int id, boolean free) {
         if (free) {
-            commit(id);
+            population.move(id, motion.end());
         }
         return free;
-    }
-
-    private void commit(int id) {
-        System.arraycopy(motion.end(), 0, bodies.places(), bodies.place(id), Bodies.PLACE);
-        moved(id);
     }
 
     /**
@@ -296,15 +218,15 @@ public final class Geometry {
      * object where it was, to the bit.
      */
     public MoveResult move(String name, Move move) {
-        int id = mover(name);
+        int id = population.mover(name);
         Move asked = Arguments.present("move", move);
-        ownToWorld(id, asked.x(), asked.y(), asked.z());
+        bodies.toWorld(id, asked.x(), asked.y(), asked.z(), vector);
         return result(carryOut(id, vector[0], vector[1], vector[2], asked.rx(), asked.ry()));
     }
 
     /** Makes a move whose translation is along the world's axes; its turns are about the object's own. */
     public MoveResult moveGlobal(String name, Move move) {
-        int id = mover(name);
+        int id = population.mover(name);
         Move asked = Arguments.present("move", move);
         return result(carryOut(id, asked.x(), asked.y(), asked.z(), asked.rx(), asked.ry()));
     }
@@ -317,13 +239,13 @@ public final class Geometry {
      * @return {@code allowed} where the whole move was made; else the shares that were made
      */
     public MoveResult moveToContact(String name, Move move, double clearance) {
-        int id = mover(name);
+        int id = population.mover(name);
         Move asked = Arguments.present("move", move);
         Arguments.clearance(clearance);
-        ownToWorld(id, asked.x(), asked.y(), asked.z());
+        bodies.toWorld(id, asked.x(), asked.y(), asked.z(), vector);
         boolean all = motion.attempt(level, id, vector[0], vector[1], vector[2], asked.rx(), asked.ry(), clearance);
         MoveResult result = result(all);
-        commit(id);
+        population.move(id, motion.end());
         return result;
     }
 
@@ -342,15 +264,6 @@ public final class Geometry {
                 new Point(vector[3], vector[4], vector[5]));
     }
 
-    /** Takes a vector from the own axes of a moveable object into {@link #vector}. */
-    private void ownToWorld(int id, double x, double y, double z) {
-        double[] r = bodies.places();
-        int at = bodies.place(id) + 3;
-        vector[0] = r[at] * x + r[at + 1] * y + r[at + 2] * z;
-        vector[1] = r[at + 3] * x + r[at + 4] * y + r[at + 5] * z;
-        vector[2] = r[at + 6] * x + r[at + 7] * y + r[at + 8] * z;
-    }
-
     /**
      * Distance from the ray's start to the nearest surface within its beam. With an opening angle the beam is a cone,
      * and the answer is that of the nearest point of any object within it.
@@ -363,51 +276,17 @@ public final class Geometry {
      * @throws IllegalArgumentException naming the argument that is NaN or out of range; in PLANAR also for a vertical ray
      */
     public double getRayDistance(Ray ray, double min, double max, double width) {
-        return range(level, ray, min, max, width, -1);
+        return beams.distance(level, ray, min, max, width, -1);
     }
 
     /** Distance along a ray at a given accuracy. */
     public double getRayDistance(Ray ray, double min, double max, double width, Accuracy accuracy) {
-        return range(at(accuracy), ray, min, max, width, -1);
+        return beams.distance(population.at(accuracy), ray, min, max, width, -1);
     }
 
     /** Distance along a ray to the nearest object but one, which does not echo. */
     public double getRayDistance(Ray ray, double min, double max, double width, String ignored) {
-        return range(level, ray, min, max, width, known(ignored));
-    }
-
-    private double range(Level seen, Ray ray, double min, double max, double width, int but) {
-        Point from = Arguments.present("ray", ray).start();
-        Point to = ray.direction();
-        return range(seen, from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), min, max, width, but);
-    }
-
-    private double range(
-            Level seen,
-            double x,
-            double y,
-            double z,
-            double dx,
-            double dy,
-            double dz,
-            double min,
-            double max,
-            double width,
-            int but) {
-        Arguments.range(min, max);
-        Arguments.width(width);
-        checkLevel(dx, dy, dz);
-        ranging.beam(dimension, x, y, z, dx, dy, dz, width);
-        double nearest = ranging.nearest(seen, max, but);
-        return nearest < min ? min : nearest;
-    }
-
-    private void checkLevel(double dx, double dy, double dz) {
-        if (dimension == Dimension.PLANAR && dx == 0 && dz == 0) {
-            throw new IllegalArgumentException(
-                    "direction must not be vertical in a PLANAR world, which has no heights (got: (" + dx + ", " + dy
-                            + ", " + dz + "))");
-        }
+        return beams.distance(level, ray, min, max, width, population.known(ignored));
     }
 
     /**
@@ -417,42 +296,21 @@ public final class Geometry {
      * @param z how far it goes to the right
      */
     public double getSonarDistance(String name, double x, double z, double min, double max, double width) {
-        int id = mover(name);
+        int id = population.mover(name);
         Arguments.coordinate("x", x);
         Arguments.coordinate("z", z);
         if (x == 0 && z == 0) {
             throw new IllegalArgumentException("direction must not be zero (got: x " + x + ", z " + z + ")");
         }
-        return sonar(id, 0, 0, 0, x, 0, z, min, max, width);
+        return beams.sonar(level, id, 0, 0, 0, x, 0, z, min, max, width);
     }
 
     /** Distance that a sonar hears along a ray given in a moveable object's own frame; the object itself is silent. */
     public double getSonarDistance(String name, Ray mount, double min, double max, double width) {
-        int id = mover(name);
+        int id = population.mover(name);
         Point from = Arguments.present("mount", mount).start();
         Point to = mount.direction();
-        return sonar(id, from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), min, max, width);
-    }
-
-    private double sonar(
-            int id,
-            double x,
-            double y,
-            double z,
-            double dx,
-            double dy,
-            double dz,
-            double min,
-            double max,
-            double width) {
-        double[] places = bodies.places();
-        int at = bodies.place(id);
-        ownToWorld(id, x, y, z);
-        double ox = places[at] + vector[0];
-        double oy = places[at + 1] + vector[1];
-        double oz = places[at + 2] + vector[2];
-        ownToWorld(id, dx, dy, dz);
-        return range(level, ox, oy, oz, vector[0], vector[1], vector[2], min, max, width, id);
+        return beams.sonar(level, id, from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), min, max, width);
     }
 
     /**
@@ -462,7 +320,7 @@ public final class Geometry {
      * @return 0 in contact, {@code +Infinity} where nothing is within {@code max}
      */
     public double getProximity(String name, double max) {
-        int id = known(name);
+        int id = population.known(name);
         Arguments.range(0, max);
         return ranging.proximity(level, id, max);
     }
@@ -472,21 +330,7 @@ public final class Geometry {
      * distance 0. In PLANAR the point keeps the height of the ray's start.
      */
     public @Nullable RayHit castRay(Ray ray, double max) {
-        Point from = Arguments.present("ray", ray).start();
-        Point to = ray.direction();
-        Arguments.range(0, max);
-        checkLevel(to.x(), to.y(), to.z());
-        ranging.beam(dimension, from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), 0);
-        double distance = ranging.nearest(level, max, -1);
-        if (ranging.hit() < 0) {
-            return null;
-        }
-        ranging.normal(level, distance, vector);
-        return new RayHit(
-                distance,
-                new Point(ranging.point(0, distance), ranging.point(1, distance), ranging.point(2, distance)),
-                new Point(vector[0], vector[1], vector[2]),
-                bodies.present(ranging.hit()));
+        return beams.cast(level, ray, max);
     }
 
     /**
@@ -504,7 +348,7 @@ public final class Geometry {
 
     /** A sweep of single rays into a given array, as many as it has room for. */
     public void scan(String name, double firstDegrees, double stepDegrees, double min, double max, double[] out) {
-        scan(name, 0, 0, 0, firstDegrees, stepDegrees, min, max, out);
+        beams.scan(level, population.mover(name), 0, 0, 0, firstDegrees, stepDegrees, min, max, out);
     }
 
     /**
@@ -515,44 +359,16 @@ public final class Geometry {
     public void scan(
             String name, Point mount, double firstDegrees, double stepDegrees, double min, double max, double[] out) {
         Arguments.present("mount", mount);
-        scan(name, mount.x(), mount.y(), mount.z(), firstDegrees, stepDegrees, min, max, out);
-    }
-
-    private void scan(
-            String name,
-            double x,
-            double y,
-            double z,
-            double firstDegrees,
-            double stepDegrees,
-            double min,
-            double max,
-            double[] out) {
-        int id = mover(name);
-        Arguments.angle("firstDegrees", firstDegrees);
-        Arguments.angle("stepDegrees", stepDegrees);
-        Arguments.range(min, max);
-        Arguments.present("out", out);
-        for (int k = 0; k < out.length; k++) {
-            double degrees = Arguments.angle("angle of the last ray", firstDegrees + k * stepDegrees);
-            out[k] = sonar(id, x, y, z, Degrees.cos(degrees), 0, -Degrees.sin(degrees), min, max, 0);
-        }
-    }
-
-    private int known(String name) {
-        int id = bodies.find(Arguments.present("name", name));
-        if (id < 0) {
-            throw new IllegalArgumentException("name must be that of an object in the world (got: \"" + name + "\")");
-        }
-        return id;
-    }
-
-    private int mover(String name) {
-        int id = known(name);
-        if (!bodies.isMoveable(id)) {
-            throw new IllegalArgumentException(
-                    "name must be that of a moveable object; this one is static (got: \"" + name + "\")");
-        }
-        return id;
+        beams.scan(
+                level,
+                population.mover(name),
+                mount.x(),
+                mount.y(),
+                mount.z(),
+                firstDegrees,
+                stepDegrees,
+                min,
+                max,
+                out);
     }
 }

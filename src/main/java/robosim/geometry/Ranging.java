@@ -4,17 +4,16 @@ import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Cast;
 import robosim.geometry.narrow.Distance;
-import robosim.geometry.narrow.LeafColumn;
-import robosim.geometry.narrow.Overlap;
 import robosim.geometry.narrow.Scratch;
 
 /** Beams and least distances in a world: nearest first, and no farther than what has been found. */
 final class Ranging {
+    /** More than what a square may lose by underflow. */
+    private static final double UNDERFLOW = 0x1p-1000;
+
     private final Bodies bodies;
-    private final Scratch s;
     private final Cast cast;
     private final Distance distance;
-    private final Near near;
 
     private double ox;
     private double oy;
@@ -35,31 +34,13 @@ final class Ranging {
 
     Ranging(Bodies bodies, Scratch scratch) {
         this.bodies = bodies;
-        s = scratch;
         cast = new Cast(scratch);
         distance = new Distance(scratch);
-        near = new Near(bodies);
     }
 
     /** The object that gave the last answer, or -1. */
     int hit() {
         return hit;
-    }
-
-    /** Whether an object touches or overlaps some leaves with known bounds. */
-    boolean collides(Level level, LeafColumn leaves, double[] box, int but) {
-        near.find(level, box, but);
-        for (int k = 0; k < near.count(); k++) {
-            int other = near.id(k);
-            for (int j = level.first(other); j < level.first(other) + level.count(other); j++) {
-                for (int i = 0; i < leaves.size(); i++) {
-                    if (Overlap.test(level.dimension, leaves, i, level.leaves(), j, s)) {
-                        return true;
-                    }
-                }
-            }
-        }
-        return false;
     }
 
     /**
@@ -204,7 +185,7 @@ final class Ranging {
         int k = 6 * id;
         double dx = Math.max(0, Math.max(b[k] - ox, ox - b[k + 3]));
         double dz = Math.max(0, Math.max(b[k + 2] - oz, oz - b[k + 5]));
-        if ((dx * dx + dz * dz) * (1 - 0x1p-50) > reach * reach) {
+        if ((dx * dx + dz * dz) * (1 - 0x1p-50) > reach * reach + UNDERFLOW) {
             return false;
         }
         return !isBeyond(b, k, leftX, leftZ) && !isBeyond(b, k, rightX, rightZ);
@@ -240,7 +221,7 @@ final class Ranging {
         double z = b[k + 2] / 2 + b[k + 5] / 2;
         double hx = Math.max(b[k + 3] - x, x - b[k]);
         double hz = Math.max(b[k + 5] - z, z - b[k + 2]);
-        double radius = Math.sqrt(hx * hx + hz * hz) * (1 + 0x1p-50);
+        double radius = Math.sqrt(hx * hx + hz * hz + UNDERFLOW) * (1 + 0x1p-50);
         best = Double.POSITIVE_INFINITY;
         hit = -1;
         double reach = limit;
@@ -283,6 +264,6 @@ final class Ranging {
                 squared += gap * gap;
             }
         }
-        return Math.sqrt(squared) * (1 - 0x1p-50);
+        return squared < UNDERFLOW ? 0 : Math.sqrt(squared) * (1 - 0x1p-50);
     }
 }

@@ -3,6 +3,7 @@ package robosim.geometry.bench;
 import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
+import java.util.function.LongSupplier;
 import org.dyn4j.collision.broadphase.AABBProducer;
 import org.dyn4j.collision.broadphase.DynamicAABBTree;
 import org.dyn4j.collision.broadphase.NullAABBExpansionMethod;
@@ -73,6 +74,26 @@ public final class Additions {
                 Timing.ratio(nanos[3], nanos[0]),
                 Timing.median(nanos[4]) / n,
                 Timing.ratio(nanos[4], nanos[0]));
+    }
+
+    /** The module's additions of these objects and those behind the same narrow phase in a list and in both trees. */
+    static void addTo(List<Workload> all, String size, List<GeometryObject> objects, double world) {
+        add(all, Workload.MODULE, size, objects, () -> geometry(objects, world));
+        add(all, "plain-list", size, objects, () -> plainList(objects));
+        add(all, "jts-quadtree", size, objects, () -> jts(objects));
+        add(all, "dyn4j-tree", size, objects, () -> dyn4j(objects));
+    }
+
+    private static void add(
+            List<Workload> all, String peer, String size, List<GeometryObject> objects, LongSupplier task) {
+        Workload.Task<Integer> timed = new Workload.Task<>(() -> 0, none -> {
+            long in = task.getAsLong();
+            return new Workload.Answer(in, in);
+        });
+        Workload.Answer truth = all.isEmpty() || peer.equals(Workload.MODULE)
+                ? null
+                : all.get(all.size() - 1).truth();
+        all.add(new Workload(new Workload.Title(peer, "W1c", size), objects.size(), 0, timed, truth));
     }
 
     private static long geometry(List<GeometryObject> objects, double world) {

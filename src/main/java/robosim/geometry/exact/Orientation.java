@@ -11,11 +11,16 @@ import java.util.Arrays;
 public final class Orientation {
     // u = 2^-53; Shewchuk 1997, 4.2 and 4.3: the double determinant is off by at most this much of its permanent.
     private static final double U = 0x1p-53;
-    private static final double SIDE_FILTER = (3 + 16 * U) * U;
-    private static final double VOLUME_FILTER = (7 + 56 * U) * U;
+    private static final double SIDE_FILTER = Filter.bound((3 + 16 * U) * U);
+    private static final double VOLUME_FILTER = Filter.bound((7 + 56 * U) * U);
 
     // A product that underflows is off by 2^-1075 more; there are at most six, and the bound itself rounds.
     private static final double UNDERFLOW = 0x1p-1070;
+
+    private static final Stages.Counter SIDE = Stages.counter("Orientation.side expanded");
+    private static final Stages.Counter BIG_SIDE = Stages.counter("Orientation.side big");
+    private static final Stages.Counter VOLUME = Stages.counter("Orientation.volume expanded");
+    private static final Stages.Counter BIG_VOLUME = Stages.counter("Orientation.volume big");
 
     private Orientation() {}
 
@@ -55,13 +60,18 @@ public final class Orientation {
     public static int compareProducts(double a, double b, double c, double d) {
         double left = a * b;
         double right = c * d;
-        if (left < right || left > right) {
+        if (!Filter.isDoubting() && (left < right || left > right)) {
             return left > right ? 1 : -1; // rounding never swaps two products
         }
-        if (Expansion.fits(a, 2) && Expansion.fits(b, 2) && Expansion.fits(c, 2) && Expansion.fits(d, 2)) {
+        boolean fits = !Filter.isOff()
+                && Expansion.fits(a, 2)
+                && Expansion.fits(b, 2)
+                && Expansion.fits(c, 2)
+                && Expansion.fits(d, 2);
+        if (fits) {
             double leftTail = DoubleDouble.productTail(a, b, left);
             double rightTail = DoubleDouble.productTail(c, d, right);
-            return leftTail > rightTail ? 1 : leftTail < rightTail ? -1 : 0;
+            return Dyadic.signOfSum(left, leftTail, -right, -rightTail);
         }
         return Dyadic.product(a, b).compareTo(Dyadic.product(c, d));
     }
@@ -76,12 +86,14 @@ public final class Orientation {
     }
 
     static int exactSide(double ax, double az, double bx, double bz, double px, double pz) {
-        boolean fits = Expansion.fits(ax, 2)
+        boolean fits = !Filter.isOff()
+                && Expansion.fits(ax, 2)
                 && Expansion.fits(az, 2)
                 && Expansion.fits(bx, 2)
                 && Expansion.fits(bz, 2)
                 && Expansion.fits(px, 2)
                 && Expansion.fits(pz, 2);
+        (fits ? SIDE : BIG_SIDE).count();
         return fits ? expandedSide(ax, az, bx, bz, px, pz) : dyadicSide(ax, az, bx, bz, px, pz);
     }
 
@@ -152,7 +164,8 @@ public final class Orientation {
             double dx,
             double dy,
             double dz) {
-        boolean fits = fit(ax, ay, az) && fit(bx, by, bz) && fit(cx, cy, cz) && fit(dx, dy, dz);
+        boolean fits = !Filter.isOff() && fit(ax, ay, az) && fit(bx, by, bz) && fit(cx, cy, cz) && fit(dx, dy, dz);
+        (fits ? VOLUME : BIG_VOLUME).count();
         return fits
                 ? expandedVolume(ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz)
                 : dyadicVolume(ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz);

@@ -1,6 +1,8 @@
 package robosim.geometry.narrow;
 
 import robosim.geometry.exact.Dyadic;
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.TriangleMesh;
 
@@ -10,10 +12,14 @@ import robosim.geometry.model.TriangleMesh;
  */
 public final class Border {
     /**
-     * The plain sum of a coordinate and at most three products, 7 operations, is off by at most 8 u of the sum of the
-     * magnitudes (Higham 2002, 3.1); a cylinder's root adds 8 more.
+     * In u = 2^-53 of the sum of the magnitudes: a box's extent is off by 3u (products, and the sum of three), a cylinder's
+     * by 8u (the radius's share: a root 2u, a root 3u, a product and a quotient; the sum 1u); the sum with the coordinate
+     * adds 1u, and what is left of the world's half keeps its sign.
      */
-    private static final double FILTER = 16 * 0x1p-53;
+    private static final double ROUNDING = 9.01 * 0x1p-53;
+
+    private static final double FILTER = Filter.bound(ROUNDING);
+    private static final Stages.Counter EXACT = Stages.counter("Border");
 
     /** Half the world along x, y and z. */
     private final double[] half;
@@ -42,7 +48,7 @@ public final class Border {
     /** Whether a box, six numbers, is inside but for rounding, touching allowed. */
     public boolean nearlyHolds(double[] box) {
         for (int axis = 0; axis < 3; axis += step()) {
-            double slack = 2 * FILTER * (half[axis] + Math.abs(box[axis]) + Math.abs(box[3 + axis]));
+            double slack = 2 * ROUNDING * (half[axis] + Math.abs(box[axis]) + Math.abs(box[3 + axis]));
             if (-box[axis] > half[axis] + slack || box[3 + axis] > half[axis] + slack) {
                 return false;
             }
@@ -107,6 +113,7 @@ public final class Border {
     }
 
     private boolean holdsExactly(int kind, double[] row, int at, int axis, int sign) {
+        EXACT.count();
         Dyadic room = Dyadic.difference(half[axis], sign * row[at + axis]);
         int r = at + Leaf.ROTATION + 3 * axis;
         switch (kind) {

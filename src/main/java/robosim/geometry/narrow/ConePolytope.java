@@ -3,6 +3,8 @@ package robosim.geometry.narrow;
 import static robosim.geometry.narrow.RayMath.U;
 
 import robosim.geometry.exact.Dyadic;
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
 
 /**
  * The least distance from a cone's apex to a polytope inside the cone. The nearest point is on a face: the nearest that
@@ -12,6 +14,11 @@ import robosim.geometry.exact.Dyadic;
  * meets the cone. Distances of clipped edges and of faces are computed in pairs of doubles.
  */
 final class ConePolytope {
+    /** Corners are off by fewer than 8u of the extent a coordinate; depth has twice that, and its own rounding. */
+    private static final double FILTER = Filter.bound(64 * U);
+
+    private static final Stages.Counter EXACT = Stages.counter("ConePolytope");
+
     private static final int POINT = Cone.FREE;
     private static final int EDGE = POINT + 3;
     private static final int OTHER = EDGE + 3;
@@ -60,8 +67,7 @@ final class ConePolytope {
         double foot = ee > 0 ? -(px * ex + py * ey + pz * ez) / ee : 0;
         double deepest = ee > 0 ? deepest(cone, px, py, pz, ex, ey, ez, foot, Math.sqrt(ee)) : 0;
         double depth = depth(cone, px, py, pz, ex, ey, ez, deepest);
-        // Corners are off by fewer than 8u of the extent a coordinate; depth has twice that, and its own rounding.
-        double error = 64 * U * extent;
+        double error = FILTER * extent;
         if (depth < -error) {
             return Double.POSITIVE_INFINITY;
         }
@@ -104,6 +110,7 @@ final class ConePolytope {
     }
 
     private boolean isExactlyMet(Cone cone, int from, int to, int kind, double[] row, int j) {
+        EXACT.count();
         ExactRay ray = new ExactRay(cone.ox, cone.oy, cone.oz, cone.dx, cone.dy, cone.dz, extent);
         ExactVector p = ConeCorners.exact(ray, kind, row, j, from).minus(ray.start);
         ExactVector q = ConeCorners.exact(ray, kind, row, j, to).minus(ray.start);

@@ -1,15 +1,19 @@
 package robosim.geometry.narrow;
 
 import robosim.geometry.exact.Dyadic;
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
 
 /** A disc and the rectangle that an upright box throws on the plane. */
 final class DiscRectangle {
     // A coordinate in the rectangle's frame is off by three roundings of |dx| + |dz|, the half size by four of its own,
     // their difference by one more; a direction is no longer than 1 + 1e-9.
-    private static final double OFFSET = 8 * 0x1p-53;
+    private static final double OFFSET = Filter.bound(8 * 0x1p-53);
     // Sums of two squares, times a squared length: at most six roundings on either side.
-    private static final double SQUARES = 8 * 0x1p-53;
+    private static final double SQUARES = Filter.bound(8 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
+
+    private static final Stages.Counter EXACT = Stages.counter("DiscRectangle");
 
     private DiscRectangle() {}
 
@@ -68,6 +72,7 @@ final class DiscRectangle {
     }
 
     private static boolean doubtfulTouch(double px, double pz, double r, double[] row, int at) {
+        EXACT.count();
         if (isAligned(row, at)) {
             double hx = alignedX(row, at);
             double hz = alignedZ(row, at);
@@ -101,6 +106,9 @@ final class DiscRectangle {
         double beyondX = Math.max(0, RayRectangle.gap(px, pz, row, at, c, -s, row[at + 3]));
         double beyondZ = Math.max(0, RayRectangle.gap(px, pz, row, at, s, c, row[at + 5]));
         double square = c * c + s * s;
+        if (beyondX + beyondZ < RayMath.TINY) {
+            return Math.max(0, RayMath.legs(beyondX, beyondZ) / Math.sqrt(square) - r);
+        }
         return Math.max(0, Math.sqrt((beyondX * beyondX + beyondZ * beyondZ) / square) - r);
     }
 }

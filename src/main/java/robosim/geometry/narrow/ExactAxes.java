@@ -4,9 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Dyadic;
+import robosim.geometry.exact.Stages;
 
 /** The exact twin of {@link MovingAxes}: the same axes, whatever their number, decided without rounding. */
 final class ExactAxes {
+    private static final Stages.Counter EXACT = Stages.counter("MovingAxes");
+
     private final ExactBody first;
     private final ExactBody second;
     private final Dyadic[] move;
@@ -25,6 +28,7 @@ final class ExactAxes {
     /** As {@link PlanarSweep#translation}, for polytopes. */
     static double time(
             int mode, int kindA, double[] a, int i, double dx, double dy, double dz, int kindB, double[] b, int j) {
+        EXACT.count();
         return of(mode, kindA, a, i, dx, dy, dz, kindB, b, j).decide();
     }
 

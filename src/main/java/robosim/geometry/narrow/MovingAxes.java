@@ -1,5 +1,7 @@
 package robosim.geometry.narrow;
 
+import robosim.geometry.exact.Filter;
+
 /**
  * A polytope moved straight on against another at rest: the method of separating axes with a velocity.
  *
@@ -15,7 +17,7 @@ final class MovingAxes {
     static final int UPRIGHT = 1;
     static final int SPATIAL = 2;
 
-    static final double ROUNDOFF = 32 * 0x1p-53;
+    static final double ROUNDOFF = Filter.bound(32 * 0x1p-53);
 
     /** More than any product of doubles in here loses by underflow. */
     static final double TINY = 0x1p-1040;
@@ -225,7 +227,7 @@ final class MovingAxes {
                 enterHi = Math.max(enterHi, latest(k));
             } else if (!(g < -e)) {
                 doubt = true;
-                enterHi = Math.max(enterHi, -v > ev ? (g + e) / (-v - ev) : v < ev ? Double.POSITIVE_INFINITY : 0);
+                enterHi = Math.max(enterHi, -v > ev ? (g + e) / (-v - ev) : v <= ev ? Double.POSITIVE_INFINITY : 0);
                 leaveLo = v > -ev ? 0 : leaveLo;
             } else if (v > -ev && v + ev > 0) {
                 leaveLo = Math.min(leaveLo, (-g - e) / (v + ev));

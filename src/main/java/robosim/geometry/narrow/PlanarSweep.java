@@ -2,9 +2,12 @@ package robosim.geometry.narrow;
 
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Dyadic;
+import robosim.geometry.exact.Stages;
 
 /** The motion of one leaf's projection on XZ against another's at rest. */
 public final class PlanarSweep {
+    private static final Stages.Counter EXACT = Stages.counter("MovingDisc");
+
     private PlanarSweep() {}
 
     /**
@@ -112,6 +115,7 @@ public final class PlanarSweep {
             double[] b,
             int j,
             ExactDisc.@Nullable Heights heights) {
+        EXACT.count();
         Dyadic radius = Dyadic.of(a[i + 3]);
         if (isDisc(kindB)) {
             radius = radius.add(Dyadic.of(b[j + 3]));

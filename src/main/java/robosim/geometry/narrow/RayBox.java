@@ -1,10 +1,11 @@
 package robosim.geometry.narrow;
 
-import static robosim.geometry.narrow.RayMath.U;
 import static robosim.geometry.narrow.RayMath.UNDERFLOW;
 
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Dyadic;
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
 
 /**
  * A ray against a box: the parallelepiped of its stored columns, which is three slabs between parallel planes. The
@@ -16,9 +17,12 @@ import robosim.geometry.exact.Dyadic;
  * doubt goes to {@link ExactSlabs}, and so does a distance whose last correction is not certain to be fine.
  */
 final class RayBox {
+    private static final double U = Filter.bound(RayMath.U);
     private static final double OFFSET_ERROR = 7 * U;
     private static final double SLOPE_ERROR = 5 * U;
     private static final double REST_ERROR = 10 * U;
+
+    private static final Stages.Counter EXACT = Stages.counter("RayBox");
 
     private RayBox() {}
 
@@ -275,6 +279,7 @@ final class RayBox {
     }
 
     private static double exact(double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j) {
+        EXACT.count();
         ExactRay ray = new ExactRay(ox, oy, oz, dx, dy, dz, extent(b, j));
         ExactVector offset = ray.start.minus(ray.point(b, j));
         ExactSlabs slabs = new ExactSlabs(ray, 3);

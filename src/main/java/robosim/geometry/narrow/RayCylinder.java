@@ -1,7 +1,9 @@
 package robosim.geometry.narrow;
 
-import static robosim.geometry.narrow.RayMath.U;
 import static robosim.geometry.narrow.RayMath.UNDERFLOW;
+
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
 
 /**
  * A ray against a solid cylinder {@code |(x-c) x a| <= r|a|}, {@code |(x-c).a| <= h a.a} about its stored axis a, which
@@ -13,6 +15,8 @@ import static robosim.geometry.narrow.RayMath.UNDERFLOW;
  */
 final class RayCylinder {
     private static final int SIDE = 0;
+    private static final double U = Filter.bound(RayMath.U);
+    private static final Stages.Counter EXACT = Stages.counter("RayCylinder");
 
     private RayCylinder() {}
 
@@ -145,7 +149,7 @@ final class RayCylinder {
         double error = 12 * U * (squareSize + limit) + UNDERFLOW;
         if (square - limit > error) {
             in.none();
-        } else if (square - limit > -error) {
+        } else if (!(square - limit <= -error)) {
             in.doubt();
         }
     }
@@ -260,6 +264,7 @@ final class RayCylinder {
             double ax,
             double ay,
             double az) {
+        EXACT.count();
         ExactRay ray = new ExactRay(ox, oy, oz, dx, dy, dz, extent(b, j));
         return new ExactRayCylinder(ray, ray.point(b, j), ExactVector.of(ax, ay, az), b[j + 3], b[j + 4]).distance();
     }

@@ -1,17 +1,24 @@
 package robosim.geometry.narrow;
 
-import static robosim.geometry.narrow.RayMath.U;
+import robosim.geometry.exact.Filter;
 
 /**
  * The part of a ray inside one slab after the other (any set that a line meets in an interval), each end known to a
  * bound. Certain verdicts come out of it, or doubt.
  */
 final class RayInterval {
+    private static final double U = Filter.bound(RayMath.U);
+
     /** About where the ray enters; 0 where it starts inside. */
     double enter;
 
     /** Which slab it enters last; -1 where it starts inside all. */
     int face;
+
+    // What is known of the entry into that slab, and the latest that the entry into any other may be.
+    private double faceLow;
+    private double faceHigh;
+    private double othersHigh;
 
     private double enterLow;
     private double enterHigh;
@@ -22,6 +29,9 @@ final class RayInterval {
     void reset() {
         enter = 0;
         face = -1;
+        faceLow = 0;
+        faceHigh = 0;
+        othersHigh = 0;
         enterLow = 0;
         enterHigh = 0;
         leaveLow = Double.POSITIVE_INFINITY;
@@ -35,6 +45,10 @@ final class RayInterval {
      */
     void clip(double low, double lowError, double high, double highError, double b, double bError, int id) {
         double certain = Math.abs(b) - bError;
+        if (isVanishing(low) || isVanishing(high)) {
+            doubtful = true;
+            return;
+        }
         if (!(certain > 0x1p-400)) {
             parallel(low, lowError, high, highError, b, bError);
             return;
@@ -47,11 +61,21 @@ final class RayInterval {
         clip(first, firstError * (1 + 8 * U), last, lastError * (1 + 8 * U), id);
     }
 
+    /** Whether a quotient of it may underflow, to 0 even, which it is not. */
+    private static boolean isVanishing(double offset) {
+        return offset != 0 && Math.abs(offset) < 0x1p-900;
+    }
+
     /** Keeps what lies between two parameters, each known to the error that follows it. */
     void clip(double first, double firstError, double last, double lastError, int id) {
         if (first > enter) {
+            othersHigh = Math.max(othersHigh, faceHigh);
             enter = first;
             face = id;
+            faceLow = first - firstError;
+            faceHigh = first + firstError;
+        } else {
+            othersHigh = Math.max(othersHigh, first + firstError);
         }
         enterLow = Math.max(enterLow, first - firstError);
         enterHigh = Math.max(enterHigh, first + firstError);
@@ -66,7 +90,7 @@ final class RayInterval {
             none();
         } else {
             // On the border counts as inside, and is certain where nothing was rounded.
-            doubtful |= low > -lowError || high < highError;
+            doubtful |= !(low <= -lowError && high >= highError);
         }
     }
 
@@ -84,8 +108,11 @@ final class RayInterval {
         return enterLow > leaveHigh;
     }
 
-    /** Something of the ray is left, certainly, and whether it starts inside is certain too. */
+    /**
+     * Something of the ray is left, certainly, and whether it starts inside is certain too, and which slab it enters last:
+     * by an edge two are as good as tied, and the distance to the wrong one would be off by more than a few ulp.
+     */
     boolean isCertain() {
-        return !doubtful && enterHigh <= leaveLow && (enterLow > 0 || enterHigh == 0);
+        return !doubtful && enterHigh <= leaveLow && (enterHigh == 0 || (enterLow > 0 && othersHigh <= faceLow));
     }
 }

@@ -1,14 +1,21 @@
 package robosim.geometry.narrow;
 
 import robosim.geometry.exact.DoubleDouble;
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
 
 /** A ray and a convex polygon on the plane: what a box, a triangle or an octagon throws. */
 final class RayPolygon {
-    // Corners are seen from the start, and off by the shape's error, nine roundings of the largest coordinate; products
-    // with the direction or with a side add three more of the same size.
-    private static final double FILTER = 2;
-    private static final double SIDE_FILTER = 8;
+    // Corners are seen from the start, and off by the shape's error; a product with the direction and the sum of two
+    // add
+    // 2u of the size. A side is the difference of two corners, off by twice the error; it, a product and a sum add 3u.
+    private static final double ROUNDING = 1.01;
+    private static final double FILTER = Filter.bound(ROUNDING);
+    private static final double PRODUCT = 2 * 0x1p-53;
+    private static final double SIDE_PRODUCT = 3 * 0x1p-53;
     private static final double UNDERFLOW = 0x1p-960;
+
+    private static final Stages.Counter EXACT = Stages.counter("RayPolygon");
 
     private RayPolygon() {}
 
@@ -17,7 +24,9 @@ final class RayPolygon {
         PlanarShape q = s.planarB;
         q.set(kind, b, j, ox, oz);
         double speed = Math.abs(ux) + Math.abs(uz);
-        double doubt = FILTER * q.error * speed + UNDERFLOW;
+        boolean isEnclosure = kind == Leaf.PRISM;
+        double filter = isEnclosure ? ROUNDING : FILTER;
+        double doubt = filter * (q.error + PRODUCT * q.size) * speed + UNDERFLOW;
         double left = -Double.MAX_VALUE;
         double right = Double.MAX_VALUE;
         double nearest = Double.MAX_VALUE;
@@ -33,11 +42,12 @@ final class RayPolygon {
         if (left < -doubt || right > doubt || furthest < -doubt) {
             return Double.POSITIVE_INFINITY;
         }
-        int verdict = left > doubt && right < -doubt ? sides(q, ux, uz, speed) : 0;
+        int verdict = left > doubt && right < -doubt ? sides(q, ux, uz, speed, filter) : 0;
         if (verdict < 0) {
             return Double.POSITIVE_INFINITY;
         }
-        if (verdict == 0 && kind != Leaf.PRISM) {
+        if (verdict == 0 && !isEnclosure) {
+            EXACT.count();
             ExactPlanar exact = ExactPlanar.of(kind, b, j);
             if (!exact.isHitBy(ox, oz, ux, uz)) {
                 return Double.POSITIVE_INFINITY;
@@ -55,7 +65,7 @@ final class RayPolygon {
     }
 
     // 1 a clear hit, -1 a clear miss, 0 in doubt, by the side normals alone
-    private static int sides(PlanarShape q, double ux, double uz, double speed) {
+    private static int sides(PlanarShape q, double ux, double uz, double speed, double filter) {
         int verdict = 1;
         int last = q.count - 1;
         for (int k = 0; k <= last; k++) {
@@ -64,9 +74,12 @@ final class RayPolygon {
             double nz = q.x[previous] - q.x[k];
             double beyond = -(nx * q.x[k] + nz * q.z[k]);
             double nearing = -(nx * ux + nz * uz);
-            double doubt = SIDE_FILTER * q.error * (Math.abs(nx) + Math.abs(nz) + Math.abs(q.x[k]) + Math.abs(q.z[k]))
+            double length = Math.abs(nx) + Math.abs(nz);
+            double doubt = filter
+                            * ((q.error + SIDE_PRODUCT * q.size) * length
+                                    + 2 * q.error * (Math.abs(q.x[k]) + Math.abs(q.z[k])))
                     + UNDERFLOW;
-            double nearingDoubt = SIDE_FILTER * q.error * speed + UNDERFLOW;
+            double nearingDoubt = filter * (2 * q.error + SIDE_PRODUCT * length) * speed + UNDERFLOW;
             if (beyond > doubt && nearing < -nearingDoubt) {
                 return -1;
             }

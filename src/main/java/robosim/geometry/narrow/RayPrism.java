@@ -1,16 +1,20 @@
 package robosim.geometry.narrow;
 
-import static robosim.geometry.narrow.RayMath.U;
 import static robosim.geometry.narrow.RayMath.UNDERFLOW;
 
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Dyadic;
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
 
 /**
  * A ray against an upright octagonal prism: five slabs of x, z, x + z, x - z and y. Exact verdict; the forms and their
  * slopes are off by one rounding and the ends by two.
  */
 final class RayPrism {
+    private static final double U = Filter.bound(RayMath.U);
+    private static final Stages.Counter EXACT = Stages.counter("RayPrism");
+
     private RayPrism() {}
 
     static double distance(
@@ -65,6 +69,7 @@ final class RayPrism {
     }
 
     private static double exact(double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j) {
+        EXACT.count();
         double extent = 0;
         for (int i = 0; i < 10; i++) {
             extent = Math.max(extent, Math.abs(b[j + i]));

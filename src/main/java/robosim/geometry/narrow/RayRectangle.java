@@ -1,14 +1,18 @@
 package robosim.geometry.narrow;
 
 import robosim.geometry.exact.DoubleDouble;
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
 
 /** A ray and the rectangle that an upright box throws on the plane. */
 final class RayRectangle {
     // Every comparison is of sums of products of at most seven roundings; directions of the rectangle are no longer
     // than
     // 1 + 1e-9.
-    private static final double FILTER = 9 * 0x1p-53;
+    private static final double FILTER = Filter.bound(9 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
+
+    private static final Stages.Counter EXACT = Stages.counter("RayRectangle");
 
     private RayRectangle() {}
 
@@ -49,15 +53,17 @@ final class RayRectangle {
         if (past > pastDoubt) {
             return Double.POSITIVE_INFINITY;
         }
+        // Of a side that is all but flat it may be in doubt on which side of it the ray starts.
         if (past < -pastDoubt
-                && (beyondX < -doubt || nearingX > wayDoubt)
-                && (beyondZ < -doubt || nearingZ > wayDoubt)) {
+                && (beyondX < -doubt || (nearingX > wayDoubt && Math.abs(startX) > doubt))
+                && (beyondZ < -doubt || (nearingZ > wayDoubt && Math.abs(startZ) > doubt))) {
             return entry(ox, oz, ux, uz, row, at);
         }
         return doubtful(ox, oz, ux, uz, row, at);
     }
 
     private static double doubtful(double ox, double oz, double ux, double uz, double[] row, int at) {
+        EXACT.count();
         ExactPlanar exact = ExactPlanar.of(Leaf.UPRIGHT_BOX, row, at);
         if (exact.contains(ox, oz)) {
             return 0;

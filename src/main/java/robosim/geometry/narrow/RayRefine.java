@@ -1,6 +1,6 @@
 package robosim.geometry.narrow;
 
-import static robosim.geometry.narrow.RayMath.U;
+import robosim.geometry.exact.Filter;
 
 /**
  * The last correction of a ray's parameter in pairs of doubles, for distances that plain numbers leave uncertain: what
@@ -8,7 +8,9 @@ import static robosim.geometry.narrow.RayMath.U;
  */
 final class RayRefine {
     /** What a remainder in pairs may be off by, as a share of the sum of its terms' magnitudes. */
-    static final double ERROR = 0x1p-94;
+    static final double ERROR = Filter.bound(0x1p-94);
+
+    private static final double U = Filter.bound(RayMath.U);
 
     private static final int TIME = 0;
     private static final int TEMPORARY = 1; // and the next

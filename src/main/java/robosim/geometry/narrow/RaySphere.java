@@ -1,15 +1,18 @@
 package robosim.geometry.narrow;
 
-import static robosim.geometry.narrow.RayMath.U;
 import static robosim.geometry.narrow.RayMath.UNDERFLOW;
 
 import robosim.geometry.exact.Dyadic;
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
 
 /**
  * A ray against a solid sphere. Exact verdict: with m the centre seen from the start, the sphere is met where
  * {@code m . d >= 0} and {@code |m x d|^2 <= r^2 |d|^2}.
  */
 final class RaySphere {
+    private static final double U = Filter.bound(RayMath.U);
+
     /** Offset 1u each way, square 1u, two sums 2u; the radius's square and the difference add 2u. */
     private static final double INSIDE_ERROR = 7 * U;
 
@@ -18,6 +21,8 @@ final class RaySphere {
 
     /** A component of m x d: offset 1u, product 1u, difference 1u. */
     private static final double ASIDE_ERROR = 4 * U;
+
+    private static final Stages.Counter EXACT = Stages.counter("RaySphere");
 
     private RaySphere() {}
 
@@ -100,6 +105,7 @@ final class RaySphere {
     }
 
     private static double exact(double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j) {
+        EXACT.count();
         double extent = Math.max(RayMath.largest(b[j], b[j + 1], b[j + 2]), b[j + 3]);
         ExactRay ray = new ExactRay(ox, oy, oz, dx, dy, dz, extent);
         ExactVector m = ray.point(b, j).minus(ray.start);

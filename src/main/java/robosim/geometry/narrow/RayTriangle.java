@@ -1,10 +1,11 @@
 package robosim.geometry.narrow;
 
-import static robosim.geometry.narrow.RayMath.U;
 import static robosim.geometry.narrow.RayMath.UNDERFLOW;
 
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Dyadic;
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
 
 /**
  * A ray against a triangle, seen from both sides; a degenerate one is the segment or point that it is.
@@ -16,9 +17,12 @@ import robosim.geometry.exact.Dyadic;
  * minus both. What that leaves in doubt is decided by {@link ExactTriangle}.
  */
 final class RayTriangle {
+    private static final double U = Filter.bound(RayMath.U);
     private static final double VOLUME_ERROR = 8 * U;
     private static final double LAST_VOLUME_ERROR = 11 * U;
     private static final double REST_ERROR = 11 * U;
+
+    private static final Stages.Counter EXACT = Stages.counter("RayTriangle");
 
     private RayTriangle() {}
 
@@ -113,6 +117,7 @@ final class RayTriangle {
         private ExactTriangle() {}
 
         static double distance(double ox, double oy, double oz, double dx, double dy, double dz, double[] t, int j) {
+            EXACT.count();
             ExactRay ray = new ExactRay(ox, oy, oz, dx, dy, dz, extent(t, j));
             ExactVector a = ray.point(t, j).minus(ray.start);
             ExactVector b = ray.point(t, j + 3).minus(ray.start);

@@ -5,14 +5,32 @@ package robosim.geometry.narrow;
  * between threads.
  */
 public final class Scratch {
+    /**
+     * Whether a kernel has answered "touch" or 0 without a proof since this was last set to false.
+     *
+     * <p>Only certified pairs do that (see {@link SpatialOverlap#test} and {@link PlanarOverlap#test}), and only where the
+     * true gap is below their stated bound. Kernels only set it; whoever wants to know sets it to false before the
+     * question. A question that ends with "apart" may have set it on the way, from a part that did not decide.
+     */
+    public boolean uncertain;
+
     final MeshWalk outer = new MeshWalk();
     final MeshWalk inner = new MeshWalk();
     final MeshWalk around = new MeshWalk();
+
+    /** Two meshes, descended at once. */
+    final ContactPairs pairs = new ContactPairs(this);
 
     /** A placed triangle of the first and of the second mesh, as leaf rows. */
     final double[] triangleA = new double[Leaf.STRIDE];
 
     final double[] triangleB = new double[Leaf.STRIDE];
+
+    /** A point as a sphere's row. */
+    final double[] witness = new double[Leaf.STRIDE];
+
+    /** Leaves whose lengths would underflow. */
+    final Magnified magnified = new Magnified();
 
     final double[] box = new double[6];
     final double[] triangleBox = new double[6];
@@ -23,7 +41,11 @@ public final class Scratch {
     /** Distance and penetration of the two leaves of a question, in space or in the plane. */
     final Gjk gjk = new Gjk();
 
+    /** Looks at the two leaves that {@link #gjk} was asked about last. */
+    final InnerHull hull = new InnerHull(gjk.first, gjk.second);
+
     final PolytopePolytope polytopes = new PolytopePolytope();
+    final SphereDistance sphereDistance = new SphereDistance();
     final Penetration penetration = new Penetration();
 
     /** The projections of the two leaves of a planar question. */
@@ -39,6 +61,11 @@ public final class Scratch {
     final RayInterval ray = new RayInterval();
     final RayRefine refine = new RayRefine();
     final NearestFace face = new NearestFace();
+    final PlanarSector sector = new PlanarSector();
+
+    /** A leaf laid flat. */
+    final double[] flat = new double[Leaf.STRIDE];
+
     final Cone cone = new Cone();
     final ConePolytope conePolytope = new ConePolytope();
     final ConeCylinder coneCylinder = new ConeCylinder();

@@ -2,9 +2,15 @@ package robosim.geometry.narrow;
 
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Dyadic;
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
 
 /** The heights of leaves that stand upright: a flat base on an interval of Y. */
 public final class Upright {
+    // The difference of the ends is rounded once and so are the halves' sum; what is left of the two keeps its sign.
+    private static final double FILTER = Filter.bound(1.01 * 0x1p-53);
+    private static final Stages.Counter EXACT = Stages.counter("Upright");
+
     private Upright() {}
 
     /** Whether the intervals of height of two upright leaves touch or overlap; exact. */
@@ -19,12 +25,15 @@ public final class Upright {
         double top = middle(kindB, b, j, 9);
         double up = half(kindB, b, j);
         double gap = (base - top) - (down + up);
-        // Three roundings: where the rounded gap is this far from 0, it has the sign of the real one.
-        double doubt = 4 * 0x1p-53 * (Math.abs(base) + Math.abs(top) + down + up);
+        double doubt = FILTER * (Math.abs(base) + Math.abs(top) + down + up);
         if (gap > doubt) {
             return false;
         }
-        return gap < -doubt || Dyadic.signOfSum(base, -top, -down, -up) <= 0;
+        if (gap < -doubt) {
+            return true;
+        }
+        EXACT.count();
+        return Dyadic.signOfSum(base, -top, -down, -up) <= 0;
     }
 
     // An octagon has its heights as they are: no middle, and no half height beside it.

@@ -1,0 +1,121 @@
+package robosim.geometry.bench;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Ray;
+
+/** The inputs that the peers read, as the module's own values; little-endian numbers one after the other. */
+final class PeerInputs {
+    private final Path folder;
+
+    PeerInputs(Path folder) {
+        this.folder = folder;
+    }
+
+    /** Flat objects in a square of a side, rays with a range each, and small discs to test. */
+    record Scene(double side, List<GeometryObject> objects, Ray[] rays, double[] ranges, GeometryObject[] probes) {}
+
+    Scene scene(int objects) throws IOException {
+        ByteBuffer in = read("scene2d_" + objects + ".bin");
+        int boxes = in.getInt();
+        int cylinders = in.getInt();
+        int rays = in.getInt();
+        int probes = in.getInt();
+        Scene scene = new Scene(
+                in.getDouble(),
+                new ArrayList<>(boxes + cylinders),
+                new Ray[rays],
+                new double[rays],
+                new GeometryObject[probes]);
+        for (int k = 0; k < boxes; k++) {
+            scene.objects.add(box(in));
+        }
+        for (int k = 0; k < cylinders; k++) {
+            scene.objects.add(disc(in));
+        }
+        for (int k = 0; k < rays; k++) {
+            scene.rays[k] =
+                    new Ray(new Point(in.getDouble(), 0, in.getDouble()), new Point(in.getDouble(), 0, in.getDouble()));
+            scene.ranges[k] = in.getDouble();
+        }
+        for (int k = 0; k < probes; k++) {
+            scene.probes[k] = disc(in);
+        }
+        return scene;
+    }
+
+    /** Their yaw takes the own X axis to (cos, sin) in (x, z): clockwise where the module's is counter-clockwise. */
+    private static GeometryObject box(ByteBuffer in) {
+        Point center = new Point(in.getDouble(), 0, in.getDouble());
+        double halfX = in.getDouble();
+        double halfZ = in.getDouble();
+        double yaw = in.getDouble();
+        BoxObject box = new BoxObject(center, 2 * halfX, 2, 2 * halfZ);
+        double cos = StrictMath.cos(yaw);
+        double sin = StrictMath.sin(yaw);
+        return yaw == 0 ? box : box.oriented(new double[] {cos, 0, -sin, 0, 1, 0, sin, 0, cos});
+    }
+
+    private static GeometryObject disc(ByteBuffer in) {
+        return new CylinderObject(new Point(in.getDouble(), 0, in.getDouble()), in.getDouble(), 2);
+    }
+
+    MeshObject mesh(String name) throws IOException {
+        ByteBuffer in = read(name + ".mesh");
+        int vertices = in.getInt();
+        int triangles = in.getInt();
+        List<Point> corners = new ArrayList<>(vertices);
+        for (int k = 0; k < vertices; k++) {
+            corners.add(point(in));
+        }
+        int[][] faces = new int[triangles][];
+        for (int k = 0; k < triangles; k++) {
+            faces[k] = new int[] {in.getInt(), in.getInt(), in.getInt()};
+        }
+        return new MeshObject(corners, faces);
+    }
+
+    /** Rotations and translations of one mesh beside another. */
+    record Poses(double[][] rotations, Point[] centers) {}
+
+    Poses poses() throws IOException {
+        ByteBuffer in = read("pair.poses");
+        int count = in.getInt();
+        Poses poses = new Poses(new double[count][9], new Point[count]);
+        for (int k = 0; k < count; k++) {
+            for (int number = 0; number < 9; number++) {
+                poses.rotations[k][number] = in.getDouble();
+            }
+            poses.centers[k] = point(in);
+        }
+        return poses;
+    }
+
+    Ray[] rays() throws IOException {
+        ByteBuffer in = read("rays.rays");
+        Ray[] rays = new Ray[in.getInt()];
+        for (int k = 0; k < rays.length; k++) {
+            rays[k] = new Ray(point(in), point(in));
+        }
+        return rays;
+    }
+
+    private static Point point(ByteBuffer in) {
+        return new Point(in.getDouble(), in.getDouble(), in.getDouble());
+    }
+
+    private ByteBuffer read(String name) throws IOException {
+        return ByteBuffer.wrap(Files.readAllBytes(folder.resolve("data").resolve(name)))
+                .order(ByteOrder.LITTLE_ENDIAN);
+    }
+}

@@ -1,0 +1,99 @@
+package robosim.geometry.bench;
+
+import java.util.function.Function;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+
+/** One task of so many queries on a built scene, with the answer that it must give each time. */
+final class Workload {
+    /** How many hits a run of a task found, and the sum of what it answered. */
+    record Answer(long hits, double sum) {
+        boolean agrees(Answer other) {
+            return hits == other.hits && Math.abs(sum - other.sum) <= 1e-9 * Math.abs(other.sum);
+        }
+    }
+
+    /** What it is called: the module's own are measured against all others of the same work and size. */
+    record Title(String peer, String work, String size) {}
+
+    /** What is made before the clock starts, and what is timed. */
+    static final class Task<T> {
+        private final Supplier<T> before;
+        private final Function<T, Answer> timed;
+
+        Task(Supplier<T> before, Function<T, Answer> timed) {
+            this.before = before;
+            this.timed = timed;
+        }
+
+        private Answer run(long[] nanos) {
+            T made = before.get();
+            nanos[0] = System.nanoTime();
+            Answer answer = timed.apply(made);
+            nanos[1] = System.nanoTime();
+            return answer;
+        }
+    }
+
+    static final String MODULE = "robosim";
+
+    private final Title title;
+    private final long queries;
+    private final double buildMillis;
+    private final Answer truth;
+    private final Task<?> task;
+    private final long[] nanos = new long[2];
+
+    /** A null truth takes the first answer for it. */
+    Workload(Title title, long queries, double buildMillis, Task<?> task, @Nullable Answer truth) {
+        this.title = title;
+        this.queries = queries;
+        this.buildMillis = buildMillis;
+        this.task = task;
+        this.truth = truth == null ? task.run(nanos) : truth;
+    }
+
+    Answer truth() {
+        return truth;
+    }
+
+    String peer() {
+        return title.peer;
+    }
+
+    String work() {
+        return title.work;
+    }
+
+    String size() {
+        return title.size;
+    }
+
+    boolean isPeer() {
+        return !title.peer.equals(MODULE);
+    }
+
+    /** Runs for a second, but at least twice. */
+    void warmUp() {
+        long start = System.nanoTime();
+        measure();
+        do {
+            measure();
+        } while (System.nanoTime() - start < 1_000_000_000L);
+    }
+
+    /** Nanoseconds a query. */
+    double measure() {
+        Answer answer = task.run(nanos);
+        if (!answer.agrees(truth)) {
+            throw new IllegalStateException(title + " must answer " + truth + " (got: " + answer + ")");
+        }
+        return (nanos[1] - nanos[0]) / (double) queries;
+    }
+
+    void print(double nanos) {
+        Timing.print(
+                "%s %s %s %.1f %d %.6f %.2f",
+                title.peer, title.work, title.size, nanos, truth.hits, truth.sum, buildMillis);
+    }
+}

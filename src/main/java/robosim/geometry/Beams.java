@@ -1,0 +1,121 @@
+package robosim.geometry;
+
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Degrees;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Ray;
+
+/** Beams as callers ask for them: from a place or from a sensor on an object, one or a sweep, between two ranges. */
+final class Beams {
+    private final Dimension dimension;
+    private final Bodies bodies;
+    private final Ranging ranging;
+    private final double[] vector = new double[3];
+
+    Beams(Dimension dimension, Bodies bodies, Ranging ranging) {
+        this.dimension = dimension;
+        this.bodies = bodies;
+        this.ranging = ranging;
+    }
+
+    /** Distance of the nearest echo of any object but one; of any with -1. */
+    double distance(Level seen, Ray ray, double min, double max, double width, int but) {
+        Point from = Arguments.present("ray", ray).start();
+        Point to = ray.direction();
+        return distance(seen, from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), min, max, width, but);
+    }
+
+    private double distance(
+            Level seen,
+            double x,
+            double y,
+            double z,
+            double dx,
+            double dy,
+            double dz,
+            double min,
+            double max,
+            double width,
+            int but) {
+        Arguments.range(min, max);
+        Arguments.width(width);
+        checkLevel(dx, dy, dz);
+        ranging.beam(dimension, x, y, z, dx, dy, dz, width);
+        double nearest = ranging.nearest(seen, max, but);
+        return nearest < min ? min : nearest;
+    }
+
+    private void checkLevel(double dx, double dy, double dz) {
+        if (dimension == Dimension.PLANAR && dx == 0 && dz == 0) {
+            throw new IllegalArgumentException(
+                    "direction must not be vertical in a PLANAR world, which has no heights (got: (" + dx + ", " + dy
+                            + ", " + dz + "))");
+        }
+    }
+
+    /** What a sonar hears that stands at a point of an object's own frame and looks along one of its directions. */
+    double sonar(
+            Level seen,
+            int id,
+            double x,
+            double y,
+            double z,
+            double dx,
+            double dy,
+            double dz,
+            double min,
+            double max,
+            double width) {
+        double[] places = bodies.places();
+        int at = bodies.place(id);
+        bodies.toWorld(id, x, y, z, vector);
+        double ox = places[at] + vector[0];
+        double oy = places[at + 1] + vector[1];
+        double oz = places[at + 2] + vector[2];
+        bodies.toWorld(id, dx, dy, dz, vector);
+        return distance(seen, ox, oy, oz, vector[0], vector[1], vector[2], min, max, width, id);
+    }
+
+    /** A sweep of single rays from a point of an object's own frame, level with it, as many as there is room for. */
+    void scan(
+            Level seen,
+            int id,
+            double x,
+            double y,
+            double z,
+            double firstDegrees,
+            double stepDegrees,
+            double min,
+            double max,
+            double[] out) {
+        Arguments.angle("firstDegrees", firstDegrees);
+        Arguments.angle("stepDegrees", stepDegrees);
+        Arguments.range(min, max);
+        Arguments.present("out", out);
+        for (int k = 0; k < out.length; k++) {
+            double degrees = Arguments.angle("angle of the last ray", firstDegrees + k * stepDegrees);
+            out[k] = sonar(seen, id, x, y, z, Degrees.cos(degrees), 0, -Degrees.sin(degrees), min, max, 0);
+        }
+    }
+
+    /** What a ray meets first within a range; null where it meets nothing. */
+    @Nullable
+    RayHit cast(Level seen, Ray ray, double max) {
+        Point from = Arguments.present("ray", ray).start();
+        Point to = ray.direction();
+        Arguments.range(0, max);
+        checkLevel(to.x(), to.y(), to.z());
+        ranging.beam(dimension, from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), 0);
+        double distance = ranging.nearest(seen, max, -1);
+        if (ranging.hit() < 0) {
+            return null;
+        }
+        ranging.normal(seen, distance, vector);
+        return new RayHit(
+                distance,
+                new Point(ranging.point(0, distance), ranging.point(1, distance), ranging.point(2, distance)),
+                new Point(vector[0], vector[1], vector[2]),
+                bodies.present(ranging.hit()));
+    }
+}

@@ -1,0 +1,229 @@
+package robosim.geometry;
+
+import java.util.Arrays;
+import robosim.geometry.exact.Attitude;
+import robosim.geometry.exact.DoubleDouble;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Pose;
+import robosim.geometry.narrow.LeafColumn;
+import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.Sweep;
+
+/**
+ * One leg of a motion: a straight translation, or a turn about an axis through the centre. It knows where the object
+ * starts, where it is after a share of the leg, and what box holds it all the way.
+ */
+final class Phase {
+    /** What a phase turns about: nothing, the own X, the own Y or the vertical. */
+    static final int NO_TURN = 0;
+
+    static final int OWN_X = 1;
+    static final int OWN_Y = 2;
+    static final int VERTICAL = 3;
+
+    /**
+     * How far off the centre of an upright object may be at the end of a way, as a share of its length, apart from half an
+     * ulp of each coordinate: 8u, u = 2<sup>-53</sup>.
+     *
+     * <p>A step (x, y, z) goes by {@code cos * x + sin * z} along the world's X, and by {@code cos * z - sin * x} along its
+     * Z. The cosine and the sine are off by 3u of themselves, their products by u, and the sum by u: 5u (|cos x| + |sin z|)
+     * and 5u (|sin x| + |cos z|), together at most 7.1u of the step. Adding it to a coordinate c costs {@code 2^-105 |c|}
+     * more, which is less than that for every step above {@code 2^-52 |c|}.
+     */
+    static final double WAY_ERROR = 0x1p-50;
+
+    private static final int PLACE = Bodies.PLACE;
+
+    final double[] start = new double[PLACE];
+    final double[] end = new double[PLACE];
+
+    /** What stands for the object at its start, at the level asked. */
+    final LeafColumn atStart = new LeafColumn(1);
+
+    final Sweep sweep;
+
+    private final double[] between = new double[PLACE];
+    private final LeafColumn probe = new LeafColumn(1);
+    private final LeafColumn exact = new LeafColumn(1);
+    private final double[] part = new double[6];
+
+    private Level level;
+    private Level.Form form;
+    private double dx;
+    private double dy;
+    private double dz;
+    private int axis;
+    private double degrees;
+
+    @SuppressWarnings("NullAway.Init") // a motion begins with its level and form
+    Phase(Scratch scratch) {
+        sweep = new Sweep(scratch);
+    }
+
+    /** Starts a motion of an object from its place. */
+    void begin(Level inLevel, int mover, double[] places, int at) {
+        level = inLevel;
+        form = inLevel.form(mover);
+        System.arraycopy(places, at, start, 0, PLACE);
+        atStart.clear();
+        atStart.append(form.size());
+        probe.clear();
+        probe.append(form.size());
+        exact.clear();
+        exact.append(form.own.size());
+    }
+
+    /** Sets the next leg, from {@link #start}; false where it goes nowhere, or by less than a coordinate can tell. */
+    boolean set(double x, double y, double z, int about, double byDegrees) {
+        dx = x;
+        dy = y;
+        dz = z;
+        axis = about;
+        degrees = byDegrees;
+        placeAt(1, end);
+        if (Arrays.equals(start, 0, Pose.LOST, end, 0, Pose.LOST) && degrees == 0) {
+            return false;
+        }
+        level.place(form, start[0], start[1], start[2], start, 3, atStart, 0);
+        if (turns()) {
+            turnBy(1);
+        } else {
+            sweep.translation(level.dimension, end[0] - start[0], end[1] - start[1], end[2] - start[2]);
+        }
+        return true;
+    }
+
+    /** Makes the end of this leg the start of the next. */
+    void advance() {
+        System.arraycopy(end, 0, start, 0, PLACE);
+    }
+
+    /** Makes the place after a share of the leg its end. */
+    void endAt(double share) {
+        placeAt(share, end);
+    }
+
+    /** Where the object stands after a share of the leg. */
+    private void placeAt(double share, double[] place) {
+        System.arraycopy(start, 0, place, 0, PLACE);
+        advance(place, 0, share * dx);
+        advance(place, 1, share * dy);
+        advance(place, 2, share * dz);
+        switch (axis) {
+            case OWN_X -> Attitude.turn(place, 3, share * degrees, 0);
+            case OWN_Y -> Attitude.turn(place, 3, 0, share * degrees);
+            case VERTICAL -> Attitude.turnVertically(place, 3, share * degrees);
+            default -> {}
+        }
+    }
+
+    /**
+     * Adds to a coordinate and to what it has lost: off by at most {@code 2^-105} of the larger of the coordinate before and
+     * after. The one rounding is that of {@code rest}, which is at most an ulp of that coordinate.
+     */
+    private static void advance(double[] place, int along, double by) {
+        double from = place[along];
+        double to = from + by;
+        double rest = DoubleDouble.sumTail(from, by, to) + place[Pose.LOST + along];
+        double sum = to + rest;
+        place[along] = sum;
+        place[Pose.LOST + along] = DoubleDouble.sumTail(to, rest, sum);
+    }
+
+    /** Makes {@link #sweep} the turn of the first share of the leg. */
+    void turnBy(double share) {
+        int column = axis == OWN_X ? 3 : 4; // of the attitude, where it begins at 3
+        boolean vertical = axis == VERTICAL;
+        sweep.turn(
+                level.dimension,
+                start[0],
+                start[1],
+                start[2],
+                vertical ? 0 : start[column],
+                vertical ? 1 : start[column + 3],
+                vertical ? 0 : start[column + 6],
+                share * degrees);
+    }
+
+    boolean turns() {
+        return axis != NO_TURN;
+    }
+
+    /** Degrees of the turn, unsigned. */
+    double angle() {
+        return Math.abs(degrees);
+    }
+
+    /** Displacement along an axis (0 to 2) of the world. */
+    double displacement(int along) {
+        return along == 0 ? dx : along == 1 ? dy : dz;
+    }
+
+    /** Whether what stands for the object moves with it as one piece. */
+    boolean isRigid() {
+        return !turns() || (level.accuracy != Accuracy.AABB && level.accuracy != Accuracy.DOP);
+    }
+
+    /** The bounds of all places of what stands for the object during the first share of the leg. */
+    void sweptBox(double share, double[] out) {
+        if (isRigid()) {
+            union(atStart, out);
+        } else {
+            // The enclosure changes with the turn: what encloses the exact leaves all the way encloses it too.
+            exactlySwept(share, out);
+        }
+    }
+
+    /** The bounds of all places of the object itself during the first share of a turn. */
+    void exactlySwept(double share, double[] out) {
+        exactAtStart();
+        turnBy(share);
+        union(exact, out);
+    }
+
+    private void union(LeafColumn column, double[] out) {
+        Arrays.fill(out, 0, 3, Double.POSITIVE_INFINITY);
+        Arrays.fill(out, 3, 6, Double.NEGATIVE_INFINITY);
+        for (int leaf = 0; leaf < column.size(); leaf++) {
+            sweep.bounds(column, leaf, part);
+            for (int k = 0; k < 3; k++) {
+                out[k] = Math.min(out[k], part[k]);
+                out[3 + k] = Math.max(out[3 + k], part[3 + k]);
+            }
+        }
+    }
+
+    /** What stands for the object after a share of the leg; valid until the next call. */
+    LeafColumn after(double share) {
+        placeAt(share, between);
+        level.place(form, between[0], between[1], between[2], between, 3, probe, 0);
+        return probe;
+    }
+
+    /** What stands for the object at the end; valid until the next call. */
+    LeafColumn atEnd() {
+        level.place(form, end[0], end[1], end[2], end, 3, probe, 0);
+        return probe;
+    }
+
+    /** The object itself at the start; valid until the next call. */
+    LeafColumn exactAtStart() {
+        return exactAt(start);
+    }
+
+    /** The object itself at the end; valid until the next call. */
+    LeafColumn exactAtEnd() {
+        return exactAt(end);
+    }
+
+    /** The object itself after a share of the leg; valid until the next call. */
+    LeafColumn exactAfter(double share) {
+        placeAt(share, between);
+        return exactAt(between);
+    }
+
+    private LeafColumn exactAt(double[] place) {
+        form.own.place(place[0], place[1], place[2], place, 3, exact, 0);
+        return exact;
+    }
+}

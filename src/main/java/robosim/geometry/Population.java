@@ -1,0 +1,184 @@
+package robosim.geometry;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.IntStream;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+import robosim.geometry.narrow.Border;
+import robosim.geometry.narrow.LeafColumn;
+import robosim.geometry.narrow.Overlap;
+import robosim.geometry.narrow.OwnLeaves;
+import robosim.geometry.narrow.Scratch;
+
+/**
+ * Who is in a world: objects come, go and are put elsewhere, the same at every {@link Level} that has been asked for.
+ * What is refused changes nothing.
+ */
+final class Population {
+    final Bodies bodies = new Bodies();
+    final Border border;
+
+    /** The world as it is seen where a query does not say how. */
+    final Level level;
+
+    private final Dimension dimension;
+    private final double width;
+    private final double length;
+    private final Scratch s;
+    private final Near near;
+
+    /** The levels made so far, the world's own first. */
+    private Level[] levels;
+
+    /** The leaves of an object that is asked about, and their bounds. */
+    private final LeafColumn candidate = new LeafColumn(1);
+
+    private final double[] box = new double[6];
+
+    Population(double width, double height, double length, Dimension dimension, Accuracy accuracy, Scratch scratch) {
+        this.width = width;
+        this.length = length;
+        this.dimension = dimension;
+        s = scratch;
+        border = new Border(width, height, length, dimension);
+        level = new Level(accuracy, dimension, width, length);
+        levels = new Level[] {level};
+        near = new Near(bodies);
+    }
+
+    /** The world as it is seen at an accuracy, made when it is first asked. */
+    Level at(Accuracy asked) {
+        Arguments.present("accuracy", asked);
+        for (Level each : levels) {
+            if (each.accuracy == asked) {
+                return each;
+            }
+        }
+        Level made = new Level(asked, dimension, width, length);
+        IntStream.range(0, bodies.limit()).filter(bodies::isPresent).forEach(id -> made.add(id, bodies.present(id)));
+        levels = Arrays.copyOf(levels, levels.length + 1);
+        levels[levels.length - 1] = made;
+        return made;
+    }
+
+    /** Adds an object; a checked one only where it touches nothing. */
+    boolean add(GeometryObject object, boolean checked) {
+        String name = Arguments.present("object", object).name();
+        if (name != null && bodies.find(name) >= 0) {
+            throw new IllegalArgumentException("name must be unique in its world (got: \"" + name + "\" again)");
+        }
+        if (!fits(object) || (checked && collides(level, object, -1))) {
+            return false;
+        }
+        int id = bodies.add(object);
+        for (Level each : levels) {
+            each.add(id, object);
+        }
+        return true;
+    }
+
+    boolean remove(String name) {
+        int id = bodies.find(Arguments.present("name", name));
+        if (id < 0) {
+            return false;
+        }
+        for (Level each : levels) {
+            each.remove(id, bodies);
+        }
+        bodies.remove(id);
+        return true;
+    }
+
+    /** Puts a moveable object upright at a place where it touches nothing. */
+    boolean place(int id, Point center, double heading) {
+        GeometryObject placed =
+                bodies.value(id).at(Pose.of(Arguments.present("center", center), Arguments.angle("heading", heading)));
+        if (!fits(placed) || collides(level, placed, id)) {
+            return false;
+        }
+        bodies.put(id, placed.pose());
+        moved(id);
+        return true;
+    }
+
+    /** Puts a moveable object where a motion ends. */
+    void move(int id, double[] place) {
+        bodies.put(id, place);
+        moved(id);
+    }
+
+    private void moved(int id) {
+        for (Level each : levels) {
+            each.move(id, bodies.places(), bodies.place(id));
+        }
+    }
+
+    private boolean fits(GeometryObject object) {
+        OwnLeaves.placed(object, candidate);
+        return border.holds(candidate, 0, candidate.size());
+    }
+
+    /** Whether an object would touch or overlap any in the world but one; any with -1. */
+    boolean collides(Level at, GeometryObject object, int but) {
+        at.placed(Arguments.present("object", object), candidate);
+        at.boundsOf(candidate, 0, candidate.size(), box, 0);
+        near.find(at, box, but);
+        for (int k = 0; k < near.count(); k++) {
+            if (touches(at, near.id(k))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean touches(Level at, int other) {
+        for (int j = at.first(other); j < at.first(other) + at.count(other); j++) {
+            for (int i = 0; i < candidate.size(); i++) {
+                if (Overlap.test(dimension, candidate, i, at.leaves(), j, s)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /** All objects at their present places, in the order in which they were added. */
+    List<GeometryObject> present() {
+        List<GeometryObject> objects = new ArrayList<>(bodies.size());
+        IntStream.range(0, bodies.limit())
+                .filter(bodies::isPresent)
+                .boxed()
+                .sorted(earlierFirst())
+                .forEach(id -> objects.add(bodies.present(id)));
+        return List.copyOf(objects);
+    }
+
+    private Comparator<Integer> earlierFirst() {
+        return (a, b) -> a.equals(b) ? 0 : bodies.isEarlier(a, b) ? -1 : 1;
+    }
+
+    /** The id of an object that must be there. */
+    int known(String name) {
+        int id = bodies.find(Arguments.present("name", name));
+        if (id < 0) {
+            throw new IllegalArgumentException("name must be that of an object in the world (got: \"" + name + "\")");
+        }
+        return id;
+    }
+
+    /** The id of a moveable object that must be there. */
+    int mover(String name) {
+        int id = known(name);
+        if (!bodies.isMoveable(id)) {
+            throw new IllegalArgumentException(
+                    "name must be that of a moveable object; this one is static (got: \"" + name + "\")");
+        }
+        return id;
+    }
+}
