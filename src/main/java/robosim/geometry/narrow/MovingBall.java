@@ -69,7 +69,7 @@ final class MovingBall {
         ball.move(a[i + 3], kindB == Leaf.SPHERE || kindB == Leaf.UPRIGHT_CYLINDER ? b[j + 3] : 0, dx, dy, dz);
         double time = switch (kindB) {
             case Leaf.SPHERE -> sphere();
-            case Leaf.UPRIGHT_CYLINDER -> cylinder(near, a[i + 3]);
+            case Leaf.UPRIGHT_CYLINDER -> cylinder(near, a, i);
             case Leaf.TRIANGLE -> triangle(near);
             default -> box(near);
         };
@@ -96,7 +96,8 @@ final class MovingBall {
     }
 
     /** Against the side or a cap; on the rim, or near it, as early as the certified time. */
-    private double cylinder(double near, double radius) {
+    private double cylinder(double near, double[] a, int i) {
+        double radius = a[i + 3];
         double height = oy + near * dy - row[at + 1];
         double e = 2 * ROUNDOFF * (Math.abs(oy) + Math.abs(row[at + 1]) + row[at + 4] + Math.abs(dy));
         if (Math.abs(height) < row[at + 4]) {
@@ -104,6 +105,9 @@ final class MovingBall {
             ball.move(radius, row[at + 3], dx, 0, dz);
             ball.size = Math.abs(row[at] - ox) + Math.abs(row[at + 2] - oz);
             double time = ball.corner();
+            if (Double.isNaN(time)) {
+                time = PlanarSweep.exactDisc(a, i, dx, dz, kind, row, at, null);
+            }
             return Math.abs(oy + time * dy - row[at + 1]) + e < row[at + 4] ? time : near;
         }
         ball.move(radius, 0, dx, dy, dz);
@@ -118,11 +122,22 @@ final class MovingBall {
         ball.size = Math.abs(oy) + Math.abs(row[at + 1]) + row[at + 4];
         ball.alongSize = 1;
         double time = ball.face();
+        if (Double.isNaN(time)) {
+            time = exactCapTime(radius);
+        }
         double px = ox - row[at] + time * dx;
         double pz = oz - row[at + 2] + time * dz;
         double span = Math.abs(ox) + Math.abs(row[at]) + Math.abs(oz) + Math.abs(row[at + 2]);
         double reach = Math.sqrt(px * px + pz * pz) + 2 * ROUNDOFF * (span + time * (Math.abs(dx) + Math.abs(dz)));
         return reach < row[at + 3] ? time : near;
+    }
+
+    private double exactCapTime(double radius) {
+        Dyadic height = Dyadic.difference(oy, row[at + 1]).abs();
+        Dyadic gap = height.subtract(Dyadic.of(row[at + 4])).subtract(Dyadic.of(radius));
+        boolean meets =
+                gap.signum() >= 0 && dy != 0 && gap.compareTo(Dyadic.of(dy).abs()) <= 0;
+        return meets ? ExactMath.floorQuotient(gap, Dyadic.of(dy).abs()) : Double.NaN;
     }
 
     private double box(double near) {
