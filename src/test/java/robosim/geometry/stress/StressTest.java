@@ -47,6 +47,9 @@ class StressTest {
                 .toList();
         StressReport report = new StressReport(SEED, tallies, fallbacks);
         report.write(Path.of("target", "stress"));
+        if (isLong) {
+            System.out.println(report.markdown());
+        }
 
         List<String> failures = new ArrayList<>();
         for (Tally tally : tallies) {
