@@ -88,7 +88,7 @@ final class HtmlTable {
         peers.forEach(peer -> out.append("<col style=\"width:15%\">"));
         out.append("<col style=\"width:20%\"></colgroup>\n<thead><tr><th>case</th><th>truth</th><th>ours</th>");
         peers.forEach(peer -> out.append("<th>")
-                .append(text(peer.name() + " " + peer.version()))
+                .append(text(peer.name() + " " + peer.version() + ", in projection"))
                 .append("</th>"));
         out.append("<th>reported elsewhere</th></tr></thead>\n<tbody>\n");
     }

@@ -63,7 +63,7 @@ final class Truth {
         if (gap > farthest * 1.001) {
             return null;
         }
-        if (to - from < 0x1p-20) {
+        if (to - from < 0x1p-16) {
             return new double[] {from, to};
         }
         double[] first = turn(mover, degrees, others, dimension, radius, from, middle);
