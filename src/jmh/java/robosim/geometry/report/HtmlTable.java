@@ -102,7 +102,9 @@ final class HtmlTable {
                 .append("</b> ");
         out.append(text(hard.title())).append("</p><p>").append(source(hard)).append("</p><p class=\"faint\">");
         out.append(text(hard.hard()))
-                .append("</p></td>\n<td>")
+                .append(" <i>Numbers: ")
+                .append(text(hard.numbers()))
+                .append(".</i></p></td>\n<td>")
                 .append(numbered(row.questions()))
                 .append("</td>\n<td>");
         out.append(paragraph(row.wrong() == 0 ? "right" : "wrong", row.ours())).append("</td>");

@@ -111,7 +111,9 @@ final class Questioner {
             return reply(said.equals(number), "", said, truth);
         }
         double off = Math.abs(first - Double.parseDouble(number));
-        return reply(off <= ALLOWED, isContact(drive, first) ? "within its tolerance" : "", said, truth);
+        // The share of a turn is worked out to 2^-20.
+        double allowed = truth.startsWith("turn ") ? 0x1p-19 : ALLOWED;
+        return reply(off <= allowed, isContact(drive, first) ? "within its tolerance" : "", said, truth);
     }
 
     /** Whether at a share of the way the mover is no farther from being in touch than the engine declares. */

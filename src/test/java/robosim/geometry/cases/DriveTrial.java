@@ -9,7 +9,6 @@ import robosim.geometry.MoveResult;
 import robosim.geometry.cases.Trial.UnknownTruthException;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
-import robosim.geometry.model.GeometryObject.Kind;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
 import robosim.geometry.reference.Gaps;
@@ -18,9 +17,6 @@ import robosim.geometry.reference.Gaps;
 final class DriveTrial {
     /** How early a contact may be answered: 4 ulp of the largest number that it was computed from. */
     private static final double EARLY = 0x1p-50;
-
-    /** The same where a ball moves in space, which is certified. */
-    private static final double EARLY_BALL = 0x1p-44;
 
     private final HardCase.Drive question;
     private final Variant variant;
@@ -79,7 +75,7 @@ final class DriveTrial {
             return;
         }
         // Rounded down, and the stored place there is free: a rounding of the place, measured by the way.
-        double allowed = (hasBall() ? EARLY_BALL : EARLY) * size() / length() + 4 * Math.ulp(1.0);
+        double allowed = EARLY * size() / length() + 4 * Math.ulp(1.0);
         if (!variant.name().endsWith("as given")) {
             boolean never = Trial.known(() -> !touchesBy(1));
             if (!never) {
@@ -149,11 +145,6 @@ final class DriveTrial {
 
     private boolean touchesBy(double share) {
         return others.stream().anyMatch(other -> Gaps.touchesBy(share, mover, way, other, variant.dimension()));
-    }
-
-    private boolean hasBall() {
-        return variant.dimension() == Dimension.SPATIAL
-                && all().stream().anyMatch(object -> object.kind() == Kind.SPHERE || object.kind() == Kind.GROUP);
     }
 
     private double @Nullable [] turn() {
