@@ -10,6 +10,9 @@ package robosim.geometry.narrow;
 final class HeldMove {
     private static final int MOST_STEPS = 200;
 
+    /** Whether the last question found the two in contact at the start, or in doubt of it. */
+    boolean contact;
+
     private final Support mover = new Support();
     private final Support rest = new Support();
     private final double[] pose = new double[Leaf.STRIDE];
@@ -29,6 +32,7 @@ final class HeldMove {
             Scratch s) {
         Gjk gjk = s.gjk;
         double vy = planar ? 0 : dy;
+        contact = false;
         if (dx == 0 && vy == 0 && dz == 0) {
             return Double.POSITIVE_INFINITY;
         }
@@ -49,6 +53,7 @@ final class HeldMove {
                 if (step > 0) {
                     return t;
                 }
+                contact = true;
                 Penetration ways = s.penetration;
                 if (planar) {
                     ways.planar(kindA, a, i, kindB, b, j);

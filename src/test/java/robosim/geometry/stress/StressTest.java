@@ -24,7 +24,7 @@ class StressTest {
     /** Below so many cases a share is noise. */
     private static final long ENOUGH = 500;
 
-    private static final int LONG_FALLBACK = 200_000;
+    private static final int LONG_FALLBACK = 100_000;
     private static final int SHORT_FALLBACK = 1_000;
 
     /** Runs of exact stages for an adversarial case: of a mesh there may be several. */

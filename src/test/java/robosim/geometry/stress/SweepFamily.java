@@ -67,7 +67,7 @@ final class SweepFamily extends Family {
 
     @Override
     double[] mix(boolean adversarial) {
-        return new double[] {0.3, 0.9};
+        return new double[] {0.25, 0.9};
     }
 
     @Override
