@@ -116,7 +116,8 @@ final class ExactBall {
         return ExactMath.compareToRoot(left, radius, square) >= 0 ? Math.nextUp(time) : time;
     }
 
-    // At the time (height - r |n|) / speed the foot's shares of the side's edges, times n.n and the speed, are a - b |n|.
+    // At the time (height - r |n|) / speed the foot's shares of the side's edges, times n.n and the speed, are a - b
+    // |n|.
     private boolean isFootOn(ExactPolytope.Side side, Vector w, Dyadic height, Dyadic speed) {
         Vector n = side.normal();
         Dyadic square = n.square();
@@ -150,9 +151,7 @@ final class ExactBall {
             }
             Dyadic depth = n.dot(side.corner().minus(centre)).square();
             boolean into = n.dot(move).signum() == -out;
-            int order = den.signum() == 0
-                    ? -1
-                    : depth.multiply(den).compareTo(num.multiply(n.square()));
+            int order = den.signum() == 0 ? -1 : depth.multiply(den).compareTo(num.multiply(n.square()));
             if (order < 0) {
                 num = depth;
                 den = n.square();
@@ -184,8 +183,7 @@ final class ExactBall {
                 inward = v.times(length).plus(e.times(share));
                 scale = length.square();
             }
-            if (den.signum() == 0
-                    || inward.square().multiply(den).compareTo(num.multiply(scale)) < 0) {
+            if (den.signum() == 0 || inward.square().multiply(den).compareTo(num.multiply(scale)) < 0) {
                 num = inward.square();
                 den = scale;
                 blocked = inward.dot(move).signum() > 0;
@@ -195,8 +193,7 @@ final class ExactBall {
             Dyadic height = centre.minus(side.corner()).dot(side.normal());
             Dyadic square = side.normal().square();
             if (side.coversFootOf(centre, Dyadic.ONE)
-                    && (den.signum() == 0
-                            || height.square().multiply(den).compareTo(num.multiply(square)) < 0)) {
+                    && (den.signum() == 0 || height.square().multiply(den).compareTo(num.multiply(square)) < 0)) {
                 num = height.square();
                 den = square;
                 blocked = side.normal().dot(move).signum() == -height.signum() && height.signum() != 0;

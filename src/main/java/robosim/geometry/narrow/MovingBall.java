@@ -67,13 +67,12 @@ final class MovingBall {
         dy = moveY;
         dz = moveZ;
         ball.move(a[i + 3], kindB == Leaf.SPHERE || kindB == Leaf.UPRIGHT_CYLINDER ? b[j + 3] : 0, dx, dy, dz);
-        double time =
-                switch (kindB) {
-                    case Leaf.SPHERE -> sphere();
-                    case Leaf.UPRIGHT_CYLINDER -> cylinder(near, a[i + 3]);
-                    case Leaf.TRIANGLE -> triangle(near);
-                    default -> box(near);
-                };
+        double time = switch (kindB) {
+            case Leaf.SPHERE -> sphere();
+            case Leaf.UPRIGHT_CYLINDER -> cylinder(near, a[i + 3]);
+            case Leaf.TRIANGLE -> triangle(near);
+            default -> box(near);
+        };
         return time > 1 ? Double.POSITIVE_INFINITY : time == 1 ? Double.NaN : time;
     }
 
@@ -290,9 +289,7 @@ final class MovingBall {
         double e = 16 * ROUNDOFF * reach(time) * lengths;
         boolean on = alongP > e
                 && alongQ > e
-                && (isParallelogram
-                        ? alongP < square - e && alongQ < square - e
-                        : alongP + alongQ < square - 2 * e);
+                && (isParallelogram ? alongP < square - e && alongQ < square - e : alongP + alongQ < square - 2 * e);
         return on ? time : Double.NaN;
     }
 

@@ -41,7 +41,8 @@ public final class SpatialSweep {
     /** A sphere against anything: what held axes do not prove free is found in closed form, but on a rim. */
     private static double sphere(
             double[] a, int i, double dx, double dy, double dz, int kindB, double[] b, int j, Scratch s) {
-        boolean exact = kindB == Leaf.SPHERE || kindB == Leaf.TRIANGLE || kindB == Leaf.BOX || kindB == Leaf.UPRIGHT_BOX;
+        boolean exact =
+                kindB == Leaf.SPHERE || kindB == Leaf.TRIANGLE || kindB == Leaf.BOX || kindB == Leaf.UPRIGHT_BOX;
         if (kindB == Leaf.UPRIGHT_BOX && MovingBall.isAbove(a, i, dy, b, j)) {
             return Double.POSITIVE_INFINITY;
         }
