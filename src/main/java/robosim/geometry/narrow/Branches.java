@@ -21,9 +21,12 @@ final class Branches {
 
     private static final BoxTree NO_PARTS = new BoxTree(new double[6]);
 
-    private LeafColumn column = new LeafColumn(1);
+    private static final LeafColumn NO_LEAVES = new LeafColumn(1);
+
+    private LeafColumn column = NO_LEAVES;
     private boolean flat;
     private BoxTree parts = NO_PARTS;
+    private long root;
 
     // The leaf that was loaded last: a row of the column, or a triangle.
     private final double[] triangle = new double[Leaf.STRIDE];
@@ -43,19 +46,27 @@ final class Branches {
                 System.arraycopy(one, 0, boxes, 6 * part, 6);
             }
             parts = new BoxTree(boxes);
+            root = place(-1, parts.root());
         } else {
-            parts = NO_PARTS;
+            root = place(0, 0);
         }
+    }
+
+    /** Takes one part of an object up. */
+    void openPart(LeafColumn leaves, int part, Dimension dimension) {
+        column = leaves;
+        flat = dimension == Dimension.PLANAR;
+        root = place(part, 0);
     }
 
     /** Lets go of the object. */
     void close() {
-        column = new LeafColumn(1);
+        column = NO_LEAVES;
         parts = NO_PARTS;
     }
 
     long root() {
-        return column.size() > 1 ? place(-1, parts.root()) : place(0, 0);
+        return root;
     }
 
     private static long place(int part, int code) {

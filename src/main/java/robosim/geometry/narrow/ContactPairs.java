@@ -38,6 +38,21 @@ public final class ContactPairs {
         s = scratch;
     }
 
+    /** Whether two parts have a point in common: stops at the first pair. */
+    boolean touch(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j) {
+        this.dimension = dimension;
+        limit = 1;
+        isReversed = false;
+        first.openPart(a, i, dimension);
+        second.openPart(b, j, dimension);
+        count = 0;
+        depth = 0;
+        if (rootsMeet()) {
+            findInParts(first.root(), second.root());
+        }
+        return count > 0;
+    }
+
     /** Finds all pairs, or as many as the limit says, at least one. */
     public void find(Dimension dimension, LeafColumn a, LeafColumn b, int limit) {
         this.dimension = dimension;
@@ -47,7 +62,9 @@ public final class ContactPairs {
         second.open(isReversed ? a : b, dimension);
         count = 0;
         depth = 0;
-        push(first.root(), second.root());
+        if (rootsMeet()) {
+            push(first.root(), second.root());
+        }
         while (depth > 0 && count < limit) {
             depth--;
             long p = stackA[depth];
@@ -58,6 +75,12 @@ public final class ContactPairs {
                 open(p, q);
             }
         }
+    }
+
+    private boolean rootsMeet() {
+        first.box(first.root(), boxA);
+        second.box(second.root(), boxB);
+        return BoxGap.meet(boxA, boxB);
     }
 
     /** Lets go of the objects and of the pairs. */

@@ -13,10 +13,10 @@ final class CylinderCylinder {
      */
     private static final double PARALLEL_ERROR = Filter.bound(16 * 0x1p-53);
 
-    private static final Stages.Counter EXACT = Stages.counter("CylinderCylinder");
-
     /** More than underflow may lose. */
     private static final double UNDERFLOW = 0x1p-960;
+
+    private static final Stages.Counter EXACT = Stages.counter("CylinderCylinder");
 
     private CylinderCylinder() {}
 

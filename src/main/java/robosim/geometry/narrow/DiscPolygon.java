@@ -55,6 +55,11 @@ final class DiscPolygon {
         if (touch(px, pz, r, kind, b, j, s)) {
             return 0;
         }
-        return Math.max(0, Math.sqrt(PointPolygon.squareToOutline(0, 0, s.planarB)) - r);
+        PlanarShape q = s.planarB;
+        if (q.isTiny()) { // else the squares would vanish
+            q.enlarge(RayMath.ENLARGED);
+            return Math.max(0, Math.sqrt(PointPolygon.squareToOutline(0, 0, q)) / RayMath.ENLARGED - r);
+        }
+        return Math.max(0, Math.sqrt(PointPolygon.squareToOutline(0, 0, q)) - r);
     }
 }

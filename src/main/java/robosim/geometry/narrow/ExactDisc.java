@@ -185,11 +185,13 @@ final class ExactDisc {
                 || ExactMath.compareToRoot(a.subtract(length.multiply(speed)), b, square) > 0) {
             return Double.POSITIVE_INFINITY;
         }
-        Dyadic gap = height.subtract(radius.multiply(ExactMath.sqrtUp(square))).max(Dyadic.ZERO);
-        if (gap.compareTo(speed) > 0) {
+        // Not the difference of the height and the radius, which would cancel.
+        Dyadic gap = height.square().subtract(radius.square().multiply(square));
+        Dyadic closing = height.add(radius.multiply(ExactMath.sqrtUp(square))).multiply(speed);
+        if (gap.compareTo(closing) > 0) {
             return Double.POSITIVE_INFINITY;
         }
-        double time = ExactMath.floorQuotient(gap, speed);
+        double time = ExactMath.floorQuotient(gap, closing);
         Dyadic left = height.subtract(speed.multiply(Dyadic.of(Math.nextUp(time))));
         return ExactMath.compareToRoot(left, radius, square) >= 0 ? Math.nextUp(time) : time;
     }

@@ -88,6 +88,14 @@ final class PlanarShape {
         return error < 0x1p-448;
     }
 
+    /** Makes the corners so many times as large; a power of two, so that nothing is rounded. */
+    void enlarge(double power) {
+        for (int k = 0; k < count; k++) {
+            x[k] *= power;
+            z[k] *= power;
+        }
+    }
+
     /** Whether a side is so short that rounding of its ends may turn it anywhere. */
     boolean isBlurred(double ex, double ez) {
         return Math.abs(ex) + Math.abs(ez) <= BLUR * Math.max(error, ROUNDING * size);

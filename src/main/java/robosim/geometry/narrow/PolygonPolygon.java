@@ -86,6 +86,11 @@ final class PolygonPolygon {
         }
         PlanarShape p = s.planarA;
         PlanarShape q = s.planarB;
+        if (p.isTiny() && q.isTiny()) { // else the squares would vanish
+            p.enlarge(RayMath.ENLARGED);
+            q.enlarge(RayMath.ENLARGED);
+            return Math.sqrt(Math.min(cornersToSides(p, q), cornersToSides(q, p))) / RayMath.ENLARGED;
+        }
         return Math.sqrt(Math.min(cornersToSides(p, q), cornersToSides(q, p)));
     }
 

@@ -18,6 +18,9 @@ public final class Scratch {
     final MeshWalk inner = new MeshWalk();
     final MeshWalk around = new MeshWalk();
 
+    /** Two meshes, descended at once. */
+    final ContactPairs pairs = new ContactPairs(this);
+
     /** A placed triangle of the first and of the second mesh, as leaf rows. */
     final double[] triangleA = new double[Leaf.STRIDE];
 
@@ -25,6 +28,9 @@ public final class Scratch {
 
     /** A point as a sphere's row. */
     final double[] witness = new double[Leaf.STRIDE];
+
+    /** Leaves whose lengths would underflow. */
+    final Magnified magnified = new Magnified();
 
     final double[] box = new double[6];
     final double[] triangleBox = new double[6];
@@ -55,6 +61,11 @@ public final class Scratch {
     final RayInterval ray = new RayInterval();
     final RayRefine refine = new RayRefine();
     final NearestFace face = new NearestFace();
+    final PlanarSector sector = new PlanarSector();
+
+    /** A leaf laid flat. */
+    final double[] flat = new double[Leaf.STRIDE];
+
     final Cone cone = new Cone();
     final ConePolytope conePolytope = new ConePolytope();
     final ConeCylinder coneCylinder = new ConeCylinder();

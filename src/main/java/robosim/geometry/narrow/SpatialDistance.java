@@ -22,7 +22,7 @@ public final class SpatialDistance {
         if (Leaf.isUpright(kindA) && Leaf.isUpright(kindB)) {
             double planar = PlanarDistance.between(kindA, a, i, kindB, b, j, s);
             double vertical = gap(kindA, a, i, kindB, b, j);
-            return vertical == 0 ? planar : planar == 0 ? vertical : Math.sqrt(planar * planar + vertical * vertical);
+            return vertical == 0 ? planar : planar == 0 ? vertical : RayMath.legs(planar, vertical);
         }
         if (kindA == Leaf.SPHERE && SphereDistance.isFor(kindB, a, i, b, j)) {
             return s.sphereDistance.between(a, i, kindB, b, j);

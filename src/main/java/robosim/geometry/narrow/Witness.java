@@ -7,26 +7,39 @@ final class Witness {
     /** Beyond this no point can be told; a placed vertex may be. */
     private static final double MOST = 0x1p100;
 
+    /** A point that is off by so many times what rounding explains is that of an iteration that came to no end. */
+    private static final double FAR = 16;
+
     private Witness() {}
 
     /**
      * Writes a point, the unit normal from b towards a, and a bound of the point's distance from a and from b that was
-     * measured, not assumed: opposite for (b, a), the same point and bound.
+     * measured, not assumed. For (b, a) the normal is opposite, the rest the same.
      *
      * @param out seven numbers
      */
     static void of(
             Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j, double[] out, Scratch s) {
         boolean flat = dimension == Dimension.PLANAR;
-        if (flat) {
-            PlanarContact.between(kindA, a, i, kindB, b, j, out, s);
-        } else {
-            SpatialContact.between(kindA, a, i, kindB, b, j, out, s);
+        Distance.convexContact(dimension, kindA, a, i, kindB, b, j, out, s);
+        double rounding = bound(flat, kindA, a, i, kindB, b, j, out, s);
+        boolean exactly = !flat && ExactPolytope.isKnown(kindA) && ExactPolytope.isKnown(kindB);
+        if (exactly && out[6] > FAR * rounding && ExactCommon.point(kindA, a, i, kindB, b, j, out)) {
+            bound(false, kindA, a, i, kindB, b, j, out, s);
         }
+    }
+
+    /** Bounds the point's distances and answers how much of that is rounding, whatever the point. */
+    private static double bound(
+            boolean flat, int kindA, double[] a, int i, int kindB, double[] b, int j, double[] out, Scratch s) {
         for (int axis = 0; axis < 3; axis++) {
             out[axis] = Math.max(-MOST, Math.min(MOST, out[axis]));
         }
-        out[6] = Math.max(off(flat, kindA, a, i, out, s), off(flat, kindB, b, j, out, s));
+        double fromA = off(flat, kindA, a, i, out, s);
+        double rounding = s.gjk.error();
+        double fromB = off(flat, kindB, b, j, out, s);
+        out[6] = Math.max(fromA, fromB);
+        return Math.max(rounding, s.gjk.error());
     }
 
     /** How far the point at the beginning of an array is from a leaf at most. */

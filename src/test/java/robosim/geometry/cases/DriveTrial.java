@@ -2,6 +2,7 @@ package robosim.geometry.cases;
 
 import java.math.BigDecimal;
 import java.util.List;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
@@ -14,24 +15,26 @@ import robosim.geometry.reference.Gaps;
 
 /** One variant of the question how far an object may go. */
 final class DriveTrial {
-    /** How early a contact may be answered, of the largest number that it was computed from. */
-    private static final double EARLY = 0x1p-44;
+    /** How early a contact may be answered: 4 ulp of the largest number that it was computed from. */
+    private static final double EARLY = 0x1p-50;
 
     private final HardCase.Drive question;
     private final Variant variant;
     private final GeometryObject mover;
     private final List<GeometryObject> others;
     private final Point way;
+    private final Map<String, double[]> turns;
 
     /** Whether the way that is stored is the way that was asked for, up to a rounding. */
     private final boolean isWhole;
 
     /** Where a finding goes. */
     interface Sink {
-        void find(String truth, String ours, boolean right);
+        void find(String truth, boolean isStated, String ours, boolean right);
     }
 
-    DriveTrial(HardCase hard, HardCase.Drive question, Variant variant) {
+    DriveTrial(HardCase hard, HardCase.Drive question, Variant variant, Map<String, double[]> turns) {
+        this.turns = turns;
         this.question = question;
         this.variant = variant;
         mover = variant.place(hard.object(question.mover())).moveable("mover");
@@ -68,17 +71,17 @@ final class DriveTrial {
                                 ? Double.toString(result.fraction())
                                 : "turn " + result.turnFraction();
         if (touching) {
-            sink.find(fromFile(), ours, ours.equals(fromFile()));
+            sink.find(fromFile(), true, ours, ours.equals(fromFile()));
             return;
         }
         // Rounded down, and the stored place there is free: a rounding of the place, measured by the way.
         double allowed = EARLY * size() / length() + 4 * Math.ulp(1.0);
-        if (!variant.name().equals("as given")) {
+        if (!variant.name().endsWith("as given")) {
             boolean never = Trial.known(() -> !touchesBy(1));
             if (!never) {
                 double late = Math.min(1, result.fraction() + allowed);
                 boolean right = fits && !result.allowed() && !touchesBy(result.fraction()) && touchesBy(late);
-                sink.find("within " + allowed + " before contact", ours, right);
+                sink.find("within " + allowed + " before contact", false, ours, right);
                 return;
             }
         } else {
@@ -88,19 +91,19 @@ final class DriveTrial {
                         && !result.allowed()
                         && share.subtract(new BigDecimal(result.fraction())).signum() > 0
                         && Trial.far(share, result.fraction()) <= allowed;
-                sink.find(Double.toString(share.doubleValue()), ours, right);
+                sink.find(Double.toString(share.doubleValue()), false, ours, right);
                 return;
             }
         }
         double[] turn = question.turn() == 0 ? null : Trial.known(this::turn);
         if (turn == null) {
-            sink.find("free", ours, fits && result.allowed());
+            sink.find("free", false, ours, fits && result.allowed());
         } else {
             boolean right = fits
                     && result.fraction() == 1
                     && result.turnFraction() <= turn[1]
                     && result.turnFraction() >= turn[0] - question.within();
-            sink.find("turn " + turn[0], ours, right);
+            sink.find("turn " + turn[0], false, ours, right);
         }
     }
 
@@ -145,9 +148,18 @@ final class DriveTrial {
     }
 
     private double @Nullable [] turn() {
+        // Scaling leaves the share of a turn as it is.
+        String key = variant.dimension() + " " + question;
+        if (variant.isScaled() && turns.containsKey(key)) {
+            return turns.get(key);
+        }
         Point c = mover.center();
         GeometryObject there = mover.movedTo(new Point(c.x() + way.x(), c.y() + way.y(), c.z() + way.z()));
-        return Truth.turn(there, question.turn(), others, variant.dimension());
+        double[] bracket = Truth.turn(there, question.turn(), others, variant.dimension());
+        if (bracket != null && variant.name().endsWith("as given")) {
+            turns.put(key, bracket);
+        }
+        return bracket;
     }
 
     private double size() {

@@ -4,6 +4,7 @@ import static robosim.geometry.reference.Vectors.abs;
 import static robosim.geometry.reference.Vectors.cross;
 import static robosim.geometry.reference.Vectors.dot;
 import static robosim.geometry.reference.Vectors.minus;
+import static robosim.geometry.reference.Vectors.negate;
 import static robosim.geometry.reference.Vectors.plus;
 import static robosim.geometry.reference.Vectors.times;
 
@@ -28,6 +29,10 @@ final class Hull {
 
     final List<Quantity[]> corners = new ArrayList<>(8);
     final List<int[]> edges = new ArrayList<>(12);
+
+    /** From the first end of each edge to the second. */
+    final List<Quantity[]> directions = new ArrayList<>(12);
+
     final List<Slab> slabs = new ArrayList<>(4);
     final List<Side> sides = new ArrayList<>(6);
 
@@ -118,6 +123,19 @@ final class Hull {
         return hull;
     }
 
+    /** The same so many times larger, a number above 0; without its sides. */
+    Hull enlarged(Quantity factor) {
+        Hull hull = new Hull();
+        corners.forEach(corner -> hull.corners.add(Vectors.times(corner, factor)));
+        hull.edges.addAll(edges);
+        directions.forEach(direction -> hull.directions.add(Vectors.times(direction, factor)));
+        for (Slab slab : slabs) {
+            Quantity high = slab.high == null ? null : slab.high.times(factor);
+            hull.slabs.add(new Slab(slab.normal, slab.low.times(factor), high));
+        }
+        return hull;
+    }
+
     private static Hull ring(Arithmetic n, double[] row, boolean flat) {
         Hull hull = new Hull();
         for (int k = 0; k < 9; k += 3) {
@@ -126,6 +144,9 @@ final class Hull {
         hull.edges.add(new int[] {0, 1});
         hull.edges.add(new int[] {1, 2});
         hull.edges.add(new int[] {2, 0});
+        for (int[] edge : hull.edges) {
+            hull.directions.add(minus(hull.corners.get(edge[1]), hull.corners.get(edge[0])));
+        }
         return hull;
     }
 
@@ -172,6 +193,7 @@ final class Hull {
             for (int k = 0; k < 3; k++) {
                 if ((corner >> k & 1) != 0) {
                     edges.add(new int[] {corner - (1 << k), corner});
+                    directions.add(plus(arms[k], arms[k]));
                 }
             }
         }
@@ -185,6 +207,9 @@ final class Hull {
         for (int k = 0; k < 4; k++) {
             edges.add(new int[] {k, (k + 1) % 4});
         }
+        Quantity[] alongX = plus(x, x);
+        Quantity[] alongZ = plus(z, z);
+        directions.addAll(List.of(alongX, alongZ, negate(alongX), negate(alongZ)));
     }
 
     private static Quantity[][] axes(Arithmetic n, double[] row) {
@@ -208,7 +233,7 @@ final class Hull {
 
     /** The direction of an edge. */
     Quantity[] edge(int k) {
-        return minus(corners.get(edges.get(k)[1]), corners.get(edges.get(k)[0]));
+        return directions.get(k);
     }
 
     boolean meets(Hull that) {

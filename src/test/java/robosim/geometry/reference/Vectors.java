@@ -22,6 +22,10 @@ final class Vectors {
         return new Quantity[] {a[0].times(k), a[1].times(k), a[2].times(k)};
     }
 
+    static Quantity[] negate(Quantity[] a) {
+        return new Quantity[] {a[0].negate(), a[1].negate(), a[2].negate()};
+    }
+
     static Quantity dot(Quantity[] a, Quantity[] b) {
         return a[0].times(b[0]).plus(a[1].times(b[1])).plus(a[2].times(b[2]));
     }

@@ -31,6 +31,7 @@ final class Families {
         spatial(all);
         rays(all);
         meshes(all);
+        sweeps(all);
         return all;
     }
 
@@ -82,5 +83,20 @@ final class Families {
         all.add(new MeshRayFamily("ray-quad", MeshRayFamily.Target.QUAD));
         all.add(new MeshRayFamily("ray-closed mesh", MeshRayFamily.Target.CLOSED));
         all.add(new MeshRayFamily("ray-solid mesh", MeshRayFamily.Target.SOLID));
+    }
+
+    private static void sweeps(List<Family> all) {
+        Form[] flat = {UPRIGHT_BOX, BOX, TRIANGLE};
+        all.add(new SweepFamily("planar sweep of disc and disc", true, DISCS, DISCS));
+        all.add(new SweepFamily("planar sweep of disc and polygon", true, DISCS, flat));
+        all.add(new SweepFamily("planar sweep of polygon and disc", true, flat, DISCS));
+        all.add(new SweepFamily("planar sweep of polygon and polygon", true, flat, flat));
+        all.add(new SweepFamily("sweep of upright box and upright box", false, RECTANGLE, RECTANGLE));
+        all.add(new SweepFamily("sweep of upright cylinder and upright thing", false, UPRIGHT_TUBE, new Form[] {
+            UPRIGHT_CYLINDER, UPRIGHT_BOX
+        }));
+        all.add(new SweepFamily("sweep of box and box", false, POLYGONS, new Form[] {BOX}));
+        all.add(new SweepFamily("sweep of box and triangle", false, POLYGONS, TRIANGLES));
+        all.add(new SweepFamily("sweep of triangle and triangle", false, TRIANGLES, TRIANGLES));
     }
 }

@@ -84,6 +84,9 @@ final class Mutations {
     static void scale(Case c, int power) {
         Forms.scale(c.formA, c.a, power);
         Forms.scale(c.formB, c.b, power);
+        for (int k = 3; k < 6; k++) {
+            c.ray[k] = Math.scalb(c.ray[k], power);
+        }
     }
 
     private static void move(Case c, double far, SplittableRandom random) {

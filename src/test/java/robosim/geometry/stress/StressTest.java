@@ -17,12 +17,20 @@ import org.junit.jupiter.api.Test;
  */
 class StressTest {
     private static final long RANDOM = Long.getLong("stress.random", 2_000);
-    private static final long ADVERSARIAL = Long.getLong("stress.adversarial", 1_000);
+    private static final long ADVERSARIAL = Long.getLong("stress.adversarial", 600);
     private static final long SEED = Long.getLong("stress.seed", 20_261_121);
     private static final String NAMES = System.getProperty("stress.families", ".*");
 
     /** Below so many cases a share is noise. */
-    private static final long ENOUGH = 1_000;
+    private static final long ENOUGH = 500;
+
+    private static final int LONG_FALLBACK = 100_000;
+    private static final int SHORT_FALLBACK = 1_000;
+
+    /** Runs of exact stages for an adversarial case: of a mesh there may be several. */
+    private static final double LEAST_RATE = 0.2;
+
+    private static final double MOST_RATE = 6;
 
     @Test
     void noDecisionIsWrong() throws IOException {
@@ -34,20 +42,42 @@ class StressTest {
         int threads = Runtime.getRuntime().availableProcessors();
         StressRun run = new StressRun(SEED, threads, System.out, isLong);
         List<Tally> tallies = run.run(families, RANDOM, ADVERSARIAL);
-        StressReport report = new StressReport(SEED, tallies);
+        List<Fallback> fallbacks = families.stream()
+                .map(family -> Fallback.measure(family, SEED, isLong ? LONG_FALLBACK : SHORT_FALLBACK))
+                .toList();
+        StressReport report = new StressReport(SEED, tallies, fallbacks);
         report.write(Path.of("target", "stress"));
+        if (isLong) {
+            System.out.println(report.markdown());
+        }
 
         List<String> failures = new ArrayList<>();
         for (Tally tally : tallies) {
             failures.addAll(tally.failures());
         }
         assertThat(failures).as("wrong decisions, of seed " + SEED).isEmpty();
+        fallbacks.forEach(StressTest::inBand);
         for (Tally tally : tallies) {
             assertThat(tally.wrong()).as(tally.family()).isZero();
             if (tally.cases() >= ENOUGH) {
                 mixed(tally, families);
             }
         }
+    }
+
+    /** Plain doubles decide nearly all that is random; of what is awkward, the more the more there is of it. */
+    private static void inBand(Fallback fallback) {
+        double[] rates = fallback.perCase();
+        double few = 40.0 / fallback.cases(); // awkward cases come in batches of one kind
+        for (int tier = 0; tier < Fallback.TIERS.length; tier++) {
+            double share = Fallback.TIERS[tier];
+            assertThat(rates[tier])
+                    .as("exact stages for a case with a share of %s awkward, %s", share, fallback)
+                    .isBetween(Math.max(0, LEAST_RATE * share - few), MOST_RATE * share + few);
+        }
+        assertThat(rates[Fallback.TIERS.length - 1])
+                .as("adversarial, %s", fallback)
+                .isPositive();
     }
 
     /** A sample that is all yes, all no or all certain proves nothing. */
