@@ -78,7 +78,7 @@ final class ConePolytope {
         double there = depth(cone, px, py, pz, ex, ey, ez, nearest);
         boolean isCorner = nearest == 0 || nearest == 1;
         // Along the edge the distance has no slope at the foot, but it has one at a corner.
-        boolean isIn = isCorner && Math.abs(there) <= error
+        boolean isIn = (isCorner && Math.abs(there) <= error)
                 ? isExactlyHeld(cone, nearest == 0 ? from : to, kind, row, j)
                 : there >= 0;
         if (isIn) {
