@@ -76,6 +76,12 @@ final class SweepFamily extends Family {
                 + ".translation(Leaf.A, a, 0, ray[3], ray[4], ray[5], Leaf.B, b, 0, new Scratch())";
     }
 
+    /** A cylinder that rises or sinks on its way is left to exact numbers wherever its plan meets the other's. */
+    @Override
+    double exactAtRandom() {
+        return !planar && formsA[0] == Form.UPRIGHT_CYLINDER ? 0.65 : 0;
+    }
+
     @Override
     double[] mix(boolean adversarial) {
         return new double[] {0.25, 0.9};
