@@ -14,8 +14,11 @@ import robosim.geometry.model.Pose;
  * moveable ones are now. Ids of removed objects are used again.
  */
 final class Bodies {
-    /** Doubles a place: the centre, then the attitude. */
-    static final int PLACE = 3 + Attitude.STRIDE;
+    /** Where in a place the roundings begin that its centre has lost, one a coordinate: no query sees them. */
+    static final int LOST = 3 + Attitude.STRIDE;
+
+    /** Doubles a place: the centre, the attitude, and what the centre has lost. */
+    static final int PLACE = LOST + 3;
 
     private final Map<String, Integer> byName = new HashMap<>();
     private @Nullable GeometryObject[] values = new GeometryObject[16];
@@ -96,6 +99,7 @@ final class Bodies {
         places[at + 1] = pose.center().y();
         places[at + 2] = pose.center().z();
         pose.attitude(places, at + 3);
+        Arrays.fill(places, at + LOST, at + PLACE, 0);
     }
 
     /** Puts a moveable object at a place of {@link #PLACE} doubles. */

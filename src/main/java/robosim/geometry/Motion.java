@@ -116,6 +116,7 @@ final class Motion {
     /** Sweeps the next phase; where it is free, its end is the next one's start. */
     private boolean isFree(double x, double y, double z, int about, double byDegrees) {
         if (!phase.set(x, y, z, about, byDegrees)) {
+            phase.advance();
             return true;
         }
         phase.sweptBox(1, box);

@@ -2,6 +2,7 @@ package robosim.geometry;
 
 import java.util.Arrays;
 import robosim.geometry.exact.Attitude;
+import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.narrow.LeafColumn;
 import robosim.geometry.narrow.Scratch;
@@ -18,6 +19,17 @@ final class Phase {
     static final int OWN_X = 1;
     static final int OWN_Y = 2;
     static final int VERTICAL = 3;
+
+    /**
+     * How far off the centre of an upright object may be at the end of a way, as a share of its length, apart from half an
+     * ulp of each coordinate: 8u, u = 2<sup>-53</sup>.
+     *
+     * <p>A step (x, y, z) goes by {@code cos * x + sin * z} along the world's X, and by {@code cos * z - sin * x} along its
+     * Z. The cosine and the sine are off by 3u of themselves, their products by u, and the sum by u: 5u (|cos x| + |sin z|)
+     * and 5u (|sin x| + |cos z|), together at most 7.1u of the step. Adding it to a coordinate c costs {@code 2^-105 |c|}
+     * more, which is less than that for every step above {@code 2^-52 |c|}.
+     */
+    static final double WAY_ERROR = 0x1p-50;
 
     private static final int PLACE = Bodies.PLACE;
 
@@ -60,7 +72,7 @@ final class Phase {
         exact.append(form.own.size());
     }
 
-    /** Sets the next leg, from {@link #start}; false where it goes nowhere. */
+    /** Sets the next leg, from {@link #start}; false where it goes nowhere, or by less than a coordinate can tell. */
     boolean set(double x, double y, double z, int about, double byDegrees) {
         dx = x;
         dy = y;
@@ -68,7 +80,7 @@ final class Phase {
         axis = about;
         degrees = byDegrees;
         placeAt(1, end);
-        if (Arrays.equals(start, end) && degrees == 0) {
+        if (Arrays.equals(start, 0, Bodies.LOST, end, 0, Bodies.LOST) && degrees == 0) {
             return false;
         }
         level.place(form, start[0], start[1], start[2], start, 3, atStart, 0);
@@ -93,15 +105,28 @@ final class Phase {
     /** Where the object stands after a share of the leg. */
     private void placeAt(double share, double[] place) {
         System.arraycopy(start, 0, place, 0, PLACE);
-        place[0] += share * dx;
-        place[1] += share * dy;
-        place[2] += share * dz;
+        advance(place, 0, share * dx);
+        advance(place, 1, share * dy);
+        advance(place, 2, share * dz);
         switch (axis) {
             case OWN_X -> Attitude.turn(place, 3, share * degrees, 0);
             case OWN_Y -> Attitude.turn(place, 3, 0, share * degrees);
             case VERTICAL -> Attitude.turnVertically(place, 3, share * degrees);
             default -> {}
         }
+    }
+
+    /**
+     * Adds to a coordinate and to what it has lost: off by at most {@code 2^-105} of the larger of the coordinate before and
+     * after. The one rounding is that of {@code rest}, which is at most an ulp of that coordinate.
+     */
+    private static void advance(double[] place, int along, double by) {
+        double from = place[along];
+        double to = from + by;
+        double rest = DoubleDouble.sumTail(from, by, to) + place[Bodies.LOST + along];
+        double sum = to + rest;
+        place[along] = sum;
+        place[Bodies.LOST + along] = DoubleDouble.sumTail(to, rest, sum);
     }
 
     /** Makes {@link #sweep} the turn of the first share of the leg. */

@@ -16,13 +16,17 @@ public final class Degrees {
     private static final double QUARTER_LO = 0x1.1a62633145c07p-54;
     private static final double ROOT_HALF = 0x1.6a09e667f3bcdp-1;
 
+    /** By how much, in degrees, one addition to a compensated heading may be off. */
+    public static final double ADDITION_ERROR = 0x1p-97;
+
     // From here on neighbouring doubles are more than a quarter turn apart.
     private static final double MOST_QUARTERS = 0x1p52;
 
     private Degrees() {}
 
     /**
-     * Sine of an angle, within 1.5 ulp (StrictMath's one, and the rounding of a correction); exact at multiples of 30 where it is 0, 0.5 or 1, and odd to the bit.
+     * Sine of an angle, within 1.5 ulp (StrictMath's one, and the rounding of a correction); exact at multiples of 30 where
+     * it is 0, 0.5 or 1, and odd to the bit.
      *
      * @param degrees finite, any size
      */
@@ -57,7 +61,9 @@ public final class Degrees {
 
     /**
      * Adds to a compensated heading {@code hiLo[at] + hiLo[at + 1]} and reduces it to {@code (-180, 180]}. One addition is
-     * off by less than {@code 2^-97} degree.
+     * off by less than {@link #ADDITION_ERROR} degree: what two angles of up to 180 lose in their sum is at most half an ulp
+     * of 360, 2<sup>-45</sup>, and half an ulp of 180 was lost before; only the sum of these two is rounded, by
+     * 2<sup>-98</sup>. Taking off a whole turn is exact (Sterbenz).
      */
     public static void add(double[] hiLo, int at, double degrees) {
         DoubleDouble.add(hiLo[at], hiLo[at + 1], Math.IEEEremainder(degrees, 360), 0, hiLo, at);

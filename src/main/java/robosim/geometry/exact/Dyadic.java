@@ -101,6 +101,11 @@ public final class Dyadic implements Comparable<Dyadic> {
         return compareTo(other) >= 0 ? this : other;
     }
 
+    /** The least power of two above this number's magnitude: {@code |this| < 2^n}, at least half of that unless it is 0. */
+    public int magnitude() {
+        return exponent + mantissa.abs().bitLength();
+    }
+
     public int signum() {
         return mantissa.signum();
     }

@@ -27,6 +27,19 @@ final class AxisBody {
     final double[] normal = new double[3 * MOST_AXES];
     final double[] normalSize = new double[3 * MOST_AXES];
 
+    /** How each normal came about: {@link #GIVEN}, or one of the others with the numbers of the edges that it is made of. */
+    final int[] recipe = new int[MOST_AXES];
+
+    static final int GIVEN = 0;
+
+    /** In the plane: across an edge, and along it. */
+    static final int ACROSS = 16;
+
+    static final int ALONG = 32;
+
+    /** The cross product of edges p and q, as {@code CROSS + 8 p + q}. */
+    static final int CROSS = 64;
+
     /** Edge directions, off by at most one unit of roundoff in each coordinate. */
     int edges;
 
@@ -85,9 +98,9 @@ final class AxisBody {
                     halfVector(row[at + 3 + k], row[at + 6 + k], row[at + 9 + k], row[at + 12 + k]);
                     addEdge(row[at + 6 + k], row[at + 9 + k], row[at + 12 + k]);
                 }
-                addCross(edge, 3, edge, 6);
-                addCross(edge, 6, edge, 0);
-                addCross(edge, 0, edge, 3);
+                addCross(3, 6);
+                addCross(6, 0);
+                addCross(0, 3);
             }
         }
     }
@@ -215,21 +228,23 @@ final class AxisBody {
     }
 
     private void spatialTriangle() {
-        addCross(edge, 0, edge, 3);
+        addCross(0, 3);
         doubtful = isDoubtful(0);
     }
 
     // A wall seen from above is a segment: then its direction bounds it too, and any two axes bound a point.
     private void planarTriangle() {
-        addCross(edge, 0, edge, 3);
+        addCross(0, 3);
         boolean flat = isDoubtful(0);
         normals = 0;
         for (int k = 0; k < 9; k += 3) {
             addNormal(-edge[k + 2], 0, edge[k]);
+            recipe[normals - 1] = ACROSS + k / 3;
         }
         if (flat) {
             for (int k = 0; k < 9; k += 3) {
                 addNormal(edge[k], 0, edge[k + 2]);
+                recipe[normals - 1] = ALONG + k / 3;
             }
             addNormal(1, 0, 0);
             addNormal(0, 0, 1);
@@ -265,6 +280,7 @@ final class AxisBody {
     }
 
     private void addNormal(double x, double y, double z) {
+        recipe[normals] = GIVEN;
         int k = 3 * normals++;
         normal[k] = x;
         normal[k + 1] = y;
@@ -281,18 +297,19 @@ final class AxisBody {
         edge[k + 2] = z;
     }
 
-    private void addCross(double[] a, int i, double[] b, int j) {
+    private void addCross(int i, int j) {
+        recipe[normals] = CROSS + 8 * (i / 3) + j / 3;
         int k = 3 * normals++;
-        double p = a[i + 1] * b[j + 2];
-        double q = a[i + 2] * b[j + 1];
+        double p = edge[i + 1] * edge[j + 2];
+        double q = edge[i + 2] * edge[j + 1];
         normal[k] = p - q;
         normalSize[k] = Math.abs(p) + Math.abs(q);
-        p = a[i + 2] * b[j];
-        q = a[i] * b[j + 2];
+        p = edge[i + 2] * edge[j];
+        q = edge[i] * edge[j + 2];
         normal[k + 1] = p - q;
         normalSize[k + 1] = Math.abs(p) + Math.abs(q);
-        p = a[i] * b[j + 1];
-        q = a[i + 1] * b[j];
+        p = edge[i] * edge[j + 1];
+        q = edge[i + 1] * edge[j];
         normal[k + 2] = p - q;
         normalSize[k + 2] = Math.abs(p) + Math.abs(q);
     }

@@ -12,10 +12,11 @@ import robosim.geometry.model.TriangleMesh;
  */
 public final class Border {
     /**
-     * The plain sum of a coordinate and at most three products, 7 operations, is off by at most 8 u of the sum of the
-     * magnitudes (Higham 2002, 3.1); a cylinder's root adds 8 more.
+     * In u = 2^-53 of the sum of the magnitudes: a box's extent is off by 3u (products, and the sum of three), a cylinder's
+     * by 8u (the radius's share: a root 2u, a root 3u, a product and a quotient; the sum 1u); the sum with the coordinate
+     * adds 1u, and what is left of the world's half keeps its sign.
      */
-    private static final double ROUNDING = 16 * 0x1p-53;
+    private static final double ROUNDING = 9.01 * 0x1p-53;
 
     private static final double FILTER = Filter.bound(ROUNDING);
     private static final Stages.Counter EXACT = Stages.counter("Border");

@@ -45,8 +45,11 @@ public final class Cast {
         oz = z;
         double level = dimension == Dimension.PLANAR ? 0 : ay;
         double greatest = Math.max(Math.abs(ax), Math.max(Math.abs(level), Math.abs(az)));
-        // A power of two near the greatest: it takes away what could overflow, and no bits.
-        double scale = Math.scalb(1.0, -Math.getExponent(greatest));
+        // A power of two near the greatest takes away what could overflow; where nothing could, a coordinate that is
+        // all
+        // but zero keeps its bits.
+        boolean isOrdinary = greatest >= 0x1p-100 && greatest <= 0x1p100;
+        double scale = isOrdinary ? 1 : Math.scalb(1.0, -Math.getExponent(greatest));
         dx = ax * scale;
         dy = level * scale;
         dz = az * scale;

@@ -76,6 +76,34 @@ final class Cone {
     }
 
     /**
+     * Whether a sphere about m, seen from an apex that is outside of it, meets the cone about d, exactly.
+     *
+     * <p>It does where its centre is in the cone, or else no further from the border's direction in the plane of m and d
+     * than its radius, and ahead along that: {@code P = cos |m x d|} is at most {@code Q + R} with {@code Q = sin m.d} and
+     * {@code R = r |d|}, and {@code cos m.d + sin |m x d|} is at least 0. Their squares are rational.
+     */
+    static boolean meetsSphere(ExactVector m, Dyadic radius, ExactVector d, Dyadic squareCos) {
+        if (holds(m, d, squareCos)) {
+            return true;
+        }
+        Dyadic squareSin = Dyadic.ONE.subtract(squareCos);
+        Dyadic ahead = m.dot(d);
+        Dyadic cross = m.cross(d).square();
+        Dyadic p = squareCos.multiply(cross);
+        Dyadic q = squareSin.multiply(ahead.square());
+        Dyadic r = radius.square().multiply(d.square());
+        if (ahead.signum() < 0) {
+            // P + |Q| <= R
+            Dyadic rest = r.subtract(p).subtract(q);
+            return squareSin.multiply(cross).compareTo(squareCos.multiply(ahead.square())) >= 0
+                    && rest.signum() >= 0
+                    && p.multiply(q).scale(2).compareTo(rest.square()) <= 0;
+        }
+        Dyadic over = p.subtract(q).subtract(r);
+        return over.signum() <= 0 || over.square().compareTo(q.multiply(r).scale(2)) <= 0;
+    }
+
+    /**
      * Whether the segment from p to q, seen from the apex, meets the cone about d, exactly.
      *
      * <p>Where both ends are outside it can only cross the cone, so that along it the quadratic

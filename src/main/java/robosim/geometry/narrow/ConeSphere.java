@@ -1,14 +1,21 @@
 package robosim.geometry.narrow;
 
-import static robosim.geometry.narrow.RayMath.U;
+import robosim.geometry.exact.Dyadic;
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
 
 /**
  * The least distance from a cone's apex, outside a sphere, to the sphere inside the cone: the farther a direction is
  * from the centre's, the later it meets the sphere, so the cone's direction nearest to the centre's tells all.
  *
- * <p>In pairs of doubles: a miss is certain to 2^-90 of the coordinates, closer is heard.
+ * <p>In pairs of doubles, off by less than 2^-90 of the coordinates; whether it is heard is exact for the stored cosine.
  */
 final class ConeSphere {
+    /** Roundoff of a distance from the border, some ten steps of 2^-100, as a share of the coordinates and the radius. */
+    private static final double FILTER = Filter.bound(0x1p-90);
+
+    private static final Stages.Counter EXACT = Stages.counter("ConeSphere");
+
     private static final int CENTER = Cone.FREE;
     private static final int CROSS = CENTER + 3;
     private static final int AHEAD = CROSS + 3;
@@ -46,7 +53,11 @@ final class ConeSphere {
         double extent =
                 RayMath.largest(cone.ox, cone.oy, cone.oz) + RayMath.largest(b[j], b[j + 1], b[j + 2]) + b[j + 3];
         p.subtract(TEMPORARY, RADIUS, PAST);
-        if (p.get(ALONG) < 0 || p.get(TEMPORARY) < -0x1p-37 * U * extent) {
+        double doubt = FILTER * extent;
+        if (p.get(ALONG) < -doubt || p.get(TEMPORARY) < -doubt) {
+            return Double.POSITIVE_INFINITY;
+        }
+        if (!(p.get(ALONG) > doubt && p.get(TEMPORARY) > doubt) && !isHeard(cone, b, j, extent)) {
             return Double.POSITIVE_INFINITY;
         }
         p.add(TEMPORARY + 1, RADIUS, PAST);
@@ -54,5 +65,13 @@ final class ConeSphere {
         p.root(TEMPORARY, TEMPORARY);
         p.subtract(ALONG, ALONG, TEMPORARY);
         return Math.max(0, p.get(ALONG));
+    }
+
+    private static boolean isHeard(Cone cone, double[] b, int j, double extent) {
+        EXACT.count();
+        ExactRay ray = new ExactRay(cone.ox, cone.oy, cone.oz, cone.dx, cone.dy, cone.dz, extent);
+        ExactVector m = ray.point(b, j).minus(ray.start);
+        return Cone.meetsSphere(
+                m, ray.length(b[j + 3]), ray.direction, Dyadic.of(cone.cos).square());
     }
 }

@@ -7,9 +7,10 @@ import robosim.geometry.exact.Stages;
 
 /** Two discs on the plane. */
 final class DiscDisc {
-    // Differences and the sum of the radii are rounded once, their squares three times in all, the sum of squares once
-    // more: either side is off by less than 5 roundings of 2^-53.
-    private static final double FILTER = Filter.bound(8 * 0x1p-53);
+    // Differences and the sum of the radii are rounded once, which counts twice in their squares, these once, the sum
+    // of
+    // squares once more: either side is off by 4 roundings of 2^-53, and the comparison adds one.
+    private static final double FILTER = Filter.bound(5.01 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
 
     private static final Stages.Counter EXACT = Stages.counter("DiscDisc");
@@ -49,6 +50,10 @@ final class DiscDisc {
         double dx = ax - bx;
         double dz = az - bz;
         double r = ar + br;
+        if (Math.abs(dx) + Math.abs(dz) < RayMath.TINY) { // else the squares would vanish
+            double k = RayMath.ENLARGED;
+            return distance(ax * k, az * k, ar * k, bx * k, bz * k, br * k) / k;
+        }
         // (d - r)(d + r) with the tails of the differences and squares: what is left of two large circles that nearly
         // touch is right to an ulp.
         double apart = Math.sqrt(dx * dx + dz * dz);

@@ -5,9 +5,14 @@ import robosim.geometry.exact.Stages;
 
 /** A disc and a convex polygon: what a box, a triangle or an octagon throws. */
 final class DiscPolygon {
-    // The distance to a side is off by the corners' error in both coordinates and, seen along a side of any length, by
-    // no more than 16 roundings of the largest coordinate; the polygon's error is nine roundings of that.
-    private static final double ROUNDING = 8;
+    // Corners are off by the polygon's error in both coordinates, so the distance to a side by 1.42 times that. Seen
+    // from the disc's centre it is the quotient of a cross product (3u of the side's length and of an end's distance,
+    // which is at most 1.42 times the size) and the length (4u of the quotient in all, which is no larger); an end is
+    // taken for the foot only where the two are within 3u of the end's distance. The difference with the radius adds
+    // 1u.
+    private static final double ROUNDING = 1.01;
+    private static final double CORNERS = 1.42;
+    private static final double SIZE = 10 * 0x1p-53;
     private static final double FILTER = Filter.bound(ROUNDING);
     private static final double U = 0x1p-53;
 
@@ -22,7 +27,7 @@ final class DiscPolygon {
         if (q.isTiny()) {
             return doubtfulTouch(px, pz, r, kind, b, j);
         }
-        double error = (kind == Leaf.PRISM ? ROUNDING : FILTER) * (q.error + U * r);
+        double error = (kind == Leaf.PRISM ? ROUNDING : FILTER) * (CORNERS * q.error + SIZE * q.size + U * r);
         double outline = Math.sqrt(PointPolygon.squareToOutline(0, 0, q));
         if (outline < r - error) {
             return true;
@@ -50,6 +55,11 @@ final class DiscPolygon {
         if (touch(px, pz, r, kind, b, j, s)) {
             return 0;
         }
-        return Math.max(0, Math.sqrt(PointPolygon.squareToOutline(0, 0, s.planarB)) - r);
+        PlanarShape q = s.planarB;
+        if (q.isTiny()) { // else the squares would vanish
+            q.enlarge(RayMath.ENLARGED);
+            return Math.max(0, Math.sqrt(PointPolygon.squareToOutline(0, 0, q)) / RayMath.ENLARGED - r);
+        }
+        return Math.max(0, Math.sqrt(PointPolygon.squareToOutline(0, 0, q)) - r);
     }
 }

@@ -106,6 +106,9 @@ final class DiscRectangle {
         double beyondX = Math.max(0, RayRectangle.gap(px, pz, row, at, c, -s, row[at + 3]));
         double beyondZ = Math.max(0, RayRectangle.gap(px, pz, row, at, s, c, row[at + 5]));
         double square = c * c + s * s;
+        if (beyondX + beyondZ < RayMath.TINY) {
+            return Math.max(0, RayMath.legs(beyondX, beyondZ) / Math.sqrt(square) - r);
+        }
         return Math.max(0, Math.sqrt((beyondX * beyondX + beyondZ * beyondZ) / square) - r);
     }
 }

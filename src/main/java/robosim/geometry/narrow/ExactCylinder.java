@@ -18,7 +18,7 @@ final class ExactCylinder {
     final Dyadic half;
 
     final Dyadic axisSquare;
-    private final Dyadic halfHeight;
+    final Dyadic halfHeight;
     private final Dyadic reach;
 
     ExactCylinder(int kind, double[] row, int at) {
@@ -29,6 +29,11 @@ final class ExactCylinder {
         axisSquare = axis.square();
         half = halfHeight.multiply(axisSquare);
         reach = radius.square().multiply(axisSquare);
+    }
+
+    boolean contains(Vector point) {
+        Vector w = point.minus(centre);
+        return w.dot(axis).abs().compareTo(half) <= 0 && w.cross(axis).square().compareTo(reach) <= 0;
     }
 
     boolean touchesPolytope(ExactPolytope polytope) {

@@ -132,7 +132,7 @@ final class ExactDisc {
                 .signum();
     }
 
-    /** Time of the first touch in the plane, which is known to be one; rounded down. */
+    /** Time of the first touch in the plane, which is known to be one, after the start; rounded down. */
     private double entry() {
         double first = 1;
         for (int k = 0; k < outline.size(); k++) {
@@ -155,7 +155,15 @@ final class ExactDisc {
         }
         // Not the difference of ahead and the root: that would cancel.
         Dyadic whole = ahead.add(ExactMath.sqrtUp(chord));
-        return whole.compareTo(beyond) < 0 ? Double.POSITIVE_INFINITY : ExactMath.floorQuotient(beyond, whole);
+        if (whole.compareTo(beyond) < 0) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double time = ExactMath.floorQuotient(beyond, whole);
+        // The root was rounded: still outside the circle, or on it, and not past it at the next double?
+        Dyadic next = Dyadic.of(Math.nextUp(time));
+        Dyadic left = beyond.subtract(ahead.multiply(next).scale(1)).add(square.multiply(next.square()));
+        boolean later = left.signum() >= 0 && square.multiply(next).compareTo(ahead) <= 0;
+        return later ? Math.nextUp(time) : time;
     }
 
     private double edgeTime(int k) {
@@ -166,19 +174,26 @@ final class ExactDisc {
         Dyadic speed = ExactOutline.dot(n, move).negate();
         Dyadic square = ExactOutline.dot(n, n);
         Dyadic height = ExactOutline.dot(n, p).negate();
-        boolean before = height.signum() >= 0
-                && height.square().compareTo(radius.square().multiply(square)) >= 0;
-        Dyadic gap = height.subtract(radius.multiply(ExactMath.sqrtUp(square))).max(Dyadic.ZERO);
-        if (length.signum() == 0 || speed.signum() <= 0 || !before || gap.compareTo(speed) > 0) {
+        if (length.signum() == 0 || speed.signum() <= 0 || ExactMath.compareToRoot(height, radius, square) < 0) {
             return Double.POSITIVE_INFINITY;
         }
-        double time = ExactMath.floorQuotient(gap, speed);
-        Dyadic[] place = ExactOutline.subtract(ExactOutline.scale(move, Dyadic.of(time)), p);
-        Dyadic share = ExactOutline.dot(place, edge);
-        // Beyond its ends the corners' circles count, which meet the edge's line smoothly.
-        Dyadic slack = ExactOutline.dot(move, edge).abs().multiply(Dyadic.of(2 * Math.ulp(time)));
-        boolean beside = share.add(slack).signum() < 0 || share.subtract(slack).compareTo(length) > 0;
-        return beside ? Double.POSITIVE_INFINITY : time;
+        // Times the speed, the foot is along the edge by a - b sqrt(square); past an end the corner's circle counts.
+        Dyadic along = ExactOutline.dot(move, edge);
+        Dyadic a = height.multiply(along).subtract(ExactOutline.dot(p, edge).multiply(speed));
+        Dyadic b = radius.multiply(along);
+        if (ExactMath.compareToRoot(a, b, square) < 0
+                || ExactMath.compareToRoot(a.subtract(length.multiply(speed)), b, square) > 0) {
+            return Double.POSITIVE_INFINITY;
+        }
+        // Not the difference of the height and the radius, which would cancel.
+        Dyadic gap = height.square().subtract(radius.square().multiply(square));
+        Dyadic closing = height.add(radius.multiply(ExactMath.sqrtUp(square))).multiply(speed);
+        if (gap.compareTo(closing) > 0) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double time = ExactMath.floorQuotient(gap, closing);
+        Dyadic left = height.subtract(speed.multiply(Dyadic.of(Math.nextUp(time))));
+        return ExactMath.compareToRoot(left, radius, square) >= 0 ? Math.nextUp(time) : time;
     }
 
     /** In contact: 0 where the move goes against every least way out, else infinite. */

@@ -39,6 +39,15 @@ final class ExactMath {
         return Dyadic.of(root).add(Dyadic.of(rest)).add(Dyadic.of(0x1p-95)).scale(power / 2);
     }
 
+    /** The sign of {@code p - q sqrt(square)}, for a square of at least 0. */
+    static int compareToRoot(Dyadic p, Dyadic q, Dyadic square) {
+        int right = q.signum() * square.signum();
+        if (p.signum() != right) {
+            return Integer.compare(p.signum(), right);
+        }
+        return right * p.square().compareTo(q.square().multiply(square));
+    }
+
     private static boolean inRange(Dyadic p, Dyadic q) {
         return isOrdinary(p.abs().doubleValue()) && isOrdinary(q.abs().doubleValue());
     }

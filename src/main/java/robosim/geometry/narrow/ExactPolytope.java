@@ -27,6 +27,11 @@ final class ExactPolytope {
     private final List<Vector> faces = new ArrayList<>();
     private final List<Vector> edges = new ArrayList<>();
 
+    /** Whether a kind of leaf is a box or a triangle. */
+    static boolean isKnown(int kind) {
+        return kind == Leaf.UPRIGHT_BOX || kind == Leaf.BOX || kind == Leaf.TRIANGLE;
+    }
+
     ExactPolytope(int kind, double[] row, int at) {
         isBox = kind != Leaf.TRIANGLE;
         centre = Vector.at(row, at);

@@ -40,8 +40,8 @@ final class Gjk {
      */
     private static final double DEEP = 0x1p-43;
 
-    private final Support first = new Support();
-    private final Support second = new Support();
+    final Support first = new Support();
+    final Support second = new Support();
     private final Simplex simplex = new Simplex();
 
     private double lower;
@@ -59,6 +59,7 @@ final class Gjk {
     private double error;
     private double reach;
     private double coreReach;
+    private double coreUpper;
     private int steps;
     private boolean deep;
 
@@ -156,6 +157,11 @@ final class Gjk {
     /** The same between the centres of spheres (discs, in the plane) and the other leaf, their radii left out. */
     double coreReach() {
         return coreReach;
+    }
+
+    /** No less than the distance of what {@link #coreReach} is about, to rounding. */
+    double coreUpper() {
+        return coreUpper;
     }
 
     /** Steps that the last question took. */
@@ -267,8 +273,13 @@ final class Gjk {
     private void finish(double ox, double oy, double oz, double unscale) {
         double margins = first.margin + second.margin;
         double near = upper;
-        deep = near + error < margins || (near == 0 && simplex.depth() > DEEP * cube(first.extent + second.extent));
+        // A tetrahedron that seems to hold the origin may be too thin to tell; the point that its weights give is one
+        // of
+        // the leaves' in any case.
+        double sure = simplex.depth() > 0 ? simplex.residual() : near;
+        deep = sure + error < margins || simplex.depth() > DEEP * cube(first.extent + second.extent);
         coreReach = lower * unscale;
+        coreUpper = near * unscale;
         reach = (lower - margins) * unscale;
         lower = lower - margins - error;
         upper = Math.max(0, upper - margins);

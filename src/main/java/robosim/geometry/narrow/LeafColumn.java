@@ -108,8 +108,9 @@ public final class LeafColumn {
                 half += Math.abs(turn) * (b[r + 3 + j] / 2 - b[r + j] / 2);
                 size += Math.abs(b[r + j]) + Math.abs(b[r + 3 + j]);
             }
-            out[k] = middle - half - MeshWalk.WIDEN * size;
-            out[3 + k] = middle + half + MeshWalk.WIDEN * size;
+            double pad = MeshWalk.WIDEN * size + MeshWalk.UNDERFLOW;
+            out[k] = middle - half - pad;
+            out[3 + k] = middle + half + pad;
         }
     }
 

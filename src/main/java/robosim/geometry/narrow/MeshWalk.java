@@ -17,6 +17,9 @@ final class MeshWalk {
      */
     static final double WIDEN = 0x1p-46;
 
+    /** What underflow may add on the way, several times over. */
+    static final double UNDERFLOW = 0x1p-1000;
+
     private final double[] low = new double[3];
     private final double[] high = new double[3];
     private final double[] start = new double[3];
@@ -29,6 +32,9 @@ final class MeshWalk {
     private int at;
     private boolean isRay;
     private double pad;
+
+    /** How far the rotation, kept as it was given, is from one: a point taken back into the own frame misses by so much. */
+    private double skew;
 
     private int[] stack = new int[64];
     private double[] keys = new double[64];
@@ -107,13 +113,15 @@ final class MeshWalk {
             inverse[j] = 1 / (place[r] * ux + place[r + 3] * uy + place[r + 6] * uz);
         }
         pad = WIDEN
-                * (Math.abs(ox)
-                        + Math.abs(oy)
-                        + Math.abs(oz)
-                        + Math.abs(place[at])
-                        + Math.abs(place[at + 1])
-                        + Math.abs(place[at + 2])
-                        + reach());
+                        * (Math.abs(ox)
+                                + Math.abs(oy)
+                                + Math.abs(oz)
+                                + Math.abs(place[at])
+                                + Math.abs(place[at + 1])
+                                + Math.abs(place[at + 2])
+                                + reach())
+                + skew() * reach()
+                + UNDERFLOW;
         isRay = true;
         push(tree.root(), key(tree.root()));
     }
@@ -128,13 +136,29 @@ final class MeshWalk {
         return size;
     }
 
+    /** At least three times any number of R'R - I, so at least the length of (R'R - I) p for a p of length 1. */
+    private double skew() {
+        int r = at + Leaf.ROTATION;
+        double most = 0;
+        for (int i = 0; i < 3; i++) {
+            for (int j = i; j < 3; j++) {
+                double product = place[r + i] * place[r + j]
+                        + place[r + 3 + i] * place[r + 3 + j]
+                        + place[r + 6 + i] * place[r + 6 + j];
+                most = Math.max(most, Math.abs(product - (i == j ? 1 : 0)));
+            }
+        }
+        skew = 3 * most;
+        return skew;
+    }
+
     /** Takes the world's box into the own frame as the box that holds it there. */
     private void takeBox() {
         double size = reach();
         for (int k = 0; k < 3; k++) {
             size += Math.abs(box[k]) + Math.abs(box[3 + k]) + Math.abs(place[at + k]);
         }
-        pad = WIDEN * size;
+        pad = WIDEN * size + skew() * reach() + UNDERFLOW;
         for (int j = 0; j < 3; j++) {
             double middle = 0;
             double half = 0;
@@ -174,7 +198,8 @@ final class MeshWalk {
                 squared += gap * gap;
             }
         }
-        return Math.sqrt(squared) * (1 - 0x1p-50);
+        // Squares of what is tiny may be rounded up by underflow; R' may stretch by half of the skew.
+        return squared < 0x1p-900 ? 0 : Math.sqrt(squared) * (1 - 0x1p-50 - skew);
     }
 
     private double rayKey(int node) {

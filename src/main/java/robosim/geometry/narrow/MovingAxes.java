@@ -25,15 +25,12 @@ final class MovingAxes {
     private static final double SMALL = 0x1p-900;
     private static final int MOST = 96;
 
-    // A time of contact is answered as early as it may be: by at most this share of itself, or of the whole motion.
-    private static final double NARROW = 0x1p-40;
-    private static final double SLIGHT = 0x1p-46;
-
     /** Below this the squares of normals would underflow. */
     private static final double MINUTE = 0x1p-200;
 
     private final AxisBody first = new AxisBody();
     private final AxisBody second = new AxisBody();
+    private final FineAxes fine = new FineAxes();
 
     // One entry for each direction (both ways along each axis) in which the mover may lie beyond the other.
     private int count;
@@ -44,6 +41,9 @@ final class MovingAxes {
     private final double[] length = new double[MOST];
     private final double[] lengthError = new double[MOST];
 
+    /** Which axis, for two entries each; see {@link FineAxes}. */
+    private final int[] axis = new int[MOST / 2];
+
     private double dx;
     private double dy;
     private double dz;
@@ -51,7 +51,7 @@ final class MovingAxes {
     private double my;
     private double mz;
 
-    /** As {@link PlanarSweep#translation}; NaN where plain doubles cannot tell. */
+    /** As {@link PlanarSweep#translation}; NaN where pairs of doubles cannot tell. */
     double time(
             int mode,
             int kindA,
@@ -78,7 +78,7 @@ final class MovingAxes {
         if (mx + my + mz < MINUTE) {
             return Double.NaN;
         }
-        if (separatesByNormal(first) || separatesByNormal(second)) {
+        if (separatesByNormal(first, FineAxes.FIRST) || separatesByNormal(second, FineAxes.SECOND)) {
             return Double.POSITIVE_INFINITY;
         }
         if (mode == SPATIAL) {
@@ -90,7 +90,11 @@ final class MovingAxes {
                 return Double.POSITIVE_INFINITY;
             }
         }
-        return decide();
+        if (!decide()) {
+            return verdict;
+        }
+        fine.load(mode, kindA, a, i, dx, dy, dz, kindB, b, j, ox, oy, oz, mx + my + mz);
+        return enter();
     }
 
     private static void load(AxisBody body, int mode, int kind, double[] row, int at, double ox, double oy, double oz) {
@@ -101,10 +105,11 @@ final class MovingAxes {
         }
     }
 
-    private boolean separatesByNormal(AxisBody body) {
+    private boolean separatesByNormal(AxisBody body, int which) {
         double[] n = body.normal;
         double[] size = body.normalSize;
         for (int k = 0; k < 3 * body.normals; k += 3) {
+            axis[count / 2] = which + k / 3;
             if (separates(n[k], n[k + 1], n[k + 2], size[k], size[k + 1], size[k + 2])) {
                 return true;
             }
@@ -115,6 +120,7 @@ final class MovingAxes {
     private boolean separatesByEdges() {
         for (int k = 0; k < 3 * first.edges; k += 3) {
             for (int m = 0; m < 3 * second.edges; m += 3) {
+                axis[count / 2] = FineAxes.ACROSS_BOTH + 8 * (k / 3) + m / 3;
                 if (separatesAcross(first.edge, k, second.edge, m, second.edge)) {
                     return true;
                 }
@@ -126,8 +132,12 @@ final class MovingAxes {
     // Two triangles in one plane: the normals of their edges in that plane.
     private boolean separatesInPlane() {
         for (int k = 0; k < 9; k += 3) {
-            if (separatesAcross(first.edge, k, first.normal, 0, first.normalSize)
-                    || separatesAcross(second.edge, k, second.normal, 0, second.normalSize)) {
+            axis[count / 2] = FineAxes.FIRST + FineAxes.IN_PLANE + k / 3;
+            if (separatesAcross(first.edge, k, first.normal, 0, first.normalSize)) {
+                return true;
+            }
+            axis[count / 2] = FineAxes.SECOND + FineAxes.IN_PLANE + k / 3;
+            if (separatesAcross(second.edge, k, second.normal, 0, second.normalSize)) {
                 return true;
             }
         }
@@ -192,7 +202,14 @@ final class MovingAxes {
         count++;
     }
 
-    private double decide() {
+    // The answer where the doubles give it, NaN where they cannot.
+    private double verdict;
+
+    // Then, the time of contact is at least this.
+    private double earliest;
+
+    /** Whether the two meet for certain on the way, at a time still to be told; else {@link #verdict} is the answer. */
+    private boolean decide() {
         double enterLo = 0;
         double enterHi = 0;
         double leaveLo = Double.POSITIVE_INFINITY;
@@ -207,29 +224,44 @@ final class MovingAxes {
             if (g > e) {
                 apart = true;
                 enterLo = Math.max(enterLo, (g - e) / Math.max(0, ev - v));
-                enterHi = Math.max(enterHi, -v > ev ? (g + e) / (-v - ev) : Double.POSITIVE_INFINITY);
+                enterHi = Math.max(enterHi, latest(k));
             } else if (!(g < -e)) {
                 doubt = true;
-                enterHi = Math.max(enterHi, -v > ev ? (g + e) / (-v - ev) : v < ev ? Double.POSITIVE_INFINITY : 0);
+                enterHi = Math.max(enterHi, -v > ev ? (g + e) / (-v - ev) : v <= ev ? Double.POSITIVE_INFINITY : 0);
                 leaveLo = v > -ev ? 0 : leaveLo;
             } else if (v > -ev && v + ev > 0) {
                 leaveLo = Math.min(leaveLo, (-g - e) / (v + ev));
                 leaveHi = Math.min(leaveHi, v > ev ? (e - g) / (v - ev) : Double.POSITIVE_INFINITY);
             }
         }
-        if (apart) {
-            if (enterLo > 1 || enterLo > leaveHi) {
-                return Double.POSITIVE_INFINITY;
-            }
-            boolean sure = enterHi <= 1 && enterHi <= leaveLo && isNarrow(enterLo, enterHi);
-            return sure ? enterLo : Double.NaN;
+        if (!apart) {
+            verdict = doubt ? Double.NaN : fromContact();
+            return false;
         }
-        return doubt ? Double.NaN : fromContact();
+        earliest = enterLo;
+        verdict = enterLo > 1 || enterLo > leaveHi ? Double.POSITIVE_INFINITY : Double.NaN;
+        return enterHi <= 1 && enterHi <= leaveLo;
     }
 
-    /** Whether the bounds of a time of contact are so close that the lower one can be answered. */
-    static boolean isNarrow(double lo, double hi) {
-        return hi - lo <= Math.max(NARROW * hi, SLIGHT);
+    /** The latest time at which the gap in a direction may close. */
+    private double latest(int k) {
+        double closing = -speed[k] - speedError[k];
+        return closing > 0 ? (gap[k] + gapError[k]) / closing : Double.POSITIVE_INFINITY;
+    }
+
+    /** The time at which the last gap closes, rounded down; NaN where pairs of doubles cannot tell. */
+    private double enter() {
+        double time = 0;
+        for (int k = 0; k < count; k++) {
+            if (gap[k] > gapError[k] && latest(k) >= earliest) {
+                double closes = fine.time(axis[k / 2], (k & 1) == 0, gapError[k], speedError[k], first, second);
+                if (Double.isNaN(closes)) {
+                    return closes;
+                }
+                time = Math.max(time, closes);
+            }
+        }
+        return time;
     }
 
     /** Overlapping for certain at the start: refused where the move goes against every least way out. */

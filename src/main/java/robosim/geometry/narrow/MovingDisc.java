@@ -5,7 +5,8 @@ package robosim.geometry.narrow;
  *
  * <p>Positions are relative to the disc's centre at the start. Plain doubles are followed by bounds of their error, as
  * in {@link MovingAxes}: a corner carries 8 units of roundoff u = 2^-53 of the outline's size, a product and a sum three
- * more, squaring doubles them: 32 u of the magnitudes covers all. What that leaves open goes to {@link ExactDisc}.
+ * more, squaring doubles them: 32 u of the magnitudes covers all. A time of contact that is certain is then computed in
+ * pairs of doubles by {@link FineBall}. What the two leave open goes to {@link ExactDisc}.
  */
 final class MovingDisc {
     private static final double ROUNDOFF = MovingAxes.ROUNDOFF;
@@ -22,11 +23,44 @@ final class MovingDisc {
 
     double depthHi;
 
+    private final FineBall ball = new FineBall();
+    private final FineCorner corner = new FineCorner();
+
+    // What the disc is moved against, for the second stage.
+    private int kind;
+    private double[] row = new double[0];
+    private int at;
+    private double ox;
+    private double oz;
+
     private final double[] length = new double[Outline.MOST_CORNERS];
     private final double[] height = new double[Outline.MOST_CORNERS];
 
-    /** Time of contact with a polygon; NaN where plain doubles cannot tell. */
-    double time(Outline o, double radius, double dx, double dz) {
+    /** Time of contact of a disc with another; NaN where pairs of doubles cannot tell. */
+    double discs(double[] a, int i, double dx, double dz, double[] b, int j, Outline o) {
+        set(Leaf.SPHERE, b, j, a[i], a[i + 2]);
+        ball.move(a[i + 3], b[j + 3], dx, 0, dz);
+        o.point(b[j] - ox, b[j + 2] - oz);
+        return corner(o, 0, a[i + 3] + b[j + 3], dx, dz);
+    }
+
+    /** Time of contact of a disc with a polygon, with the outline to fill; NaN where pairs of doubles cannot tell. */
+    double polygon(double[] a, int i, double dx, double dz, int kindB, double[] b, int j, Outline o) {
+        set(kindB, b, j, a[i], a[i + 2]);
+        ball.move(a[i + 3], 0, dx, 0, dz);
+        o.load(kindB, b, j, ox, oz);
+        return time(o, a[i + 3], dx, dz);
+    }
+
+    private void set(int ofKind, double[] inRow, int atPlace, double originX, double originZ) {
+        kind = ofKind;
+        row = inRow;
+        at = atPlace;
+        ox = originX;
+        oz = originZ;
+    }
+
+    private double time(Outline o, double radius, double dx, double dz) {
         contact = false;
         if (o.size + radius < MINUTE) {
             return Double.NaN;
@@ -78,7 +112,7 @@ final class MovingDisc {
         double ez = o.z[next] - o.z[k];
         double square = ex * ex + ez * ez;
         if (square == 0) {
-            return corner(o.x[k], o.z[k], o.size, radius, dx, dz);
+            return corner(o, k, radius, dx, dz);
         }
         double share = (lo * dx - o.x[k]) * ex + (lo * dz - o.z[k]) * ez;
         double e = (Math.abs(ex) + Math.abs(ez))
@@ -86,27 +120,56 @@ final class MovingDisc {
                                 + (hi - lo) * (Math.abs(dx) + Math.abs(dz)))
                 + TINY;
         if (share < -e) {
-            return corner(o.x[k], o.z[k], o.size, radius, dx, dz);
+            return corner(o, k, radius, dx, dz);
         }
         if (share > square + e) {
-            return corner(o.x[next], o.z[next], o.size, radius, dx, dz);
+            return corner(o, next, radius, dx, dz);
         }
-        boolean sure = share > e && share < square - e && hi <= 1 && MovingAxes.isNarrow(lo, hi);
-        return sure ? lo : Double.NaN;
+        boolean sure = share > e && share < square - e && hi <= 1;
+        return sure ? beside(o, k, next) : Double.NaN;
     }
 
-    /** Time of contact with a circle around a point that carries 8 units of roundoff of a size; NaN in doubt. */
-    double corner(double qx, double qz, double size, double radius, double dx, double dz) {
+    private double beside(Outline o, int k, int next) {
+        FineSum[] normal = ball.along;
+        find(o.source[k], ball.point);
+        if (kind == Leaf.TRIANGLE) {
+            FineCorner.difference(row[o.source[next] + 2], row[o.source[k] + 2], normal[0]);
+            FineCorner.difference(row[o.source[k]], row[o.source[next]], normal[2]);
+        } else {
+            FineBall.set(normal[0], o.nx[k]);
+            FineBall.set(normal[2], o.nz[k]);
+        }
+        normal[1].clear();
+        ball.size = 2 * o.size;
+        ball.alongSize = Math.abs(o.nx[k]) + Math.abs(o.nz[k]);
+        return ball.face();
+    }
+
+    private void find(int source, FineSum[] out) {
+        corner.find(true, kind, row, at, source, ox, 0, oz, out);
+    }
+
+    /**
+     * Time of contact with the circle around a corner. That no other part of the polygon is met first, or instead, is
+     * proven for each answer and not taken from the way to this corner.
+     */
+    private double corner(Outline o, int k, double radius, double dx, double dz) {
         contact = false;
+        double size = o.size;
         if (size + radius < MINUTE) {
             return Double.NaN;
         }
+        double qx = o.x[k];
+        double qz = o.z[k];
         double span = Math.abs(dx) + Math.abs(dz);
         double beyond = qx * qx + qz * qz - radius * radius;
         double e = ROUNDOFF * ((Math.abs(qx) + Math.abs(qz)) * size + radius * radius) + TINY;
         double ahead = qx * dx + qz * dz;
         double eAhead = ROUNDOFF * size * span;
         if (beyond < -e) {
+            if (!isNearest(o, k, -qx, -qz, size)) {
+                return Double.NaN;
+            }
             contact = true;
             double distance = Math.sqrt(qx * qx + qz * qz);
             depthLo = radius - distance - ROUNDOFF * (radius + 2 * size);
@@ -117,7 +180,7 @@ final class MovingDisc {
             return Double.NaN;
         }
         if (ahead < -eAhead || span == 0) {
-            return Double.POSITIVE_INFINITY;
+            return freeAlong(o, -qx, -qz, radius, dx, dz);
         }
         double square = dx * dx + dz * dz;
         double aside = qx * dz - qz * dx;
@@ -126,24 +189,71 @@ final class MovingDisc {
         double eChord =
                 ROUNDOFF * (radius * radius * square + aside * aside) + (2 * Math.abs(aside) + eAside) * eAside + TINY;
         if (chord < -eChord) {
-            return Double.POSITIVE_INFINITY;
+            return aside > 0 ? freeAlong(o, -dz, dx, radius, dx, dz) : freeAlong(o, dz, -dx, radius, dx, dz);
         }
         if (!(chord > eChord && ahead > eAhead)) {
             return Double.NaN;
         }
-        double lo = (beyond - e) / (ahead + eAhead + Math.sqrt(chord + eChord));
-        double hi = (beyond + e) / (ahead - eAhead + Math.sqrt(chord - eChord));
-        if (lo > 1) {
-            return Double.POSITIVE_INFINITY;
+        if ((beyond - e) / (ahead + eAhead + Math.sqrt(chord + eChord)) > 1) {
+            return freeAlong(o, dx - qx, dz - qz, radius, dx, dz);
         }
-        return hi <= 1 && MovingAxes.isNarrow(lo, hi) ? lo : Double.NaN;
+        if ((beyond + e) / (ahead - eAhead + Math.sqrt(chord - eChord)) > 1) {
+            return Double.NaN;
+        }
+        find(o.source[k], ball.point);
+        ball.size = 2 * size;
+        double time = ball.corner();
+        return isNearest(o, k, time * dx - qx, time * dz - qz, size + time * span) ? time : Double.NaN;
+    }
+
+    /** Infinite where the polygon stays beyond the disc in a direction from beginning to end, else NaN. */
+    private static double freeAlong(Outline o, double wx, double wz, double radius, double dx, double dz) {
+        double l = Math.sqrt(wx * wx + wz * wz);
+        double most = Math.min(0, wx * dx + wz * dz) - radius * l;
+        double e = ROUNDOFF * ((Math.abs(wx) + Math.abs(wz)) * (o.size + Math.abs(dx) + Math.abs(dz)) + 2 * radius * l)
+                + TINY;
+        for (int k = 0; k < o.corners; k++) {
+            if (!(most - (wx * o.x[k] + wz * o.z[k]) > e)) {
+                return Double.NaN;
+            }
+        }
+        return Double.POSITIVE_INFINITY;
+    }
+
+    /** Whether a corner is for certain the polygon's nearest point to what lies from it in a direction. */
+    private boolean isNearest(Outline o, int k, double wx, double wz, double size) {
+        for (int m = 0; m < o.corners; m++) {
+            double ex = o.x[m] - o.x[k];
+            double ez = o.z[m] - o.z[k];
+            double e =
+                    ROUNDOFF * ((Math.abs(wx) + Math.abs(wz)) * o.size + (Math.abs(ex) + Math.abs(ez)) * size) + TINY;
+            if (m != k && !(wx * ex + wz * ez < -e) && !isSame(o, k, m)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Whether two corners are one and the same point. */
+    private boolean isSame(Outline o, int k, int m) {
+        if (o.source[k] == o.source[m]) {
+            return true;
+        }
+        find(o.source[k], ball.point);
+        find(o.source[m], ball.along);
+        double x = ball.point[0].hi - ball.along[0].hi;
+        double z = ball.point[2].hi - ball.along[2].hi;
+        double e = FineBall.SHARE * o.size;
+        return Math.abs(x + (ball.point[0].lo - ball.along[0].lo)) <= e
+                && Math.abs(z + (ball.point[2].lo - ball.along[2].lo)) <= e;
     }
 
     /** Between the offset lines but outside the polygon: near an edge, or at a corner and perhaps clear of it. */
     private double besideOrIn(Outline o, double radius, double dx, double dz) {
         double nearest = Double.POSITIVE_INFINITY;
-        int at = 0;
+        int place = 0;
         boolean face = false;
+        boolean sure = false;
         for (int k = 0; k < o.corners; k++) {
             int next = k + 1 == o.corners ? 0 : k + 1;
             double ex = o.x[next] - o.x[k];
@@ -155,25 +265,27 @@ final class MovingDisc {
             double cross = ex * o.z[k] - ez * o.x[k];
             double distance = beside ? cross * cross / square : fromCorner;
             if (distance < nearest) {
+                double e = 2 * ROUNDOFF * (Math.abs(ex) + Math.abs(ez)) * o.size + TINY;
                 nearest = distance;
-                at = k;
+                place = k;
                 face = beside;
+                sure = share > e && share < square - e;
             }
         }
         if (!face) {
-            return corner(o.x[at], o.z[at], o.size, radius, dx, dz);
+            return corner(o, place, radius, dx, dz);
         }
-        // In contact with this edge: its offset line was not beyond doubt, and it is the nearest thing.
-        double l = length[at];
-        double e = ROUNDOFF * ((Math.abs(o.nx[at]) + Math.abs(o.nz[at])) * o.size + radius * l) + TINY;
-        if (!(height[at] - radius * l < -e && height[at] > e)) {
+        // In contact with this edge: the foot is on it and the centre beyond it, so that nothing can be nearer.
+        double l = length[place];
+        double e = ROUNDOFF * ((Math.abs(o.nx[place]) + Math.abs(o.nz[place])) * o.size + radius * l) + TINY;
+        if (!(sure && height[place] - radius * l < -e && height[place] > e)) {
             return Double.NaN;
         }
         contact = true;
-        depthLo = radius - (height[at] + e) / l * (1 + ROUNDOFF);
-        depthHi = radius - (height[at] - e) / l * (1 - ROUNDOFF);
-        double span = Math.abs(o.nx[at] * dx) + Math.abs(o.nz[at] * dz);
-        return blockedWhere(-(o.nx[at] * dx + o.nz[at] * dz), ROUNDOFF * span, span);
+        depthLo = radius - (height[place] + e) / l * (1 + ROUNDOFF);
+        depthHi = radius - (height[place] - e) / l * (1 - ROUNDOFF);
+        double span = Math.abs(o.nx[place] * dx) + Math.abs(o.nz[place] * dz);
+        return blockedWhere(-(o.nx[place] * dx + o.nz[place] * dz), ROUNDOFF * span, span);
     }
 
     private double inside(Outline o, double radius, double dx, double dz) {

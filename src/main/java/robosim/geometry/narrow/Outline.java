@@ -25,6 +25,9 @@ final class Outline {
     /** At least the sum of the magnitudes that any coordinate of a corner is made of. */
     double size;
 
+    /** What each corner is made of; see {@link FineCorner}. */
+    final int[] source = new int[MOST_CORNERS];
+
     private static final int[] OCTAGON_X = {1, 1, 0, -1, -1, -1, 0, 1};
     private static final int[] OCTAGON_Z = {0, 1, 1, 1, 0, -1, -1, -1};
 
@@ -32,6 +35,10 @@ final class Outline {
     private final double[] gz = new double[3];
     private final double[] ux = new double[3];
     private final double[] uz = new double[3];
+
+    // Which column of the row each of these is, and whether as it is or turned back: a bit among three.
+    private final int[] column = new int[3];
+    private final int[] turned = new int[3];
 
     void load(int kind, double[] row, int at, double ox, double oz) {
         switch (kind) {
@@ -50,6 +57,7 @@ final class Outline {
         normals = 0;
         x[0] = px;
         z[0] = pz;
+        source[0] = 0;
         size = Math.max(Math.abs(px), Math.abs(pz));
     }
 
@@ -77,6 +85,10 @@ final class Outline {
         set(1, cx + px - qx, cz + pz - qz, ax, az);
         set(2, cx + px + qx, cz + pz + qz, bx, bz);
         set(3, cx - px + qx, cz - pz + qz, -ax, -az);
+        source[0] = 0;
+        source[1] = 1;
+        source[2] = 5;
+        source[3] = 4;
         size = Math.max(Math.abs(cx) + Math.abs(px) + Math.abs(qx), Math.abs(cz) + Math.abs(pz) + Math.abs(qz));
     }
 
@@ -93,7 +105,8 @@ final class Outline {
                 continue;
             }
             // Half of the plane only, in order of the angle.
-            if (vz < 0 || (vz == 0 && vx < 0)) {
+            boolean back = vz < 0 || (vz == 0 && vx < 0);
+            if (back) {
                 vx = -vx;
                 vz = -vz;
             }
@@ -104,6 +117,8 @@ final class Outline {
             }
             ux[place] = vx;
             uz[place] = vz;
+            column[place] = 1 << k;
+            turned[place] = back ? 1 << k : 0;
             gx[place] = row[at + 3 + k] * vx;
             gz[place] = row[at + 3 + k] * vz;
             px -= gx[place];
@@ -116,6 +131,11 @@ final class Outline {
             int g = k % count;
             int sign = k < count ? 1 : -1;
             set(k, px, pz, sign * uz[g], -sign * ux[g]);
+            source[k] = 0;
+            for (int m = 0; m < count; m++) {
+                boolean passed = k < count ? m < k : m >= k - count;
+                source[k] |= passed ? column[m] ^ turned[m] : turned[m];
+            }
             px += sign * 2 * gx[g];
             pz += sign * 2 * gz[g];
         }
@@ -125,6 +145,8 @@ final class Outline {
     private void copy(int from, int to) {
         ux[to] = ux[from];
         uz[to] = uz[from];
+        column[to] = column[from];
+        turned[to] = turned[from];
         gx[to] = gx[from];
         gz[to] = gz[from];
     }
@@ -168,6 +190,10 @@ final class Outline {
         set(1, row[q] - ox, row[q + 2] - oz, ex, ez);
         set(2, x[1], z[1], -ez, ex);
         set(3, x[0], z[0], -ex, -ez);
+        source[0] = p;
+        source[1] = q;
+        source[2] = q;
+        source[3] = p;
         measure();
     }
 
@@ -177,6 +203,7 @@ final class Outline {
         for (int k = 0; k < 8; k++) {
             nx[k] = OCTAGON_X[k];
             nz[k] = OCTAGON_Z[k];
+            source[k] = k;
         }
         measure();
         size *= 4;
@@ -184,6 +211,7 @@ final class Outline {
 
     private void corner(int k, double[] row, int p, int q, double ox, double oz) {
         set(k, row[p] - ox, row[p + 2] - oz, row[q + 2] - row[p + 2], row[p] - row[q]);
+        source[k] = p;
     }
 
     private void set(int k, double px, double pz, double normalX, double normalZ) {

@@ -12,7 +12,7 @@ public final class Overlap {
         int kindB = b.kind(j);
         if (Leaf.isMesh(kindA)) {
             return Leaf.isMesh(kindB)
-                    ? meshes(dimension, a, i, b, j, s)
+                    ? s.pairs.touch(dimension, a, i, b, j)
                     : mesh(dimension, a, i, kindB, b.rows(), j * Leaf.STRIDE, s);
         }
         if (Leaf.isMesh(kindB)) {
@@ -38,25 +38,6 @@ public final class Overlap {
             }
         }
         return hasInside(dimension, mesh, leaf) && Inside.holdsLeaf(mesh, leaf, kind, row, at, s);
-    }
-
-    private static boolean meshes(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, Scratch s) {
-        b.bounds(j, s.box);
-        widen(dimension, s.box);
-        s.outer.startBox(a, i, s.box);
-        for (int t = s.outer.next(0); t >= 0; t = s.outer.next(0)) {
-            s.outer.corners(t, s.triangleA, 0);
-            bounds(dimension, Leaf.TRIANGLE, s.triangleA, 0, s.triangleBox);
-            s.inner.startBox(b, j, s.triangleBox);
-            for (int u = s.inner.next(0); u >= 0; u = s.inner.next(0)) {
-                s.inner.corners(u, s.triangleB, 0);
-                if (convex(dimension, Leaf.TRIANGLE, s.triangleA, 0, Leaf.TRIANGLE, s.triangleB, 0, s)) {
-                    return true;
-                }
-            }
-        }
-        return (hasInside(dimension, a, i) && Inside.holdsMesh(a, i, b, j, s))
-                || (hasInside(dimension, b, j) && Inside.holdsMesh(b, j, a, i, s));
     }
 
     /** Whether the inside of the leaf adds to its surface; what lies above a point inside is seen in projection too. */

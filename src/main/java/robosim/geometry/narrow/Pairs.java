@@ -17,6 +17,11 @@ final class Pairs {
         return v[2 * i];
     }
 
+    /** What the double that {@link #get} answers leaves out. */
+    double rest(int i) {
+        return v[2 * i + 1];
+    }
+
     void set(int i, double value) {
         set(i, value, 0);
     }

@@ -6,40 +6,41 @@ package robosim.geometry.narrow;
  * <p>Between boxes, triangles and prisms the directions are those of separating axes (the sides of the difference set),
  * all of them where several tie; for a sphere or disc whose centre is outside the other it is the direction to the
  * nearest point. Where a cylinder's rim counts, the directions of flat sides and straight edges, of the widest slab that
- * {@link Gjk} saw and of the centres are refined by a pattern search: the depth answered is then a depth in which the
- * leaf does get out, hence never too small, but it is a local minimum and not proven to be the least.
+ * {@link Gjk} saw and of the centres are refined by a pattern search, and a polytope grown inside the difference set
+ * ({@link InnerHull}) proves that there is nothing shallower, or leads the search there.
+ *
+ * <p>Which side is safe: a turn that starts in contact may go on where no depth on the arc is above the one at the start,
+ * so that a depth must not be above the least. What is answered is no more than the least depth and 2^-34 of the sizes and
+ * the offset, proven; it is no less than the least depth either unless the room for the proof runs out, which takes
+ * hundreds of directions that tie to 2^-34, as between cylinders on one axis that are parallel to 10^-3 and not to 10^-11.
+ * Then it is less, by what the proof lacks, and a turn may be refused that only just stays as deep as it was.
  *
  * <p>To rounding, some 2^-48 of sizes and offset; it decides no overlap. (a, b) and (b, a) give the same bits. Nothing is
  * allocated by a question.
  */
 final class Penetration {
-    private static final int MOST_PROBES = 600;
-    private static final double FIRST_STEP = 0.5;
-    private static final double LAST_STEP = 0x1p-30;
+    /** How much more than what is proven may be answered, as a share of the sizes and the offset. */
+    private static final double PROVEN = 0x1p-34;
 
-    /** Directions tried around an edge before the best is refined, a 15-8-17 triangle's angle apart: 28 degrees. */
-    private static final int SPREAD = 13;
+    /** Most places of the hull from which a direction that ties is looked for. */
+    private static final int MOST_TIES = 8;
 
-    private static final double SPREAD_COS = 15 / 17.0;
-    private static final double SPREAD_SIN = 8 / 17.0;
+    /** Directions this close (as 1 less their cosine) lead to the same place. */
+    private static final double SAME_VALLEY = 0x1p-12;
 
     private final Gjk gjk = new Gjk();
     private final Gjk plane = new Gjk();
     private final Support first = new Support();
     private final Support second = new Support();
+    private final InnerHull hull = new InnerHull(first, second);
     private final Facets facetsA = new Facets();
     private final Facets facetsB = new Facets();
 
     private final Directions directions = new Directions();
+    private final DepthSearch search = new DepthSearch(first, second, directions);
     private double margins;
     private boolean flat;
-
-    // Where the pattern search stands.
-    private double searchX;
-    private double searchY;
-    private double searchZ;
-    private double searchDepth;
-    private int probes;
+    private double proven;
 
     /** Depth in space; negative, the distance, where the two are apart. */
     double spatial(int kindA, double[] a, int i, int kindB, double[] b, int j) {
@@ -53,9 +54,32 @@ final class Penetration {
         return ordered(kindA, a, i, kindB, b, j);
     }
 
+    /**
+     * The width of the widest slab between two leaves, to rounding, from where {@link Gjk} ends: close to contact it knows
+     * a direction no better than a rounding is large beside the distance, which counts where a flat side or a straight
+     * edge meets something.
+     *
+     * @param x a unit direction to start from besides
+     */
+    double slab(int kindA, double[] a, int i, int kindB, double[] b, int j, double x, double y, double z) {
+        flat = false;
+        gjk.spatial(kindA, a, i, kindB, b, j);
+        directions.clear();
+        load(kindA, a, i, kindB, b, j);
+        candidates();
+        searchFrom(x, y, z, depth(x, y, z));
+        refine();
+        return Math.max(gjk.reach(), -directions.least());
+    }
+
     /** The distance question that the last one began with; its a and b may be exchanged. */
     Gjk bracket() {
         return gjk;
+    }
+
+    /** The depth is certainly no less than this; at most the depth answered. */
+    double proven() {
+        return proven;
     }
 
     /** How many directions tie; at least 1. */
@@ -94,7 +118,8 @@ final class Penetration {
         directions.clear();
         if (gjk.coreReach() > gjk.error()) {
             take(gjk.nx(), gjk.ny(), gjk.nz(), -gjk.reach());
-            return -gjk.reach();
+            proven = -gjk.reach() - (gjk.coreUpper() - gjk.coreReach()) - gjk.error();
+            return Math.min(-gjk.reach(), proven + gjk.error() * (PROVEN / Gjk.ROUNDOFF));
         }
         load(kindA, a, i, kindB, b, j);
         if (!flat && Leaf.isUpright(kindA) && Leaf.isUpright(kindB)) {
@@ -104,11 +129,67 @@ final class Penetration {
             if (!first.isPolytope() || !second.isPolytope()) {
                 directions.beginSearch();
                 refine();
+                prove(flat ? 0 : ParallelDepth.atLeast(kindA, a, i, kindB, b, j));
+                return kept(proven + PROVEN * (first.extent + second.extent));
             }
         }
+        proven = directions.least() - gjk.error();
+        return kept(Double.POSITIVE_INFINITY);
+    }
+
+    private double kept(double most) {
         double depth = directions.least();
         directions.keepTies(depth + 2 * gjk.error());
-        return depth;
+        return Math.min(depth, most);
+    }
+
+    /** Grows the hull to the least depth known; where it says that there is a shallower one, that is looked for first. */
+    private void prove(double known) {
+        double slack = PROVEN * (first.extent + second.extent);
+        proven = known - gjk.error();
+        if (proven >= directions.least() - slack) {
+            return;
+        }
+        for (int round = 0; round < MOST_TIES; round++) {
+            double core = directions.least() - margins;
+            if (flat) {
+                hull.growPlanar(core - slack);
+            } else {
+                hull.grow(core - slack);
+            }
+            if (!(hull.upper() < core - slack)) {
+                break;
+            }
+            searchFromHull(hull.x(), hull.y(), hull.z());
+        }
+        proven = Math.max(proven, Math.max(0, hull.lower()) + margins - gjk.error());
+        double least = directions.least() - margins;
+        int looked = 0;
+        for (int k = 0; k < hull.sides() && looked < MOST_TIES; k++) {
+            if (hull.reach(k) <= least && isElsewhere(hull.x(k), hull.y(k), hull.z(k), least + margins + slack)) {
+                searchFromHull(hull.x(k), hull.y(k), hull.z(k));
+                looked++;
+            }
+        }
+    }
+
+    private void searchFromHull(double dx, double dy, double dz) {
+        double up = flat ? 0 : dy;
+        double length = Math.sqrt(dx * dx + up * up + dz * dz);
+        if (length > 0) {
+            searchFrom(dx / length, up / length, dz / length, depth(dx / length, up / length, dz / length));
+        }
+    }
+
+    /** Whether none of the shallow directions known is near another. */
+    private boolean isElsewhere(double dx, double dy, double dz, double shallow) {
+        for (int k = 0; k < directions.count(); k++) {
+            double cosine = dx * directions.x(k) + dy * directions.y(k) + dz * directions.z(k);
+            if (directions.depth(k) <= shallow && cosine > 1 - SAME_VALLEY) {
+                return false;
+            }
+        }
+        return true;
     }
 
     private void load(int kindA, double[] a, int i, int kindB, double[] b, int j) {
@@ -127,6 +208,7 @@ final class Penetration {
             facetsB.spatial(kindB, b, j);
         }
         margins = first.margin + second.margin;
+        search.flat = flat;
     }
 
     /**
@@ -212,11 +294,12 @@ final class Penetration {
         directions.take(dx, dy, dz, depth);
     }
 
-    /** How far a has to move along a unit direction until the supporting planes meet. */
     private double depth(double dx, double dy, double dz) {
-        first.find(-dx, -dy, -dz);
-        second.find(dx, dy, dz);
-        return dx * (second.x - first.x) + dy * (second.y - first.y) + dz * (second.z - first.z) + margins;
+        return search.depth(dx, dy, dz);
+    }
+
+    private void searchFrom(double dx, double dy, double dz, double depth) {
+        search.from(dx, dy, dz, depth);
     }
 
     /**
@@ -225,7 +308,7 @@ final class Penetration {
      */
     private void refine() {
         if (flat) {
-            circle(0, 1, 0);
+            search.circle(0, 1, 0);
         } else {
             around(facetsA);
             around(facetsB);
@@ -247,117 +330,7 @@ final class Penetration {
 
     private void around(Facets facets) {
         for (int k = 0; k < facets.edges; k++) {
-            circle(facets.edgeX[k], facets.edgeY[k], facets.edgeZ[k]);
+            search.circle(facets.edgeX[k], facets.edgeY[k], facets.edgeZ[k]);
         }
-    }
-
-    /** Searches the circle across a unit direction, from the best of some directions spread over it. */
-    private void circle(double ex, double ey, double ez) {
-        double tx = ez;
-        double ty = 0;
-        double tz = -ex;
-        if (Math.abs(ex) + Math.abs(ez) < 0x1p-10) {
-            tx = 1;
-            ty = -ex / ey;
-            tz = 0;
-        }
-        double length = Math.sqrt(tx * tx + ty * ty + tz * tz);
-        tx /= length;
-        ty /= length;
-        tz /= length;
-        double sx = ey * tz - ez * ty;
-        double sy = ez * tx - ex * tz;
-        double sz = ex * ty - ey * tx;
-        searchDepth = Double.POSITIVE_INFINITY;
-        double c = 1;
-        double s = 0;
-        for (int n = 0; n < SPREAD; n++) {
-            tryAt(c * tx + s * sx - searchX, c * ty + s * sy - searchY, c * tz + s * sz - searchZ);
-            double turned = c * SPREAD_COS - s * SPREAD_SIN;
-            s = s * SPREAD_COS + c * SPREAD_SIN;
-            c = turned;
-        }
-        probes = 0;
-        for (double step = SPREAD_SIN; step > LAST_STEP && probes < MOST_PROBES; ) {
-            double ax = step * (ey * searchZ - ez * searchY);
-            double ay = step * (ez * searchX - ex * searchZ);
-            double az = step * (ex * searchY - ey * searchX);
-            if (!tryAt(ax, ay, az) && !tryAt(-ax, -ay, -az)) {
-                step *= 0.5;
-            }
-        }
-        take(searchX, searchY, searchZ, searchDepth);
-    }
-
-    private void searchFrom(double dx, double dy, double dz, double depth) {
-        searchX = dx;
-        searchY = dy;
-        searchZ = dz;
-        searchDepth = depth;
-        probes = 0;
-        double turnC = 1;
-        double turnS = 0;
-        for (double step = FIRST_STEP; step > LAST_STEP && probes < MOST_PROBES; ) {
-            if (!improve(step, turnC, turnS)) {
-                step *= 0.5;
-                // Another star of directions each time, so that no valley lies between its arms for good.
-                double c = 0.8 * turnC - 0.6 * turnS;
-                turnS = 0.6 * turnC + 0.8 * turnS;
-                turnC = c;
-            }
-        }
-        take(searchX, searchY, searchZ, searchDepth);
-    }
-
-    /** One round of tries around the place where the search stands; moves it to the first that is shallower. */
-    private boolean improve(double step, double turnC, double turnS) {
-        if (flat) {
-            return tryAt(-searchZ * step, 0, searchX * step) || tryAt(searchZ * step, 0, -searchX * step);
-        }
-        // Two directions across: one level, or along X where the search looks straight up.
-        double tx = -searchZ;
-        double tz = searchX;
-        double length = Math.sqrt(tx * tx + tz * tz);
-        if (length < 0x1p-10) {
-            tx = 1;
-            tz = 0;
-            length = 1;
-        }
-        tx /= length;
-        tz /= length;
-        double sx = searchY * tz;
-        double sy = searchZ * tx - searchX * tz;
-        double sz = -searchY * tx;
-        double c = step * turnC;
-        double s = step * turnS;
-        for (int arm = 0; arm < 4; arm++) {
-            if (tryAt(c * tx + s * sx, s * sy, c * tz + s * sz)) {
-                return true;
-            }
-            double swap = c;
-            c = -s;
-            s = swap;
-        }
-        return false;
-    }
-
-    private boolean tryAt(double offX, double offY, double offZ) {
-        double dx = searchX + offX;
-        double dy = searchY + offY;
-        double dz = searchZ + offZ;
-        double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
-        dx /= length;
-        dy /= length;
-        dz /= length;
-        probes++;
-        double depth = depth(dx, dy, dz);
-        if (!(depth < searchDepth)) {
-            return false;
-        }
-        searchX = dx;
-        searchY = dy;
-        searchZ = dz;
-        searchDepth = depth;
-        return true;
     }
 }

@@ -1,12 +1,20 @@
 package robosim.geometry.narrow;
 
-/** A sector of the XZ plane (the beam of a sonar) and the projection of a leaf. */
+import robosim.geometry.exact.Filter;
+
+/**
+ * A sector of the XZ plane (the beam of a sonar) and the projection of a leaf.
+ *
+ * <p>What is certain in doubles is told from them: a shape that lies beyond one edge of the sector, and one of which the
+ * nearest point lies within. What the edges cut is looked at in pairs of doubles, as flat things in the cone of space
+ * whose section the sector is, so that the plane and space give the same verdicts, exact for the stored cosine.
+ */
 public final class PlanarCone {
-    // Products with the two edges of the sector are off by six roundings of the magnitudes; who is closer to an edge
-    // than that counts as within.
-    private static final double FILTER = 8 * 0x1p-53;
-    private static final double LEAST = 0x1p-200;
-    private static final double MOST = 0x1p200;
+    /** Products with the two edges of the sector are off by six roundings of the magnitudes; 8 are taken. */
+    private static final double FILTER = Filter.bound(8 * 0x1p-53);
+
+    private static final double LEAST = 0x1p-100;
+    private static final double MOST = 0x1p100;
 
     private PlanarCone() {}
 
@@ -14,10 +22,11 @@ public final class PlanarCone {
      * Distance from (ox, oz) to the nearest point of the leaf's projection within the sector of the given half angle
      * about (ux, uz).
      *
-     * <p>The shape and the sector are convex: it is the shape's nearest point if the sector holds that, and otherwise lies
-     * on one of the two edges, where these first meet the shape.
+     * <p>Whether anything is within is exact for the stored cosine, but for a turned cylinder. Distances of boxes,
+     * triangles, octagons and discs are within 8 ulp of the largest of the distance and the coordinates and sizes that it
+     * was computed from.
      *
-     * @param halfCos cosine of the half angle, which is in (0, 90) degrees
+     * @param halfCos cosine of the half angle, which is in (0, 90) degrees; it alone decides what is within
      * @param halfSin its sine
      * @return world units; 0 where the apex is inside or on it, {@code +Infinity} where nothing is within
      */
@@ -38,78 +47,93 @@ public final class PlanarCone {
             ux = Math.scalb(Math.scalb(ux, shift / 2), shift - shift / 2);
             uz = Math.scalb(Math.scalb(uz, shift / 2), shift - shift / 2);
         }
-        double leftX = ux * halfCos - uz * halfSin;
-        double leftZ = ux * halfSin + uz * halfCos;
-        double rightX = ux * halfCos + uz * halfSin;
-        double rightZ = uz * halfCos - ux * halfSin;
+        PlanarSector sector = s.sector;
+        sector.set(ux, uz, halfCos, halfSin, FILTER);
         return switch (kind) {
-            case Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE ->
-                disc(ox, oz, leftX, leftZ, rightX, rightZ, b[j], b[j + 2], b[j + Leaf.SIZE]);
-            case Leaf.CYLINDER -> oval(ox, oz, leftX, leftZ, rightX, rightZ, b, j, s);
-            default -> polygon(ox, oz, leftX, leftZ, rightX, rightZ, kind, b, j, s);
+            case Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE -> disc(sector, ox, oz, ux, uz, halfCos, b, j, s);
+            case Leaf.CYLINDER -> oval(sector, ox, oz, b, j, s);
+            default -> polygon(sector, ox, oz, ux, uz, halfCos, kind, b, j, s);
         };
     }
 
-    /** Whether a point, seen from the apex, lies within the closed sector. */
-    private static boolean holds(double leftX, double leftZ, double rightX, double rightZ, double wx, double wz) {
-        double slack = FILTER
-                * (Math.abs(leftX) + Math.abs(leftZ) + Math.abs(rightX) + Math.abs(rightZ))
-                * (Math.abs(wx) + Math.abs(wz));
-        return wx * leftZ - wz * leftX >= -slack
-                && rightX * wz - rightZ * wx >= -slack
-                // not behind: with a narrow sector both products are small there too
-                && wx * (leftX + rightX) + wz * (leftZ + rightZ) >= 0;
-    }
-
     private static double disc(
+            PlanarSector sector,
             double ox,
             double oz,
-            double leftX,
-            double leftZ,
-            double rightX,
-            double rightZ,
-            double cx,
-            double cz,
-            double r) {
-        double mx = cx - ox;
-        double mz = cz - oz;
-        if (holds(leftX, leftZ, rightX, rightZ, mx, mz)) {
-            return DiscDisc.distance(ox, oz, 0, cx, cz, r);
+            double ux,
+            double uz,
+            double halfCos,
+            double[] b,
+            int j,
+            Scratch s) {
+        double mx = b[j] - ox;
+        double mz = b[j + 2] - oz;
+        double r = b[j + Leaf.SIZE];
+        if (sector.surelyHolds(mx, mz, 0) || DiscDisc.touch(ox, oz, 0, b[j], b[j + 2], r)) {
+            return DiscDisc.distance(ox, oz, 0, b[j], b[j + 2], r);
         }
-        return Math.min(
-                RayDisc.distance(ox, oz, leftX, leftZ, cx, cz, r), RayDisc.distance(ox, oz, rightX, rightZ, cx, cz, r));
+        if (sector.isSurelyBeyond(mx, mz, r)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        flatten(Leaf.SPHERE, b, j, s.flat);
+        s.cone.set(ox, 0, oz, ux, 0, uz, halfCos);
+        return ConeSphere.distance(s.cone, s.flat, 0);
     }
 
     private static double polygon(
+            PlanarSector sector,
             double ox,
             double oz,
-            double leftX,
-            double leftZ,
-            double rightX,
-            double rightZ,
+            double ux,
+            double uz,
+            double halfCos,
             int kind,
             double[] b,
             int j,
             Scratch s) {
         PlanarShape q = s.planarB;
         q.set(kind, b, j, ox, oz);
-        if (nearest(q)) {
-            return 0;
-        }
-        if (holds(leftX, leftZ, rightX, rightZ, q.pointX, q.pointZ)) {
-            return Math.sqrt(q.pointX * q.pointX + q.pointZ * q.pointZ);
-        }
-        // On an edge of the sector; a corner there may be all that it meets.
-        double best = Double.POSITIVE_INFINITY;
-        for (int k = 0; k < q.count; k++) {
-            if (holds(leftX, leftZ, rightX, rightZ, q.x[k], q.z[k])) {
-                best = Math.min(best, Math.sqrt(q.x[k] * q.x[k] + q.z[k] * q.z[k]));
+        if (!q.isTiny()) {
+            int side = PointPolygon.side(0, 0, q, q.error);
+            if (side > 0) {
+                return 0;
+            }
+            if (side < 0 && sector.isSurelyBeyond(q)) {
+                return Double.POSITIVE_INFINITY;
+            }
+            if (side < 0 && !nearest(q) && sector.surelyHolds(q.pointX, q.pointZ, q.error)) {
+                return Math.sqrt(q.pointX * q.pointX + q.pointZ * q.pointZ);
             }
         }
-        // The rays' distances come from the row itself, and write over q.
-        double left = PlanarRay.scaled(ox, oz, leftX, leftZ, kind, b, j, s);
-        double right = PlanarRay.scaled(ox, oz, rightX, rightZ, kind, b, j, s);
-        return Math.min(best, Math.min(left, right));
+        double axis = PlanarRay.scaled(ox, oz, ux, uz, kind, b, j, s);
+        if (axis == 0) {
+            return 0;
+        }
+        flatten(kind, b, j, s.flat);
+        s.cone.set(ox, 0, oz, ux, 0, uz, halfCos);
+        return s.conePolytope.distance(s.cone, axis, kind, s.flat, 0);
+    }
+
+    /** The projection as a leaf of no height in the plane y = 0. */
+    private static void flatten(int kind, double[] b, int j, double[] out) {
+        System.arraycopy(b, j, out, 0, Leaf.STRIDE);
+        switch (kind) {
+            case Leaf.TRIANGLE -> {
+                out[1] = 0;
+                out[4] = 0;
+                out[7] = 0;
+            }
+            case Leaf.PRISM -> {
+                out[8] = 0;
+                out[9] = 0;
+            }
+            default -> {
+                out[1] = 0;
+                for (int k = Leaf.ROTATION + 3; k < Leaf.ROTATION + 6; k++) {
+                    out[k] = 0;
+                }
+            }
+        }
     }
 
     // The point nearest to the apex is left in q's point; true where the apex is inside.
@@ -151,16 +175,7 @@ public final class PlanarCone {
         return inside;
     }
 
-    private static double oval(
-            double ox,
-            double oz,
-            double leftX,
-            double leftZ,
-            double rightX,
-            double rightZ,
-            double[] b,
-            int j,
-            Scratch s) {
+    private static double oval(PlanarSector sector, double ox, double oz, double[] b, int j, Scratch s) {
         PlanarShape apex = s.planarA;
         PlanarShape q = s.planarB;
         apex.point();
@@ -171,10 +186,11 @@ public final class PlanarCone {
             return 0;
         }
         // Seen from the apex, the nearest point lies along the best normal.
-        if (holds(leftX, leftZ, rightX, rightZ, bracket.normalX, bracket.normalZ)) {
+        if (sector.mayHold(bracket.normalX, bracket.normalZ)) {
             return bracket.distance();
         }
         return Math.min(
-                RayOval.distance(ox, oz, leftX, leftZ, b, j, q), RayOval.distance(ox, oz, rightX, rightZ, b, j, q));
+                RayOval.distance(ox, oz, sector.leftX, sector.leftZ, b, j, q),
+                RayOval.distance(ox, oz, sector.rightX, sector.rightZ, b, j, q));
     }
 }

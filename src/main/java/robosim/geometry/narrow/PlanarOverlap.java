@@ -9,7 +9,8 @@ public final class PlanarOverlap {
      *
      * <p>Exact for the stored numbers where boxes, triangles, spheres and upright cylinders are concerned. Octagons (they
      * are enclosures) and turned cylinders are certified: apart only where a line between the two is beyond the rounding
-     * error, some 2^-46 of the sizes and the offset.
+     * error, some 2^-46 of the sizes and the offset. With a turned cylinder {@link Scratch#uncertain} is set where the two
+     * touch and are not so deep in each other that no rounding could matter; octagons only have to miss nothing.
      */
     public static boolean test(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
         if (Order.isReversed(kindA, a, i, kindB, b, j)) {
@@ -56,6 +57,20 @@ public final class PlanarOverlap {
         s.planarA.set(kindA, a, i, ox, oz);
         s.planarB.set(kindB, b, j, ox, oz);
         s.planarBracket.find(s.planarA, s.planarB, true);
-        return !s.planarBracket.isApart();
+        if (s.planarBracket.isApart()) {
+            return false;
+        }
+        s.uncertain |= !isDeep(kindA, a, i, kindB, b, j, s);
+        return true;
+    }
+
+    /** Whether the two have a point in common that no rounding can have brought there. */
+    private static boolean isDeep(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+        s.gjk.planar(kindA, a, i, kindB, b, j);
+        if (s.gjk.isDeep()) {
+            return true;
+        }
+        s.hull.growPlanar(Double.MIN_VALUE);
+        return s.hull.lower() > 0;
     }
 }

@@ -1,6 +1,7 @@
 package robosim.geometry.narrow;
 
 import robosim.geometry.exact.DoubleDouble;
+import robosim.geometry.exact.Orientation;
 
 /**
  * What is left of a leaf on the XZ plane, relative to an origin near it: a disc, a convex polygon, or the oval that a
@@ -17,9 +18,17 @@ final class PlanarShape {
     /** Most corners of a polygon: those of an octagon. */
     static final int CORNERS = 8;
 
-    // Each coordinate is made by at most eight roundings of numbers no larger than the sum of the magnitudes that go
-    // in; the sum itself is rounded too.
+    // In u = 2^-53: each coordinate is made by at most eight roundings of numbers no larger than the sum of the
+    // magnitudes that go in; the sum itself is rounded too.
     private static final double ROUNDING = 9 * 0x1p-53;
+
+    // A box's corner: of the half axes' magnitudes their products 1u, the sum of three 2u, twice what is taken from it
+    // 2u;
+    // the centre 1u; the corner 1u of all; and a little, as the sum of the magnitudes is itself rounded.
+    private static final double BOX_ROUNDING = 6.01 * 0x1p-53;
+
+    // A triangle's corner is one difference: off by 1u of itself.
+    private static final double CORNER_ROUNDING = 0x1p-53;
     private static final double BLUR = 16;
 
     int family;
@@ -35,6 +44,9 @@ final class PlanarShape {
 
     /** No corner is off by more in x or in z; for a disc or an oval the same of its outline. */
     double error;
+
+    /** No coordinate of a corner is larger, nor the sum of the magnitudes that it is made of. */
+    double size;
 
     /** Of a disc or an oval. */
     double centerX;
@@ -76,13 +88,21 @@ final class PlanarShape {
         return error < 0x1p-448;
     }
 
-    /** Whether a side is so short that rounding of its ends may turn it anywhere. */
-    boolean isBlurred(double ex, double ez) {
-        return Math.abs(ex) + Math.abs(ez) <= BLUR * error;
+    /** Makes the corners so many times as large; a power of two, so that nothing is rounded. */
+    void enlarge(double power) {
+        for (int k = 0; k < count; k++) {
+            x[k] *= power;
+            z[k] *= power;
+        }
     }
 
-    private static double bound(double size) {
-        return size < 0x1p-450 ? 2 * size + Double.MIN_VALUE : ROUNDING * size;
+    /** Whether a side is so short that rounding of its ends may turn it anywhere. */
+    boolean isBlurred(double ex, double ez) {
+        return Math.abs(ex) + Math.abs(ez) <= BLUR * Math.max(error, ROUNDING * size);
+    }
+
+    private static double bound(double size, double rounding) {
+        return size < 0x1p-450 ? 2 * size + Double.MIN_VALUE : rounding * size;
     }
 
     /** A point near a leaf to see it and others from: its centre, or one corner. */
@@ -121,7 +141,7 @@ final class PlanarShape {
         centerX = row[at] - ox;
         centerZ = row[at + 2] - oz;
         radius = row[at + Leaf.SIZE];
-        error = bound(Math.abs(centerX) + Math.abs(centerZ) + radius);
+        error = bound(Math.abs(centerX) + Math.abs(centerZ) + radius, ROUNDING);
     }
 
     private void oval(double[] row, int at, double ox, double oz) {
@@ -138,7 +158,7 @@ final class PlanarShape {
         reach = row[at + Leaf.SIZE + 1] * level;
         axisX = level > 0 ? ax / level : 1;
         axisZ = level > 0 ? az / level : 0;
-        error = bound(Math.abs(centerX) + Math.abs(centerZ) + 2 * radius + reach);
+        error = bound(Math.abs(centerX) + Math.abs(centerZ) + 2 * radius + reach, ROUNDING);
     }
 
     private void triangle(double[] row, int at, double ox, double oz) {
@@ -148,9 +168,10 @@ final class PlanarShape {
         double z1 = row[at + 5] - oz;
         double x2 = row[at + 6] - ox;
         double z2 = row[at + 8] - oz;
-        double size = Math.max(
-                Math.abs(x0) + Math.abs(z0), Math.max(Math.abs(x1) + Math.abs(z1), Math.abs(x2) + Math.abs(z2)));
-        error = bound(size);
+        size = Math.max(
+                Math.max(Math.abs(x0), Math.abs(z0)),
+                Math.max(Math.max(Math.abs(x1), Math.abs(z1)), Math.max(Math.abs(x2), Math.abs(z2))));
+        error = bound(size, CORNER_ROUNDING);
         double turn = (x1 - x0) * (z2 - z0) - (z1 - z0) * (x2 - x0);
         if (turn > 0) {
             corner(x0, z0);
@@ -212,7 +233,8 @@ final class PlanarShape {
     private void box(double[] row, int at, double ox, double oz) {
         double cx = row[at] - ox;
         double cz = row[at + 2] - oz;
-        double size = Math.abs(cx) + Math.abs(cz);
+        double sizeX = Math.abs(cx);
+        double sizeZ = Math.abs(cz);
         int spans = 0;
         double sumX = 0;
         double sumZ = 0;
@@ -227,12 +249,14 @@ final class PlanarShape {
                 gx = -gx;
                 gz = -gz;
             }
-            size += Math.abs(gx) + gz;
+            sizeX += Math.abs(gx);
+            sizeZ += gz;
             sumX += gx;
             sumZ += gz;
             spans = insert(spans, gx, gz);
         }
-        error = bound(size);
+        size = Math.max(sizeX, sizeZ);
+        error = bound(size, BOX_ROUNDING);
         double px = -sumX;
         double pz = -sumZ;
         if (spans == 0) {
@@ -254,13 +278,15 @@ final class PlanarShape {
         count = 2 * spans;
     }
 
-    // Keeps the spans in the order of their directions, and those of one direction as one.
+    // Keeps the spans in the order of their directions, and those of one direction as one. Compared exactly: a long
+    // span
+    // that is taken for parallel to one that is all but nothing would come out of order among the others.
     private int insert(int spans, double gx, double gz) {
         int to = 0;
-        while (to < spans && spanX[to] * gz - spanZ[to] * gx > 0) {
+        while (to < spans && turn(to, gx, gz) > 0) {
             to++;
         }
-        if (to < spans && spanX[to] * gz - spanZ[to] * gx == 0) {
+        if (to < spans && turn(to, gx, gz) == 0) {
             spanX[to] += gx;
             spanZ[to] += gz;
             return spans;
@@ -274,6 +300,10 @@ final class PlanarShape {
         return spans + 1;
     }
 
+    private int turn(int span, double gx, double gz) {
+        return Orientation.compareProducts(spanX[span], gz, spanZ[span], gx);
+    }
+
     private void octagon(double[] row, int at, double ox, double oz) {
         double x0 = row[at] - ox;
         double x1 = row[at + 1] - ox;
@@ -285,12 +315,12 @@ final class PlanarShape {
         double s1 = row[at + 5] - so;
         double d0 = row[at + 6] - to;
         double d1 = row[at + 7] - to;
-        double size = Math.abs(row[at])
+        size = Math.abs(row[at])
                 + Math.abs(row[at + 1])
                 + Math.abs(row[at + 2])
                 + Math.abs(row[at + 3])
                 + 2 * (Math.abs(ox) + Math.abs(oz));
-        error = bound(4 * size);
+        error = bound(4 * size, ROUNDING);
         // The planes are rounded outward, so that one may lie beyond the corner of its neighbours: draw each back to
         // where the others let it touch.
         for (int pass = 0; pass < 2; pass++) {

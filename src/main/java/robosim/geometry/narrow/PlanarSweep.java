@@ -85,18 +85,12 @@ public final class PlanarSweep {
         return exactDisc(a, i, dx, dz, kindB, b, j, null);
     }
 
-    /** Time of contact of a disc in the plane; NaN where plain doubles cannot tell. */
+    /** Time of contact of a disc in the plane; NaN where pairs of doubles cannot tell. */
     static double roughly(double[] a, int i, double dx, double dz, int kindB, double[] b, int j, Scratch s) {
         MovingDisc disc = s.sweep.disc;
-        if (isDisc(kindB)) {
-            double qx = b[j] - a[i];
-            double qz = b[j + 2] - a[i + 2];
-            double size = Math.max(Math.abs(qx), Math.abs(qz));
-            return disc.corner(qx, qz, size, a[i + 3] + b[j + 3], dx, dz);
-        }
-        Outline outline = s.sweep.outline;
-        outline.load(kindB, b, j, a[i], a[i + 2]);
-        return disc.time(outline, a[i + 3], dx, dz);
+        return isDisc(kindB)
+                ? disc.discs(a, i, dx, dz, b, j, s.sweep.outline)
+                : disc.polygon(a, i, dx, dz, kindB, b, j, s.sweep.outline);
     }
 
     static double exactDisc(

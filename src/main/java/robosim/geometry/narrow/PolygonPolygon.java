@@ -5,10 +5,11 @@ import robosim.geometry.exact.Stages;
 
 /** Two convex polygons on the plane: what boxes, triangles and octagons throw. */
 final class PolygonPolygon {
-    // A corner coordinate is off by the shapes' own error. The value of a side's normal at a corner adds three
-    // roundings of the two coordinates, which the shapes' errors (nine roundings of all that went in) cover too: 4 of
-    // each side's error in a difference of two such values.
-    private static final double ROUNDING = 4;
+    // With n the difference of two corners, a corner's coordinates are off by the shape's error, so n . corner by that
+    // times |nx| + |nz|; n, the products and their sum add 3u of the shape's size. The polygons as rounded overlap in a
+    // square of the errors' size where no n, a normal of theirs, finds them less deep; then the real ones overlap.
+    private static final double ROUNDING = 1.01;
+    private static final double PRODUCT = 3 * 0x1p-53;
     private static final double FILTER = Filter.bound(ROUNDING);
     private static final double UNDERFLOW = 0x1p-960;
 
@@ -27,7 +28,7 @@ final class PolygonPolygon {
         // The normals of all sides tell how deep two polygons overlap, unless both are flat and parallel; those, and
         // what is small beside the error, never overlap clearly and so go to the exact path.
         boolean isEnclosure = kindA == Leaf.PRISM || kindB == Leaf.PRISM;
-        double error = (isEnclosure ? ROUNDING : FILTER) * (p.error + q.error);
+        double error = (isEnclosure ? ROUNDING : FILTER) * (p.error + q.error + PRODUCT * (p.size + q.size));
         int verdict = Math.max(apart(p, q, error), apart(q, p, error));
         if (verdict == 1) {
             verdict = Math.max(verdict, Math.max(apartAlong(p, q, 1, 0, error), apartAlong(p, q, 0, 1, error)));
@@ -85,6 +86,11 @@ final class PolygonPolygon {
         }
         PlanarShape p = s.planarA;
         PlanarShape q = s.planarB;
+        if (p.isTiny() && q.isTiny()) { // else the squares would vanish
+            p.enlarge(RayMath.ENLARGED);
+            q.enlarge(RayMath.ENLARGED);
+            return Math.sqrt(Math.min(cornersToSides(p, q), cornersToSides(q, p))) / RayMath.ENLARGED;
+        }
         return Math.sqrt(Math.min(cornersToSides(p, q), cornersToSides(q, p)));
     }
 

@@ -10,15 +10,18 @@ import robosim.geometry.exact.Stages;
  * <p>The axes are the sides' normals of both and the cross products of their edges: 15, 13 or 11. In these few a pair of
  * which one is flat in the plane of the other, or no triangle at all but a segment or a point, always leaves a doubt.
  *
- * <p>The bounds, with u = 2^-53, n the axis and E the sums of the magnitudes that the coordinates come from: projections
- * of corners seen from a's origin are off by u (a coordinate) + 3u (the dot product), sums and differences of six of them
- * by 6u more of |n|.E; 16u is taken. The axis itself is off by at most 4u of the permanent P of its cross products (of
- * differences, rounded once each) and a box's side by 2u: (16 + 4)u of P.E, taken as 32u. An axis is an axis however it
- * was rounded, so that a gap beyond the first bound is a proof; that an axis does not separate needs the second.
+ * <p>The bounds, with u = 2^-53, n the axis and E the sums of the magnitudes that the coordinates come from. A point seen
+ * from a's origin is off by u a coordinate, its projection by 3u more of |n|.E. A box's half width is the sum of three,
+ * 2u, and added to the other's 1u; middles likewise: 7u of |n|.E. A triangle's middle and half width come each from two
+ * of three projections, which count in both: twice 4 + 1 + 1, so 12u. The axis itself is off by 2u of the permanent P of
+ * its cross products, by 4u where the edges are differences: 9u and 16u of P.E. An axis is an axis however it was rounded,
+ * so that a gap beyond the first bound is a proof; that an axis does not separate needs the second.
  */
 final class PolytopePolytope {
-    private static final double PROJECTED = Filter.bound(16 * 0x1p-53);
-    private static final double WITH_AXIS = Filter.bound(32 * 0x1p-53);
+    private static final double PROJECTED = Filter.bound(7.01 * 0x1p-53);
+    private static final double WITH_AXIS = Filter.bound(9.01 * 0x1p-53);
+    private static final double TRIANGLE_PROJECTED = Filter.bound(12.01 * 0x1p-53);
+    private static final double TRIANGLE_WITH_AXIS = Filter.bound(16.01 * 0x1p-53);
 
     /** What underflow may add to a gap, several times over. */
     private static final double UNDERFLOW = 0x1p-1000;
@@ -31,6 +34,10 @@ final class PolytopePolytope {
     private final Sides first = new Sides();
     private final Sides second = new Sides();
 
+    // The bounds for the pair in hand.
+    private double projected;
+    private double withAxis;
+
     // The axis in hand and the permanents of its coordinates.
     private double nx;
     private double ny;
@@ -42,12 +49,15 @@ final class PolytopePolytope {
     boolean touch(int kindA, double[] a, int i, int kindB, double[] b, int j) {
         first.load(kindA, a, i, a[i], a[i + 1], a[i + 2]);
         second.load(kindB, b, j, a[i], a[i + 1], a[i + 2]);
+        boolean isTriangle = kindA == Leaf.TRIANGLE || kindB == Leaf.TRIANGLE;
+        projected = isTriangle ? TRIANGLE_PROJECTED : PROJECTED;
+        withAxis = isTriangle ? TRIANGLE_WITH_AXIS : WITH_AXIS;
         int doubts = 0;
         int bit = 1;
         for (int k = 0; k < first.faces + second.faces; k++, bit <<= 1) {
             face(k < first.faces ? first : second, k < first.faces ? k : k - first.faces);
             double gap = gap();
-            if (gap > bound(PROJECTED, nx, ny, nz) + UNDERFLOW) {
+            if (gap > bound(projected, nx, ny, nz) + UNDERFLOW) {
                 return false;
             }
             doubts |= isDoubtful(gap) ? bit : 0;
@@ -58,7 +68,7 @@ final class PolytopePolytope {
                     continue;
                 }
                 double gap = gap();
-                if (gap > bound(PROJECTED, nx, ny, nz) + UNDERFLOW) {
+                if (gap > bound(projected, nx, ny, nz) + UNDERFLOW) {
                     return false;
                 }
                 doubts |= isDoubtful(gap) ? bit : 0;
@@ -79,7 +89,7 @@ final class PolytopePolytope {
     }
 
     private boolean isDoubtful(double gap) {
-        double bound = bound(WITH_AXIS, px, py, pz);
+        double bound = bound(withAxis, px, py, pz);
         return !(gap < -bound) || bound < SMALL || bound == Double.POSITIVE_INFINITY;
     }
 

@@ -7,8 +7,15 @@ import robosim.geometry.exact.Stages;
 
 /** A ray and a disc on the plane. */
 final class RayDisc {
-    // Each side of the comparisons below is a sum of products of at most seven roundings.
-    private static final double FILTER = Filter.bound(12 * 0x1p-53);
+    // In u = 2^-53. The square of the offset, rounded once before, is off by 4u of itself, the radius's by 1u.
+    private static final double START = Filter.bound(4.01 * 0x1p-53);
+
+    // A product of the offset and the direction: offset 1u, product 1u, sum 1u.
+    private static final double PRODUCT = Filter.bound(3.01 * 0x1p-53);
+
+    // r^2 |u|^2: squares 1u each, sum 1u, product 1u; on the other side the bound's difference 1u, twice, and its
+    // square.
+    private static final double REACH = Filter.bound(7.01 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
 
     private static final Stages.Counter EXACT = Stages.counter("RayDisc");
@@ -21,26 +28,26 @@ final class RayDisc {
         double mz = cz - oz;
         double square = mx * mx + mz * mz;
         double rr = r * r;
-        double doubt = FILTER * (square + rr) + UNDERFLOW;
+        double doubt = START * (square + rr) + UNDERFLOW;
         if (square < rr - doubt || (!(square > rr + doubt) && DiscDisc.touch(ox, oz, 0, cx, cz, r))) {
             return 0;
         }
         // The start is outside: a line that meets the disc does so on one side of the start.
-        double size = (Math.abs(mx) + Math.abs(mz)) * (Math.abs(ux) + Math.abs(uz));
         double ahead = mx * ux + mz * uz;
-        if (ahead < -FILTER * size - UNDERFLOW) {
+        double aheadSlack = PRODUCT * (Math.abs(mx * ux) + Math.abs(mz * uz)) + UNDERFLOW;
+        if (ahead < -aheadSlack) {
             return Double.POSITIVE_INFINITY;
         }
         double length = ux * ux + uz * uz;
         double aside = Math.abs(ux * mz - uz * mx);
-        double slack = FILTER * size + UNDERFLOW;
+        double slack = PRODUCT * (Math.abs(ux * mz) + Math.abs(uz * mx)) + UNDERFLOW;
         double least = Math.max(0, aside - slack);
         double reach = rr * length;
-        if (least * least > reach + (FILTER * reach + UNDERFLOW)) {
+        if (least * least > reach + (REACH * reach + UNDERFLOW)) {
             return Double.POSITIVE_INFINITY;
         }
         double most = aside + slack;
-        if (!(most * most < reach - (FILTER * reach + UNDERFLOW) && ahead > slack)
+        if (!(most * most < reach - (REACH * reach + UNDERFLOW) && ahead > aheadSlack)
                 && !exactHit(ox, oz, ux, uz, cx, cz, r)) {
             return Double.POSITIVE_INFINITY;
         }

@@ -15,6 +15,11 @@ final class RayInterval {
     /** Which slab it enters last; -1 where it starts inside all. */
     int face;
 
+    // What is known of the entry into that slab, and the latest that the entry into any other may be.
+    private double faceLow;
+    private double faceHigh;
+    private double othersHigh;
+
     private double enterLow;
     private double enterHigh;
     private double leaveLow;
@@ -24,6 +29,9 @@ final class RayInterval {
     void reset() {
         enter = 0;
         face = -1;
+        faceLow = 0;
+        faceHigh = 0;
+        othersHigh = 0;
         enterLow = 0;
         enterHigh = 0;
         leaveLow = Double.POSITIVE_INFINITY;
@@ -37,6 +45,10 @@ final class RayInterval {
      */
     void clip(double low, double lowError, double high, double highError, double b, double bError, int id) {
         double certain = Math.abs(b) - bError;
+        if (isVanishing(low) || isVanishing(high)) {
+            doubtful = true;
+            return;
+        }
         if (!(certain > 0x1p-400)) {
             parallel(low, lowError, high, highError, b, bError);
             return;
@@ -49,11 +61,21 @@ final class RayInterval {
         clip(first, firstError * (1 + 8 * U), last, lastError * (1 + 8 * U), id);
     }
 
+    /** Whether a quotient of it may underflow, to 0 even, which it is not. */
+    private static boolean isVanishing(double offset) {
+        return offset != 0 && Math.abs(offset) < 0x1p-900;
+    }
+
     /** Keeps what lies between two parameters, each known to the error that follows it. */
     void clip(double first, double firstError, double last, double lastError, int id) {
         if (first > enter) {
+            othersHigh = Math.max(othersHigh, faceHigh);
             enter = first;
             face = id;
+            faceLow = first - firstError;
+            faceHigh = first + firstError;
+        } else {
+            othersHigh = Math.max(othersHigh, first + firstError);
         }
         enterLow = Math.max(enterLow, first - firstError);
         enterHigh = Math.max(enterHigh, first + firstError);
@@ -86,8 +108,11 @@ final class RayInterval {
         return enterLow > leaveHigh;
     }
 
-    /** Something of the ray is left, certainly, and whether it starts inside is certain too. */
+    /**
+     * Something of the ray is left, certainly, and whether it starts inside is certain too, and which slab it enters last:
+     * by an edge two are as good as tied, and the distance to the wrong one would be off by more than a few ulp.
+     */
     boolean isCertain() {
-        return !doubtful && enterHigh <= leaveLow && (enterLow > 0 || enterHigh == 0);
+        return !doubtful && enterHigh <= leaveLow && (enterHigh == 0 || (enterLow > 0 && othersHigh <= faceLow));
     }
 }

@@ -13,7 +13,23 @@ final class RayMath {
      */
     static final double UNDERFLOW = 0x1p-800;
 
+    /** Below this the squares of a distance's parts may vanish, and above it none does that matters. */
+    static final double TINY = 0x1p-450;
+
+    /** Makes what is tiny large enough to be squared; a power of two, so that nothing is rounded. */
+    static final double ENLARGED = 0x1p500;
+
     private RayMath() {}
+
+    /** The root of the sum of two squares of what is not negative, however small. */
+    static double legs(double x, double z) {
+        if (x + z < TINY) {
+            double ex = x * ENLARGED;
+            double ez = z * ENLARGED;
+            return Math.sqrt(ex * ex + ez * ez) / ENLARGED;
+        }
+        return Math.sqrt(x * x + z * z);
+    }
 
     static double largest(double x, double y, double z) {
         return Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));

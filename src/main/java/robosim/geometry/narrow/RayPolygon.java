@@ -6,12 +6,13 @@ import robosim.geometry.exact.Stages;
 
 /** A ray and a convex polygon on the plane: what a box, a triangle or an octagon throws. */
 final class RayPolygon {
-    // Corners are seen from the start, and off by the shape's error, nine roundings of the largest coordinate; products
-    // with the direction or with a side add three more of the same size.
-    private static final double ROUNDING = 2;
-    private static final double SIDE_ROUNDING = 8;
+    // Corners are seen from the start, and off by the shape's error; a product with the direction and the sum of two
+    // add
+    // 2u of the size. A side is the difference of two corners, off by twice the error; it, a product and a sum add 3u.
+    private static final double ROUNDING = 1.01;
     private static final double FILTER = Filter.bound(ROUNDING);
-    private static final double SIDE_FILTER = Filter.bound(SIDE_ROUNDING);
+    private static final double PRODUCT = 2 * 0x1p-53;
+    private static final double SIDE_PRODUCT = 3 * 0x1p-53;
     private static final double UNDERFLOW = 0x1p-960;
 
     private static final Stages.Counter EXACT = Stages.counter("RayPolygon");
@@ -24,7 +25,8 @@ final class RayPolygon {
         q.set(kind, b, j, ox, oz);
         double speed = Math.abs(ux) + Math.abs(uz);
         boolean isEnclosure = kind == Leaf.PRISM;
-        double doubt = (isEnclosure ? ROUNDING : FILTER) * q.error * speed + UNDERFLOW;
+        double filter = isEnclosure ? ROUNDING : FILTER;
+        double doubt = filter * (q.error + PRODUCT * q.size) * speed + UNDERFLOW;
         double left = -Double.MAX_VALUE;
         double right = Double.MAX_VALUE;
         double nearest = Double.MAX_VALUE;
@@ -40,8 +42,7 @@ final class RayPolygon {
         if (left < -doubt || right > doubt || furthest < -doubt) {
             return Double.POSITIVE_INFINITY;
         }
-        int verdict =
-                left > doubt && right < -doubt ? sides(q, ux, uz, speed, isEnclosure ? SIDE_ROUNDING : SIDE_FILTER) : 0;
+        int verdict = left > doubt && right < -doubt ? sides(q, ux, uz, speed, filter) : 0;
         if (verdict < 0) {
             return Double.POSITIVE_INFINITY;
         }
@@ -73,9 +74,12 @@ final class RayPolygon {
             double nz = q.x[previous] - q.x[k];
             double beyond = -(nx * q.x[k] + nz * q.z[k]);
             double nearing = -(nx * ux + nz * uz);
-            double doubt =
-                    filter * q.error * (Math.abs(nx) + Math.abs(nz) + Math.abs(q.x[k]) + Math.abs(q.z[k])) + UNDERFLOW;
-            double nearingDoubt = filter * q.error * speed + UNDERFLOW;
+            double length = Math.abs(nx) + Math.abs(nz);
+            double doubt = filter
+                            * ((q.error + SIDE_PRODUCT * q.size) * length
+                                    + 2 * q.error * (Math.abs(q.x[k]) + Math.abs(q.z[k])))
+                    + UNDERFLOW;
+            double nearingDoubt = filter * (2 * q.error + SIDE_PRODUCT * length) * speed + UNDERFLOW;
             if (beyond > doubt && nearing < -nearingDoubt) {
                 return -1;
             }

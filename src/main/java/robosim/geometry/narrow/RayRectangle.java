@@ -53,9 +53,10 @@ final class RayRectangle {
         if (past > pastDoubt) {
             return Double.POSITIVE_INFINITY;
         }
+        // Of a side that is all but flat it may be in doubt on which side of it the ray starts.
         if (past < -pastDoubt
-                && (beyondX < -doubt || nearingX > wayDoubt)
-                && (beyondZ < -doubt || nearingZ > wayDoubt)) {
+                && (beyondX < -doubt || (nearingX > wayDoubt && Math.abs(startX) > doubt))
+                && (beyondZ < -doubt || (nearingZ > wayDoubt && Math.abs(startZ) > doubt))) {
             return entry(ox, oz, ux, uz, row, at);
         }
         return doubtful(ox, oz, ux, uz, row, at);

@@ -6,9 +6,15 @@ import robosim.geometry.exact.Stages;
 
 /** The rectangles that two upright boxes throw on the plane. */
 final class RectangleRectangle {
-    // Both sides of a separating axis test are sums of products of at most seven roundings; no direction is longer than
-    // 1 + 1e-9, so that no magnitude in them is above (1 + 1e-8)(|dx| + |dz| + twice the half sizes).
-    private static final double FILTER = Filter.bound(9 * 0x1p-53);
+    // With u = 2^-53 and n a stored direction, no longer than 1 + 1e-9 (Cauchy's inequality bounds the sums of
+    // products):
+    // the offset along n is rounded three times, so off by 3u (|dx| + |dz|); a cross product twice, so off by 2u, its
+    // product with a half size once, and the sum of three of these twice: 5u of the half sizes. The last difference
+    // does
+    // not change its sign. The 2^-26 cover squares of u, the directions' lengths and the bound's own rounding.
+    private static final double SLACK = 1 + 0x1p-26;
+    private static final double OFFSET = Filter.bound(SLACK * 3 * 0x1p-53);
+    private static final double HALVES = Filter.bound(SLACK * 5 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
 
     private static final Stages.Counter EXACT = Stages.counter("RectangleRectangle");
@@ -23,7 +29,8 @@ final class RectangleRectangle {
         double aHalfZ = a[i + 5];
         double bHalfX = b[j + 3];
         double bHalfZ = b[j + 5];
-        double doubt = FILTER * (Math.abs(dx) + Math.abs(dz) + 2 * (aHalfX + aHalfZ + bHalfX + bHalfZ)) + UNDERFLOW;
+        double doubt =
+                OFFSET * (Math.abs(dx) + Math.abs(dz)) + HALVES * (aHalfX + aHalfZ + bHalfX + bHalfZ) + UNDERFLOW;
         double aux = a[i + 6];
         double auz = a[i + 12];
         double avx = a[i + 8];

@@ -18,10 +18,16 @@ public final class Scratch {
     final MeshWalk inner = new MeshWalk();
     final MeshWalk around = new MeshWalk();
 
+    /** Two meshes, descended at once. */
+    final ContactPairs pairs = new ContactPairs(this);
+
     /** A placed triangle of the first and of the second mesh, as leaf rows. */
     final double[] triangleA = new double[Leaf.STRIDE];
 
     final double[] triangleB = new double[Leaf.STRIDE];
+
+    /** A point as a sphere's row. */
+    final double[] witness = new double[Leaf.STRIDE];
 
     final double[] box = new double[6];
     final double[] triangleBox = new double[6];
@@ -32,7 +38,11 @@ public final class Scratch {
     /** Distance and penetration of the two leaves of a question, in space or in the plane. */
     final Gjk gjk = new Gjk();
 
+    /** Looks at the two leaves that {@link #gjk} was asked about last. */
+    final InnerHull hull = new InnerHull(gjk.first, gjk.second);
+
     final PolytopePolytope polytopes = new PolytopePolytope();
+    final SphereDistance sphereDistance = new SphereDistance();
     final Penetration penetration = new Penetration();
 
     /** The projections of the two leaves of a planar question. */
@@ -48,6 +58,11 @@ public final class Scratch {
     final RayInterval ray = new RayInterval();
     final RayRefine refine = new RayRefine();
     final NearestFace face = new NearestFace();
+    final PlanarSector sector = new PlanarSector();
+
+    /** A leaf laid flat. */
+    final double[] flat = new double[Leaf.STRIDE];
+
     final Cone cone = new Cone();
     final ConePolytope conePolytope = new ConePolytope();
     final ConeCylinder coneCylinder = new ConeCylinder();

@@ -105,6 +105,19 @@ final class Simplex {
         return depth;
     }
 
+    /** How far from the origin the point is that the weights give; beside the root of {@link #norm} where that is no 0. */
+    double residual() {
+        double sx = 0;
+        double sy = 0;
+        double sz = 0;
+        for (int k = 0; k < count; k++) {
+            sx += weight[k] * x[k];
+            sy += weight[k] * y[k];
+            sz += weight[k] * z[k];
+        }
+        return Math.sqrt(sx * sx + sy * sy + sz * sz);
+    }
+
     double ax() {
         return mean(pointsA, 0);
     }

@@ -5,8 +5,11 @@ import robosim.geometry.exact.Stages;
 
 /** Whether two leaves touch or overlap in space. */
 public final class SpatialOverlap {
-    /** Squares compared; 8 roundings of at most a half ulp in the difference of two sums of squares, so 16u of both. */
-    private static final double SPHERES_FILTER = Filter.bound(16 * 0x1p-53);
+    /**
+     * Squares compared, with u = 2^-53: an offset 1u, which counts twice in its square, that 1u, the sum of three 2u, so 5u;
+     * the reach likewise 3u; their difference keeps its sign.
+     */
+    private static final double SPHERES_FILTER = Filter.bound(5.01 * 0x1p-53);
 
     private static final double UNDERFLOW = 0x1p-1000;
     private static final Stages.Counter EXACT = Stages.counter("SpatialOverlap");
@@ -17,9 +20,10 @@ public final class SpatialOverlap {
     /**
      * Whether two leaves touch or overlap; the same for (a, b) and (b, a).
      *
-     * <p>Exact for the stored numbers, but for two cylinders of which one is turned, and for a prism with a leaf that is
-     * not upright (or where {@link PlanarOverlap} is not): these are certified, apart only where a slab between the two is
-     * wider than its rounding error, some 2^-48 of the sizes and the offset.
+     * <p>Exact for the stored numbers, but for two cylinders whose axes are not parallel, and for a prism with a sphere or
+     * a turned cylinder (or where {@link PlanarOverlap} is not). These are certified: see {@link CylinderCylinder#touch};
+     * and prisms, which are enclosures and only have to miss nothing, are apart from what is round only where a slab
+     * between the two is wider than its rounding error, some 2^-48 of the sizes and the offset.
      */
     public static boolean test(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
         if (Leaf.isUpright(kindA) && Leaf.isUpright(kindB)) {
@@ -37,6 +41,9 @@ public final class SpatialOverlap {
         if (kindA == Leaf.SPHERE && kindB == Leaf.SPHERE) {
             return spheres(a, i, b, j);
         }
+        if (isCylinder(kindA) && isCylinder(kindB)) {
+            return CylinderCylinder.touch(kindA, a, i, kindB, b, j, s);
+        }
         if (Filter.isDoubting() && hasExact(kindA, kindB)) {
             return exactly(kindA, a, i, kindB, b, j, s);
         }
@@ -50,17 +57,16 @@ public final class SpatialOverlap {
 
     /** Whether {@link #exactly} decides for certain. */
     private static boolean hasExact(int kindA, int kindB) {
-        boolean isPrism = kindA == Leaf.PRISM || kindB == Leaf.PRISM;
-        return !isPrism && !(isCylinder(kindA) && isCylinder(kindB));
+        return kindA != Leaf.PRISM && kindB != Leaf.PRISM;
     }
 
     /** What neither a slab nor a common point could decide. */
     private static boolean exactly(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
         EXACT.count();
-        if (kindA == Leaf.SPHERE) {
+        if (kindA == Leaf.SPHERE && kindB != Leaf.PRISM) {
             return sphere(new ExactSphere(a, i), kindB, b, j);
         }
-        if (kindB == Leaf.SPHERE) {
+        if (kindB == Leaf.SPHERE && kindA != Leaf.PRISM) {
             return sphere(new ExactSphere(b, j), kindA, a, i);
         }
         if (isPolytope(kindA) && isCylinder(kindB)) {
@@ -69,7 +75,10 @@ public final class SpatialOverlap {
         if (isCylinder(kindA) && isPolytope(kindB)) {
             return new ExactCylinder(kindA, a, i).touchesPolytope(new ExactPolytope(kindB, b, j));
         }
-        s.uncertain = true; // no slab was wide enough, no common point sure enough
+        if (isPolytope(kindA) || isPolytope(kindB)) {
+            return !ExactAxes.areApart(MovingAxes.SPATIAL, kindA, a, i, kindB, b, j); // one is a prism
+        }
+        s.uncertain = true; // a prism and something round: no slab was wide enough
         return true;
     }
 
@@ -77,7 +86,7 @@ public final class SpatialOverlap {
         if (isCylinder(kind)) {
             return sphere.touchesCylinder(new ExactCylinder(kind, row, at));
         }
-        return kind == Leaf.PRISM || sphere.touchesPolytope(new ExactPolytope(kind, row, at));
+        return sphere.touchesPolytope(new ExactPolytope(kind, row, at));
     }
 
     private static boolean spheres(double[] a, int i, double[] b, int j) {

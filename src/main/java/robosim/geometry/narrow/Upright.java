@@ -7,8 +7,8 @@ import robosim.geometry.exact.Stages;
 
 /** The heights of leaves that stand upright: a flat base on an interval of Y. */
 public final class Upright {
-    // Three roundings: where the rounded gap is this far from 0, it has the sign of the real one.
-    private static final double FILTER = Filter.bound(4 * 0x1p-53);
+    // The difference of the ends is rounded once and so are the halves' sum; what is left of the two keeps its sign.
+    private static final double FILTER = Filter.bound(1.01 * 0x1p-53);
     private static final Stages.Counter EXACT = Stages.counter("Upright");
 
     private Upright() {}

@@ -10,7 +10,7 @@ import java.util.List;
  * where the origin lies in the hull of all differences of their corners before and after it, or within the radii of it.
  */
 final class FlatTwin {
-    private static final MathContext DIGITS = new MathContext(100);
+    private static final MathContext DIGITS = new MathContext(160);
 
     private final List<BigDecimal[]> differences = new ArrayList<>();
     private final BigDecimal radius;
@@ -36,8 +36,12 @@ final class FlatTwin {
 
     /** Whether the two touch anywhere from time 0 to {@code time}. */
     boolean meetsBy(double time) {
+        return meetsBy(new BigDecimal(time));
+    }
+
+    boolean meetsBy(BigDecimal time) {
         List<BigDecimal[]> swept = new ArrayList<>(differences);
-        swept.addAll(at(new BigDecimal(time)));
+        swept.addAll(at(time));
         return isNear(swept);
     }
 
@@ -47,9 +51,9 @@ final class FlatTwin {
 
     /** Whether a very small part of the motion leaves the two deeper in each other than they are. */
     boolean goesDeeper() {
-        BigDecimal little = new BigDecimal(0x1p-80);
+        BigDecimal little = new BigDecimal(0x1p-200);
         BigDecimal change = depth(at(little)).subtract(depth(differences));
-        return change.compareTo(new BigDecimal(0x1p-120)) > 0;
+        return change.compareTo(new BigDecimal(0x1p-480)) > 0;
     }
 
     private List<BigDecimal[]> at(BigDecimal time) {

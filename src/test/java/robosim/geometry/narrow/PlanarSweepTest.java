@@ -2,6 +2,7 @@ package robosim.geometry.narrow;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.math.BigDecimal;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
@@ -67,10 +68,10 @@ class PlanarSweepTest {
         } else if (twin.meetsBy(1)) {
             hits++;
             assertThat(time).as(what).isBetween(0.0, 1.0);
-            assertThat(twin.meetsBy(time * (1 - 0x1p-52) - Double.MIN_VALUE))
-                    .as(what)
-                    .isFalse();
-            assertThat(twin.meetsBy(time * (1 + 0x1p-39) + 0x1p-45)).as(what).isTrue();
+            // Rounded down, and to nothing but the next double: not yet there any earlier, there by the next one.
+            BigDecimal justBefore = new BigDecimal(time).multiply(BigDecimal.ONE.subtract(new BigDecimal(0x1p-200)));
+            assertThat(twin.meetsBy(justBefore)).as(what).isFalse();
+            assertThat(twin.meetsBy(Math.nextUp(time))).as(what).isTrue();
         } else {
             misses++;
             assertThat(time).as(what).isEqualTo(Double.POSITIVE_INFINITY);

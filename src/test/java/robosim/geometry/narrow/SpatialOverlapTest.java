@@ -277,6 +277,60 @@ class SpatialOverlapTest {
         assertThat(certain).isGreaterThan(asked * 95 / 100);
     }
 
+    /** An octagon whose slanting sides cut nothing off is a box: boxes and triangles meet both or neither, to the last bit. */
+    @Test
+    void prismsAreExactWithPolytopes() {
+        SplittableRandom random = new SplittableRandom(32);
+        int hits = 0;
+        int near = 0;
+        int count = 2000;
+        for (int n = 0; n < count; n++) {
+            int kind = n % 2 == 0 ? Leaf.BOX : Leaf.TRIANGLE;
+            double[] other = Rows.random(kind, random, 1);
+            for (int k = 0; k < 9; k++) { // on a grid, so that the box's corner is a double too
+                other[k] = Math.rint(other[k] * 0x1p20) * 0x1p-20;
+                other[k + 6] = kind == Leaf.BOX ? Math.rint(other[k + 6] * 0x1p20) * 0x1p-20 : other[k + 6];
+            }
+            double[] box = Rows.box(0, 0, 0, 0.5, 0.25, 0.75, Rows.identity());
+            double[] corner = kind == Leaf.TRIANGLE ? other : ownCorner(other);
+            for (int k = 0; k < 3; k++) { // the two meet at a corner, or nearly
+                box[k] = Math.rint(corner[k] * 0x1p48) * 0x1p-48 + (random.nextBoolean() ? box[3 + k] : -box[3 + k]);
+            }
+            box[n % 3] += random.nextInt(-1, 2) * 0x1p-48;
+            boolean truth = SpatialOverlap.test(Leaf.UPRIGHT_BOX, box, 0, kind, other, 0, scratch);
+            scratch.gjk.spatial(Leaf.UPRIGHT_BOX, box, 0, kind, other, 0);
+            near += scratch.gjk.lower() > 0 || scratch.gjk.isDeep() ? 0 : 1;
+            both(Leaf.PRISM, prism(box), kind, other, truth);
+            hits += truth ? 1 : 0;
+        }
+        assertThat(hits).isBetween(count / 10, count * 9 / 10);
+        assertThat(near).isGreaterThan(count / 10);
+    }
+
+    private static double[] ownCorner(double[] box) {
+        double[] corner = new double[3];
+        for (int k = 0; k < 3; k++) {
+            corner[k] = box[k];
+            for (int m = 0; m < 3; m++) {
+                corner[k] += box[3 + m] * box[6 + 3 * k + m];
+            }
+        }
+        return corner;
+    }
+
+    private static double[] prism(double[] box) {
+        double[] row = new double[Leaf.STRIDE];
+        for (int k = 0; k < 2; k++) {
+            double side = k == 0 ? -1 : 1;
+            row[k] = box[0] + side * box[3];
+            row[2 + k] = box[2] + side * box[5];
+            row[4 + k] = side * 100;
+            row[6 + k] = side * 100;
+            row[8 + k] = box[1] + side * box[4];
+        }
+        return row;
+    }
+
     private void both(int kindA, double[] a, int kindB, double[] b, boolean truth) {
         String pair = kindA + " " + Arrays.toString(a) + " with " + kindB + " " + Arrays.toString(b);
         assertThat(SpatialOverlap.test(kindA, a, 0, kindB, b, 0, scratch))

@@ -20,12 +20,12 @@ import robosim.geometry.model.SphereObject;
  * exact. Knows boxes, spheres and surfaces in any attitude, cylinders that stand upright, and groups that were not moved.
  */
 public final class Reference {
-    private static final MathContext DIGITS = new MathContext(80);
+    static final MathContext DIGITS = new MathContext(80);
 
     private Reference() {}
 
     /** A convex piece: the hull of points; round where it has a radius, and then between two heights or a ball. */
-    private record Piece(List<Rational[]> points, Rational radius, boolean ball) {
+    record Piece(List<Rational[]> points, Rational radius, boolean ball) {
         boolean round() {
             return radius.signum() >= 0;
         }
@@ -55,7 +55,7 @@ public final class Reference {
         return least == null ? null : least.multiply(length, DIGITS);
     }
 
-    private static List<Piece> pieces(GeometryObject object) {
+    static List<Piece> pieces(GeometryObject object) {
         List<Piece> pieces = new ArrayList<>();
         switch (object.kind()) {
             case BOX -> pieces.add(new Piece(corners((BoxObject) object), NOT_ROUND, false));
@@ -76,11 +76,11 @@ public final class Reference {
         return pieces;
     }
 
-    private static Rational[] exact(Point point) {
+    static Rational[] exact(Point point) {
         return new Rational[] {Rational.of(point.x()), Rational.of(point.y()), Rational.of(point.z())};
     }
 
-    private static Rational[] flat(Rational[] point) {
+    static Rational[] flat(Rational[] point) {
         return new Rational[] {point[0], point[2]};
     }
 
@@ -140,7 +140,7 @@ public final class Reference {
         }
     }
 
-    private static boolean meet(Piece a, Piece b, Dimension dimension) {
+    static boolean meet(Piece a, Piece b, Dimension dimension) {
         if (!a.round() && b.round()) {
             return meet(b, a, dimension);
         }

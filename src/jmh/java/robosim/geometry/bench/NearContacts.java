@@ -1,0 +1,428 @@
+package robosim.geometry.bench;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import robosim.geometry.exact.Rotations;
+import robosim.geometry.narrow.Leaf;
+
+/**
+ * Two leaves, or a leaf and a ray, somewhere between far apart and deep inside each other, most often within a few last
+ * bits of touching: coarse and fine coordinates, parallel and nearly parallel attitudes, flat and empty things, tiny and
+ * large ones, far from the origin.
+ */
+final class NearContacts {
+    private static final int STRIDE = Leaf.STRIDE;
+
+    final double[] a = new double[STRIDE];
+    final double[] b = new double[STRIDE];
+
+    /** A ray's start. */
+    final double[] start = new double[3];
+
+    /** A ray's direction, or the way of the first leaf. */
+    final double[] way = new double[3];
+
+    private final double[] n = new double[3];
+    private final double[] p = new double[3];
+    private final double[] q = new double[3];
+    private SplittableRandom random = new SplittableRandom(0);
+    private boolean coarse;
+    private double scale;
+
+    void pair(int kindA, int kindB, boolean planar, SplittableRandom source) {
+        begin(source);
+        fill(kindA, a);
+        fill(kindB, b);
+        if (random.nextInt(3) == 0) {
+            align(kindA, kindB);
+        }
+        scaleAndMove(kindA, a, kindB, b);
+        if (random.nextInt(5) > 0) {
+            touch(kindA, kindB, planar);
+        }
+    }
+
+    /** The first leaf may come to a contact from afar, slide along in contact, or pass through. */
+    void motion(int kindA, int kindB, boolean planar, SplittableRandom source) {
+        pair(kindA, kindB, planar, source);
+        for (int k = 0; k < 3; k++) {
+            way[k] = scale * (coarse ? random.nextInt(-8, 9) / 4.0 : random.nextDouble(-2, 2));
+        }
+        if (planar) {
+            way[1] = 0;
+        }
+        int variant = random.nextInt(6);
+        if (variant == 0) {
+            Arrays.fill(way, 0);
+            way[2 * random.nextInt(2)] = scale;
+        }
+        if (variant == 1) {
+            across(way);
+        }
+        if (variant < 5) {
+            shift(kindA, a, -1, way);
+            double far = variant % 2 == 0 ? 1 : 2;
+            for (int k = 0; k < 3; k++) {
+                way[k] *= far;
+            }
+        }
+    }
+
+    /** A ray at, along, past or out of a leaf. */
+    void ray(int kind, boolean planar, SplittableRandom source) {
+        begin(source);
+        fill(kind, a);
+        scaleAndMove(kind, a, kind, b);
+        direction(kind, a, kind, a, planar);
+        support(kind, a, n, p);
+        for (int k = 0; k < 3; k++) {
+            way[k] = coarse ? random.nextInt(-4, 5) : random.nextDouble(-1, 1);
+        }
+        if (random.nextInt(2) == 0) {
+            across(way);
+        }
+        if (planar) {
+            way[1] = 0;
+        }
+        if (way[0] == 0 && way[2] == 0) {
+            way[0] = 1;
+        }
+        int variant = random.nextInt(5);
+        double back = variant == 0 ? 0 : variant == 1 ? 1024 : random.nextInt(1, 9);
+        for (int k = 0; k < 3; k++) {
+            start[k] = p[k] - scale * back * way[k];
+            start[k] += (random.nextInt(3) == 0 ? random.nextInt(-4, 5) : 0) * Math.ulp(p[k]);
+            if (variant == 4) {
+                way[k] = p[k] - start[k]; // straight at it, as far as doubles allow
+            }
+            if (variant == 3) {
+                start[k] += scale * random.nextDouble(-1, 1);
+            }
+        }
+        if (way[0] == 0 && way[2] == 0) {
+            way[0] = scale;
+        }
+    }
+
+    /** The largest magnitude among the coordinates and sizes, and a ray's start. */
+    double size(int kindA, int kindB, boolean isRay) {
+        double size = isRay ? Math.max(Math.abs(start[0]), Math.max(Math.abs(start[1]), Math.abs(start[2]))) : 0;
+        for (int k = 0; k < places(kindA); k++) {
+            size = Math.max(size, Math.abs(a[k]));
+        }
+        for (int k = 0; k < places(kindB) && !isRay; k++) {
+            size = Math.max(size, Math.abs(b[k]));
+        }
+        return size;
+    }
+
+    private void begin(SplittableRandom source) {
+        random = source;
+        coarse = random.nextInt(3) == 0;
+        scale = 1;
+    }
+
+    // What of a row is a length, the first numbers.
+    private static int places(int kind) {
+        return kind == Leaf.TRIANGLE ? 9 : kind == Leaf.PRISM ? 10 : 6;
+    }
+
+    private double coordinate(double reach) {
+        return coarse ? random.nextInt(-16, 17) / 8.0 : random.nextDouble(-reach, reach);
+    }
+
+    private double length() {
+        if (random.nextInt(12) == 0) {
+            return 0;
+        }
+        return coarse ? random.nextInt(1, 12) / 8.0 : random.nextDouble() * (random.nextInt(4) == 0 ? 0.01 : 1);
+    }
+
+    private double degrees() {
+        int variant = random.nextInt(coarse ? 3 : 8);
+        return variant < 2 ? 90 * random.nextInt(4) : variant == 2 ? 45 : random.nextDouble(-180, 180);
+    }
+
+    private void fill(int kind, double[] row) {
+        Arrays.fill(row, 0);
+        switch (kind) {
+            case Leaf.TRIANGLE -> triangle(row);
+            case Leaf.PRISM -> prism(row);
+            default -> {
+                for (int k = 0; k < 3; k++) {
+                    row[k] = coordinate(1.5);
+                    row[3 + k] = length();
+                }
+                if (kind == Leaf.SPHERE || kind == Leaf.UPRIGHT_CYLINDER) {
+                    row[5] = 0;
+                    row[4] = kind == Leaf.SPHERE ? 0 : row[4];
+                } else {
+                    Rotations.yaw(degrees(), 0, row, Leaf.ROTATION);
+                    if (kind != Leaf.UPRIGHT_BOX) {
+                        Rotations.turnOwnX(row, Leaf.ROTATION, random.nextDouble(1, 89));
+                        Rotations.turnOwnY(row, Leaf.ROTATION, degrees());
+                    }
+                }
+            }
+        }
+    }
+
+    private void triangle(double[] row) {
+        for (int k = 0; k < 9; k++) {
+            row[k] = coordinate(1.5);
+        }
+        int variant = random.nextInt(10);
+        if (variant == 0) {
+            System.arraycopy(row, 0, row, 3, 3);
+        } else if (variant == 1) {
+            for (int k = 0; k < 3; k++) {
+                row[6 + k] = (row[k] + row[3 + k]) / 2;
+            }
+        } else if (variant == 2) {
+            row[1] = row[4] = row[7];
+        }
+    }
+
+    private void prism(double[] row) {
+        for (int k = 0; k < 10; k += 2) {
+            row[k] = Double.POSITIVE_INFINITY;
+            row[k + 1] = Double.NEGATIVE_INFINITY;
+        }
+        for (int k = 0; k < 5; k++) {
+            double x = coordinate(1);
+            double z = coordinate(1);
+            double[] reach = {x, z, x + z, x - z, coordinate(1)};
+            for (int m = 0; m < 5; m++) {
+                row[2 * m] = Math.min(row[2 * m], Math.nextDown(reach[m]));
+                row[2 * m + 1] = Math.max(row[2 * m + 1], Math.nextUp(reach[m]));
+            }
+        }
+    }
+
+    // Gives both the same attitude, or nearly.
+    private void align(int kindA, int kindB) {
+        boolean turned = kindA == Leaf.BOX || kindA == Leaf.CYLINDER;
+        if (turned && (kindB == Leaf.BOX || kindB == Leaf.CYLINDER)) {
+            System.arraycopy(a, Leaf.ROTATION, b, Leaf.ROTATION, 9);
+            if (random.nextBoolean()) {
+                Rotations.turnOwnX(b, Leaf.ROTATION, StrictMath.pow(10, -random.nextInt(2, 16)));
+            }
+        } else if (kindA == Leaf.UPRIGHT_BOX && kindB == Leaf.UPRIGHT_BOX) {
+            System.arraycopy(a, Leaf.ROTATION, b, Leaf.ROTATION, 9);
+            if (random.nextBoolean()) {
+                Rotations.turnOwnY(b, Leaf.ROTATION, StrictMath.pow(10, -random.nextInt(2, 16)));
+            }
+        }
+    }
+
+    private void scaleAndMove(int kindA, double[] first, int kindB, double[] second) {
+        int variant = random.nextInt(10);
+        scale = variant == 0 ? 0x1p-40 : variant == 1 ? 0x1p40 : 1;
+        for (int k = 0; k < 10; k++) {
+            first[k] *= k < places(kindA) ? scale : 1;
+            second[k] *= k < places(kindB) ? scale : 1;
+        }
+        if (variant == 2) {
+            double[] offset = {random.nextDouble(-1e6, 1e6), random.nextDouble(-1e3, 1e3), random.nextDouble(-1e9, 1e9)
+            };
+            shift(kindA, first, 1, offset);
+            shift(kindB, second, 1, offset);
+        }
+    }
+
+    private static void shift(int kind, double[] row, double sign, double[] by) {
+        double x = sign * by[0];
+        double y = sign * by[1];
+        double z = sign * by[2];
+        if (kind == Leaf.PRISM) {
+            double[] offsets = {x, x, z, z, x + z, x + z, x - z, x - z, y, y};
+            for (int k = 0; k < 10; k++) {
+                row[k] += offsets[k];
+            }
+            return;
+        }
+        for (int k = 0; k < (kind == Leaf.TRIANGLE ? 9 : 3); k += 3) {
+            row[k] += x;
+            row[k + 1] += y;
+            row[k + 2] += z;
+        }
+    }
+
+    /** Moves b so that the two touch along a direction, but for rounding, and aside by as much as may be. */
+    private void touch(int kindA, int kindB, boolean planar) {
+        direction(kindA, a, kindB, b, planar);
+        support(kindA, a, n, p);
+        for (int k = 0; k < 3; k++) {
+            n[k] = -n[k];
+        }
+        support(kindB, b, n, q);
+        double[] aside = new double[3];
+        if (random.nextInt(4) > 0) {
+            double reach = random.nextBoolean() ? 0.3 * scale : scale;
+            for (int k = 0; k < 3; k++) {
+                aside[k] = random.nextDouble(-reach, reach);
+            }
+            across(aside);
+        }
+        double[] by = new double[3];
+        for (int k = 0; k < 3; k++) {
+            by[k] = p[k] - q[k] + aside[k];
+            if (random.nextInt(3) == 0) {
+                by[k] += random.nextInt(-4, 5) * Math.ulp(Math.max(Math.abs(p[k]), Math.abs(b[k])));
+            }
+        }
+        if (planar) {
+            by[1] = 0;
+        }
+        shift(kindB, b, 1, by);
+    }
+
+    // Takes out of a vector what it has along n.
+    private void across(double[] v) {
+        double square = n[0] * n[0] + n[1] * n[1] + n[2] * n[2];
+        double share = (v[0] * n[0] + v[1] * n[1] + v[2] * n[2]) / square;
+        for (int k = 0; k < 3; k++) {
+            v[k] -= share * n[k];
+        }
+    }
+
+    // A direction of contact: a side's normal, across two edges, or anywhere.
+    private void direction(int kindA, double[] first, int kindB, double[] second, boolean planar) {
+        int variant = random.nextInt(5);
+        double[] u = new double[3];
+        double[] v = new double[3];
+        axis(kindA, first, u);
+        axis(kindB, second, v);
+        if (variant == 0) {
+            System.arraycopy(u, 0, n, 0, 3);
+        } else if (variant == 1) {
+            System.arraycopy(v, 0, n, 0, 3);
+        } else if (variant < 4) {
+            double[] other = planar ? new double[] {0, 1, 0} : v;
+            cross(variant == 2 ? u : v, variant == 2 ? other : planar ? other : u, n);
+        } else {
+            anywhere(n);
+        }
+        if (planar) {
+            n[1] = 0;
+        }
+        if (!(n[0] * n[0] + n[1] * n[1] + n[2] * n[2] > 1e-6)) {
+            n[0] = 1;
+            n[1] = 0;
+            n[2] = 0;
+        }
+        int sign = random.nextBoolean() ? 1 : -1;
+        double size = Math.sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+        for (int k = 0; k < 3; k++) {
+            n[k] *= sign / size;
+        }
+    }
+
+    private void anywhere(double[] v) {
+        for (int k = 0; k < 3; k++) {
+            v[k] = random.nextDouble(-1, 1);
+        }
+    }
+
+    // An axis of a leaf: an edge or a side's normal.
+    private void axis(int kind, double[] row, double[] v) {
+        switch (kind) {
+            case Leaf.UPRIGHT_BOX, Leaf.BOX -> {
+                int k = Leaf.ROTATION + random.nextInt(3);
+                set(v, row[k], row[k + 3], row[k + 6]);
+            }
+            case Leaf.CYLINDER -> {
+                if (random.nextBoolean()) {
+                    set(v, row[7], row[10], row[13]);
+                } else {
+                    double[] away = new double[3];
+                    anywhere(away);
+                    cross(new double[] {row[7], row[10], row[13]}, away, v);
+                }
+            }
+            case Leaf.TRIANGLE -> {
+                double[] e = new double[3];
+                double[] f = new double[3];
+                int k = 3 * random.nextInt(3);
+                for (int m = 0; m < 3; m++) {
+                    e[m] = row[(k + 3) % 9 + m] - row[k + m];
+                    f[m] = row[(k + 6) % 9 + m] - row[k + m];
+                }
+                if (random.nextBoolean()) {
+                    System.arraycopy(e, 0, v, 0, 3);
+                } else {
+                    cross(e, f, v);
+                }
+            }
+            case Leaf.SPHERE -> anywhere(v);
+            default -> {
+                if (random.nextBoolean()) {
+                    set(v, 0, 1, 0);
+                } else {
+                    anywhere(v);
+                    v[1] = 0;
+                }
+            }
+        }
+        double size = Math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        if (size > 0) {
+            set(v, v[0] / size, v[1] / size, v[2] / size);
+        }
+    }
+
+    private static void set(double[] v, double x, double y, double z) {
+        v[0] = x;
+        v[1] = y;
+        v[2] = z;
+    }
+
+    private static void cross(double[] u, double[] v, double[] out) {
+        set(out, u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
+    }
+
+    /** The point of a leaf that is farthest along a direction, to rounding. */
+    private static void support(int kind, double[] row, double[] n, double[] out) {
+        switch (kind) {
+            case Leaf.TRIANGLE -> {
+                int best = 0;
+                for (int k = 3; k < 9; k += 3) {
+                    best = along(row, k, n) > along(row, best, n) ? k : best;
+                }
+                System.arraycopy(row, best, out, 0, 3);
+            }
+            case Leaf.PRISM -> {
+                double x = row[n[0] > 0 ? 1 : 0];
+                double z = n[0] > 0 ? (n[2] > 0 ? row[5] - x : x - row[7]) : n[2] > 0 ? x - row[6] : row[4] - x;
+                set(out, x, row[n[1] > 0 ? 9 : 8], z);
+            }
+            case Leaf.UPRIGHT_BOX, Leaf.BOX -> {
+                System.arraycopy(row, 0, out, 0, 3);
+                for (int k = 0; k < 3; k++) {
+                    int r = Leaf.ROTATION + k;
+                    double side = n[0] * row[r] + n[1] * row[r + 3] + n[2] * row[r + 6] > 0 ? row[3 + k] : -row[3 + k];
+                    for (int m = 0; m < 3; m++) {
+                        out[m] += side * row[r + 3 * m];
+                    }
+                }
+            }
+            case Leaf.SPHERE -> round(row, 0, 0, 0, n, out);
+            case Leaf.UPRIGHT_CYLINDER -> round(row, 0, 1, 0, n, out);
+            default -> round(row, row[7], row[10], row[13], n, out);
+        }
+    }
+
+    private static double along(double[] row, int at, double[] n) {
+        return row[at] * n[0] + row[at + 1] * n[1] + row[at + 2] * n[2];
+    }
+
+    private static void round(double[] row, double ax, double ay, double az, double[] n, double[] out) {
+        double axial = n[0] * ax + n[1] * ay + n[2] * az;
+        double x = n[0] - axial * ax;
+        double y = n[1] - axial * ay;
+        double z = n[2] - axial * az;
+        double size = Math.sqrt(x * x + y * y + z * z);
+        double share = size > 1e-9 ? row[3] / size : 0;
+        double up = axial > 0 ? row[4] : -row[4];
+        set(out, row[0] + up * ax + share * x, row[1] + up * ay + share * y, row[2] + up * az + share * z);
+    }
+}

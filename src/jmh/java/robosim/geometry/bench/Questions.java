@@ -1,0 +1,218 @@
+package robosim.geometry.bench;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.SplittableRandom;
+import robosim.geometry.exact.Orientation;
+import robosim.geometry.narrow.Leaf;
+import robosim.geometry.narrow.PlanarCone;
+import robosim.geometry.narrow.PlanarDistance;
+import robosim.geometry.narrow.PlanarOverlap;
+import robosim.geometry.narrow.PlanarRay;
+import robosim.geometry.narrow.PlanarSweep;
+import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.SpatialCone;
+import robosim.geometry.narrow.SpatialDistance;
+import robosim.geometry.narrow.SpatialOverlap;
+import robosim.geometry.narrow.SpatialRay;
+import robosim.geometry.narrow.SpatialSweep;
+
+/**
+ * Questions to every kernel, the same for the same seed on every machine: {@link NearContacts} at random and as near to contact
+ * as rounding lets them be. An instance holds one question at a time.
+ */
+public final class Questions {
+    /** What is asked. */
+    public enum Subject {
+        OVERLAP,
+        RAY,
+        CONE,
+        DISTANCE,
+        TRANSLATION,
+        TURN,
+        SIDE,
+        VOLUME,
+        PRODUCTS
+    }
+
+    /**
+     * Questions of one sort.
+     *
+     * @param planar whether they are about projections
+     * @param kindA  the first leaf's kind; the only one of a ray or a cone
+     */
+    public record Family(Subject subject, boolean planar, int kindA, int kindB) {
+        @Override
+        public String toString() {
+            return (planar ? "planar " : "spatial ") + subject + " " + KINDS[kindA] + " " + KINDS[kindB];
+        }
+    }
+
+    private static final String[] KINDS = {
+        "upright box", "upright cylinder", "sphere", "box", "cylinder", "triangle", "prism"
+    };
+
+    private final Scratch scratch = new Scratch();
+    private final NearContacts pairs = new NearContacts();
+    private final double[] numbers = new double[12];
+    private Family family = new Family(Subject.SIDE, true, 0, 0);
+    private double angle;
+
+    /** All families of some subjects, each unordered pair of kinds once but for motions. */
+    public static List<Family> families(Subject... subjects) {
+        List<Family> families = new ArrayList<>();
+        for (Subject subject : subjects) {
+            for (boolean planar : new boolean[] {true, false}) {
+                addFamilies(subject, planar, families);
+            }
+        }
+        return families;
+    }
+
+    private static void addFamilies(Subject subject, boolean planar, List<Family> families) {
+        switch (subject) {
+            case SIDE, PRODUCTS -> {
+                if (planar) {
+                    families.add(new Family(subject, true, 0, 0));
+                }
+            }
+            case VOLUME -> {
+                if (!planar) {
+                    families.add(new Family(subject, false, 0, 0));
+                }
+            }
+            case RAY, CONE -> {
+                for (int kind = 0; kind < Leaf.KINDS; kind++) {
+                    families.add(new Family(subject, planar, kind, kind));
+                }
+            }
+            default -> {
+                boolean ordered = subject == Subject.TRANSLATION || subject == Subject.TURN;
+                for (int a = 0; a < Leaf.KINDS; a++) {
+                    for (int b = ordered ? 0 : a; b < Leaf.KINDS; b++) {
+                        families.add(new Family(subject, planar, a, b));
+                    }
+                }
+            }
+        }
+    }
+
+    /** Makes the question of this number. */
+    public void make(Family asked, long seed, int number) {
+        family = asked;
+        SplittableRandom random = new SplittableRandom(seed * 0x9E3779B97F4A7C15L
+                + 1_000_003L * number
+                + 31L * asked.subject().ordinal()
+                + 1009L * asked.kindA()
+                + 10_007L * asked.kindB()
+                + (asked.planar() ? 1 : 0));
+        angle = random.nextDouble();
+        switch (asked.subject()) {
+            case OVERLAP, DISTANCE, TURN -> pairs.pair(asked.kindA(), asked.kindB(), asked.planar(), random);
+            case TRANSLATION -> pairs.motion(asked.kindA(), asked.kindB(), asked.planar(), random);
+            case RAY, CONE -> pairs.ray(asked.kindA(), asked.planar(), random);
+            default -> points(asked.planar() ? 2 : 3, random);
+        }
+    }
+
+    // As many points as the determinant takes, the last on the line or plane of the others but for rounding.
+    private void points(int dimensions, SplittableRandom random) {
+        double size = Math.scalb(1.0, random.nextInt(-40, 41));
+        boolean coarse = random.nextInt(4) == 0;
+        int last = dimensions * dimensions;
+        for (int k = 0; k < last; k++) {
+            numbers[k] = size * (coarse ? random.nextInt(-8, 9) : random.nextDouble(-1, 1));
+        }
+        double s = random.nextDouble(-2, 2);
+        double t = dimensions == 2 ? 0 : random.nextDouble(-2, 2);
+        for (int k = 0; k < dimensions; k++) {
+            double a = numbers[k];
+            double along = a + s * (numbers[dimensions + k] - a);
+            numbers[last + k] = dimensions == 2 ? along : along + t * (numbers[2 * dimensions + k] - a);
+        }
+        int k = random.nextInt(last + dimensions);
+        numbers[k] += random.nextInt(-3, 4) * Math.ulp(numbers[k]);
+    }
+
+    /** Answers the question: a verdict as 0 or 1, a sign, a distance, a share of a motion. */
+    public double ask() {
+        double[] a = pairs.a;
+        double[] b = pairs.b;
+        int kindA = family.kindA();
+        int kindB = family.kindB();
+        boolean planar = family.planar();
+        double[] n = numbers;
+        return switch (family.subject()) {
+            case OVERLAP ->
+                (planar
+                                ? PlanarOverlap.test(kindA, a, 0, kindB, b, 0, scratch)
+                                : SpatialOverlap.test(kindA, a, 0, kindB, b, 0, scratch))
+                        ? 1
+                        : 0;
+            case DISTANCE ->
+                planar
+                        ? PlanarDistance.between(kindA, a, 0, kindB, b, 0, scratch)
+                        : SpatialDistance.between(kindA, a, 0, kindB, b, 0, scratch);
+            case RAY -> ray(pairs.start, pairs.way, kindA, a);
+            case CONE -> cone(pairs.start, pairs.way, kindA, a);
+            case TRANSLATION -> translation(pairs.way, kindA, a, kindB, b);
+            case TURN -> turn(kindA, a, kindB, b);
+            case SIDE -> Orientation.side(n[0], n[1], n[2], n[3], n[4], n[5]);
+            case VOLUME -> Orientation.volume(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11]);
+            case PRODUCTS -> Orientation.compareProducts(n[0], n[1], n[2], n[3]);
+        };
+    }
+
+    private double ray(double[] o, double[] d, int kind, double[] row) {
+        return family.planar()
+                ? PlanarRay.distance(o[0], o[2], d[0], d[2], kind, row, 0, scratch)
+                : SpatialRay.distance(o[0], o[1], o[2], d[0], d[1], d[2], kind, row, 0, scratch);
+    }
+
+    private double cone(double[] o, double[] d, int kind, double[] row) {
+        double half = 0.01 + 1.5 * angle;
+        double cos = StrictMath.cos(half);
+        double sin = StrictMath.sin(half);
+        return family.planar()
+                ? PlanarCone.distance(o[0], o[2], d[0], d[2], cos, sin, kind, row, 0, scratch)
+                : SpatialCone.distance(o[0], o[1], o[2], d[0], d[1], d[2], cos, sin, kind, row, 0, scratch);
+    }
+
+    private double translation(double[] d, int kindA, double[] a, int kindB, double[] b) {
+        return family.planar()
+                ? PlanarSweep.translation(kindA, a, 0, d[0], d[1], d[2], kindB, b, 0, scratch)
+                : SpatialSweep.translation(kindA, a, 0, d[0], d[1], d[2], kindB, b, 0, scratch);
+    }
+
+    private double turn(int kindA, double[] a, int kindB, double[] b) {
+        double degrees = 720 * angle - 360;
+        return family.planar()
+                ? PlanarSweep.turn(kindA, a, 0, a[0], a[1], a[2], 0, 1, 0, degrees, kindB, b, 0, scratch)
+                : SpatialSweep.turn(kindA, a, 0, a[0], a[1], a[2], 0, 1, 0, degrees, kindB, b, 0, scratch);
+    }
+
+    /** The largest of the numbers that a distance is computed from. */
+    public double size() {
+        return pairs.size(family.kindA(), family.kindB(), family.subject() == Subject.RAY);
+    }
+
+    /** The question in numbers. */
+    @Override
+    public String toString() {
+        return switch (family.subject()) {
+            case SIDE, VOLUME, PRODUCTS -> family + " " + Arrays.toString(numbers);
+            case RAY, CONE ->
+                "%s %s from %s along %s"
+                        .formatted(
+                                family,
+                                Arrays.toString(pairs.a),
+                                Arrays.toString(pairs.start),
+                                Arrays.toString(pairs.way));
+            default ->
+                "%s %s and %s by %s"
+                        .formatted(
+                                family, Arrays.toString(pairs.a), Arrays.toString(pairs.b), Arrays.toString(pairs.way));
+        };
+    }
+}

@@ -1,0 +1,28 @@
+package robosim.geometry.collision;
+
+/**
+ * The piece of an object that takes part in a contact.
+ *
+ * @param part which of the object's simple parts it is: 0, unless the object is a group; there the boxes, cylinders,
+ *     spheres and meshes that it is made of are counted from 0 in the order of its members, those of a member that is a
+ *     group itself in its place
+ * @param face the index of the mesh's face, as its faces were given; -1 where the part is no mesh, or where it is a solid
+ *     mesh that holds the other piece inside without a face of it being touched
+ * @param half which triangle of the face: 0 for the face's corners 0, 1, 2, which is all of a triangle, and 1 for corners
+ *     0, 2, 3 of a quad; -1 where there is no face
+ */
+public record ContactPart(int part, int face, int half) implements Comparable<ContactPart> {
+    /** Whether it is a face of a mesh; otherwise it is the part as a whole. */
+    public boolean isFace() {
+        return face >= 0;
+    }
+
+    /** By part, then by face, then by half. */
+    @Override
+    public int compareTo(ContactPart other) {
+        if (part != other.part) {
+            return Integer.compare(part, other.part);
+        }
+        return face != other.face ? Integer.compare(face, other.face) : Integer.compare(half, other.half);
+    }
+}

@@ -1,0 +1,273 @@
+package robosim.geometry.narrow;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.math.BigDecimal;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import robosim.geometry.reference.HullMotion;
+
+/** Times of contact of straight motions against exact twins, where rounding is at its worst: one double down, no more. */
+class ContactTimeTest {
+    private static final double FREE = Double.POSITIVE_INFINITY;
+    private static final int[] FLAT = {
+        Leaf.UPRIGHT_BOX, Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE, Leaf.BOX, Leaf.TRIANGLE, Leaf.PRISM
+    };
+    private static final int[] SOLID = {Leaf.UPRIGHT_BOX, Leaf.BOX, Leaf.TRIANGLE, Leaf.PRISM};
+
+    private final Scratch scratch = new Scratch();
+    private final SplittableRandom random = new SplittableRandom(30051);
+    private int hits;
+    private int misses;
+    private int contacts;
+    private int into;
+
+    @Test
+    void flatThingsNearlyInLine() {
+        for (int k = 0; k < 700; k++) {
+            int kindA = FLAT[random.nextInt(FLAT.length)];
+            int kindB = FLAT[random.nextInt(FLAT.length)];
+            double[] a = nearlyInLine(kindA);
+            double[] b = nearlyInLine(kindB);
+            double[] d = move();
+            d[1] = 0;
+            if (k % 3 == 0) {
+                a = broughtToContact(kindA, a, d, kindB, b);
+            }
+            flat(kindA, a, d[0], d[2], kindB, b, 1);
+        }
+        assertThat(hits).isGreaterThan(40);
+        assertThat(misses).isGreaterThan(150);
+        assertThat(contacts).isGreaterThan(40);
+        assertThat(into).isBetween(contacts / 5, contacts * 4 / 5);
+    }
+
+    @Test
+    void flatThingsFarAwayAndOfAnySize() {
+        for (int k = 0; k < 600; k++) {
+            int kindA = FLAT[random.nextInt(FLAT.length)];
+            int kindB = FLAT[random.nextInt(FLAT.length)];
+            double scale = Math.scalb(1.0, new int[] {-300, -40, 0, 40}[k % 4]);
+            double[] a = scaled(kindA, SweepRows.random(kindA, 1.5, random), scale);
+            double[] b = scaled(kindB, SweepRows.random(kindB, 1.5, random), scale);
+            double far = scale * new double[] {0, 1e6, 1e9}[k % 3];
+            double[] d = move();
+            a = shifted(kindA, a, far);
+            flat(kindA, a, d[0] * scale, d[2] * scale, kindB, shifted(kindB, b, far), scale);
+        }
+        assertThat(hits).isGreaterThan(50);
+        assertThat(misses).isGreaterThan(50);
+    }
+
+    @Test
+    void solidThings() {
+        for (int k = 0; k < 400; k++) {
+            int kindA = SOLID[random.nextInt(SOLID.length)];
+            int kindB = SOLID[random.nextInt(SOLID.length)];
+            double scale = Math.scalb(1.0, new int[] {-40, 0, 0, 40}[k % 4]);
+            double far = scale * new double[] {0, 0, 1e6}[k % 3];
+            double[] a = scaled(kindA, k % 2 == 0 ? nearlyInLine(kindA) : SweepRows.random(kindA, 1.5, random), scale);
+            double[] b = scaled(kindB, SweepRows.random(kindB, 1, random), scale);
+            double[] d = move();
+            for (int axis = 0; axis < 3; axis++) {
+                // Towards each other, more or less.
+                d[axis] = scale * (k % 5 == 0 ? d[axis] : d[axis] / 4 + 3 * (b[axis] - a[axis]) / scale);
+            }
+            solid(kindA, shifted(kindA, a, far), d, kindB, shifted(kindB, b, far));
+        }
+        assertThat(hits).isGreaterThan(80);
+        assertThat(misses).isGreaterThan(40);
+    }
+
+    @Test
+    void contactAtTheStartIsJudgedExactlyOnAGrid() {
+        int free = 0;
+        for (int k = 0; k < 900; k++) {
+            int kindA = random.nextInt(3) == 0 ? Leaf.TRIANGLE : Leaf.BOX;
+            double[] a = wholeNumbers(kindA);
+            double[] b = wholeNumbers(Leaf.BOX);
+            double[] d = {random.nextInt(-1, 2), random.nextInt(-1, 2), random.nextInt(-1, 2)};
+            GridHull hull = new GridHull(DecimalAxes.corners(kindA, a), DecimalAxes.corners(Leaf.BOX, b));
+            if (!hull.touches()) {
+                continue;
+            }
+            String what = what(kindA, a, d, Leaf.BOX, b);
+            boolean deeper = hull.goesDeeper(d);
+            double time = SpatialSweep.translation(kindA, a, 0, d[0], d[1], d[2], Leaf.BOX, b, 0, scratch);
+            assertThat(time).as(what).isEqualTo(deeper ? 0 : FREE);
+            into += deeper ? 1 : 0;
+            free += deeper ? 0 : 1;
+        }
+        assertThat(into).isGreaterThan(40);
+        assertThat(free).isGreaterThan(40);
+    }
+
+    @Test
+    void aDiscMeetsTheFaceOfABoxThatLeansByARounding() {
+        // The box's upright edges are seen as a third pair of edges, 2^-53 long and in line with the first.
+        double[] box = SweepRows.uprightBox(0, 0, 0, 1, 1, 1, 0);
+        for (double lean = 0x1p-56; lean < 0x1p-40; lean *= 2) {
+            box[11] = -lean;
+            box[13] = lean;
+            for (int k = 0; k < 40; k++) {
+                double[] disc = SweepRows.disc(0.05 * (k - 20), 0, -3, 0x1p-30, 1);
+                double time = PlanarSweep.translation(Leaf.SPHERE, disc, 0, 0x1p-60, 0, 4, Leaf.BOX, box, 0, scratch);
+                assertThat(time).isBetween(0.49, 0.51);
+                flat(Leaf.SPHERE, disc, 0x1p-60, 4, Leaf.BOX, box, 1);
+            }
+        }
+    }
+
+    private void flat(int kindA, double[] a, double dx, double dz, int kindB, double[] b, double unit) {
+        String what = what(kindA, a, new double[] {dx, 0, dz}, kindB, b);
+        double time = PlanarSweep.translation(kindA, a, 0, dx, 17, dz, kindB, b, 0, scratch);
+        double[] p = scaled(kindA, a, 1 / unit);
+        double[] q = scaled(kindB, b, 1 / unit);
+        FlatTwin twin = new FlatTwin(kindA, p, dx / unit, dz / unit, kindB, q);
+        if (twin.touchesAtStart()) {
+            contacts++;
+            boolean deeper = twin.goesDeeper();
+            into += deeper ? 1 : 0;
+            assertThat(time).as(what).isEqualTo(deeper ? 0 : FREE);
+        } else if (twin.meetsBy(1)) {
+            hits++;
+            BigDecimal justBefore = new BigDecimal(time).multiply(BigDecimal.ONE.subtract(new BigDecimal(0x1p-200)));
+            assertThat(twin.meetsBy(justBefore)).as(what).isFalse();
+            assertThat(twin.meetsBy(Math.nextUp(time))).as(what).isTrue();
+        } else {
+            misses++;
+            assertThat(time).as(what).isEqualTo(FREE);
+        }
+    }
+
+    private void solid(int kindA, double[] a, double[] d, int kindB, double[] b) {
+        String what = what(kindA, a, d, kindB, b);
+        double time = SpatialSweep.translation(kindA, a, 0, d[0], d[1], d[2], kindB, b, 0, scratch);
+        HullMotion twin = HullMotion.of(corners(kindA, a), corners(kindB, b), d);
+        if (twin == null || twin.compareTo(1) > 0) {
+            misses++;
+            assertThat(time).as(what).isEqualTo(FREE);
+        } else if (twin.compareTo(0) == 0) {
+            assertThat(time).as(what).isIn(0.0, FREE);
+        } else {
+            hits++;
+            assertThat(twin.compareTo(time)).as(what).isNotNegative();
+            assertThat(twin.compareTo(Math.nextUp(time))).as(what).isNegative();
+        }
+    }
+
+    private double[] broughtToContact(int kindA, double[] a, double[] d, int kindB, double[] b) {
+        double time = PlanarSweep.translation(kindA, a, 0, d[0], 0, d[2], kindB, b, 0, scratch);
+        if (time > 1) {
+            return a;
+        }
+        double[] pose = new double[Leaf.STRIDE];
+        Poses.moved(kindA, a, 0, time * d[0], time * d[1], time * d[2], pose);
+        double x = d[0];
+        if (random.nextBoolean()) { // and then across
+            d[0] = -d[2];
+            d[2] = x;
+        }
+        return pose;
+    }
+
+    private double[] move() {
+        double[] d = {random.nextDouble(-4, 4), random.nextDouble(-4, 4), random.nextDouble(-4, 4)};
+        switch (random.nextInt(4)) {
+            case 0 -> d = new double[] {random.nextInt(-3, 4), 0, 0};
+            case 1 -> d = new double[] {0x1p-60, 0, random.nextInt(-3, 4)};
+            default -> {}
+        }
+        return d;
+    }
+
+    /** Turned by hardly more than quarter turns, thin, or with corners nearly on a line. */
+    private double[] nearlyInLine(int kind) {
+        double[] m = SweepRows.random(kind, 2, random);
+        double little = Math.scalb(random.nextDouble(-1, 1), -random.nextInt(30, 56));
+        double turn = 90 * random.nextInt(4);
+        return switch (kind) {
+            case Leaf.UPRIGHT_BOX -> SweepRows.uprightBox(m[0], m[1], m[2], m[3], m[4], m[5], turn + little);
+            case Leaf.BOX ->
+                SweepRows.box(
+                        m[0],
+                        m[1],
+                        m[2],
+                        m[3],
+                        m[4],
+                        m[5],
+                        turn + little * random.nextInt(2),
+                        little * random.nextInt(3),
+                        little * random.nextInt(2));
+            case Leaf.TRIANGLE -> {
+                for (int k = 0; k < 3; k++) {
+                    m[6 + k] = m[k] + (m[3 + k] - m[k]) * random.nextInt(3) / 2 + little;
+                }
+                yield m;
+            }
+            case Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE -> {
+                m[3] = random.nextInt(4) == 0 ? Math.scalb(1.0, -random.nextInt(60)) : m[3];
+                yield m;
+            }
+            default -> m;
+        };
+    }
+
+    // Columns of whole numbers, no more than about at right angles: what counts is that all is exact in longs.
+    private double[] wholeNumbers(int kind) {
+        double[] row = new double[Leaf.STRIDE];
+        if (kind == Leaf.TRIANGLE) {
+            for (int k = 0; k < 9; k++) {
+                row[k] = random.nextInt(-3, 4);
+            }
+            return row;
+        }
+        for (int k = 0; k < 3; k++) {
+            row[k] = random.nextInt(-3, 4);
+            row[3 + k] = random.nextInt(1, 3);
+        }
+        double[][] columns = {
+            {1, 0, 0, 0, 1, 0, 0, 0, 1},
+            {1, 1, 0, -1, 1, 0, 0, 0, 1},
+            {1, 0, 1, 0, 1, 0, -1, 0, 1},
+            {2, -1, 2, 2, 2, -1, -1, 2, 2}
+        };
+        System.arraycopy(columns[random.nextInt(4)], 0, row, Leaf.ROTATION, 9);
+        return row;
+    }
+
+    static List<BigDecimal[]> corners(int kind, double[] row) {
+        if (kind != Leaf.PRISM) {
+            return DecimalAxes.corners(kind, row);
+        }
+        List<BigDecimal[]> corners = new ArrayList<>();
+        for (BigDecimal[] corner : FlatTwin.corners(kind, row)) {
+            corners.add(new BigDecimal[] {corner[0], new BigDecimal(row[8]), corner[1]});
+            corners.add(new BigDecimal[] {corner[0], new BigDecimal(row[9]), corner[1]});
+        }
+        return corners;
+    }
+
+    private static double[] scaled(int kind, double[] row, double f) {
+        double[] out = row.clone();
+        int sizes = kind == Leaf.TRIANGLE ? 9 : kind == Leaf.PRISM ? 10 : 6;
+        for (int k = 0; k < sizes; k++) {
+            out[k] *= f;
+        }
+        return out;
+    }
+
+    private static double[] shifted(int kind, double[] row, double far) {
+        double[] out = row.clone();
+        Poses.moved(kind, row, 0, far, 0, -far, out);
+        return out;
+    }
+
+    private static String what(int kindA, double[] a, double[] d, int kindB, double[] b) {
+        return "kind %d %s by %s, kind %d %s"
+                .formatted(kindA, Arrays.toString(a), Arrays.toString(d), kindB, Arrays.toString(b));
+    }
+}

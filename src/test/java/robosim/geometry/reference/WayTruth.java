@@ -1,0 +1,119 @@
+package robosim.geometry.reference;
+
+import static robosim.geometry.reference.Vectors.atMost;
+import static robosim.geometry.reference.Vectors.cross;
+import static robosim.geometry.reference.Vectors.dot;
+import static robosim.geometry.reference.Vectors.minus;
+import static robosim.geometry.reference.Vectors.plus;
+
+import java.util.ArrayList;
+import java.util.List;
+import robosim.geometry.reference.Quantity.Arithmetic;
+import robosim.geometry.reference.Truth.Form;
+
+/**
+ * Yes or no about a form that moves straight on against one at rest, the two being apart at the start: whether they touch
+ * by the end of the way.
+ *
+ * <p>Where two polytopes first touch, a corner of one is on the other or two edges cross that are not parallel; so corners
+ * are drawn along the way as segments, and for edges the crossing is solved for. Edges that move in the plane of both touch
+ * sooner at a corner.
+ */
+public final class WayTruth {
+    private WayTruth() {}
+
+    /** In the plane: rounds and polygons. */
+    public static boolean planar(Arithmetic n, Form formA, double[] a, double dx, double dz, Form formB, double[] b) {
+        Quantity[] way = Vectors.of(n, dx, 0, dz);
+        if (!formA.isRound() && formB.isRound()) {
+            return planar(n, formB, b, -dx, -dz, formA, a);
+        }
+        if (!formA.isRound()) {
+            return cornersMeet(Truth.outline(n, formA, a), way, Truth.outline(n, formB, b));
+        }
+        Quantity[] from = Vectors.of(n, a[0], 0, a[2]);
+        Quantity radius = n.of(a[3]);
+        if (formB.isRound()) {
+            Quantity both = radius.plus(n.of(b[3]));
+            Quantity[] w = minus(Vectors.of(n, b[0], 0, b[2]), from);
+            return Hull.isNearSegment(w, way, both.times(both));
+        }
+        Hull polygon = Truth.outline(n, formB, b);
+        Quantity[] to = plus(from, way);
+        if (polygon.meetsSegment(from, to) || polygon.isWithin(from, radius) || polygon.isWithin(to, radius)) {
+            return true;
+        }
+        for (Quantity[] corner : polygon.corners) {
+            if (Hull.isNearSegment(minus(corner, from), way, radius.times(radius))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** In space: boxes and triangles. */
+    public static boolean spatial(Arithmetic n, Form formA, double[] a, double[] d, Form formB, double[] b) {
+        Hull mover = Truth.hull(n, formA, a);
+        Hull other = Truth.hull(n, formB, b);
+        Quantity[] way = Vectors.of(n, d[0], d[1], d[2]);
+        if (isBeyond(mover, way, other) || isBeyond(other, Vectors.negate(way), mover)) {
+            return false;
+        }
+        return cornersMeet(mover, way, other) || edgesCross(n, mover, way, other);
+    }
+
+    /** Whether all of the way leads past one side of the other. */
+    private static boolean isBeyond(Hull mover, Quantity[] way, Hull other) {
+        List<Quantity[]> points = new ArrayList<>(mover.corners);
+        for (Quantity[] corner : mover.corners) {
+            points.add(plus(corner, way));
+        }
+        return new Clip(points, other.slabs).isBeyond();
+    }
+
+    private static boolean cornersMeet(Hull mover, Quantity[] way, Hull other) {
+        for (Quantity[] corner : mover.corners) {
+            if (other.meetsSegment(corner, plus(corner, way))) {
+                return true;
+            }
+        }
+        for (Quantity[] corner : other.corners) {
+            if (mover.meetsSegment(corner, minus(corner, way))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private static boolean edgesCross(Arithmetic n, Hull mover, Quantity[] way, Hull other) {
+        Quantity zero = n.of(0);
+        for (int k = 0; k < mover.edges.size(); k++) {
+            Quantity[] e = mover.edge(k);
+            Quantity[] from = mover.corners.get(mover.edges.get(k)[0]);
+            Quantity[] sweep = cross(e, way);
+            for (int m = 0; m < other.edges.size(); m++) {
+                Quantity[] f = other.edge(m);
+                Quantity whole = dot(sweep, f);
+                int sign = whole.signum();
+                if (sign == 0) {
+                    continue;
+                }
+                // from + s e + t way = start + u f, each share over the same determinant
+                Quantity[] w = minus(other.corners.get(other.edges.get(m)[0]), from);
+                Quantity u = zero.minus(dot(sweep, w));
+                if (isShare(u, whole, sign) && isShare(dot(cross(way, f), w), whole, sign)) {
+                    if (isShare(dot(cross(f, e), w), whole, sign)) {
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
+    /** Whether a number over another, whose sign is given, is between 0 and 1. */
+    private static boolean isShare(Quantity over, Quantity under, int sign) {
+        Quantity a = sign > 0 ? over : over.negate();
+        return a.signum() >= 0 && atMost(a, sign > 0 ? under : under.negate());
+    }
+}

@@ -1,0 +1,137 @@
+package robosim.geometry.stress;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import robosim.geometry.collision.CollisionDetection;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Ray;
+import robosim.geometry.narrow.Leaf;
+import robosim.geometry.narrow.PlanarOverlap;
+import robosim.geometry.narrow.PlanarRay;
+import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.SpatialOverlap;
+import robosim.geometry.narrow.SpatialRay;
+
+/** What a stress run has found wrong once, in the numbers that it found. */
+class FoundTest {
+    /** It starts 1e-17 above a box that is thinner than any rounding, and goes away from it. */
+    @Test
+    void aRayFromJustBesideAFlatBoxMisses() {
+        double cos = 0x1.f3b92138b3964p-2;
+        double sin = -0x1.bee48faab16e3p-1;
+        double[] box = new double[16];
+        box[3] = 0x1.743799ce872dap-1;
+        box[4] = 1;
+        box[5] = Double.MIN_VALUE;
+        Forms.upright(box, cos, sin);
+        double distance = PlanarRay.distance(
+                -0x1.107814fb7f712p-2,
+                -0x1.e753e44686f26p-2,
+                0x1.6b4ac6a501e23p-3,
+                0x1.44e2982f04a19p-2,
+                Leaf.UPRIGHT_BOX,
+                box,
+                0,
+                new Scratch());
+        assertThat(distance).isInfinite();
+    }
+
+    /** A side of 5e-324 is parallel to all others, as far as products that underflow can tell. */
+    @Test
+    void aBoxOfNoHeightThrowsItsWholeShadow() {
+        double[] disc = new double[16];
+        disc[2] = -1;
+        double[] box = {
+            0x1.0def1faaed8c4p-1,
+            -0x1.8832dcab9e788p-2,
+            -0x1.4283e76aab848p1,
+            2,
+            Double.MIN_VALUE,
+            0.5,
+            0x1.2183249acded2p-2,
+            -0x1.47231b531975ep-1,
+            0x1.6e4b2532da379p-1,
+            -0x1.7345cd99ffdf2p-2,
+            0x1.3d181f92c672ap-1,
+            0x1.648f21e4d8476p-1,
+            -0x1.c6aca59a2d23ep-1,
+            -0x1.d33b826ad65aap-2,
+            -0x1.cf599dded3e4p-5,
+            0
+        };
+        assertThat(PlanarOverlap.test(Leaf.SPHERE, disc, 0, Leaf.BOX, box, 0, new Scratch()))
+                .isTrue();
+    }
+
+    /** A long thin tetrahedron in the difference of the two seems to hold the origin, by rounding alone. */
+    @Test
+    void aTinySphereBesideALongTurnedCylinderIsApart() {
+        double[] sphere = new double[16];
+        sphere[0] = -0x1.b5b16c9ef1d66p0;
+        sphere[1] = -0x1.1d8a666c1e1p-6;
+        sphere[2] = 0x1.b2cc850e3b4fp-1;
+        sphere[3] = 0x1.94e61dcf6c384p-28;
+        double[] cylinder = {
+            -0x1.11347dae68de8p1,
+            -0x1.940e9ce853dacp-2,
+            0x1.e01b33b6f318ap-2,
+            0x1.52848a91f4daep-1,
+            0x1.e13ae11b04c4dp12,
+            0x1.c1c7da6c05fecp-2,
+            0x1.1c499c6659306p-1,
+            0x1.3341c66af8ee5p-1,
+            -0x1.26d175661a555p-1,
+            0x1.9a5e1a2eacdfp-1,
+            -0x1.24520f720cc18p-1,
+            0x1.6c39099f822e5p-3,
+            -0x1.c6b7d7ea583fcp-3,
+            -0x1.1edaeab97674p-1,
+            -0x1.9893b03d5784ap-1,
+            0
+        };
+        assertThat(SpatialOverlap.test(Leaf.SPHERE, sphere, 0, Leaf.CYLINDER, cylinder, 0, new Scratch()))
+                .isFalse();
+    }
+
+    /** Numbers so small that half of one, or a quarter, is another. */
+    @Test
+    void meshesOfSubnormalSizeKeepTheirTriangles() {
+        double tiny = Double.MIN_VALUE;
+        List<Point> corners = List.of(
+                new Point(7 * tiny, 10 * tiny, 10 * tiny),
+                new Point(8 * tiny, -10 * tiny, -7 * tiny),
+                new Point(-9 * tiny, 6 * tiny, -7 * tiny));
+        MeshObject triangle = new MeshObject(corners, new int[][] {{0, 1, 2}});
+        for (Point corner : corners) {
+            BoxObject point = new BoxObject(corner, 0, 0, 0);
+            assertThat(CollisionDetection.intersects(triangle, point)).isTrue();
+        }
+    }
+
+    /** 5e-324 is a direction's coordinate like any other: this ray rises above the edge that it starts at the height of. */
+    @Test
+    void aDirectionKeepsTheLeastOfItsCoordinates() {
+        MeshObject triangle = new MeshObject(
+                List.of(new Point(-1, 0, 0), new Point(-1, -1, 1), new Point(-1, 0, 2)), new int[][] {{0, 1, 2}});
+        assertThat(distance(new Point(-8, 0, 0), triangle)).isEqualTo(8);
+        assertThat(distance(new Point(-8, Double.MIN_VALUE, 0), triangle)).isInfinite();
+    }
+
+    /** It starts 5e-324 below a disc and goes down: a share of time so short is no zero. */
+    @Test
+    void aRayFromJustBelowADiscMisses() {
+        double[] disc = new double[16];
+        disc[3] = 3;
+        double distance =
+                SpatialRay.distance(1, -Double.MIN_VALUE, 1, 0, -3, 0, Leaf.UPRIGHT_CYLINDER, disc, 0, new Scratch());
+        assertThat(distance).isInfinite();
+    }
+
+    private static double distance(Point direction, MeshObject object) {
+        return CollisionDetection.rayDistance(new Ray(new Point(7, 0, 1), direction), object);
+    }
+}

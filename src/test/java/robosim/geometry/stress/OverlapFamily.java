@@ -1,0 +1,242 @@
+package robosim.geometry.stress;
+
+import java.util.SplittableRandom;
+import robosim.geometry.narrow.Leaf;
+import robosim.geometry.narrow.PlanarOverlap;
+import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.SpatialOverlap;
+import robosim.geometry.reference.Quantity.Arithmetic;
+import robosim.geometry.reference.Truth;
+import robosim.geometry.reference.Truth.Form;
+
+/** Whether two convex leaves have a point in common, in the plane or in space. */
+final class OverlapFamily extends Family {
+    final boolean planar;
+    private final Form[] formsA;
+    private final Form[] formsB;
+    private final double spread;
+    private final boolean parallel;
+
+    /**
+     * @param spread how far apart the random ones are at most, in the sum of their reaches, for a mix of yes and no
+     */
+    OverlapFamily(String name, boolean planar, Form[] formsA, Form[] formsB, double spread) {
+        this(name, planar, formsA, formsB, spread, false);
+    }
+
+    /**
+     * @param parallel whether both have the same attitude, to the bit
+     */
+    OverlapFamily(String name, boolean planar, Form[] formsA, Form[] formsB, double spread, boolean parallel) {
+        super(name);
+        this.planar = planar;
+        this.formsA = formsA;
+        this.formsB = formsB;
+        this.spread = spread;
+        this.parallel = parallel;
+    }
+
+    static int kind(Form form) {
+        return switch (form) {
+            case UPRIGHT_BOX -> Leaf.UPRIGHT_BOX;
+            case BOX -> Leaf.BOX;
+            case TRIANGLE -> Leaf.TRIANGLE;
+            case SPHERE -> Leaf.SPHERE;
+            case UPRIGHT_CYLINDER -> Leaf.UPRIGHT_CYLINDER;
+            case CYLINDER -> Leaf.CYLINDER;
+        };
+    }
+
+    @Override
+    int product(Case q, Scratch s) {
+        boolean touch = planar
+                ? PlanarOverlap.test(kind(q.formA), q.a, 0, kind(q.formB), q.b, 0, s)
+                : SpatialOverlap.test(kind(q.formA), q.a, 0, kind(q.formB), q.b, 0, s);
+        return touch ? 1 : 0;
+    }
+
+    @Override
+    int truth(Case q, Arithmetic n) {
+        boolean touch =
+                planar ? Truth.planar(n, q.formA, q.a, q.formB, q.b) : Truth.spatial(n, q.formA, q.a, q.formB, q.b);
+        return touch ? 1 : 0;
+    }
+
+    @Override
+    String call() {
+        return (planar ? "PlanarOverlap" : "SpatialOverlap") + ".test(Leaf.A, a, 0, Leaf.B, b, 0, new Scratch())";
+    }
+
+    @Override
+    Source source(SplittableRandom random) {
+        return new Pairs(random);
+    }
+
+    private final class Pairs implements Source {
+        private final SplittableRandom random;
+        private final Threshold threshold;
+        private final Scratch scratch = new Scratch();
+        private final double[] p = new double[3];
+        private final double[] q = new double[3];
+
+        Pairs(SplittableRandom random) {
+            this.random = random;
+            threshold = new Threshold(OverlapFamily.this, random, scratch);
+        }
+
+        private void forms(Case c) {
+            c.formA = formsA[random.nextInt(formsA.length)];
+            c.formB = formsB[random.nextInt(formsB.length)];
+            c.ray[0] = 0;
+        }
+
+        @Override
+        public void random(Case c) {
+            forms(c);
+            general(c);
+        }
+
+        private void general(Case c) {
+            Forms.random(c.formA, random, c.a);
+            Forms.random(c.formB, random, c.b);
+            align(c);
+            apart(c, spread * random.nextDouble());
+        }
+
+        private void align(Case c) {
+            if (parallel) {
+                System.arraycopy(c.a, 6, c.b, 6, 9);
+            }
+        }
+
+        /** Moves both about, b so far from a in some direction. */
+        private void apart(Case c, double share) {
+            double x = Forms.between(random, 1);
+            double y = planar ? 0 : Forms.between(random, 1);
+            double z = Forms.between(random, 1);
+            double n =
+                    share * (Forms.reach(c.formA, c.a) + Forms.reach(c.formB, c.b)) / Math.sqrt(x * x + y * y + z * z);
+            Forms.move(c.formB, c.b, toMiddle(c, 0) + n * x, toMiddle(c, 1) + n * y, toMiddle(c, 2) + n * z);
+            double shiftX = Forms.between(random, 2);
+            double shiftY = Forms.between(random, 2);
+            double shiftZ = Forms.between(random, 2);
+            Forms.move(c.formA, c.a, shiftX, shiftY, shiftZ);
+            Forms.move(c.formB, c.b, shiftX, shiftY, shiftZ);
+        }
+
+        private static double toMiddle(Case c, int axis) {
+            return Forms.middle(c.formA, c.a, axis) - Forms.middle(c.formB, c.b, axis);
+        }
+
+        @Override
+        public void adversarial(Case c) {
+            if (threshold.isGoing()) {
+                threshold.next(c);
+                return;
+            }
+            forms(c);
+            switch (random.nextInt(20)) {
+                case 0 -> {
+                    general(c);
+                    Mutations.elongate(c, random);
+                    threshold.begin(c);
+                    threshold.next(c);
+                    return;
+                }
+                case 1, 2, 3, 4 -> {
+                    Forms.grid(c.formA, random, c.a);
+                    Forms.grid(c.formB, random, c.b);
+                    align(c);
+                }
+                case 5, 6, 7, 8 -> {
+                    nearlyParallel(c);
+                    align(c);
+                }
+                case 9, 10, 11 -> {
+                    touching(c, false);
+                    align(c);
+                }
+                case 12, 13 -> {
+                    touching(c, true);
+                    align(c);
+                }
+                case 14, 15 -> {
+                    Mutations.tangent(c, random, planar);
+                    align(c);
+                }
+                default -> {
+                    general(c);
+                    Mutations.elongate(c, random);
+                    meetAt(c);
+                }
+            }
+            Mutations.flatten(c, random);
+            Mutations.place(c, random);
+        }
+
+        /** A point of b is put on a point of a, and a little further. */
+        private void meetAt(Case c) {
+            Forms.point(c.formA, random, c.a, p);
+            Forms.point(c.formB, random, c.b, q);
+            double gap = random.nextInt(3) == 0 ? 0 : Forms.tiny(random);
+            Forms.move(c.formB, c.b, p[0] - q[0] + gap, p[1] - q[1], p[2] - q[2] + gap);
+        }
+
+        private void touching(Case c, boolean dyadic) {
+            Forms.grid(c.formA, random, c.a);
+            if (dyadic) {
+                Forms.grid(c.formB, random, c.b);
+            } else {
+                Forms.random(c.formB, random, c.b);
+            }
+            Forms.point(c.formA, random, c.a, p);
+            if (c.formB == Form.TRIANGLE) {
+                double x = p[0] - c.b[0];
+                double y = p[1] - c.b[1];
+                double z = p[2] - c.b[2];
+                Forms.move(c.formB, c.b, x, y, z);
+                Mutations.share(c, random);
+            } else {
+                Forms.point(c.formB, random, c.b, q);
+                Forms.move(c.formB, c.b, p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+            }
+        }
+
+        /** b has a's attitude but for a little, and lies on one of its sides but for a little. */
+        private void nearlyParallel(Case c) {
+            Forms.random(c.formA, random, c.a);
+            Forms.random(c.formB, random, c.b);
+            double gap = random.nextInt(3) == 0 ? 0 : Forms.tiny(random);
+            double angle = random.nextInt(4) == 0 ? 0 : Forms.tiny(random);
+            if (c.formA == Form.TRIANGLE && c.formB == Form.TRIANGLE) {
+                Mutations.coplanar(c, random, gap);
+                return;
+            }
+            if (c.formB == Form.TRIANGLE) {
+                Mutations.lay(c.formA, c.a, c.b, random, gap);
+                return;
+            }
+            if (c.formA == Form.TRIANGLE) {
+                Mutations.lay(c.formB, c.b, c.a, random, gap);
+                return;
+            }
+            if (c.formA == Form.BOX || c.formA == Form.CYLINDER || c.formB == Form.UPRIGHT_BOX) {
+                System.arraycopy(c.a, 6, c.b, 6, 9);
+                if (c.formB == Form.UPRIGHT_BOX && c.formA != Form.UPRIGHT_BOX) {
+                    Forms.yaw(c.b, Forms.between(random, 3));
+                }
+                Forms.disturb(c.formB, random, c.b, angle);
+            }
+            int axis = random.nextInt(3);
+            double side = random.nextBoolean() ? 1 : -1;
+            for (int k = 0; k < 3; k++) {
+                double share = k == axis ? side : Forms.between(random, 1);
+                double way = (c.a[3 + k] + c.b[3 + k]) * share + (k == axis ? side * gap : 0);
+                for (int r = 0; r < 3; r++) {
+                    boolean isTurned = c.formA != Form.SPHERE && c.formA != Form.UPRIGHT_CYLINDER;
+                    c.b[r] += way * (isTurned ? c.a[6 + 3 * r + k] : r == k ? 1 : 0);
+                }
+            }
+        }
+    }
+}

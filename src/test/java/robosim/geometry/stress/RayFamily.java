@@ -1,0 +1,51 @@
+package robosim.geometry.stress;
+
+import java.util.SplittableRandom;
+import robosim.geometry.narrow.PlanarRay;
+import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.SpatialRay;
+import robosim.geometry.reference.Quantity.Arithmetic;
+import robosim.geometry.reference.Truth;
+import robosim.geometry.reference.Truth.Form;
+
+/** Whether a ray hits a convex leaf, in the plane or in space. */
+final class RayFamily extends Family {
+    private final boolean planar;
+    private final Form[] forms;
+    private final double spread;
+
+    RayFamily(String name, boolean planar, Form[] forms, double spread) {
+        super(name);
+        this.planar = planar;
+        this.forms = forms;
+        this.spread = spread;
+    }
+
+    @Override
+    Source source(SplittableRandom random) {
+        return new Rays(this, planar, forms, spread, random);
+    }
+
+    @Override
+    int product(Case c, Scratch s) {
+        double[] r = c.ray;
+        int kind = OverlapFamily.kind(c.formB);
+        double distance = planar
+                ? PlanarRay.distance(r[0], r[2], r[3], r[5], kind, c.b, 0, s)
+                : SpatialRay.distance(r[0], r[1], r[2], r[3], r[4], r[5], kind, c.b, 0, s);
+        return distance < Double.POSITIVE_INFINITY ? 1 : 0;
+    }
+
+    @Override
+    int truth(Case c, Arithmetic n) {
+        boolean hit = planar ? Truth.planarRay(n, c.ray, c.formB, c.b) : Truth.spatialRay(n, c.ray, c.formB, c.b);
+        return hit ? 1 : 0;
+    }
+
+    @Override
+    String call() {
+        return planar
+                ? "PlanarRay.distance(ray[0], ray[2], ray[3], ray[5], Leaf.B, b, 0, new Scratch())"
+                : "SpatialRay.distance(ray[0], ray[1], ray[2], ray[3], ray[4], ray[5], Leaf.B, b, 0, new Scratch())";
+    }
+}

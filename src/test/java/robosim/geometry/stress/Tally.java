@@ -1,0 +1,57 @@
+package robosim.geometry.stress;
+
+import java.util.List;
+
+/**
+ * What came of the cases of one sort of one family.
+ *
+ * @param yes     how many are true
+ * @param doubts  how many the oracle had to take to exact numbers
+ * @param checks  how many the oracle asked both ways
+ * @param nanos   the product's time for all of them
+ * @param digest  of all questions and answers; depends on the seed and the number of cases alone
+ * @param wrong   how many answers of the product were not true
+ * @param failures the first few of them, to paste
+ */
+record Tally(
+        String family,
+        boolean adversarial,
+        long cases,
+        long yes,
+        long doubts,
+        long checks,
+        long nanos,
+        long digest,
+        long wrong,
+        List<String> failures) {
+    static final int FAILURES = 5;
+
+    double share() {
+        return (double) yes / cases;
+    }
+
+    double nanosEach() {
+        return (double) nanos / cases;
+    }
+
+    /** With 95 % confidence the rate of wrong answers is below this (the rule of three) where none was seen. */
+    double bound() {
+        return 3.0 / cases;
+    }
+
+    Tally plus(Tally that) {
+        List<String> both = new java.util.ArrayList<>(failures);
+        both.addAll(that.failures);
+        return new Tally(
+                family,
+                adversarial,
+                cases + that.cases,
+                yes + that.yes,
+                doubts + that.doubts,
+                checks + that.checks,
+                nanos + that.nanos,
+                digest + that.digest,
+                wrong + that.wrong,
+                List.copyOf(both.subList(0, Math.min(FAILURES, both.size()))));
+    }
+}
