@@ -56,7 +56,7 @@ public final class QuadTree {
     }
 
     public boolean contains(int id) {
-        return id >= 0 && 4 * id < boxes.length && boxes[4 * id] == boxes[4 * id];
+        return id >= 0 && 4 * id < boxes.length && !Double.isNaN(boxes[4 * id]);
     }
 
     /** A cursor over this tree; it sees the tree as it is when a query starts. */

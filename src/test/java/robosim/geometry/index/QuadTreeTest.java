@@ -187,7 +187,9 @@ class QuadTreeTest {
         for (int id = cursor.next(Double.POSITIVE_INFINITY); id >= 0; id = cursor.next(Double.POSITIVE_INFINITY)) {
             ids.set(id);
         }
-        assertThat(ids.get(50, 100).cardinality()).as("all that a slow ray comes to").isEqualTo(50);
+        assertThat(ids.get(50, 100).cardinality())
+                .as("all that a slow ray comes to")
+                .isEqualTo(50);
     }
 
     /** A ray of every slope from every side of a lattice of boxes that touch the lines between tiles, to the bit. */
@@ -218,7 +220,9 @@ class QuadTreeTest {
             BitSet ids = collectRay(cursor, ray, Double.POSITIVE_INFINITY);
             for (int id = 0; id < boxes.length; id++) {
                 if (Entry.exact(ray, boxes[id]) != null) {
-                    assertThat(ids.get(id)).as("box %d on the ray %s", id, Arrays.toString(ray)).isTrue();
+                    assertThat(ids.get(id))
+                            .as("box %d on the ray %s", id, Arrays.toString(ray))
+                            .isTrue();
                     hits++;
                 }
             }
@@ -272,7 +276,7 @@ class QuadTreeTest {
             while (cursor.next() >= 0) {}
         }
         long byBoxes = cursor.visited();
-        assertThat(byBoxes).isBetween(queries, 3L * queries);
+        assertThat(byBoxes).isBetween((long) queries, 3L * queries);
         for (int i = 0; i < queries; i++) {
             double angle = random.nextDouble(2 * Math.PI);
             cursor.startRay(
@@ -283,7 +287,7 @@ class QuadTreeTest {
                     Double.POSITIVE_INFINITY);
             cursor.next(Double.POSITIVE_INFINITY);
         }
-        assertThat(cursor.visited() - byBoxes).isBetween(queries, 6L * queries);
+        assertThat(cursor.visited() - byBoxes).isBetween((long) queries, 6L * queries);
     }
 
     @Test
