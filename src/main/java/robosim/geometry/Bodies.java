@@ -4,9 +4,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Attitude;
 import robosim.geometry.model.GeometryObject;
-import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 
 /**
@@ -14,11 +12,8 @@ import robosim.geometry.model.Pose;
  * moveable ones are now. Ids of removed objects are used again.
  */
 final class Bodies {
-    /** Where in a place the roundings begin that its centre has lost, one a coordinate: no query sees them. */
-    static final int LOST = 3 + Attitude.STRIDE;
-
-    /** Doubles a place: the centre, the attitude, and what the centre has lost. */
-    static final int PLACE = LOST + 3;
+    /** Doubles a place, laid out by {@link Pose}. */
+    static final int PLACE = Pose.PLACE;
 
     private final Map<String, Integer> byName = new HashMap<>();
     private @Nullable GeometryObject[] values = new GeometryObject[16];
@@ -94,12 +89,7 @@ final class Bodies {
 
     /** Puts a moveable object where a pose says. */
     void put(int id, Pose pose) {
-        int at = place(id);
-        places[at] = pose.center().x();
-        places[at + 1] = pose.center().y();
-        places[at + 2] = pose.center().z();
-        pose.attitude(places, at + 3);
-        Arrays.fill(places, at + LOST, at + PLACE, 0);
+        pose.place(places, place(id));
     }
 
     /** Puts a moveable object at a place of {@link #PLACE} doubles. */
@@ -145,13 +135,7 @@ final class Bodies {
     /** The object as it is now. */
     GeometryObject present(int id) {
         GeometryObject value = value(id);
-        int slot = slots[id];
-        if (slot < 0) {
-            return value;
-        }
-        int at = slot * PLACE;
-        Pose pose = Pose.of(new Point(places[at], places[at + 1], places[at + 2]), places, at + 3);
-        return pose.equals(value.pose()) ? value : value.at(pose);
+        return isMoveable(id) ? value.at(Pose.of(places, place(id))) : value;
     }
 
     boolean isMoveable(int id) {

@@ -34,7 +34,8 @@ import robosim.geometry.narrow.Scratch;
  *       off by at most 7 * 2<sup>-53</sup> radian a turn, and where it goes along that by as much of its way.
  * </ul>
  *
- * What was lost is known to the world alone: {@link #getObject} answers a place without it.
+ * What a place has lost stays with the value that {@link #getObject} answers, but no question sees it, and it does not
+ * travel over a wire.
  *
  * <p>A bad argument throws {@code IllegalArgumentException} with the argument and its value in the message; after any
  * exception the world is as it was. A world belongs to one thread at a time.

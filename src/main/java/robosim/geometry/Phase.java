@@ -4,6 +4,7 @@ import java.util.Arrays;
 import robosim.geometry.exact.Attitude;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Pose;
 import robosim.geometry.narrow.LeafColumn;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.Sweep;
@@ -80,7 +81,7 @@ final class Phase {
         axis = about;
         degrees = byDegrees;
         placeAt(1, end);
-        if (Arrays.equals(start, 0, Bodies.LOST, end, 0, Bodies.LOST) && degrees == 0) {
+        if (Arrays.equals(start, 0, Pose.LOST, end, 0, Pose.LOST) && degrees == 0) {
             return false;
         }
         level.place(form, start[0], start[1], start[2], start, 3, atStart, 0);
@@ -123,10 +124,10 @@ final class Phase {
     private static void advance(double[] place, int along, double by) {
         double from = place[along];
         double to = from + by;
-        double rest = DoubleDouble.sumTail(from, by, to) + place[Bodies.LOST + along];
+        double rest = DoubleDouble.sumTail(from, by, to) + place[Pose.LOST + along];
         double sum = to + rest;
         place[along] = sum;
-        place[Bodies.LOST + along] = DoubleDouble.sumTail(to, rest, sum);
+        place[Pose.LOST + along] = DoubleDouble.sumTail(to, rest, sum);
     }
 
     /** Makes {@link #sweep} the turn of the first share of the leg. */

@@ -8,6 +8,9 @@ import robosim.geometry.narrow.Scratch;
 
 /** Beams and least distances in a world: nearest first, and no farther than what has been found. */
 final class Ranging {
+    /** More than what a square may lose by underflow. */
+    private static final double UNDERFLOW = 0x1p-1000;
+
     private final Bodies bodies;
     private final Cast cast;
     private final Distance distance;
@@ -182,7 +185,7 @@ final class Ranging {
         int k = 6 * id;
         double dx = Math.max(0, Math.max(b[k] - ox, ox - b[k + 3]));
         double dz = Math.max(0, Math.max(b[k + 2] - oz, oz - b[k + 5]));
-        if ((dx * dx + dz * dz) * (1 - 0x1p-50) > reach * reach) {
+        if ((dx * dx + dz * dz) * (1 - 0x1p-50) > reach * reach + UNDERFLOW) {
             return false;
         }
         return !isBeyond(b, k, leftX, leftZ) && !isBeyond(b, k, rightX, rightZ);
@@ -218,7 +221,7 @@ final class Ranging {
         double z = b[k + 2] / 2 + b[k + 5] / 2;
         double hx = Math.max(b[k + 3] - x, x - b[k]);
         double hz = Math.max(b[k + 5] - z, z - b[k + 2]);
-        double radius = Math.sqrt(hx * hx + hz * hz) * (1 + 0x1p-50);
+        double radius = Math.sqrt(hx * hx + hz * hz + UNDERFLOW) * (1 + 0x1p-50);
         best = Double.POSITIVE_INFINITY;
         hit = -1;
         double reach = limit;
@@ -261,6 +264,6 @@ final class Ranging {
                 squared += gap * gap;
             }
         }
-        return Math.sqrt(squared) * (1 - 0x1p-50);
+        return squared < UNDERFLOW ? 0 : Math.sqrt(squared) * (1 - 0x1p-50);
     }
 }

@@ -171,6 +171,25 @@ class LongRunTest {
         assertThat(place(world).x()).isEqualTo(AWAY.x() + 100 * Math.ulp(AWAY.x()));
     }
 
+    /** A value carries all that its world knew of its place, so that a copy of the world goes on alike. */
+    @ParameterizedTest
+    @EnumSource(Dimension.class)
+    void aCopyOfAWorldGoesOnAlike(Dimension dimension) {
+        Geometry world = world(dimension, box(AWAY));
+        SplittableRandom random = new SplittableRandom(7);
+        for (int k = 0; k < 1000; k++) {
+            Geometry copy = world(dimension, (BoxObject) world.getObject("robot"));
+            double way = random.nextDouble(-0.3, 0.3);
+            double turn = random.nextDouble(-1, 1);
+            for (Geometry each : List.of(world, copy)) {
+                each.simpleMove("robot", way, 0, 0);
+                each.simpleTurn("robot", turn);
+            }
+            assertThat(copy.getObject("robot")).isEqualTo(world.getObject("robot"));
+        }
+        assertThat(place(world)).isNotEqualTo(AWAY);
+    }
+
     @ParameterizedTest
     @EnumSource(Dimension.class)
     void aRefusedMoveKeepsEvenWhatWasLost(Dimension dimension) {

@@ -7,10 +7,19 @@ import robosim.geometry.exact.Attitude;
  * Where an object stands and how it is turned: a centre and a rotation.
  *
  * <p>The heading of an upright pose is kept as a compensated angle (a sum and the rounding that it lost), so that many
- * small turns do not drift; its rotation is made from that angle, from scratch. Equal are poses of equal centre and
- * rotation.
+ * small turns do not drift; its rotation is made from that angle, from scratch. The centre of an object that has moved
+ * in a world remembers in the same way what its coordinates have lost; no question sees it, and it does not travel. Equal
+ * are poses of equal centre and rotation.
  */
 public final class Pose {
+    /** Where in a place of {@link #PLACE} doubles the roundings begin that its centre has lost, one a coordinate. */
+    public static final int LOST = 3 + Attitude.STRIDE;
+
+    /** Doubles in which a world keeps a place: the centre, the attitude, and what the centre has lost. */
+    public static final int PLACE = LOST + 3;
+
+    private static final double[] NOTHING_LOST = new double[3];
+
     /** At the origin, facing +X. */
     public static final Pose ORIGIN = new Pose(new Point(), Attitude.identity());
 
@@ -19,9 +28,16 @@ public final class Pose {
     /** Laid out by {@link Attitude}. */
     private final double[] attitude;
 
+    private final double[] lost;
+
     private Pose(Point center, double[] attitude) {
+        this(center, attitude, NOTHING_LOST);
+    }
+
+    private Pose(Point center, double[] attitude, double[] lost) {
         this.center = center;
         this.attitude = attitude;
+        this.lost = lost;
     }
 
     /** Upright at a place with a heading in degrees. */
@@ -31,9 +47,17 @@ public final class Pose {
         return new Pose(Checks.present("center", center), attitude);
     }
 
-    /** From the numbers of {@link Attitude}, as a world keeps them; copied. */
+    /** From the numbers of {@link Attitude}; copied. */
     public static Pose of(Point center, double[] attitude, int at) {
         return new Pose(Checks.present("center", center), Arrays.copyOfRange(attitude, at, at + Attitude.STRIDE));
+    }
+
+    /** From the {@link #PLACE} numbers of a place as a world keeps it; copied. */
+    public static Pose of(double[] places, int at) {
+        return new Pose(
+                new Point(places[at], places[at + 1], places[at + 2]),
+                Arrays.copyOfRange(places, at + 3, at + LOST),
+                Arrays.copyOfRange(places, at + LOST, at + PLACE));
     }
 
     /** The place. */
@@ -74,6 +98,15 @@ public final class Pose {
         System.arraycopy(attitude, 0, column, at, Attitude.STRIDE);
     }
 
+    /** Writes the {@link #PLACE} numbers of this place into a column. */
+    public void place(double[] column, int at) {
+        column[at] = center.x();
+        column[at + 1] = center.y();
+        column[at + 2] = center.z();
+        attitude(column, at + 3);
+        System.arraycopy(lost, 0, column, at + LOST, 3);
+    }
+
     /** The same attitude elsewhere. */
     public Pose movedTo(Point place) {
         return new Pose(Checks.present("center", place), attitude);
@@ -83,7 +116,7 @@ public final class Pose {
     public Pose turned(double rx, double ry) {
         double[] turned = attitude.clone();
         Attitude.turn(turned, 0, Checks.angle("rx", rx), Checks.angle("ry", ry));
-        return new Pose(center, turned);
+        return new Pose(center, turned, lost);
     }
 
     /** In place with a given rotation, kept as given. */
@@ -96,7 +129,7 @@ public final class Pose {
         }
         double[] oriented = Attitude.identity();
         Attitude.orient(oriented, 0, rotation);
-        return new Pose(center, oriented);
+        return new Pose(center, oriented, lost);
     }
 
     @Override

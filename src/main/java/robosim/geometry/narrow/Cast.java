@@ -104,14 +104,24 @@ public final class Cast {
     }
 
     private double convex(int kind, double[] row, int at) {
+        double distance = convex(ox, oy, oz, kind, row, at);
+        // Only a small distance may have been spoiled by what underflowed.
+        if (distance > Magnified.SMALL || !s.magnified.take(RayMath.largest(ox, oy, oz), kind, row, at)) {
+            return distance;
+        }
+        Magnified m = s.magnified;
+        return m.down(convex(m.up(ox), m.up(oy), m.up(oz), kind, m.a, 0));
+    }
+
+    private double convex(double x, double y, double z, int kind, double[] row, int at) {
         if (dimension == Dimension.PLANAR) {
             return cone
-                    ? PlanarCone.distance(ox, oz, ux, uz, halfCos, halfSin, kind, row, at, s)
-                    : PlanarRay.distance(ox, oz, dx, dz, kind, row, at, s);
+                    ? PlanarCone.distance(x, z, ux, uz, halfCos, halfSin, kind, row, at, s)
+                    : PlanarRay.distance(x, z, dx, dz, kind, row, at, s);
         }
         return cone
-                ? SpatialCone.distance(ox, oy, oz, ux, uy, uz, halfCos, halfSin, kind, row, at, s)
-                : SpatialRay.distance(ox, oy, oz, dx, dy, dz, kind, row, at, s);
+                ? SpatialCone.distance(x, y, z, ux, uy, uz, halfCos, halfSin, kind, row, at, s)
+                : SpatialRay.distance(x, y, z, dx, dy, dz, kind, row, at, s);
     }
 
     /** Puts the beam to the mesh's tree; false where it misses all of the mesh. */

@@ -44,6 +44,16 @@ public final class Distance {
     }
 
     private double convex(Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        double distance = asStored(dimension, kindA, a, i, kindB, b, j);
+        // Only a small distance may have been spoiled by what underflowed.
+        if (distance > Magnified.SMALL || !s.magnified.take(kindA, a, i, kindB, b, j)) {
+            return distance;
+        }
+        Magnified m = s.magnified;
+        return m.down(asStored(dimension, kindA, m.a, 0, kindB, m.b, 0));
+    }
+
+    private double asStored(Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j) {
         return dimension == Dimension.PLANAR
                 ? PlanarDistance.between(kindA, a, i, kindB, b, j, s)
                 : SpatialDistance.between(kindA, a, i, kindB, b, j, s);
@@ -137,10 +147,29 @@ public final class Distance {
                 return;
             }
         }
-        if (dimension == Dimension.PLANAR) {
-            PlanarContact.between(kindA, rowA, atA, kindB, rowB, atB, out, s);
+        convexContact(dimension, kindA, rowA, atA, kindB, rowB, atB, out, s);
+    }
+
+    /** The same of two convex leaves. */
+    static void convexContact(
+            Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j, double[] out, Scratch s) {
+        Magnified m = s.magnified;
+        if (m.take(kindA, a, i, kindB, b, j)) {
+            storedContact(dimension, kindA, m.a, 0, kindB, m.b, 0, out, s);
+            for (int axis = 0; axis < 3; axis++) {
+                out[axis] = m.down(out[axis]);
+            }
         } else {
-            SpatialContact.between(kindA, rowA, atA, kindB, rowB, atB, out, s);
+            storedContact(dimension, kindA, a, i, kindB, b, j, out, s);
+        }
+    }
+
+    private static void storedContact(
+            Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j, double[] out, Scratch s) {
+        if (dimension == Dimension.PLANAR) {
+            PlanarContact.between(kindA, a, i, kindB, b, j, out, s);
+        } else {
+            SpatialContact.between(kindA, a, i, kindB, b, j, out, s);
         }
     }
 

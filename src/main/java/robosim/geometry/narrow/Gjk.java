@@ -215,8 +215,11 @@ final class Gjk {
         double vx = first.centreX - second.centreX;
         double vy = first.centreY - second.centreY;
         double vz = first.centreZ - second.centreZ;
-        if (vx == 0 && vy == 0 && vz == 0) {
+        if (RayMath.largest(vx, vy, vz) <= error) {
+            // Any direction will do to begin with; the square of this one may underflow.
             vx = 1;
+            vy = 0;
+            vz = 0;
         }
         int stalls = 0;
         for (steps = 1; steps <= MOST_STEPS; steps++) {

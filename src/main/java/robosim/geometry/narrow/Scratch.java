@@ -29,6 +29,9 @@ public final class Scratch {
     /** A point as a sphere's row. */
     final double[] witness = new double[Leaf.STRIDE];
 
+    /** Leaves whose lengths would underflow. */
+    final Magnified magnified = new Magnified();
+
     final double[] box = new double[6];
     final double[] triangleBox = new double[6];
     final double[] meshBox = new double[6];

@@ -21,11 +21,7 @@ final class Witness {
     static void of(
             Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j, double[] out, Scratch s) {
         boolean flat = dimension == Dimension.PLANAR;
-        if (flat) {
-            PlanarContact.between(kindA, a, i, kindB, b, j, out, s);
-        } else {
-            SpatialContact.between(kindA, a, i, kindB, b, j, out, s);
-        }
+        Distance.convexContact(dimension, kindA, a, i, kindB, b, j, out, s);
         double rounding = bound(flat, kindA, a, i, kindB, b, j, out, s);
         boolean exactly = !flat && ExactPolytope.isKnown(kindA) && ExactPolytope.isKnown(kindB);
         if (exactly && out[6] > FAR * rounding && ExactCommon.point(kindA, a, i, kindB, b, j, out)) {

@@ -1,0 +1,80 @@
+package robosim.geometry.narrow;
+
+/**
+ * Leaves that are so small, and so near the origin, that products of their coordinates underflow, taken up by a power of
+ * two: that changes no bit of a distance. Verdicts need none of this, they go to exact arithmetic.
+ *
+ * <p>Kernels multiply up to four lengths. Where some coordinate or size is {@link #SMALL} or more, its ulp to the fourth is
+ * above {@code 2^-1075}, and what underflows is less than any bound that is promised in ulp of the largest coordinate.
+ */
+final class Magnified {
+    /** Below this, all coordinates and sizes of a question, it is taken up; so are distances questioned. */
+    static final double SMALL = 0x1p-200;
+
+    final double[] a = new double[Leaf.STRIDE];
+    final double[] b = new double[Leaf.STRIDE];
+
+    /** The binary logarithm of the factor. */
+    private int power;
+
+    /**
+     * Takes up what is small, if all of it is.
+     *
+     * @param start the largest coordinate of what is no leaf
+     */
+    boolean take(double start, int kind, double[] row, int at) {
+        return take(Math.max(start, extent(kind, row, at))) && copy(kind, row, at, a);
+    }
+
+    /** Takes up two leaves if both are small. */
+    boolean take(int kindA, double[] rowA, int i, int kindB, double[] rowB, int j) {
+        return take(Math.max(extent(kindA, rowA, i), extent(kindB, rowB, j)))
+                && copy(kindA, rowA, i, a)
+                && copy(kindB, rowB, j, b);
+    }
+
+    private boolean take(double largest) {
+        power = -Math.getExponent(largest);
+        return largest < SMALL && largest > 0;
+    }
+
+    private boolean copy(int kind, double[] row, int at, double[] out) {
+        System.arraycopy(row, at, out, 0, Leaf.STRIDE);
+        for (int k = 0; k < lengths(kind); k++) {
+            out[k] = up(out[k]);
+        }
+        return true;
+    }
+
+    double up(double length) {
+        return scale(length, power);
+    }
+
+    double down(double length) {
+        return scale(length, -power);
+    }
+
+    /** In two steps, because the factor itself may be no double. */
+    private static double scale(double value, int power) {
+        return Math.scalb(Math.scalb(value, power / 2), power - power / 2);
+    }
+
+    private static double extent(int kind, double[] row, int at) {
+        double largest = 0;
+        for (int k = 0; k < lengths(kind); k++) {
+            largest = Math.max(largest, Math.abs(row[at + k]));
+        }
+        return largest;
+    }
+
+    /** How many numbers at the beginning of a row are lengths; those that follow are a rotation or nothing. */
+    private static int lengths(int kind) {
+        return switch (kind) {
+            case Leaf.SPHERE -> 4;
+            case Leaf.UPRIGHT_CYLINDER, Leaf.CYLINDER -> 5;
+            case Leaf.UPRIGHT_BOX, Leaf.BOX -> 6;
+            case Leaf.TRIANGLE -> 9;
+            default -> 10;
+        };
+    }
+}
