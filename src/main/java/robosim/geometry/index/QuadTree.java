@@ -41,6 +41,7 @@ public final class QuadTree {
     private boolean growing;
 
     private boolean isStale = true;
+    private final double[] before = new double[4];
     private RegionTree regions;
     private boolean hasRegions;
 
@@ -140,12 +141,28 @@ public final class QuadTree {
         return true;
     }
 
-    /** Gives an object of the tree another box. */
+    /**
+     * Gives an object of the tree another box, which must be one that could be added. Cheap where it stays on its tiles.
+     *
+     * @throws IllegalArgumentException where the id is not in the tree
+     */
     public void move(int id, double minX, double minZ, double maxX, double maxZ) {
-        if (!remove(id)) {
+        if (!contains(id)) {
             throw new IllegalArgumentException("id must be in the tree (got: " + id + ")");
         }
-        add(id, minX, minZ, maxX, maxZ);
+        if (hasRegions) {
+            regions.remove(id, boxes);
+        }
+        System.arraycopy(boxes, 4 * id, before, 0, 4);
+        Tiles old = isStale ? null : layerOf(id);
+        write(id, minX, minZ, maxX, maxZ);
+        if (old != null && (old != layerOf(id) || !old.sameTiles(boxes, 4 * id, before))) {
+            old.remove(id, before, 0);
+            list(id);
+        }
+        if (hasRegions) {
+            regions.add(id, boxes);
+        }
     }
 
     /** Lays the tiles out where they are stale. */
@@ -166,7 +183,7 @@ public final class QuadTree {
         while (layerCount < MOST_LAYERS - 1 && count > FEW) {
             count = lay(left, count);
         }
-        Tiles rest = new Tiles(0, 0, 0, 0, 0, count);
+        Tiles rest = new Tiles(0, 0, 0, 0, 0, new Tiles.Entries(count));
         for (int k = 0; k < count; k++) {
             rest.add(left[k], boxes, 4 * left[k]);
         }
@@ -190,7 +207,8 @@ public final class QuadTree {
         double roomX = growing ? (maxX - minX) / 8 : 0;
         double roomZ = growing ? (maxZ - minZ) / 8 : 0;
         int bits = bits(growing ? 3L * count : count);
-        Tiles tiles = new Tiles(minX - roomX, minZ - roomZ, maxX + roomX, maxZ + roomZ, bits, 3 * count);
+        Tiles tiles = new Tiles(
+                minX - roomX, minZ - roomZ, maxX + roomX, maxZ + roomZ, bits, new Tiles.Entries(3 * count));
         int left = 0;
         for (int k = 0; k < count; k++) {
             if (tiles.fits(boxes, 4 * ids[k])) {
@@ -199,6 +217,7 @@ public final class QuadTree {
                 ids[left++] = ids[k];
             }
         }
+        tiles.divideCrowded(boxes);
         tiles.arrange();
         layers[layerCount++] = tiles;
         return left;
@@ -259,7 +278,7 @@ public final class QuadTree {
 
         private Cursor(QuadTree tree) {
             this.tree = tree;
-            Tiles none = new Tiles(0, 0, 0, 0, 0, 0);
+            Tiles none = new Tiles(0, 0, 0, 0, 0, new Tiles.Entries(0));
             walk = new TileWalk(none);
             scan = new TileScan(none);
         }
@@ -374,7 +393,7 @@ public final class QuadTree {
                 // What is hit is measured with an error of its own: look a little farther.
                 double reach = limit * (1 + 0x1p-44) + slack;
                 entry = walk.next(reach);
-                if (entry == Tiles.NONE && walk.isOver()) {
+                if (entry == Tiles.NONE) {
                     Tiles tiles = nextLayer();
                     if (tiles == null) {
                         return -1;

@@ -1,5 +1,7 @@
 package robosim.geometry.index;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * The objects of {@link Tiles} whose boxes meet a box, once each: of all tiles that list an object, in the one that holds
  * the least corner of what the two boxes have in common.
@@ -21,6 +23,9 @@ final class TileScan {
     private int atZ;
     private int entry = Tiles.NONE;
     private boolean isOver = true;
+    private boolean isRest;
+    private boolean isWithin;
+    private @Nullable TileScan inner;
     private long visited;
 
     TileScan(Tiles any) {
@@ -28,11 +33,12 @@ final class TileScan {
     }
 
     long visited() {
-        return visited;
+        return visited + (inner == null ? 0 : inner.visited());
     }
 
     void stop() {
         isOver = true;
+        isWithin = false;
         entry = Tiles.NONE;
     }
 
@@ -52,22 +58,52 @@ final class TileScan {
         column = column0;
         row = row0;
         isOver = false;
+        isWithin = false;
+        isRest = over.rest != Tiles.NONE;
+        if (isRest) {
+            entry = over.rest;
+        } else {
+            look();
+        }
+    }
+
+    /** Turns to what the tile holds. */
+    private void look() {
         visited++;
-        entry = over.heads[atX | atZ];
+        int head = tiles.heads[atX | atZ];
+        entry = Math.max(head, Tiles.NONE);
+        if (head < Tiles.NONE) {
+            if (inner == null) {
+                inner = new TileScan(tiles);
+            }
+            inner.start(tiles.within(head), minX, minZ, maxX, maxZ);
+            isWithin = true;
+        }
     }
 
     /** The next object, or {@link Tiles#NONE} after the last. */
     int next(double[] boxes) {
         while (true) {
-            int[] entries = tiles.entries;
+            if (isWithin && inner != null) {
+                int id = inner.next(boxes);
+                isWithin = id != Tiles.NONE;
+                if (isWithin && isFirst(boxes, 4 * id)) {
+                    return id;
+                }
+                continue;
+            }
+            int[] entries = tiles.store.data;
             while (entry != Tiles.NONE) {
                 int id = entries[2 * entry];
                 entry = entries[2 * entry + 1];
-                if (meets(boxes, 4 * id) && isFirst(boxes, 4 * id)) {
+                if (meets(boxes, 4 * id) && (isRest || isFirst(boxes, 4 * id))) {
                     return id;
                 }
             }
-            if (isOver || !step()) {
+            if (isRest) {
+                isRest = false;
+                look();
+            } else if (isOver || !step()) {
                 isOver = true;
                 return Tiles.NONE;
             }
@@ -86,8 +122,7 @@ final class TileScan {
         } else {
             return false;
         }
-        visited++;
-        entry = tiles.heads[atX | atZ];
+        look();
         return true;
     }
 

@@ -1,13 +1,16 @@
 package robosim.geometry.index;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * A ray's way over {@link Tiles}, front to back: from each tile to the neighbour through whose side the ray leaves it.
  *
  * <p>Why none is missed: in tiles, the start is {@code g = (o - origin) scale}, wrong by at most {@code 2^-52 |g|}, and the
  * parameter at which the ray crosses a line between tiles is {@code (line - g) / v}, three roundings more, so at each
  * parameter the ray is off the tile that is visited then by at most {@code 2^-50} times the tiles from the start to the
- * line, along either axis, whatever the slope. With {@link Tiles#REACH} that is below 2^-26, far below
- * {@link Tiles#MARGIN}, by which every object is listed beyond its box. A slope below 2^-60 of the other is taken for
+ * line, along either axis, whatever the slope. With {@link Tiles#REACH} that is below 2^-26 tiles, and below 2^-13 of the
+ * tiles within divided ones, of which at most 2^12 lie along an outer one: far below {@link Tiles#MARGIN}, by which every
+ * object is listed beyond its box. A slope below 2^-60 of the other is taken for
  * none: it moves the ray by less than 2^-34 tiles.
  */
 final class TileWalk {
@@ -21,8 +24,6 @@ final class TileWalk {
     private double inverseZ;
     private double lineX;
     private double lineZ;
-    private double forthX;
-    private double forthZ;
     private int stepX;
     private int stepZ;
     private int fillX;
@@ -35,6 +36,13 @@ final class TileWalk {
     private double crossX;
     private double crossZ;
     private boolean isOver = true;
+    private boolean isWithin;
+    private @Nullable TileWalk inner;
+    private int restHead = Tiles.NONE;
+    private double fromX;
+    private double fromZ;
+    private double wayX;
+    private double wayZ;
     private long visited;
 
     TileWalk(Tiles any) {
@@ -42,20 +50,16 @@ final class TileWalk {
     }
 
     long visited() {
-        return visited;
+        return visited + (inner == null ? 0 : inner.visited());
     }
 
     void stop() {
         isOver = true;
     }
 
-    boolean isOver() {
-        return isOver;
-    }
-
     /** The entries of the tiles that are walked. */
     int[] entries() {
-        return tiles.entries;
+        return tiles.store.data;
     }
 
     /** Whether a ray begins near enough for the tiles' margin and is not too slow for a parameter. */
@@ -71,6 +75,12 @@ final class TileWalk {
         tiles = over;
         begin = 0;
         isOver = false;
+        isWithin = false;
+        restHead = over.rest;
+        fromX = ox;
+        fromZ = oz;
+        wayX = dx;
+        wayZ = dz;
         if (over.isSingle()) {
             atX = 0;
             atZ = 0;
@@ -100,14 +110,12 @@ final class TileWalk {
         boolean rises = vx > 0;
         stepX = rises ? 1 : -1;
         fillX = rises ? ~over.maskX : 0;
-        forthX = stepX;
         lineX = rises ? x + 1 : x;
         leftX = rises ? over.countX - 1 - x : x;
         crossX = alongX ? (lineX - gx) * inverseX : Double.POSITIVE_INFINITY;
         boolean deepens = vz > 0;
         stepZ = deepens ? 1 : -1;
         fillZ = deepens ? ~over.maskZ : 0;
-        forthZ = stepZ;
         lineZ = deepens ? z + 1 : z;
         leftZ = deepens ? over.countZ - 1 - z : z;
         crossZ = alongZ ? (lineZ - gz) * inverseZ : Double.POSITIVE_INFINITY;
@@ -143,32 +151,62 @@ final class TileWalk {
         return (int) Math.max(0, Math.min(count - 1, place));
     }
 
-    /** The first entry of the next tile that has any and begins within the reach; {@link Tiles#NONE} after the last. */
+    /**
+     * The first entry of the next list that is not empty and whose tile begins within the reach;
+     * {@link Tiles#NONE} after the last.
+     */
     int next(double reach) {
-        if (isOver) {
-            return Tiles.NONE;
+        if (restHead != Tiles.NONE) {
+            int head = restHead;
+            restHead = Tiles.NONE;
+            return head;
         }
+        while (true) {
+            if (isWithin) {
+                int head = within().next(reach);
+                if (head != Tiles.NONE) {
+                    return head;
+                }
+                isWithin = false;
+            }
+            int head = isOver ? Tiles.NONE : step(reach);
+            if (head >= Tiles.NONE) {
+                return head;
+            }
+            within().start(tiles.within(head), fromX, fromZ, wayX, wayZ);
+            isWithin = true;
+        }
+    }
+
+    private TileWalk within() {
+        if (inner == null) {
+            inner = new TileWalk(tiles);
+        }
+        return inner;
+    }
+
+    /** What the next tile that is not empty holds. */
+    private int step(double reach) {
         int[] heads = tiles.heads;
         int x = atX;
         int z = atZ;
         double cx = crossX;
         double cz = crossZ;
         double from = begin;
-        int head = Tiles.NONE;
         while (from <= reach) {
             visited++;
-            head = heads[x | z];
+            int head = heads[x | z];
             if (cx < cz) {
                 from = cx;
                 isOver = leftX-- == 0;
                 x = ((x | fillX) + stepX) & tiles.maskX;
-                lineX += forthX;
+                lineX += stepX;
                 cx = (lineX - gx) * inverseX;
             } else {
                 from = cz;
                 isOver = leftZ-- == 0;
                 z = ((z | fillZ) + stepZ) & tiles.maskZ;
-                lineZ += forthZ;
+                lineZ += stepZ;
                 cz = (lineZ - gz) * inverseZ;
             }
             if (head != Tiles.NONE || isOver) {
