@@ -27,6 +27,12 @@ final class Level {
     private int[] count = new int[16];
     private double[] bounds = new double[6 * 16];
 
+    /** Up to so many moveable objects are as quickly asked one by one; where there are more, the quadtree has them too. */
+    private static final int FEW_MOVERS = 16;
+
+    private int movers;
+    private boolean hasMoversInTree;
+
     /** How to place what moves; null for static objects. */
     private @Nullable Form[] forms = new Form[16];
 
@@ -109,10 +115,36 @@ final class Level {
             count[id] = incoming.size();
         }
         measure(id);
-        if (!object.isMoveable()) {
-            int b = 6 * id;
-            tree.add(id, bounds[b], bounds[b + 2], bounds[b + 3], bounds[b + 5]);
+        if (object.isMoveable()) {
+            movers++;
+            countMovers(id);
+        } else {
+            addToTree(id);
         }
+    }
+
+    /** Takes all moveable objects into the quadtree when there are no longer few. */
+    private void countMovers(int last) {
+        if (hasMoversInTree) {
+            addToTree(last);
+        } else if (movers > FEW_MOVERS) {
+            hasMoversInTree = true;
+            for (int id = 0; id < forms.length; id++) {
+                if (forms[id] != null) {
+                    addToTree(id);
+                }
+            }
+        }
+    }
+
+    private void addToTree(int id) {
+        int b = 6 * id;
+        tree.add(id, bounds[b], bounds[b + 2], bounds[b + 3], bounds[b + 5]);
+    }
+
+    /** How many moveable objects are not in the quadtree: all or none. */
+    int moversBesideTree() {
+        return hasMoversInTree ? 0 : movers;
     }
 
     private void reserve(int id) {
@@ -126,7 +158,10 @@ final class Level {
     }
 
     void remove(int id, Bodies bodies) {
-        if (!bodies.isMoveable(id)) {
+        if (bodies.isMoveable(id)) {
+            movers--;
+        }
+        if (tree.contains(id)) {
             tree.remove(id);
         }
         forms[id] = null;
@@ -152,6 +187,10 @@ final class Level {
     void move(int id, double[] places, int at) {
         place(form(id), places[at], places[at + 1], places[at + 2], places, at + 3, leaves, first[id]);
         measure(id);
+        if (hasMoversInTree) {
+            int b = 6 * id;
+            tree.move(id, bounds[b], bounds[b + 2], bounds[b + 3], bounds[b + 5]);
+        }
     }
 
     private void measure(int id) {

@@ -2,7 +2,7 @@ package robosim.geometry;
 
 import java.util.Arrays;
 
-/** The objects whose bounds meet a box: static ones from the quadtree, moveable ones from their list. */
+/** The objects whose bounds meet a box: from the quadtree, and from the list of moveable ones where these are few. */
 final class Near {
     private final Bodies bodies;
     private int[] ids = new int[16];
@@ -25,11 +25,11 @@ final class Near {
         count = 0;
         level.cursor.startBox(box[0], box[2], box[3], box[5]);
         for (int id = level.cursor.next(); id >= 0; id = level.cursor.next()) {
-            if (level.meets(id, box)) {
+            if (id != but && level.meets(id, box)) {
                 add(id);
             }
         }
-        for (int k = 0; k < bodies.moverCount(); k++) {
+        for (int k = 0; k < level.moversBesideTree(); k++) {
             int id = bodies.mover(k);
             if (id != but && level.meets(id, box)) {
                 add(id);

@@ -113,7 +113,7 @@ final class Ranging {
                 reach = Math.min(reach, best);
             }
         }
-        for (int k = 0; k < bodies.moverCount(); k++) {
+        for (int k = 0; k < level.moversBesideTree(); k++) {
             int id = bodies.mover(k);
             if (id != but && lineMeets(level, id, reach)) {
                 tryBody(level, id, reach);
@@ -137,7 +137,7 @@ final class Ranging {
                 reach = Math.min(reach, best);
             }
         }
-        for (int k = 0; k < bodies.moverCount(); k++) {
+        for (int k = 0; k < level.moversBesideTree(); k++) {
             int id = bodies.mover(k);
             if (id != but && coneMeets(level, id, reach)) {
                 tryBody(level, id, reach);
@@ -231,7 +231,7 @@ final class Ranging {
                 reach = tryPair(level, id, other, reach);
             }
         }
-        for (int m = 0; m < bodies.moverCount(); m++) {
+        for (int m = 0; m < level.moversBesideTree(); m++) {
             if (bodies.mover(m) != id) {
                 reach = tryPair(level, id, bodies.mover(m), reach);
             }

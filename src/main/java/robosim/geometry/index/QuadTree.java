@@ -1,15 +1,16 @@
 package robosim.geometry.index;
 
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 
 /**
- * Objects that stand still, by a small id of the caller's and a box in the XZ plane.
+ * Objects by a small id of the caller's and a box in the XZ plane.
  *
- * <p>A region is cut in four at its centre until it holds one object, or several that have their centres in one cell of
- * {@code 2^-52} of the world. An object lives in the one region that holds its box's centre, and every region knows the
- * tight bounds of all that lives in it: nothing is refused or lost where it lies across a border, or outside of the
- * world. Cuts that would leave all in one quarter are left out, so there are fewer regions with parts than objects,
- * wherever they stand.
+ * <p>A region is cut in four at its centre, again and again. Where a ray or a box asks, all regions of one depth are taken
+ * at once as {@link Tiles}, about as many as there are objects: a ray steps from tile to tile, front to back, until no
+ * later tile can hold anything nearer than what it has met. Objects that are too large for the tiles stand on coarser ones.
+ * Where a point asks for what is nearest, the regions are a tree that is descended nearest first. Both are made when first
+ * asked, and laid out anew when the number of objects has outgrown them.
  *
  * <p>Belongs to one thread at a time. Arrays have one place for every id up to the greatest.
  */
@@ -17,28 +18,38 @@ public final class QuadTree {
     /** Greatest id: four numbers for each must fit one array. */
     public static final int MAX_ID = (1 << 28) - 2;
 
-    private static final int NONE = Regions.NONE;
-    private static final int ABSENT = -2;
-    private static final int EMPTY = Regions.EMPTY;
-    // The link of a region that is not cut is ~id of its only object, or ~(id | MORE) of the first of several, or
-    // EMPTY.
-    private static final int MORE = 1 << 29;
+    private static final int MOST_LAYERS = 8;
+
+    /** A layer of so few objects is one tile. */
+    private static final int FEW = 6;
 
     private final Cells cells;
 
-    final Regions regions = new Regions();
-
-    // By id: the box, and the next object of the same region.
-    double[] boxes = new double[4 * 64];
-    int[] next = new int[64];
+    // By id: the box; the first number is NaN where there is none.
+    private double[] boxes = new double[4 * 64];
     private int size;
 
-    private final int[] path = new int[Cells.BITS + 2];
+    /** Finer tiles first; the last layer takes everything. */
+    private final Tiles[] layers = new Tiles[MOST_LAYERS];
+
+    private int layerCount;
+
+    /** How many objects there were when the tiles were laid out. */
+    private int laid;
+
+    /** Whether the tiles were laid out in the midst of growing, with room for more. */
+    private boolean growing;
+
+    private boolean isStale = true;
+    private final double[] before = new double[4];
+    private RegionTree regions;
+    private boolean hasRegions;
 
     /** An empty tree over a world of this extent. Objects may lie outside of it; the tree is merely coarser there. */
     public QuadTree(double minX, double minZ, double maxX, double maxZ) {
         cells = new Cells(minX, minZ, maxX, maxZ);
-        Arrays.fill(next, ABSENT);
+        regions = new RegionTree(cells);
+        Arrays.fill(boxes, Double.NaN);
     }
 
     public int size() {
@@ -46,12 +57,7 @@ public final class QuadTree {
     }
 
     public boolean contains(int id) {
-        return id >= 0 && id < next.length && next[id] != ABSENT;
-    }
-
-    /** How many regions there are, cut and uncut. */
-    public int regions() {
-        return regions.count();
+        return id >= 0 && 4 * id < boxes.length && !Double.isNaN(boxes[4 * id]);
     }
 
     /** A cursor over this tree; it sees the tree as it is when a query starts. */
@@ -74,42 +80,49 @@ public final class QuadTree {
                     .formatted(minX, maxX, minZ, maxZ));
         }
         ensureId(id);
+        write(id, minX, minZ, maxX, maxZ);
+        size++;
+        list(id);
+        if (hasRegions) {
+            regions.add(id, boxes);
+        }
+    }
+
+    private void write(int id, double minX, double minZ, double maxX, double maxZ) {
         int at = 4 * id;
         boxes[at] = minX;
         boxes[at + 1] = minZ;
         boxes[at + 2] = maxX;
         boxes[at + 3] = maxZ;
-        regions.reserve();
-        int region = regionFor(at);
-        regions.grow(region, boxes, at);
-        next[id] = first(regions.links[region]);
-        regions.links[region] = next[id] == NONE ? ~id : ~(id | MORE);
-        size++;
     }
 
-    // The uncut region that is to hold a box, cut out for it where needed; all regions above it are grown by the box.
-    private int regionFor(int box) {
-        long x = cells.x(boxes, box);
-        long z = cells.z(boxes, box);
-        int region = 0;
-        while (true) {
-            int link = regions.links[region];
-            if (link == EMPTY) {
-                return region;
-            }
-            boolean isCut = link >= 0;
-            long heldX = isCut ? regions.x(link) : cells.x(boxes, 4 * first(link));
-            long heldZ = isCut ? regions.z(link) : cells.z(boxes, 4 * first(link));
-            int bit = Long.SIZE - 1 - Long.numberOfLeadingZeros((x ^ heldX) | (z ^ heldZ));
-            if (isCut && bit <= regions.bit(link)) {
-                regions.grow(region, boxes, box);
-                region = link + Cells.quarter(regions.bit(link), x, z);
-            } else if (bit < 0) {
-                return region; // the same cell: no cut tells them apart
-            } else {
-                regions.cut(region, bit, heldX, heldZ);
+    private static boolean finite(double a, double b) {
+        return Double.isFinite(a) && Double.isFinite(b);
+    }
+
+    private void ensureId(int id) {
+        if (4 * id >= boxes.length) {
+            int before = boxes.length;
+            boxes = Arrays.copyOf(boxes, 4 * Math.min(MAX_ID + 1, Math.max(id + 1, before / 4 + before / 8)));
+            Arrays.fill(boxes, before, boxes.length, Double.NaN);
+        }
+    }
+
+    private void list(int id) {
+        if (!isStale) {
+            layerOf(id).add(id, boxes, 4 * id);
+            isStale = size > 4 * laid + FEW || layers[layerCount - 1].objects() > 2 * FEW + laid / 16;
+        }
+    }
+
+    /** The finest layer that a box fits. */
+    private Tiles layerOf(int id) {
+        for (int k = 0; k < layerCount - 1; k++) {
+            if (layers[k].fits(boxes, 4 * id)) {
+                return layers[k];
             }
         }
+        return layers[layerCount - 1];
     }
 
     /** Takes an object out; false where it is not in the tree. */
@@ -117,60 +130,126 @@ public final class QuadTree {
         if (!contains(id)) {
             return false;
         }
-        long x = cells.x(boxes, 4 * id);
-        long z = cells.z(boxes, 4 * id);
-        int depth = 0;
-        int region = 0;
-        while (regions.links[region] >= 0) {
-            path[depth++] = region;
-            int link = regions.links[region];
-            region = link + Cells.quarter(regions.bit(link), x, z);
+        if (!isStale) {
+            layerOf(id).remove(id, boxes, 4 * id);
         }
-        unlink(region, id);
-        while (depth > 0) {
-            regions.tighten(path[--depth]);
+        if (hasRegions) {
+            regions.remove(id, boxes);
         }
+        boxes[4 * id] = Double.NaN;
         size--;
         return true;
     }
 
-    private void unlink(int region, int id) {
-        int first = first(regions.links[region]);
-        if (first == id) {
-            first = next[id];
-        } else {
-            int before = first;
-            while (next[before] != id) {
-                before = next[before];
-            }
-            next[before] = next[id];
+    /**
+     * Gives an object of the tree another box, which must be one that could be added. Cheap where it stays on its tiles.
+     *
+     * @throws IllegalArgumentException where the id is not in the tree
+     */
+    public void move(int id, double minX, double minZ, double maxX, double maxZ) {
+        if (!contains(id)) {
+            throw new IllegalArgumentException("id must be in the tree (got: " + id + ")");
         }
-        next[id] = ABSENT;
-        regions.clear(region);
-        for (int other = first; other != NONE; other = next[other]) {
-            regions.grow(region, boxes, 4 * other);
+        if (hasRegions) {
+            regions.remove(id, boxes);
         }
-        regions.links[region] = first == NONE ? EMPTY : next[first] == NONE ? ~first : ~(first | MORE);
+        System.arraycopy(boxes, 4 * id, before, 0, 4);
+        Tiles old = isStale ? null : layerOf(id);
+        write(id, minX, minZ, maxX, maxZ);
+        if (old != null && (old != layerOf(id) || !old.sameTiles(boxes, 4 * id, before))) {
+            old.remove(id, before, 0);
+            list(id);
+        }
+        if (hasRegions) {
+            regions.add(id, boxes);
+        }
     }
 
-    private void ensureId(int id) {
-        if (id < next.length) {
+    /** Lays the tiles out where they are stale. */
+    private void settle() {
+        if (!isStale) {
             return;
         }
-        int before = next.length;
-        int length = Math.min(MAX_ID + 1, Math.max(id + 1, 2 * before));
-        next = Arrays.copyOf(next, length);
-        Arrays.fill(next, before, length, ABSENT);
-        boxes = Arrays.copyOf(boxes, 4 * length);
+        growing = laid > 0 && size > laid;
+        laid = size;
+        int[] left = new int[size];
+        int count = 0;
+        for (int id = 0; count < size; id++) {
+            if (contains(id)) {
+                left[count++] = id;
+            }
+        }
+        layerCount = 0;
+        while (layerCount < MOST_LAYERS - 1 && count > FEW) {
+            count = lay(left, count);
+        }
+        Tiles rest = new Tiles(0, 0, 0, 0, 0, new Tiles.Entries(count));
+        for (int k = 0; k < count; k++) {
+            rest.add(left[k], boxes, 4 * left[k]);
+        }
+        layers[layerCount++] = rest;
+        isStale = false;
     }
 
-    // The first object of a region that is not cut.
-    private static int first(int link) {
-        return link == EMPTY ? NONE : ~link & ~MORE;
+    /** Makes a layer of those objects that fit its tiles; the others are moved to the front and counted. */
+    private int lay(int[] ids, int count) {
+        double minX = Double.POSITIVE_INFINITY;
+        double minZ = Double.POSITIVE_INFINITY;
+        double maxX = Double.NEGATIVE_INFINITY;
+        double maxZ = Double.NEGATIVE_INFINITY;
+        for (int k = 0; k < count; k++) {
+            int at = 4 * ids[k];
+            minX = Math.min(minX, boxes[at]);
+            minZ = Math.min(minZ, boxes[at + 1]);
+            maxX = Math.max(maxX, boxes[at + 2]);
+            maxZ = Math.max(maxZ, boxes[at + 3]);
+        }
+        double roomX = growing ? (maxX - minX) / 8 : 0;
+        double roomZ = growing ? (maxZ - minZ) / 8 : 0;
+        int bits = bits(growing ? 3L * count : count);
+        Tiles tiles = new Tiles(
+                minX - roomX, minZ - roomZ, maxX + roomX, maxZ + roomZ, bits, new Tiles.Entries(3 * count));
+        int left = 0;
+        for (int k = 0; k < count; k++) {
+            if (tiles.fits(boxes, 4 * ids[k])) {
+                tiles.add(ids[k], boxes, 4 * ids[k]);
+            } else {
+                ids[left++] = ids[k];
+            }
+        }
+        tiles.divideCrowded(boxes);
+        tiles.arrange();
+        layers[layerCount++] = tiles;
+        return left;
     }
 
-    private static boolean finite(double a, double b) {
-        return Double.isFinite(a) && Double.isFinite(b);
+    /** For about one tile an object. */
+    private static int bits(long objects) {
+        return 64 - Long.numberOfLeadingZeros(objects + objects / 2) - 1;
+    }
+
+    private void growRegions() {
+        if (!hasRegions) {
+            regions = new RegionTree(cells);
+            for (int id = 0, found = 0; found < size; id++) {
+                if (contains(id)) {
+                    regions.add(id, boxes);
+                    found++;
+                }
+            }
+            hasRegions = true;
+        }
+    }
+
+    /** The regions as a tree. */
+    Regions grown() {
+        growRegions();
+        return regions.regions;
+    }
+
+    /** How many regions the tree has, cut and uncut. */
+    public int regions() {
+        return grown().count();
     }
 
     /**
@@ -178,82 +257,106 @@ public final class QuadTree {
      * the tree ends the query: start again.
      */
     public static final class Cursor {
-        private final QuadTree tree;
-        private final EntryQueue queue = new EntryQueue();
-        private final PlaneKeys keys = new PlaneKeys();
-        private final int[] stack = new int[3 * Cells.BITS + 8];
-        private int top;
-        private int pending = NONE;
-        private long visited;
-        private double entry;
+        /** How many of the last objects a ray remembers, so that one that lies on several tiles comes once or twice. */
+        private static final int RECENT = 8;
 
-        private double minX;
-        private double minZ;
-        private double maxX;
-        private double maxZ;
+        private final QuadTree tree;
+        private final NearestFirst ordered = new NearestFirst();
+        private final TileWalk walk;
+        private final TileScan scan;
+        private final int[] recent = new int[RECENT];
+        private boolean isOrdered;
+        private int layer;
+        private int entry = Tiles.NONE;
+        private double slack;
+
+        // The ray, for the layers to come; or the box.
+        private double x0;
+        private double z0;
+        private double x1;
+        private double z1;
 
         private Cursor(QuadTree tree) {
             this.tree = tree;
+            Tiles none = new Tiles(0, 0, 0, 0, 0, new Tiles.Entries(0));
+            walk = new TileWalk(none);
+            scan = new TileScan(none);
         }
 
         /** How many regions this cursor has looked into since it was made. */
         public long visited() {
-            return visited;
+            return ordered.visited() + walk.visited() + scan.visited();
         }
 
         /** Starts the query for all objects whose boxes meet this closed box; take them with {@link #next()}. */
         public void startBox(double minX, double minZ, double maxX, double maxZ) {
-            this.minX = minX;
-            this.minZ = minZ;
-            this.maxX = maxX;
-            this.maxZ = maxZ;
-            clear();
-            if (meets(tree.regions.bounds, 0)) {
-                stack[top++] = 0;
+            tree.settle();
+            x0 = minX;
+            z0 = minZ;
+            x1 = maxX;
+            z1 = maxZ;
+            layer = 0;
+            scan.stop();
+        }
+
+        /** The next object that meets the box, in no promised order, each once; -1 after the last. */
+        public int next() {
+            while (true) {
+                int id = scan.next(tree.boxes);
+                if (id != Tiles.NONE) {
+                    return id;
+                }
+                Tiles tiles = nextLayer();
+                if (tiles == null) {
+                    return -1;
+                }
+                scan.start(tiles, x0, z0, x1, z1);
             }
         }
 
-        /** The next object that meets the box, in no promised order; -1 after the last. */
-        public int next() {
-            while (true) {
-                while (pending != NONE) {
-                    int id = pending;
-                    pending = tree.next[id];
-                    if (meets(tree.boxes, 4 * id)) {
-                        return id;
-                    }
-                }
-                if (top == 0) {
-                    return -1;
-                }
-                visited++;
-                int link = tree.regions.links[stack[--top]];
-                if (link < 0) {
-                    int id = first(link);
-                    if (link == ~id) {
-                        return id; // its box is the region's
-                    }
-                    pending = id;
-                    continue;
-                }
-                for (int quarter = link + 3; quarter >= link; quarter--) {
-                    if (meets(tree.regions.bounds, 4 * quarter)) {
-                        stack[top++] = quarter;
-                    }
+        private @Nullable Tiles nextLayer() {
+            while (layer < tree.layerCount) {
+                Tiles tiles = tree.layers[layer++];
+                if (!tiles.isEmpty()) {
+                    return tiles;
                 }
             }
+            return null;
         }
 
         /**
-         * Starts the query for all objects whose boxes the ray meets at a parameter up to the limit, front to back; take
-         * them with {@link #next(double)}. A point of the ray is its start plus the parameter times the direction.
+         * Starts the query for all objects whose boxes the ray may meet at a parameter up to the limit, region by region;
+         * take them with {@link #next(double)}. A point of the ray is its start plus the parameter times the direction.
          *
          * @param limit at least 0; may be infinite
          * @throws IllegalArgumentException where the start is not finite, or the direction zero or not finite
          */
         public void startRay(double ox, double oz, double dx, double dz, double limit) {
-            keys.startRay(ox, oz, dx, dz);
-            startOrdered(limit);
+            double sum = Math.abs(ox) + Math.abs(oz);
+            double speed = Math.abs(dx) + Math.abs(dz);
+            if (!(sum < Double.POSITIVE_INFINITY && speed > 0 && speed < Double.POSITIVE_INFINITY)) {
+                throw new IllegalArgumentException("ray must be finite and its direction not zero (got: start " + ox
+                        + ", " + oz + " direction " + dx + ", " + dz + ")");
+            }
+            tree.settle();
+            slack = 0x1p-44 * sum / speed;
+            x0 = ox;
+            z0 = oz;
+            x1 = dx;
+            z1 = dz;
+            entry = Tiles.NONE;
+            walk.stop();
+            Arrays.fill(recent, -1);
+            layer = 0;
+            isOrdered = false;
+            for (int k = 0; k < tree.layerCount; k++) {
+                // Far from one of them: all in order then.
+                isOrdered |= !TileWalk.isNear(tree.layers[k], ox, oz, dx, dz);
+            }
+            if (isOrdered) {
+                tree.growRegions();
+                ordered.startRay(tree.regions, ox, oz, dx, dz, limit);
+            }
         }
 
         /**
@@ -264,97 +367,45 @@ public final class QuadTree {
          * @throws IllegalArgumentException where the point is not finite
          */
         public void startPoint(double x, double z, double limit) {
-            keys.startPoint(x, z);
-            startOrdered(limit);
+            isOrdered = true;
+            tree.growRegions();
+            ordered.startPoint(tree.regions, x, z, limit);
         }
 
         /**
-         * The next object of a ray or point query by the least parameter or distance at which its box begins; -1 after the
-         * last within the limit, which may shrink from call to call.
+         * The next object of a ray or point query; -1 after the last within the limit, which may shrink from call to call.
+         * A ray may be given an object again, and one that it passes by.
          */
         public int next(double limit) {
-            double within = keys.inner(limit);
-            while (!queue.isEmpty() && queue.leastKey() <= within) {
-                double key = queue.leastKey();
-                int id = descend(queue.pop(), key, within);
-                if (id != NONE) {
-                    return id;
+            if (isOrdered) {
+                return ordered.next(tree.regions, tree.boxes, limit);
+            }
+            while (true) {
+                while (entry != Tiles.NONE) {
+                    int[] entries = walk.entries();
+                    int id = entries[2 * entry];
+                    entry = entries[2 * entry + 1];
+                    if (recent[id & (RECENT - 1)] != id) {
+                        recent[id & (RECENT - 1)] = id;
+                        return id;
+                    }
+                }
+                // What is hit is measured with an error of its own: look a little farther.
+                double reach = limit * (1 + 0x1p-44) + slack;
+                entry = walk.next(reach);
+                if (entry == Tiles.NONE) {
+                    Tiles tiles = nextLayer();
+                    if (tiles == null) {
+                        return -1;
+                    }
+                    walk.start(tiles, x0, z0, x1, z1);
                 }
             }
-            return -1;
         }
 
-        /** A lower bound, rounded down, of the parameter or distance at which the last object's box begins. */
+        /** A lower bound, rounded down, of the distance at which the last object of a point query begins. */
         public double entry() {
-            return entry;
-        }
-
-        // Down from the item of the least key, as long as a part of it comes before all else: no place in the queue for
-        // it.
-        private int descend(int item, double itsKey, double within) {
-            int region = item;
-            double key = itsKey;
-            while (region >= 0) {
-                visited++;
-                int link = tree.regions.links[region];
-                if (link < 0) {
-                    int id = first(link);
-                    if (link != ~id) {
-                        pushAll(id, within);
-                        return NONE;
-                    }
-                    entry = keys.outer(key); // its box is the region's
-                    return id;
-                }
-                double least = Double.POSITIVE_INFINITY;
-                int nearest = NONE;
-                for (int quarter = link; quarter < link + 4; quarter++) {
-                    double its = keys.key(tree.regions.bounds, 4 * quarter);
-                    if (its < least) {
-                        push(least, nearest, within);
-                        least = its;
-                        nearest = quarter;
-                    } else {
-                        push(its, quarter, within);
-                    }
-                }
-                if (nearest == NONE || least > within || least > queue.leastKey()) {
-                    push(least, nearest, within);
-                    return NONE;
-                }
-                region = nearest;
-                key = least;
-            }
-            entry = keys.outer(key);
-            return ~region;
-        }
-
-        private void startOrdered(double limit) {
-            clear();
-            entry = 0;
-            push(keys.key(tree.regions.bounds, 0), 0, keys.inner(limit));
-        }
-
-        private void clear() {
-            queue.clear();
-            top = 0;
-            pending = NONE;
-        }
-
-        private void pushAll(int first, double within) {
-            for (int id = first; id != NONE; id = tree.next[id]) {
-                push(keys.key(tree.boxes, 4 * id), ~id, within);
-            }
-        }
-
-        private void push(double key, int item, double within) {
-            if (key <= within && key < Double.POSITIVE_INFINITY) {
-                queue.push(key, item);
-            }
-        }
-
-        private boolean meets(double[] of, int at) {
-            return of[at] <= maxX && minX <= of[at + 2] && of[at + 1] <= maxZ && minZ <= of[at + 3];
+            return ordered.entry();
         }
     }
 }

@@ -1,0 +1,137 @@
+package robosim.geometry.index;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The objects of {@link Tiles} whose boxes meet a box, once each: of all tiles that list an object, in the one that holds
+ * the least corner of what the two boxes have in common.
+ */
+final class TileScan {
+    private Tiles tiles;
+    private double minX;
+    private double minZ;
+    private double maxX;
+    private double maxZ;
+    private int startX;
+    private int column0;
+    private int column1;
+    private int column;
+    private int row0;
+    private int row1;
+    private int row;
+    private int atX;
+    private int atZ;
+    private int entry = Tiles.NONE;
+    private boolean isOver = true;
+    private boolean isRest;
+    private boolean isWithin;
+    private @Nullable TileScan inner;
+    private long visited;
+
+    TileScan(Tiles any) {
+        tiles = any;
+    }
+
+    long visited() {
+        return visited + (inner == null ? 0 : inner.visited());
+    }
+
+    void stop() {
+        isOver = true;
+        isWithin = false;
+        entry = Tiles.NONE;
+    }
+
+    void start(Tiles over, double x0, double z0, double x1, double z1) {
+        tiles = over;
+        minX = x0;
+        minZ = z0;
+        maxX = x1;
+        maxZ = z1;
+        column0 = over.column(x0, 0);
+        column1 = over.column(x1, 0);
+        row0 = over.row(z0, 0);
+        row1 = over.row(z1, 0);
+        startX = Tiles.spread(column0, over.maskX);
+        atX = startX;
+        atZ = Tiles.spread(row0, over.maskZ);
+        column = column0;
+        row = row0;
+        isOver = false;
+        isWithin = false;
+        isRest = over.rest != Tiles.NONE;
+        if (isRest) {
+            entry = over.rest;
+        } else {
+            look();
+        }
+    }
+
+    /** Turns to what the tile holds. */
+    private void look() {
+        visited++;
+        int head = tiles.heads[atX | atZ];
+        entry = Math.max(head, Tiles.NONE);
+        if (head < Tiles.NONE) {
+            if (inner == null) {
+                inner = new TileScan(tiles);
+            }
+            inner.start(tiles.within(head), minX, minZ, maxX, maxZ);
+            isWithin = true;
+        }
+    }
+
+    /** The next object, or {@link Tiles#NONE} after the last. */
+    int next(double[] boxes) {
+        while (true) {
+            if (isWithin && inner != null) {
+                int id = inner.next(boxes);
+                isWithin = id != Tiles.NONE;
+                if (isWithin && isFirst(boxes, 4 * id)) {
+                    return id;
+                }
+                continue;
+            }
+            int[] entries = tiles.store.data;
+            while (entry != Tiles.NONE) {
+                int id = entries[2 * entry];
+                entry = entries[2 * entry + 1];
+                if (meets(boxes, 4 * id) && (isRest || isFirst(boxes, 4 * id))) {
+                    return id;
+                }
+            }
+            if (isRest) {
+                isRest = false;
+                look();
+            } else if (isOver || !step()) {
+                isOver = true;
+                return Tiles.NONE;
+            }
+        }
+    }
+
+    private boolean step() {
+        if (column < column1) {
+            column++;
+            atX = Tiles.up(atX, tiles.maskX);
+        } else if (row < row1) {
+            column = column0;
+            atX = startX;
+            row++;
+            atZ = Tiles.up(atZ, tiles.maskZ);
+        } else {
+            return false;
+        }
+        look();
+        return true;
+    }
+
+    private boolean meets(double[] of, int at) {
+        return of[at] <= maxX && minX <= of[at + 2] && of[at + 1] <= maxZ && minZ <= of[at + 3];
+    }
+
+    private boolean isFirst(double[] boxes, int at) {
+        return (column == column0 || column == tiles.column(boxes[at], -Tiles.MARGIN))
+                && (row == row0 || row == tiles.row(boxes[at + 1], -Tiles.MARGIN));
+    }
+}
