@@ -151,6 +151,62 @@ class WrapTest {
         assertThatIllegalArgumentException().isThrownBy(() -> new SphereObject(new Point(), 0x1p521));
     }
 
+    /** Every question about every shape in a tiny world: the answer of the ordinary one, made smaller. */
+    @ParameterizedTest
+    @EnumSource(Dimension.class)
+    void tinyAnswersAreOthersMadeSmaller(Dimension dimension) {
+        for (int which = 0; which < shapes(1).size(); which++) {
+            double[] ordinary = answers(dimension, which, 1);
+            assertThat(ordinary[3]).as("meets").isOne();
+            assertThat(ordinary[4]).as("is free").isZero();
+            for (int power = -200; power > -1060; power -= 50) {
+                double[] tiny = answers(dimension, which, Math.scalb(1.0, power));
+                String what = shapes(1).get(which) + " in " + dimension + " at 2^" + power;
+                for (int k = 0; k < tiny.length; k++) {
+                    double slack = 0x1p-40 * Math.abs(ordinary[k]) + Double.MIN_VALUE / Math.scalb(1.0, power);
+                    assertThat(tiny[k]).as(what + ", answer " + k).isBetween(ordinary[k] - slack, ordinary[k] + slack);
+                }
+            }
+        }
+    }
+
+    private static List<GeometryObject> shapes(double unit) {
+        Point at = new Point(10 * unit, 0, 0);
+        List<Point> corners = List.of(
+                new Point(9 * unit, -unit, -unit), new Point(9 * unit, unit, -unit), new Point(9 * unit, 0, unit));
+        return List.of(
+                new SphereObject(at, unit),
+                new CylinderObject(at, unit, 2 * unit),
+                new CylinderObject(at, unit, 2 * unit).turned(10, 0),
+                new BoxObject(at, 2 * unit, 2 * unit, 2 * unit),
+                new BoxObject(at, 2 * unit, 2 * unit, 2 * unit).turned(0, 30),
+                new BoxObject(at, 2 * unit, 2 * unit, 2 * unit).turned(10, 20),
+                new MeshObject(corners, new int[][] {{0, 1, 2}}));
+    }
+
+    /** Lengths as multiples of the unit. */
+    private static double[] answers(Dimension dimension, int which, double unit) {
+        Geometry world = new Geometry(100 * unit, 100 * unit, 100 * unit, dimension, Accuracy.EXACT);
+        GeometryObject shape = shapes(unit).get(which);
+        assertThat(world.addObject(shape)).isTrue();
+        BoxObject box = new BoxObject(new Point(), unit, unit, 0.5 * unit).moveable("robot");
+        assertThat(world.addObject(box)).isTrue();
+        Ray ray = new Ray(new Point(0, unit / 64, 0), new Point(1, 0, 0));
+        double[] answers = {
+            world.getRayDistance(ray, 0, NONE, 0, "robot") / unit,
+            world.getRayDistance(ray, 0, NONE, 20, "robot") / unit,
+            world.getProximity("robot", NONE) / unit,
+            world.testObject(new SphereObject(new Point(9 * unit, 0, 0), unit / 2)) ? 1 : 0,
+            world.testObject(new SphereObject(new Point(5 * unit, 0, 0), unit)) ? 1 : 0,
+            0,
+            0
+        };
+        MoveResult result = world.move("robot", new Move(20 * unit, 0, 0, 0, 0));
+        answers[5] = result.fraction();
+        answers[6] = result.normal() == null ? 2 : result.normal().x();
+        return answers;
+    }
+
     /** A direction from centre to centre whose square underflows has no unit vector. */
     @Test
     void aSpeckInTheMiddleOfSomethingIsMet() {

@@ -34,13 +34,14 @@ public final class Answers {
     }
 
     /** The same answers of a JVM with further options, as {@code -D}. */
-    public static double[] forked(List<String> options, Subject[] subjects, long seed, int count) throws IOException {
+    public static double[] forked(List<String> options, List<Family> families, long seed, int count)
+            throws IOException {
         Path file = Files.createTempFile("answers", ".bin");
         try {
             List<String> arguments = new ArrayList<>(List.of(file.toString(), Long.toString(seed), "" + count));
-            Arrays.stream(subjects).map(Subject::name).forEach(arguments::add);
+            families.forEach(family -> arguments.add(text(family)));
             String said = run(options, Answers.class, arguments);
-            double[] answers = new double[Questions.families(subjects).size() * count];
+            double[] answers = new double[families.size() * count];
             try (DataInputStream in = new DataInputStream(new BufferedInputStream(Files.newInputStream(file)))) {
                 for (int k = 0; k < answers.length; k++) {
                     answers[k] = in.readDouble();
@@ -72,10 +73,23 @@ public final class Answers {
         return System.getProperty("java.class.path");
     }
 
-    /** Writes the answers to a file: its name, the seed, how many of each family, the subjects. */
+    private static String text(Family family) {
+        return family.subject() + ":" + family.planar() + ":" + family.kindA() + ":" + family.kindB();
+    }
+
+    private static Family family(String text) {
+        String[] parts = text.split(":", -1);
+        return new Family(
+                Subject.valueOf(parts[0]),
+                Boolean.parseBoolean(parts[1]),
+                Integer.parseInt(parts[2]),
+                Integer.parseInt(parts[3]));
+    }
+
+    /** Writes the answers to a file: its name, the seed, how many of each family, the families. */
     public static void main(String[] args) throws IOException {
-        Subject[] subjects = Arrays.stream(args).skip(3).map(Subject::valueOf).toArray(Subject[]::new);
-        double[] answers = here(Questions.families(subjects), Long.parseLong(args[1]), Integer.parseInt(args[2]));
+        List<Family> families = Arrays.stream(args).skip(3).map(Answers::family).toList();
+        double[] answers = here(families, Long.parseLong(args[1]), Integer.parseInt(args[2]));
         try (DataOutputStream out =
                 new DataOutputStream(new BufferedOutputStream(Files.newOutputStream(new File(args[0]).toPath())))) {
             for (double answer : answers) {

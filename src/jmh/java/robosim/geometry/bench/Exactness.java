@@ -19,8 +19,9 @@ import robosim.geometry.exact.Filter;
  * -Dexec.mainClass=robosim.geometry.bench.Exactness}, with {@code -Dexec.args=} the number of pairs, 15 if none is given.
  */
 public final class Exactness {
-    private static final int WARM_UP = 60;
-    private static final int ROUNDS = 41;
+    // Milliseconds for each scene.
+    private static final int WARM_UP = 500;
+    private static final int MEASURED = 300;
     private static final int SAMPLES = 10_000;
 
     /** What the JVMs said of a scene. */
@@ -77,7 +78,7 @@ public final class Exactness {
         String said = Answers.run(
                 List.of("-D" + Filter.PROPERTY + "=" + mode, "-XX:+UseSerialGC"),
                 OrdinaryScenes.class,
-                List.of("" + WARM_UP, "" + ROUNDS));
+                List.of("" + WARM_UP, "" + MEASURED));
         List<String[]> rows = said.lines()
                 .map(line -> line.split(";", -1))
                 .filter(row -> row.length == 4)

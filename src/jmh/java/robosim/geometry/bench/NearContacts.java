@@ -104,6 +104,20 @@ final class NearContacts {
         }
     }
 
+    /** A leaf that all but touches the border of a world, whose sizes are left in the way. */
+    void border(int kind, SplittableRandom source) {
+        begin(source);
+        fill(kind, a);
+        scaleAndMove(kind, a, kind, b);
+        int axis = random.nextInt(3);
+        Arrays.fill(n, 0);
+        n[axis] = a[axis] > 0 ? 1 : -1;
+        support(kind, a, n, p);
+        Arrays.fill(way, 0x1p60);
+        double half = Math.abs(p[axis]);
+        way[axis] = 2 * (half + random.nextInt(-3, 4) * Math.ulp(half));
+    }
+
     /** The largest magnitude among the coordinates and sizes, and a ray's start. */
     double size(int kindA, int kindB, boolean isRay) {
         double size = isRay ? Math.max(Math.abs(start[0]), Math.max(Math.abs(start[1]), Math.abs(start[2]))) : 0;

@@ -29,25 +29,37 @@ final class OrdinaryScenes {
 
     private OrdinaryScenes() {}
 
-    /** For each scene a line: its name, nanoseconds of processor time a question, questions, and falls to exact paths. */
+    /**
+     * For each scene a line: its name, nanoseconds of processor time a question, questions, and falls to exact paths.
+     *
+     * @param args milliseconds to warm up and to measure each
+     */
     public static void main(String[] args) {
-        int warmUp = Integer.parseInt(args[0]);
-        int rounds = Integer.parseInt(args[1]);
         for (Work work : scenes()) {
-            for (int round = 0; round < warmUp; round++) {
-                work.task().getAsInt();
-            }
+            rounds(work, Double.parseDouble(args[0]) * 1e6);
             long before = falls();
-            long questions = 0;
-            double[] nanos = new double[rounds];
-            for (int round = 0; round < rounds; round++) {
-                long start = THREADS.getCurrentThreadCpuTime();
-                int asked = work.task().getAsInt();
-                nanos[round] = (THREADS.getCurrentThreadCpuTime() - start) / (double) asked;
-                questions += asked;
-            }
-            Timing.print("%s;%.3f;%d;%d", work.name(), Timing.median(nanos), questions, falls() - before);
+            Rounds measured = rounds(work, Double.parseDouble(args[1]) * 1e6);
+            double[] nanos = measured.nanos().stream().mapToDouble(n -> n).toArray();
+            Timing.print("%s;%.3f;%d;%d", work.name(), Timing.median(nanos), measured.questions(), falls() - before);
         }
+    }
+
+    /** Nanoseconds a question of each round, and questions of all. */
+    private record Rounds(List<Double> nanos, long questions) {}
+
+    private static Rounds rounds(Work work, double least) {
+        List<Double> nanos = new ArrayList<>();
+        long questions = 0;
+        double sum = 0;
+        while (sum < least || nanos.size() < 5) {
+            long start = THREADS.getCurrentThreadCpuTime();
+            int asked = work.task().getAsInt();
+            double time = THREADS.getCurrentThreadCpuTime() - start;
+            nanos.add(time / asked);
+            questions += asked;
+            sum += time;
+        }
+        return new Rounds(nanos, questions);
     }
 
     private static long falls() {
@@ -85,15 +97,19 @@ final class OrdinaryScenes {
         }
     }
 
-    // Robots go ahead, and turn where they are refused.
+    // Robots go ahead, turn where they are refused, and back where there is no room for that either.
     private static int moves(Geometry geometry, List<String> robots, SplittableRandom random) {
         int asked = 0;
-        for (int step = 0; step < 100; step++) {
+        for (int step = 0; step < 50; step++) {
             for (String robot : robots) {
+                double way = random.nextDouble(0.04, 0.06);
                 asked++;
-                if (!geometry.simpleMove(robot, 0.05, 0, 0)) {
-                    geometry.simpleTurn(robot, random.nextDouble(-90, 90));
+                if (!geometry.simpleMove(robot, way, 0, 0)) {
                     asked++;
+                    if (!geometry.simpleTurn(robot, random.nextDouble(-90, 90))) {
+                        asked++;
+                        geometry.simpleMove(robot, -way, 0, 0);
+                    }
                 }
             }
         }

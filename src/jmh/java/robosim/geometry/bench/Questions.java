@@ -5,7 +5,10 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import robosim.geometry.exact.Orientation;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.Border;
 import robosim.geometry.narrow.Leaf;
+import robosim.geometry.narrow.LeafColumn;
 import robosim.geometry.narrow.PlanarCone;
 import robosim.geometry.narrow.PlanarDistance;
 import robosim.geometry.narrow.PlanarOverlap;
@@ -33,7 +36,8 @@ public final class Questions {
         TURN,
         SIDE,
         VOLUME,
-        PRODUCTS
+        PRODUCTS,
+        BORDER
     }
 
     /**
@@ -82,6 +86,11 @@ public final class Questions {
                     families.add(new Family(subject, false, 0, 0));
                 }
             }
+            case BORDER -> {
+                for (int kind = 0; kind <= Leaf.CYLINDER && !planar; kind++) {
+                    families.add(new Family(subject, false, kind, kind));
+                }
+            }
             case RAY, CONE -> {
                 for (int kind = 0; kind < Leaf.KINDS; kind++) {
                     families.add(new Family(subject, planar, kind, kind));
@@ -111,6 +120,7 @@ public final class Questions {
         switch (asked.subject()) {
             case OVERLAP, DISTANCE, TURN -> pairs.pair(asked.kindA(), asked.kindB(), asked.planar(), random);
             case TRANSLATION -> pairs.motion(asked.kindA(), asked.kindB(), asked.planar(), random);
+            case BORDER -> pairs.border(asked.kindA(), random);
             case RAY, CONE -> pairs.ray(asked.kindA(), asked.planar(), random);
             default -> points(asked.planar() ? 2 : 3, random);
         }
@@ -160,8 +170,18 @@ public final class Questions {
             case TURN -> turn(kindA, a, kindB, b);
             case SIDE -> Orientation.side(n[0], n[1], n[2], n[3], n[4], n[5]);
             case VOLUME -> Orientation.volume(n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10], n[11]);
+            case BORDER -> border(kindA, a) ? 1 : 0;
             case PRODUCTS -> Orientation.compareProducts(n[0], n[1], n[2], n[3]);
         };
+    }
+
+    private boolean border(int kind, double[] row) {
+        LeafColumn column = new LeafColumn(1);
+        column.append(1);
+        column.setKind(0, kind);
+        System.arraycopy(row, 0, column.rows(), 0, Leaf.STRIDE);
+        double[] size = pairs.way;
+        return new Border(size[0], size[1], size[2], Dimension.SPATIAL).holds(column, 0, 1);
     }
 
     private double ray(double[] o, double[] d, int kind, double[] row) {

@@ -88,7 +88,7 @@ final class HtmlTable {
         peers.forEach(peer -> out.append("<col style=\"width:15%\">"));
         out.append("<col style=\"width:20%\"></colgroup>\n<thead><tr><th>case</th><th>truth</th><th>ours</th>");
         peers.forEach(peer -> out.append("<th>")
-                .append(text(peer.name() + " " + peer.version()))
+                .append(text(peer.name() + " " + peer.version() + ", in projection"))
                 .append("</th>"));
         out.append("<th>reported elsewhere</th></tr></thead>\n<tbody>\n");
     }
@@ -102,7 +102,9 @@ final class HtmlTable {
                 .append("</b> ");
         out.append(text(hard.title())).append("</p><p>").append(source(hard)).append("</p><p class=\"faint\">");
         out.append(text(hard.hard()))
-                .append("</p></td>\n<td>")
+                .append(" <i>Numbers: ")
+                .append(text(hard.numbers()))
+                .append(".</i></p></td>\n<td>")
                 .append(numbered(row.questions()))
                 .append("</td>\n<td>");
         out.append(paragraph(row.wrong() == 0 ? "right" : "wrong", row.ours())).append("</td>");

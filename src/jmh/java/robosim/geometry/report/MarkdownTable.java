@@ -24,7 +24,7 @@ final class MarkdownTable {
                         .append(peer.name())
                         .append(' ')
                         .append(peer.version())
-                        .append(" |"));
+                        .append(", in projection |"));
                 out.append(" reported elsewhere |\n|---|---|---|");
                 peers.forEach(peer -> out.append("---|"));
                 out.append("---|\n");
@@ -37,7 +37,11 @@ final class MarkdownTable {
     private static void write(Row row, List<Peer> peers, StringBuilder out) {
         HardCase hard = row.hard();
         out.append("| **").append(hard.id()).append("** ").append(text(hard.title()));
-        out.append("<br>").append(source(hard));
+        out.append("<br>")
+                .append(source(hard))
+                .append("<br>*numbers: ")
+                .append(text(hard.numbers()))
+                .append('*');
         out.append(" | ").append(numbered(row.questions()));
         out.append(" | ").append(row.wrong() == 0 ? row.ours() : "**" + row.ours() + "**");
         for (Peer peer : peers) {

@@ -110,12 +110,29 @@ final class Questioner {
         if (number.equals("free") || first == NEVER) {
             return reply(said.equals(number), "", said, truth);
         }
-        double[] way = drive.way();
-        double length = drive.turn() == 0
-                ? Math.hypot(way[0], way[2])
-                : Math.toRadians(Math.abs(drive.turn())) * size(List.of(drive.mover()));
         double off = Math.abs(first - Double.parseDouble(number));
-        return reply(off <= ALLOWED, off * length <= 2 * peer.tolerance() ? "within its tolerance" : "", said, truth);
+        // The share of a turn is worked out to 2^-20.
+        double allowed = truth.startsWith("turn ") ? 0x1p-19 : ALLOWED;
+        return reply(off <= allowed, isContact(drive, first) ? "within its tolerance" : "", said, truth);
+    }
+
+    /** Whether at a share of the way the mover is no farther from being in touch than the engine declares. */
+    private boolean isContact(HardCase.Drive drive, double share) {
+        GeometryObject mover = hard.object(drive.mover());
+        double[] way = drive.way();
+        Point c = mover.center();
+        GeometryObject there = mover.movedTo(new Point(c.x() + share * way[0], c.y(), c.z() + share * way[2]))
+                .turned(0, share * drive.turn());
+        boolean touches = false;
+        boolean isApart = false;
+        for (GeometryObject other : hard.objects(drive.of())) {
+            for (Point place : around(other.center(), 2 * peer.tolerance())) {
+                boolean overlaps = Gaps.overlap(there, other.movedTo(place), Dimension.PLANAR);
+                touches |= overlaps;
+                isApart |= !overlaps;
+            }
+        }
+        return touches && isApart;
     }
 
     /** Whether corners are rounded and the truth is another one a few roundings aside. */
@@ -192,7 +209,8 @@ final class Questioner {
             most = Math.max(most, Math.max(Math.abs(c.x()), Math.abs(c.z())));
             for (Outline.Piece piece : Outline.of(object).pieces()) {
                 for (double[] corner : piece.corners()) {
-                    most = Math.max(most, Math.max(Math.abs(corner[0]), Math.abs(corner[1])) + piece.radius());
+                    most = Math.max(
+                            most, Math.max(Math.abs(corner[0]), Math.abs(corner[1])) + Math.max(0, piece.radius()));
                 }
             }
         }

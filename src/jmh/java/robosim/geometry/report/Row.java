@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.cases.Finding;
 import robosim.geometry.cases.HardCase;
 import robosim.geometry.cases.HardCase.Question;
@@ -30,7 +31,31 @@ record Row(HardCase hard, String family, List<Finding> findings, Map<String, Lis
 
     /** One line a question: what is asked, and what is true. */
     List<String> questions() {
-        return hard.questions().stream().map(Row::text).toList();
+        List<String> lines = new ArrayList<>();
+        for (int k = 0; k < hard.questions().size(); k++) {
+            String inSpace = truth(k, "as given");
+            String inPlane = truth(k, "planar, as given");
+            boolean differs = inSpace != null && inPlane != null && !isSame(inSpace, inPlane);
+            String how = hard.questions().get(k).how();
+            lines.add(text(hard.questions().get(k))
+                    + (differs ? "; in projection " + inPlane : "")
+                    + (how.equals(HardCase.RECOMPUTED) || how.equals("by contract") ? "" : " (" + how + ")"));
+        }
+        return lines;
+    }
+
+    private static boolean isSame(String a, String b) {
+        boolean numbers = Character.isDigit(a.charAt(0)) && Character.isDigit(b.charAt(0));
+        return a.equals(b) || (numbers && Math.abs(Double.parseDouble(a) / Double.parseDouble(b) - 1) < 1e-12);
+    }
+
+    private @Nullable String truth(int question, String variant) {
+        return findings.stream()
+                .filter(finding -> finding.question() == question)
+                .filter(finding -> finding.variant().name().equals(variant))
+                .map(Finding::truth)
+                .findFirst()
+                .orElse(null);
     }
 
     private static String text(Question question) {

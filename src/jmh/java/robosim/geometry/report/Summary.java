@@ -37,7 +37,8 @@ record Summary(int cases, int questions, int variants, long wrong, List<String> 
         return List.of(
                 "Truth is worked out from the stored numbers by exact rational arithmetic that shares no code with the"
                         + " module; the few that are stated by hand say so in their file.",
-                "This module's sets are closed: what touches collides. Each question is asked as given, in the other order,"
+                "This module's sets are closed: what touches collides. A world, CollisionDetection and ContactQuery must agree."
+                        + " Each question is asked as given, in the other order,"
                         + " times 2^-40 to 2^40 and far from the origin, in space and in projection; the column counts them"
                         + " all. A distance is right within the bound that the module states for its shape, and a start"
                         + " of a move in contact by its direction.",

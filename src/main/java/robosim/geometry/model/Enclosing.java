@@ -94,8 +94,8 @@ final class Enclosing {
                     && along[2] + reach[2] <= box.length() / 2;
         } else if (volume instanceof CylinderObject cylinder) {
             double across = reach[0] == radius && reach[2] == radius
-                    ? Math.hypot(along[0], along[2]) + radius
-                    : Math.hypot(along[0] + reach[0], along[2] + reach[2]);
+                    ? StrictMath.hypot(along[0], along[2]) + radius
+                    : StrictMath.hypot(along[0] + reach[0], along[2] + reach[2]);
             inside = across <= cylinder.radius() && along[1] + reach[1] <= cylinder.height() / 2;
         } else {
             double far = halfHeight > 0 || (halfHeight == 0 && radius > 0)

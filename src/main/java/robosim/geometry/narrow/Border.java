@@ -18,7 +18,8 @@ public final class Border {
      */
     private static final double ROUNDING = 9.01 * 0x1p-53;
 
-    private static final double FILTER = Filter.bound(ROUNDING);
+    private static final double FILTER = Filter.bound(4.01 * 0x1p-53);
+    private static final double CYLINDER_FILTER = Filter.bound(ROUNDING);
     private static final Stages.Counter EXACT = Stages.counter("Border");
 
     /** Half the world along x, y and z. */
@@ -85,7 +86,8 @@ public final class Border {
 
     private boolean holds(int kind, double[] row, int at, int axis, int sign) {
         double reach = sign * row[at + axis] + extent(kind, row, at, axis);
-        double bound = FILTER * (Math.abs(row[at + axis]) + extent(kind, row, at, axis) + half[axis]);
+        double filter = kind == Leaf.CYLINDER ? CYLINDER_FILTER : FILTER;
+        double bound = filter * (Math.abs(row[at + axis]) + extent(kind, row, at, axis) + half[axis]);
         if (Math.abs(reach - half[axis]) > bound) {
             return reach < half[axis];
         }

@@ -75,7 +75,13 @@ final class ConePolytope {
             return Double.POSITIVE_INFINITY;
         }
         double nearest = Math.max(0, Math.min(1, foot));
-        if (depth(cone, px, py, pz, ex, ey, ez, nearest) >= 0) {
+        double there = depth(cone, px, py, pz, ex, ey, ez, nearest);
+        boolean isCorner = nearest == 0 || nearest == 1;
+        // Along the edge the distance has no slope at the foot, but it has one at a corner.
+        boolean isIn = (isCorner && Math.abs(there) <= error)
+                ? isExactlyHeld(cone, nearest == 0 ? from : to, kind, row, j)
+                : there >= 0;
+        if (isIn) {
             return RayMath.length(px + nearest * ex, py + nearest * ey, pz + nearest * ez);
         }
         return entry(cone, from, to, nearest, deepest);
@@ -115,6 +121,13 @@ final class ConePolytope {
         ExactVector p = ConeCorners.exact(ray, kind, row, j, from).minus(ray.start);
         ExactVector q = ConeCorners.exact(ray, kind, row, j, to).minus(ray.start);
         return Cone.meets(p, q, ray.direction, Dyadic.of(cone.cos).square());
+    }
+
+    private boolean isExactlyHeld(Cone cone, int corner, int kind, double[] row, int j) {
+        EXACT.count();
+        ExactRay ray = new ExactRay(cone.ox, cone.oy, cone.oz, cone.dx, cone.dy, cone.dz, extent);
+        ExactVector p = ConeCorners.exact(ray, kind, row, j, corner).minus(ray.start);
+        return Cone.holds(p, ray.direction, Dyadic.of(cone.cos).square());
     }
 
     /**

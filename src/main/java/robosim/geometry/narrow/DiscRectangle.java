@@ -6,11 +6,13 @@ import robosim.geometry.exact.Stages;
 
 /** A disc and the rectangle that an upright box throws on the plane. */
 final class DiscRectangle {
-    // A coordinate in the rectangle's frame is off by three roundings of |dx| + |dz|, the half size by four of its own,
-    // their difference by one more; a direction is no longer than 1 + 1e-9.
-    private static final double OFFSET = Filter.bound(8 * 0x1p-53);
-    // Sums of two squares, times a squared length: at most six roundings on either side.
-    private static final double SQUARES = Filter.bound(8 * 0x1p-53);
+    // With u = 2^-53: a coordinate in the rectangle's frame is off by 3u of |dx| + |dz|, the half size times the
+    // squared
+    // length by 3u, their difference and its with this bound by 1u each; a direction is no longer than 1 + 1e-9.
+    private static final double OFFSET = Filter.bound(5.01 * 0x1p-53);
+
+    // The radius's square times the squared length is off by 4u, the sum of the two others by 2u; what is added 1u.
+    private static final double SQUARES = Filter.bound(5.01 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
 
     private static final Stages.Counter EXACT = Stages.counter("DiscRectangle");

@@ -6,9 +6,21 @@ package robosim.geometry.narrow;
  * <p>The gap along a fixed axis changes evenly, so an axis that tells the two apart proves them apart until that gap is
  * closed; there the next axis is looked for. Convex things' gap is a convex function of time, of which this is Newton's
  * method from the near side: it never oversteps.
+ *
+ * <p><b>What is certain.</b> A time is never late, and what starts apart is free only by proof: a held axis whose gap,
+ * less the {@link Gjk#ROUNDOFF} of the extents, stays open to the end. A time may be early, and a motion that passes by may
+ * be stopped, by as much as {@link Gjk} leaves open: at the time answered the gap is at most {@link #EARLY} of the sum of
+ * sizes, distances and way. Where the two are closer than that at the start they count as in contact, and the least ways
+ * out of {@link Penetration}, to rounding, decide whether the motion is against them.
  */
 final class HeldMove {
+    /** The widest gap left at the time of contact, as a share of the sum of all sizes and coordinates; seen: 2^-47. */
+    static final double EARLY = 0x1p-42;
+
     private static final int MOST_STEPS = 200;
+
+    /** Whether the last question found the two in contact at the start, or in doubt of it. */
+    boolean contact;
 
     private final Support mover = new Support();
     private final Support rest = new Support();
@@ -29,6 +41,7 @@ final class HeldMove {
             Scratch s) {
         Gjk gjk = s.gjk;
         double vy = planar ? 0 : dy;
+        contact = false;
         if (dx == 0 && vy == 0 && dz == 0) {
             return Double.POSITIVE_INFINITY;
         }
@@ -49,6 +62,7 @@ final class HeldMove {
                 if (step > 0) {
                     return t;
                 }
+                contact = true;
                 Penetration ways = s.penetration;
                 if (planar) {
                     ways.planar(kindA, a, i, kindB, b, j);

@@ -1,5 +1,7 @@
 package robosim.geometry.narrow;
 
+import robosim.geometry.exact.Degrees;
+
 /**
  * A leaf of any kind turned about any axis, against one at rest: held axes.
  *
@@ -53,7 +55,7 @@ final class HeldTurn {
         wz = way * axisZ;
         mover.load(kindA, a, i, px, py, pz, wx, wy, wz);
         rest.load(kindB, b, j, px, py, pz, wx, wy, wz);
-        double angle = Math.toRadians(Math.abs(degrees));
+        double angle = Degrees.toRadians(Math.abs(degrees));
         double wanted = angle * (1 + 0x1p-50) + TurnOutline.MARGIN;
         double t = 0;
         double depth = 0;

@@ -28,7 +28,12 @@ final class Magnified {
 
     /** Takes up two leaves if both are small. */
     boolean take(int kindA, double[] rowA, int i, int kindB, double[] rowB, int j) {
-        return take(Math.max(extent(kindA, rowA, i), extent(kindB, rowB, j)))
+        return take(0, kindA, rowA, i, kindB, rowB, j);
+    }
+
+    /** Takes up two leaves if both are small, and so is what else there is. */
+    boolean take(double more, int kindA, double[] rowA, int i, int kindB, double[] rowB, int j) {
+        return take(Math.max(more, Math.max(extent(kindA, rowA, i), extent(kindB, rowB, j))))
                 && copy(kindA, rowA, i, a)
                 && copy(kindB, rowB, j, b);
     }

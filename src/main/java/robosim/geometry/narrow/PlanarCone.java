@@ -1,7 +1,5 @@
 package robosim.geometry.narrow;
 
-import robosim.geometry.exact.Filter;
-
 /**
  * A sector of the XZ plane (the beam of a sonar) and the projection of a leaf.
  *
@@ -10,9 +8,6 @@ import robosim.geometry.exact.Filter;
  * whose section the sector is, so that the plane and space give the same verdicts, exact for the stored cosine.
  */
 public final class PlanarCone {
-    /** Products with the two edges of the sector are off by six roundings of the magnitudes; 8 are taken. */
-    private static final double FILTER = Filter.bound(8 * 0x1p-53);
-
     private static final double LEAST = 0x1p-100;
     private static final double MOST = 0x1p100;
 
@@ -48,7 +43,7 @@ public final class PlanarCone {
             uz = Math.scalb(Math.scalb(uz, shift / 2), shift - shift / 2);
         }
         PlanarSector sector = s.sector;
-        sector.set(ux, uz, halfCos, halfSin, FILTER);
+        sector.set(ux, uz, halfCos, halfSin);
         return switch (kind) {
             case Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE -> disc(sector, ox, oz, ux, uz, halfCos, b, j, s);
             case Leaf.CYLINDER -> oval(sector, ox, oz, b, j, s);

@@ -52,6 +52,13 @@ public final class PlanarOverlap {
     }
 
     private static boolean oval(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+        Magnified m = s.magnified;
+        return m.take(kindA, a, i, kindB, b, j)
+                ? storedOval(kindA, m.a, 0, kindB, m.b, 0, s)
+                : storedOval(kindA, a, i, kindB, b, j, s);
+    }
+
+    private static boolean storedOval(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
         double ox = PlanarShape.originX(kindA, a, i);
         double oz = PlanarShape.originZ(kindA, a, i);
         s.planarA.set(kindA, a, i, ox, oz);

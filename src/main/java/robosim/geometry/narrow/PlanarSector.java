@@ -1,7 +1,17 @@
 package robosim.geometry.narrow;
 
+import robosim.geometry.exact.Filter;
+
 /** The two edges of a sector of the plane in doubles, and what they certainly hold or leave outside. */
 final class PlanarSector {
+    /**
+     * Roundoff of a product with an edge in units of the magnitudes: 3u for the edge, u for the coordinates, 2u for the
+     * product; 8u are taken.
+     */
+    private static final double EDGE_ERROR = 8 * 0x1p-53;
+
+    private static final double FILTER = Filter.bound(EDGE_ERROR);
+
     double leftX;
     double leftZ;
     double rightX;
@@ -10,6 +20,9 @@ final class PlanarSector {
     /** How far a product with an edge may be off, as a share of the other vector's size. */
     private double doubt;
 
+    /** The same as derived, for the one answer that is certified and has nothing exact behind it. */
+    private double derived;
+
     /** At least the length of either edge. */
     private double most;
 
@@ -17,14 +30,15 @@ final class PlanarSector {
      * Takes a sector about (ux, uz). The cosine decides: by how much the sine differs from the one that belongs to it
      * goes into the doubt.
      */
-    void set(double ux, double uz, double halfCos, double halfSin, double filter) {
+    void set(double ux, double uz, double halfCos, double halfSin) {
         leftX = ux * halfCos - uz * halfSin;
         leftZ = ux * halfSin + uz * halfCos;
         rightX = ux * halfCos + uz * halfSin;
         rightZ = uz * halfCos - ux * halfSin;
         most = Math.abs(ux) + Math.abs(uz);
         double sineOff = (Math.abs(halfCos * halfCos + halfSin * halfSin - 1) + 4 * 0x1p-53) / halfSin;
-        doubt = (4 * filter + sineOff) * most;
+        doubt = (FILTER + sineOff) * most;
+        derived = (EDGE_ERROR + sineOff) * most;
     }
 
     /** Whether a place within a square of the given error is certainly in the sector. */
@@ -37,7 +51,7 @@ final class PlanarSector {
 
     /** Whether a direction may be in the sector. */
     boolean mayHold(double wx, double wz) {
-        double slack = slack(wx, wz, 0);
+        double slack = derived * (Math.abs(wx) + Math.abs(wz));
         return !(wx * leftZ - wz * leftX < -slack)
                 && !(rightX * wz - rightZ * wx < -slack)
                 // not behind: with a narrow sector both products are small there too

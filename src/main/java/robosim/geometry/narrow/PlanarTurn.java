@@ -1,5 +1,7 @@
 package robosim.geometry.narrow;
 
+import robosim.geometry.exact.Degrees;
+
 /**
  * A leaf turned about a vertical line against one at rest, in the plane: chooses between polygons and discs, and judges
  * what touches at the start.
@@ -35,7 +37,7 @@ final class PlanarTurn {
             double[] b,
             int j,
             double heightDepth) {
-        double angle = Math.toRadians(Math.abs(degrees));
+        double angle = Degrees.toRadians(Math.abs(degrees));
         // From x towards z is clockwise as seen from above.
         sign = degrees > 0 ? -1 : 1;
         load(mover, kindA, a, i, px, pz);

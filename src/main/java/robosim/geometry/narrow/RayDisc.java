@@ -14,8 +14,8 @@ final class RayDisc {
     private static final double PRODUCT = Filter.bound(3.01 * 0x1p-53);
 
     // r^2 |u|^2: squares 1u each, sum 1u, product 1u; on the other side the bound's difference 1u, twice, and its
-    // square.
-    private static final double REACH = Filter.bound(7.01 * 0x1p-53);
+    // square; and 1u where this bound is added.
+    private static final double REACH = Filter.bound(8.01 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
 
     private static final Stages.Counter EXACT = Stages.counter("RayDisc");

@@ -17,6 +17,7 @@ final class RectangleRectangle {
     private static final double HALVES = Filter.bound(SLACK * 5 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
 
+    private static final Stages.Counter ALIGNED = Stages.counter("RectangleRectangle aligned");
     private static final Stages.Counter EXACT = Stages.counter("RectangleRectangle");
 
     private RectangleRectangle() {}
@@ -58,11 +59,12 @@ final class RectangleRectangle {
     }
 
     private static boolean doubtfulTouch(double[] a, int i, double[] b, int j) {
-        EXACT.count();
         if (DiscRectangle.isAligned(a, i) && DiscRectangle.isAligned(b, j)) {
+            ALIGNED.count();
             return reach(a[i], b[j], DiscRectangle.alignedX(a, i), DiscRectangle.alignedX(b, j))
                     && reach(a[i + 2], b[j + 2], DiscRectangle.alignedZ(a, i), DiscRectangle.alignedZ(b, j));
         }
+        EXACT.count();
         return ExactPlanar.of(Leaf.UPRIGHT_BOX, a, i).touches(ExactPlanar.of(Leaf.UPRIGHT_BOX, b, j));
     }
 

@@ -4,7 +4,7 @@ package robosim.geometry.narrow;
  * A cone in space against one leaf: the nearest point of the leaf inside the closed cone, never a fan of rays.
  *
  * <p>Boxes, triangles and prisms: whether anything is in the cone is exact for the stored cosine, and the distance is
- * within 8 ulp of the largest coordinate. Spheres: certain to 2^-90. Cylinders: a lower bound of the distance, within
+ * within 8 ulp of the largest coordinate. Spheres: exact likewise, within 2^-90. Cylinders: a lower bound of the distance, within
  * 2^-40 of it; infinite only where they are proved apart.
  */
 public final class SpatialCone {

@@ -29,7 +29,36 @@ public final class SpatialSweep {
                     ? cylinder(a, i, dx, dy, dz, kindB, b, j, s)
                     : cylinder(b, j, -dx, -dy, -dz, kindA, a, i, s);
         }
+        if (kindA == Leaf.SPHERE) {
+            return sphere(a, i, dx, dy, dz, kindB, b, j, s);
+        }
+        if (kindB == Leaf.SPHERE) {
+            return sphere(b, j, -dx, -dy, -dz, kindA, a, i, s);
+        }
         return s.sweep.move.time(false, kindA, a, i, dx, dy, dz, kindB, b, j, s);
+    }
+
+    /** A sphere against anything: what held axes do not prove free is found in closed form, but on a rim. */
+    private static double sphere(
+            double[] a, int i, double dx, double dy, double dz, int kindB, double[] b, int j, Scratch s) {
+        boolean exact =
+                kindB == Leaf.SPHERE || kindB == Leaf.TRIANGLE || kindB == Leaf.BOX || kindB == Leaf.UPRIGHT_BOX;
+        if (kindB == Leaf.UPRIGHT_BOX && MovingBall.isAbove(a, i, dy, b, j)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        HeldMove held = s.sweep.move;
+        double time = held.time(false, Leaf.SPHERE, a, i, dx, dy, dz, kindB, b, j, s);
+        if (held.contact) {
+            return exact ? ExactBall.time(a, i, dx, dy, dz, kindB, b, j) : time;
+        }
+        if (time > 1 || !(exact || kindB == Leaf.UPRIGHT_CYLINDER)) {
+            return time;
+        }
+        double found = s.sweep.ball.time(a, i, dx, dy, dz, kindB, b, j, time);
+        if (!Double.isNaN(found)) {
+            return found;
+        }
+        return exact ? ExactBall.time(a, i, dx, dy, dz, kindB, b, j) : time;
     }
 
     /**

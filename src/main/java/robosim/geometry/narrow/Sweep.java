@@ -177,13 +177,27 @@ public final class Sweep {
     }
 
     private double convex(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        double x = turns ? px : dx;
+        double y = turns ? py : dy;
+        double z = turns ? pz : dz;
+        double free = convex(x, y, z, kindA, a, i, kindB, b, j);
+        // Only a tiny motion may have been kept from going on by what underflowed.
+        if (free == Double.POSITIVE_INFINITY || !s.magnified.take(RayMath.largest(x, y, z), kindA, a, i, kindB, b, j)) {
+            return free;
+        }
+        Magnified m = s.magnified;
+        return convex(m.up(x), m.up(y), m.up(z), kindA, m.a, 0, kindB, m.b, 0);
+    }
+
+    /** With the pivot of a turn, or the displacement of a translation. */
+    private double convex(double x, double y, double z, int kindA, double[] a, int i, int kindB, double[] b, int j) {
         if (dimension == Dimension.PLANAR) {
             return turns
-                    ? PlanarSweep.turn(kindA, a, i, px, py, pz, wx, wy, wz, degrees, kindB, b, j, s)
-                    : PlanarSweep.translation(kindA, a, i, dx, dy, dz, kindB, b, j, s);
+                    ? PlanarSweep.turn(kindA, a, i, x, y, z, wx, wy, wz, degrees, kindB, b, j, s)
+                    : PlanarSweep.translation(kindA, a, i, x, y, z, kindB, b, j, s);
         }
         return turns
-                ? SpatialSweep.turn(kindA, a, i, px, py, pz, wx, wy, wz, degrees, kindB, b, j, s)
-                : SpatialSweep.translation(kindA, a, i, dx, dy, dz, kindB, b, j, s);
+                ? SpatialSweep.turn(kindA, a, i, x, y, z, wx, wy, wz, degrees, kindB, b, j, s)
+                : SpatialSweep.translation(kindA, a, i, x, y, z, kindB, b, j, s);
     }
 }

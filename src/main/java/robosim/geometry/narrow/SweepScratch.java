@@ -7,6 +7,7 @@ final class SweepScratch {
     final Outline outline = new Outline();
     final PlanarTurn turn = new PlanarTurn();
     final TurnBody body = new TurnBody();
+    final MovingBall ball = new MovingBall();
     final HeldMove move = new HeldMove();
     final HeldTurn heldTurn = new HeldTurn();
 }

@@ -1,5 +1,7 @@
 package robosim.geometry.narrow;
 
+import robosim.geometry.exact.Degrees;
+
 /** Axis-aligned bounds of a leaf over a whole motion, rounded outward: the leaf never leaves them, to the bit. */
 public final class SweptBounds {
     private SweptBounds() {}
@@ -42,7 +44,7 @@ public final class SweptBounds {
         double sign = degrees < 0 ? -1 : 1;
         body.load(kind, row, at, px, py, pz, wx, wy, wz);
         // The stored end is that angle to rounding.
-        double angle = Math.toRadians(Math.abs(degrees)) * (1 + 0x1p-50) + TurnOutline.MARGIN;
+        double angle = Degrees.toRadians(Math.abs(degrees)) * (1 + 0x1p-50) + TurnOutline.MARGIN;
         for (int k = 0; k < 3; k++) {
             double x = k == 0 ? 1 : 0;
             double y = k == 1 ? 1 : 0;

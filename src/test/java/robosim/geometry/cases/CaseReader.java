@@ -104,7 +104,7 @@ public final class CaseReader {
     @SuppressWarnings("unchecked")
     private static Question question(Map<String, Object> text, ShapeReader shapes, List<String> all) {
         String truth = required(text, "truth").trim();
-        String how = optional(text, "how", "recomputed exactly");
+        String how = optional(text, "how", text.containsKey("refused") ? "by contract" : HardCase.RECOMPUTED);
         String planar = optional(text, "planar", "");
         String inPlane = planar.isEmpty() ? null : planar;
         double within = number(text, "within", 0);

@@ -2,13 +2,13 @@ package robosim.geometry.cases;
 
 import java.math.BigDecimal;
 import java.util.List;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
 import robosim.geometry.cases.Trial.UnknownTruthException;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
-import robosim.geometry.model.GeometryObject.Kind;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
 import robosim.geometry.reference.Gaps;
@@ -18,24 +18,23 @@ final class DriveTrial {
     /** How early a contact may be answered: 4 ulp of the largest number that it was computed from. */
     private static final double EARLY = 0x1p-50;
 
-    /** The same where a ball moves in space, which is certified. */
-    private static final double EARLY_BALL = 0x1p-44;
-
     private final HardCase.Drive question;
     private final Variant variant;
     private final GeometryObject mover;
     private final List<GeometryObject> others;
     private final Point way;
+    private final Map<String, double[]> turns;
 
     /** Whether the way that is stored is the way that was asked for, up to a rounding. */
     private final boolean isWhole;
 
     /** Where a finding goes. */
     interface Sink {
-        void find(String truth, String ours, boolean right);
+        void find(String truth, boolean isStated, String ours, boolean right);
     }
 
-    DriveTrial(HardCase hard, HardCase.Drive question, Variant variant) {
+    DriveTrial(HardCase hard, HardCase.Drive question, Variant variant, Map<String, double[]> turns) {
+        this.turns = turns;
         this.question = question;
         this.variant = variant;
         mover = variant.place(hard.object(question.mover())).moveable("mover");
@@ -72,17 +71,17 @@ final class DriveTrial {
                                 ? Double.toString(result.fraction())
                                 : "turn " + result.turnFraction();
         if (touching) {
-            sink.find(fromFile(), ours, ours.equals(fromFile()));
+            sink.find(fromFile(), true, ours, ours.equals(fromFile()));
             return;
         }
         // Rounded down, and the stored place there is free: a rounding of the place, measured by the way.
-        double allowed = (hasBall() ? EARLY_BALL : EARLY) * size() / length() + 4 * Math.ulp(1.0);
+        double allowed = EARLY * size() / length() + 4 * Math.ulp(1.0);
         if (!variant.name().endsWith("as given")) {
             boolean never = Trial.known(() -> !touchesBy(1));
             if (!never) {
                 double late = Math.min(1, result.fraction() + allowed);
                 boolean right = fits && !result.allowed() && !touchesBy(result.fraction()) && touchesBy(late);
-                sink.find("within " + allowed + " before contact", ours, right);
+                sink.find("within " + allowed + " before contact", false, ours, right);
                 return;
             }
         } else {
@@ -92,19 +91,19 @@ final class DriveTrial {
                         && !result.allowed()
                         && share.subtract(new BigDecimal(result.fraction())).signum() > 0
                         && Trial.far(share, result.fraction()) <= allowed;
-                sink.find(Double.toString(share.doubleValue()), ours, right);
+                sink.find(Double.toString(share.doubleValue()), false, ours, right);
                 return;
             }
         }
         double[] turn = question.turn() == 0 ? null : Trial.known(this::turn);
         if (turn == null) {
-            sink.find("free", ours, fits && result.allowed());
+            sink.find("free", false, ours, fits && result.allowed());
         } else {
             boolean right = fits
                     && result.fraction() == 1
                     && result.turnFraction() <= turn[1]
                     && result.turnFraction() >= turn[0] - question.within();
-            sink.find("turn " + turn[0], ours, right);
+            sink.find("turn " + turn[0], false, ours, right);
         }
     }
 
@@ -148,15 +147,19 @@ final class DriveTrial {
         return others.stream().anyMatch(other -> Gaps.touchesBy(share, mover, way, other, variant.dimension()));
     }
 
-    private boolean hasBall() {
-        return variant.dimension() == Dimension.SPATIAL
-                && all().stream().anyMatch(object -> object.kind() == Kind.SPHERE || object.kind() == Kind.GROUP);
-    }
-
     private double @Nullable [] turn() {
+        // Scaling leaves the share of a turn as it is.
+        String key = variant.dimension() + " " + question;
+        if (variant.isScaled() && turns.containsKey(key)) {
+            return turns.get(key);
+        }
         Point c = mover.center();
         GeometryObject there = mover.movedTo(new Point(c.x() + way.x(), c.y() + way.y(), c.z() + way.z()));
-        return Truth.turn(there, question.turn(), others, variant.dimension());
+        double[] bracket = Truth.turn(there, question.turn(), others, variant.dimension());
+        if (bracket != null && variant.name().endsWith("as given")) {
+            turns.put(key, bracket);
+        }
+        return bracket;
     }
 
     private double size() {

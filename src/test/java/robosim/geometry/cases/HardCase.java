@@ -36,6 +36,9 @@ public record HardCase(
         Map<String, GeometryObject> objects,
         List<Question> questions) {
 
+    /** How a truth is established where a file does not say otherwise. */
+    public static final String RECOMPUTED = "recomputed exactly";
+
     /** The objects of some names. */
     public List<GeometryObject> objects(List<String> names) {
         return names.stream().map(this::object).toList();

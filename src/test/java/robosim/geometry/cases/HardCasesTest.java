@@ -36,6 +36,9 @@ class HardCasesTest {
                     .as("%s, question %d: the file says %s, truth is %s", hard, k + 1, question.truth(), given.truth())
                     .isTrue();
             assertThat(given.variant().name()).isEqualTo("as given");
+            assertThat(question.how().startsWith(HardCase.RECOMPUTED))
+                    .as("%s, question %d: how its truth is established", hard, k + 1)
+                    .isEqualTo(!given.isStated());
         }
         assertThat(findings.stream().filter(finding -> !finding.right()).toList())
                 .as("%s: wrong answers of %d", hard, findings.size())

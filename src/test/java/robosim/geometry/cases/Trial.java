@@ -2,9 +2,11 @@ package robosim.geometry.cases;
 
 import java.math.BigDecimal;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.cases.HardCase.Question;
@@ -23,6 +25,12 @@ public final class Trial {
     private final HardCase hard;
     private final List<Finding> findings = new ArrayList<>();
 
+    /** Of the questions as given. */
+    private final Map<String, Object> truths = new HashMap<>();
+
+    /** Of the turns as given, by question and dimension. */
+    private final Map<String, double[]> turns = new HashMap<>();
+
     private Trial(HardCase hard) {
         this.hard = hard;
     }
@@ -38,13 +46,13 @@ public final class Trial {
 
     private void ask(int index, Question question) {
         if (question instanceof HardCase.Refusal refusal) {
-            find(index, asGiven(), refusal.truth(), Oddities.refusal(refusal), Oddities.refuses(refusal));
+            stated(index, asGiven(), refusal.truth(), Oddities.refusal(refusal), Oddities.refuses(refusal));
             return;
         }
         if (question instanceof HardCase.Spin spin) {
             double heading = Oddities.heading(spin);
             boolean right = Math.abs(heading - Double.parseDouble(spin.truth())) <= spin.within();
-            find(index, asGiven(), spin.truth(), Double.toString(heading), right);
+            stated(index, asGiven(), spin.truth(), Double.toString(heading), right);
             return;
         }
         Map<Dimension, Double> given = new LinkedHashMap<>();
@@ -69,10 +77,12 @@ public final class Trial {
         } else if (question instanceof HardCase.Gap gap) {
             gap(index, gap, variant, given);
         } else if (question instanceof HardCase.Drive drive) {
-            new DriveTrial(hard, drive, variant).run((truth, ours, right) -> find(index, variant, truth, ours, right));
+            new DriveTrial(hard, drive, variant, turns)
+                    .run((truth, isStated, ours, right) ->
+                            findings.add(new Finding(hard, index, variant, truth, isStated, ours, right)));
         } else if (question instanceof HardCase.Scan scan) {
             String ours = Oddities.scan(hard, scan, variant);
-            find(index, variant, scan.truth(), ours, Oddities.sees(scan, variant, ours));
+            stated(index, variant, scan.truth(), ours, Oddities.sees(scan, variant, ours));
         }
     }
 
@@ -81,7 +91,11 @@ public final class Trial {
     }
 
     private void find(int index, Variant variant, String truth, String ours, boolean right) {
-        findings.add(new Finding(hard, index, variant, truth, ours, right));
+        findings.add(new Finding(hard, index, variant, truth, false, ours, right));
+    }
+
+    private void stated(int index, Variant variant, String truth, String ours, boolean right) {
+        findings.add(new Finding(hard, index, variant, truth, true, ours, right));
     }
 
     /** Points of a question that must move with the objects. */
@@ -99,12 +113,29 @@ public final class Trial {
         return new Geometry(side, side, side, dimension, Accuracy.EXACT);
     }
 
+    /** What scaling and order leave as it is, but for the scale, is worked out once. */
+    @SuppressWarnings("unchecked")
+    private <T> T once(int index, Variant variant, Supplier<T> truth) {
+        if (!variant.isScaled() && !variant.swapped()) {
+            T found = known(truth);
+            if (variant.name().endsWith("as given")) {
+                truths.put(index + " " + variant.dimension(), found);
+            }
+            return found;
+        }
+        T given = (T) truths.get(index + " " + variant.dimension());
+        if (given == null) {
+            throw new UnknownTruthException(new IllegalArgumentException("the truth as given"));
+        }
+        return given;
+    }
+
     private void overlap(int index, HardCase.Overlap question, Variant variant) {
         GeometryObject first = variant.place(hard.object(question.a()));
         GeometryObject second = variant.place(hard.object(question.b()));
         GeometryObject a = variant.swapped() ? second : first;
         GeometryObject b = variant.swapped() ? first : second;
-        boolean truth = known(() -> Gaps.overlap(a, b, variant.dimension()));
+        boolean truth = once(index, variant, () -> Gaps.overlap(a, b, variant.dimension()));
         Geometry tested = world(variant.dimension(), List.of(a, b), 0);
         tested.addObjectUnchecked(a);
         boolean collides = tested.testObject(b);
@@ -115,8 +146,13 @@ public final class Trial {
         if (variant.swapped()) {
             same &= Corners.allOrders(a, b, variant.dimension(), collides);
         }
-        String ours = !same ? "its own ways to ask disagree" : collides ? "collide" : "apart";
-        find(index, variant, truth ? "collide" : "apart", ours, same && collides == truth);
+        // The points of contacts are held against the reference where something is rounded anew.
+        boolean points = !variant.isScaled() && !variant.swapped();
+        String complaint = Contacts.complaint(a, b, variant.dimension(), truth, points);
+        String ours = !complaint.isEmpty()
+                ? complaint
+                : !same ? "its own ways to ask disagree" : collides ? "collide" : "apart";
+        find(index, variant, truth ? "collide" : "apart", ours, complaint.isEmpty() && same && collides == truth);
     }
 
     private void beam(int index, HardCase.Beam question, Variant variant, Map<Dimension, Double> given) {
@@ -167,13 +203,15 @@ public final class Trial {
     private void gap(int index, HardCase.Gap question, Variant variant, Map<Dimension, Double> given) {
         GeometryObject first = variant.place(hard.object(question.a()));
         GeometryObject second = variant.place(hard.object(question.b()));
-        BigDecimal truth = known(() -> Gaps.distance(first, second, variant.dimension()));
+        BigDecimal truth = once(index, variant, () -> Gaps.distance(first, second, variant.dimension()))
+                .multiply(new BigDecimal(variant.scale()));
         Geometry world = world(variant.dimension(), List.of(first, second), 0);
         world.addObjectUnchecked((variant.swapped() ? second : first).moveable("one"));
         world.addObjectUnchecked((variant.swapped() ? first : second).named("other"));
         double ours = world.getProximity("one", NEVER);
         double size = Math.max(truth.doubleValue(), Math.max(Truth.size(first), Truth.size(second)));
         boolean right = far(truth, ours) <= size * 0x1p-43 && (truth.signum() != 0 || ours == 0);
+        right &= Contacts.brackets(first, second, variant.dimension(), truth);
         find(index, variant, Double.toString(truth.doubleValue()), text(ours), right && scales(variant, ours, given));
     }
 
@@ -213,7 +251,7 @@ public final class Trial {
         }
     }
 
-    static <T extends @Nullable Object> T known(java.util.function.Supplier<T> truth) {
+    static <T extends @Nullable Object> T known(Supplier<T> truth) {
         try {
             return truth.get();
         } catch (IllegalArgumentException e) {

@@ -14,6 +14,9 @@ import robosim.geometry.reference.Reference;
 
 /** What is true of the stored numbers, from the exact reference; never from the module. */
 final class Truth {
+    /** How exactly the share of a turn is worked out. */
+    static final double TURN = 0x1p-20;
+
     private Truth() {}
 
     /** The distance in a beam without limits: null where it misses. */
@@ -63,7 +66,7 @@ final class Truth {
         if (gap > farthest * 1.001) {
             return null;
         }
-        if (to - from < 0x1p-20) {
+        if (to - from < TURN) {
             return new double[] {from, to};
         }
         double[] first = turn(mover, degrees, others, dimension, radius, from, middle);

@@ -10,6 +10,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.collision.Meshes.Family;
 import robosim.geometry.collision.Verdict.Answer;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
@@ -22,49 +23,6 @@ import robosim.geometry.model.SphereObject;
 import robosim.geometry.reference.Reference;
 
 class ContactQueryTest {
-    /** Where the corners of the meshes come from, and how the meshes stand. */
-    enum Family {
-        /** Anywhere. */
-        RANDOM(1000, 0.001, 0),
-        /** Few places: faces in one plane, shared corners and edges, faces without area. */
-        GRID(3, 1, 90),
-        /** In a plane, all of them. */
-        COPLANAR(6, 1, 0),
-        /** Long and thin. */
-        SLIVERS(4, 0x1p-30, 0),
-        /** Few places, then turned: what met in them meets or not by roundings alone. */
-        TURNED_GRID(3, 1, 31);
-
-        private final int places;
-        private final double unit;
-        private final double turn;
-
-        Family(int places, double unit, double turn) {
-            this.places = places;
-            this.unit = unit;
-            this.turn = turn;
-        }
-
-        private Point corner(SplittableRandom random) {
-            double x = random.nextInt(places) * unit;
-            double y = this == COPLANAR ? 0 : random.nextInt(places) * unit;
-            double z = random.nextInt(places) * (this == SLIVERS ? 1 : unit);
-            return new Point(x, y, z);
-        }
-
-        MeshObject mesh(SplittableRandom random, int faces, double turns) {
-            List<Point> corners = new ArrayList<>();
-            for (int k = 0; k < faces + 3; k++) {
-                corners.add(corner(random));
-            }
-            int[][] given = new int[faces][];
-            for (int k = 0; k < faces; k++) {
-                given[k] = k % 3 == 0 ? new int[] {k, k + 1, k + 2, k + 3} : new int[] {k, k + 1, k + 2};
-            }
-            return new MeshObject(corners, given).turned(turns * turn, turns * turn);
-        }
-    }
-
     private record Triangle(ContactPart name, MeshObject mesh) {}
 
     /** Each triangle of a mesh as a mesh of its own, in the same place. */
@@ -123,34 +81,6 @@ class ContactQueryTest {
         }
         assertThat(meeting).as("of " + asked).isBetween(asked / 20, asked * 9 / 10);
         assertThat(worst).isLessThan(0x1p-40);
-    }
-
-    /** A box's surface of 12 n n triangles, or of as many halves of quads. */
-    private static MeshObject finely(double width, double height, double length, int n, boolean quads) {
-        List<Point> corners = new ArrayList<>();
-        List<int[]> faces = new ArrayList<>();
-        double[] half = {width / 2, height / 2, length / 2};
-        for (int side = 0; side < 6; side++) {
-            int axis = side % 3;
-            int first = corners.size();
-            for (int k = 0; k < (n + 1) * (n + 1); k++) {
-                double[] p = new double[3];
-                p[axis] = side < 3 ? -half[axis] : half[axis];
-                p[(axis + 1) % 3] = half[(axis + 1) % 3] * (2 * (k % (n + 1)) - n) / n;
-                p[(axis + 2) % 3] = half[(axis + 2) % 3] * (2 * (k / (n + 1)) - n) / n;
-                corners.add(new Point(p[0], p[1], p[2]));
-            }
-            for (int k = 0; k < n * n; k++) {
-                int c = first + k / n * (n + 1) + k % n;
-                if (quads) {
-                    faces.add(new int[] {c, c + 1, c + n + 2, c + n + 1});
-                } else {
-                    faces.add(new int[] {c, c + 1, c + n + 2});
-                    faces.add(new int[] {c, c + n + 2, c + n + 1});
-                }
-            }
-        }
-        return new MeshObject(corners, faces.toArray(new int[0][]));
     }
 
     /** Needles on which an iteration in doubles comes to no end: the point is found with exact numbers there. */
@@ -248,7 +178,7 @@ class ContactQueryTest {
     void partsAreCountedAsTheMembersStand() {
         ObjectGroup inner = new ObjectGroup(List.of(
                 new SphereObject(new Point(10, 0, 0), 1),
-                finely(2, 2, 2, 1, false).movedTo(new Point(20, 0, 0))));
+                Meshes.finely(2, 2, 2, 1, false).movedTo(new Point(20, 0, 0))));
         ObjectGroup group = new ObjectGroup(
                 List.of(new BoxObject(new Point(), 2, 2, 2), inner, new CylinderObject(new Point(30, 0, 0), 1, 2)));
         for (int part = 0; part < 4; part++) {
@@ -266,8 +196,8 @@ class ContactQueryTest {
 
     @Test
     void whatASolidHoldsInsideIsOneContact() {
-        MeshObject solid = finely(8, 8, 8, 3, true).solid();
-        MeshObject cube = finely(1, 1, 1, 1, false).movedTo(new Point(1, 1, 1));
+        MeshObject solid = Meshes.finely(8, 8, 8, 3, true).solid();
+        MeshObject cube = Meshes.finely(1, 1, 1, 1, false).movedTo(new Point(1, 1, 1));
         SphereObject ball = new SphereObject(new Point(1, 2, 1), 0.5);
         ContactPart whole = new ContactPart(0, -1, -1);
         assertThat(ContactQuery.contacts(solid, ball))
@@ -283,7 +213,7 @@ class ContactQueryTest {
                 .isTrue();
         assertThat(ContactQuery.ask(solid, ball, Budget.UNLIMITED).answer()).isEqualTo(Answer.YES);
         // A surface has no inside.
-        MeshObject surface = finely(8, 8, 8, 3, true);
+        MeshObject surface = Meshes.finely(8, 8, 8, 3, true);
         assertThat(ContactQuery.contacts(surface, cube)).isEmpty();
         Verdict apart = ContactQuery.distance(surface, cube, Budget.UNLIMITED);
         assertThat(apart.answer()).isEqualTo(Answer.NO);
@@ -296,7 +226,7 @@ class ContactQueryTest {
         List<Point> corners = new ArrayList<>();
         List<int[]> faces = new ArrayList<>();
         for (int piece = 0; piece < 2; piece++) {
-            MeshObject cube = finely(1, 1, 1, 1, false);
+            MeshObject cube = Meshes.finely(1, 1, 1, 1, false);
             int first = corners.size();
             for (Point p : cube.vertices()) {
                 corners.add(new Point(p.x() + 20 * (1 - piece), p.y(), p.z()));
@@ -306,7 +236,7 @@ class ContactQueryTest {
             }
         }
         MeshObject two = new MeshObject(corners, faces.toArray(new int[0][]));
-        MeshObject solid = finely(8, 8, 8, 2, false).solid();
+        MeshObject solid = Meshes.finely(8, 8, 8, 2, false).solid();
         assertThat(ContactQuery.contacts(two, solid)).singleElement().satisfies(c -> {
             assertThat(c.a()).isEqualTo(new ContactPart(0, 12, 0));
             assertThat(c.b()).isEqualTo(new ContactPart(0, -1, -1));
@@ -314,112 +244,6 @@ class ContactQueryTest {
         assertThat(ContactQuery.ask(two, solid, Budget.UNLIMITED).answer()).isEqualTo(Answer.YES);
         assertThat(ContactQuery.contacts(two.movedTo(new Point(0, 20, 0)), solid))
                 .isEmpty();
-    }
-
-    /** Reference knows exactly whether a ball of a radius around a point reaches a surface. */
-    @Test
-    void theBracketHoldsTheDistanceAfterAnyNumberOfSteps() {
-        SplittableRandom random = new SplittableRandom(51);
-        int apart = 0;
-        for (int k = 0; k < 12; k++) {
-            MeshObject mesh = Family.RANDOM.mesh(random, 5, k % 2);
-            Point place = new Point(random.nextDouble(-1, 2), random.nextDouble(-1, 2), random.nextDouble(-1, 2));
-            SphereObject point = new SphereObject(place, 0);
-            Verdict last = ContactQuery.distance(mesh, point, Budget.UNLIMITED);
-            for (int steps = 0; steps <= last.steps(); steps += 1 + steps / 4) {
-                Verdict verdict = ContactQuery.distance(point, mesh, Budget.steps(steps));
-                String what = "point %s, mesh %s %s: %s".formatted(place, mesh, mesh.vertices(), verdict);
-                assertThat(Reference.overlap(new SphereObject(place, verdict.high()), mesh, Dimension.SPATIAL))
-                        .as(what)
-                        .isTrue();
-                if (verdict.low() > 0) {
-                    double below = Math.nextDown(verdict.low());
-                    assertThat(Reference.overlap(new SphereObject(place, below), mesh, Dimension.SPATIAL))
-                            .as(what)
-                            .isFalse();
-                    apart++;
-                }
-            }
-            assertThat(last.high() - last.low()).isLessThan(0x1p-44);
-        }
-        assertThat(apart).isGreaterThan(30);
-    }
-
-    @Test
-    void distancesOfFineMeshesAreThoseOfTheirBoxes() {
-        MeshObject a = finely(4, 2, 6, 8, false);
-        MeshObject b = finely(2, 2, 2, 10, true).movedTo(new Point(6, 6, 16));
-        Verdict verdict = ContactQuery.distance(a, b, Budget.UNLIMITED); // gaps 3, 4 and 12
-        assertThat(verdict.answer()).isEqualTo(Answer.NO);
-        assertThat(verdict.low()).isBetween(13 - 1e-11, 13.0);
-        assertThat(verdict.high()).isBetween(13.0, 13 + 1e-11);
-        assertThat(verdict.steps()).isLessThan(2000);
-        Verdict asked = ContactQuery.ask(a, b, Budget.UNLIMITED);
-        assertThat(asked.answer()).isEqualTo(Answer.NO);
-        assertThat(asked.steps()).isLessThan(10);
-        Verdict flat = ContactQuery.distance(a, b, Dimension.PLANAR, Budget.UNLIMITED);
-        assertThat(flat.low()).isBetween(Math.sqrt(153) - 1e-11, Math.sqrt(153));
-        assertThat(flat.high()).isBetween(Math.sqrt(153), Math.sqrt(153) + 1e-11);
-    }
-
-    @Test
-    void aSpentBudgetLeavesATrueBracket() {
-        MeshObject a = finely(4, 4, 4, 12, false);
-        MeshObject b = finely(2, 2, 2, 12, false).movedTo(new Point()); // a surface inside a surface: 1 apart
-        for (Budget none : List.of(Budget.steps(0), Budget.time(Duration.ZERO), new Budget(0, Duration.ofDays(1)))) {
-            Verdict verdict = ContactQuery.ask(a, b, none);
-            assertThat(verdict.answer()).isEqualTo(Answer.UNDECIDED);
-            assertThat(verdict.certainty()).isEqualTo(Certainty.UNCERTAIN);
-            assertThat(verdict.steps()).isZero();
-            assertThat(verdict.low()).isZero();
-            assertThat(verdict.high()).isBetween(1.0, 20.0);
-        }
-        Verdict early = ContactQuery.ask(a, b, Budget.steps(12));
-        assertThat(early.answer()).isEqualTo(Answer.UNDECIDED);
-        assertThat(early.high()).isBetween(1.0, 10.0);
-        Verdict end = ContactQuery.ask(a, b, new Budget(Long.MAX_VALUE, Duration.ofDays(1_000_000)));
-        assertThat(end.answer()).isEqualTo(Answer.NO);
-        assertThat(end.certainty()).isEqualTo(Certainty.EXACT);
-        assertThat(ContactQuery.distance(a, b, Budget.UNLIMITED).high()).isBetween(1.0, 1 + 1e-12);
-    }
-
-    /** Two cylinders askew that touch side to side as nearly as doubles say. */
-    @Test
-    void doubtIsToldOfAndNeverSaidToBeProof() {
-        int doubts = 0;
-        int proofs = 0;
-        for (int k = 1; k <= 200; k++) {
-            CylinderObject upright = new CylinderObject(new Point(), 1, 10);
-            GeometryObject tilted = new CylinderObject(new Point(0, 0, 2.0 - (k % 3 - 1) * 1e-9 * (k % 2)), 1, 10)
-                    .oriented(tilt(Math.toRadians(10 + k / 4.0)));
-            Contact contact = ContactQuery.first(upright, tilted);
-            Verdict verdict = ContactQuery.ask(tilted, upright, Budget.UNLIMITED);
-            assertThat(contact != null).isEqualTo(CollisionDetection.intersects(upright, tilted));
-            assertThat(verdict.answer()).isEqualTo(contact == null ? Answer.NO : Answer.YES);
-            if (contact == null) {
-                assertThat(verdict.certainty()).isEqualTo(Certainty.EXACT);
-                assertThat(verdict.low()).isNotNegative();
-                continue;
-            }
-            assertThat(verdict.certainty()).isEqualTo(contact.certainty());
-            assertThat(verdict.low()).isZero();
-            if (contact.certainty() == Certainty.EXACT) {
-                assertThat(verdict.high()).isZero();
-                proofs++;
-            } else {
-                assertThat(verdict.high()).isBetween(0.0, 1e-9);
-                doubts++;
-            }
-        }
-        assertThat(doubts).isPositive();
-        assertThat(proofs).isPositive();
-    }
-
-    /** About Z, so that the axis stays square to it. */
-    private static double[] tilt(double angle) {
-        double c = StrictMath.cos(angle);
-        double s = StrictMath.sin(angle);
-        return new double[] {c, -s, 0, s, c, 0, 0, 0, 1};
     }
 
     @Test

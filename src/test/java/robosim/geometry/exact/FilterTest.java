@@ -3,7 +3,9 @@ package robosim.geometry.exact;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -11,6 +13,7 @@ import robosim.geometry.bench.Answers;
 import robosim.geometry.bench.Questions;
 import robosim.geometry.bench.Questions.Family;
 import robosim.geometry.bench.Questions.Subject;
+import robosim.geometry.narrow.Leaf;
 
 /** Every verdict with its filter on, off and in doubt, in JVMs of their own. */
 class FilterTest {
@@ -26,16 +29,17 @@ class FilterTest {
             Subject.TRANSLATION,
             Subject.SIDE,
             Subject.VOLUME,
-            Subject.PRODUCTS
+            Subject.PRODUCTS,
+            Subject.BORDER
         };
         int count = 150;
         List<Family> families = Questions.families(subjects);
         double[] here = Answers.here(families, SEED, count);
-        double[] there = Answers.forked(filter(mode), subjects, SEED, count);
+        double[] there = Answers.forked(filter(mode), families, SEED, count);
         int touching = 0;
         for (int k = 0; k < here.length; k++) {
             Family family = families.get(k / count);
-            if (!isSame(family, k % count, here[k], there[k])) {
+            if (!isSame(family, SEED, k % count, here[k], there[k])) {
                 Questions question = new Questions();
                 question.make(family, SEED, k % count);
                 assertThat(here[k])
@@ -52,7 +56,7 @@ class FilterTest {
     }
 
     // A distance or a time may be any within its bound; what is decided must be the same.
-    private static boolean isSame(Family family, int number, double here, double there) {
+    private static boolean isSame(Family family, long seed, int number, double here, double there) {
         if (here == there || (Double.isNaN(here) && Double.isNaN(there))) {
             return true;
         }
@@ -61,7 +65,7 @@ class FilterTest {
         return switch (family.subject()) {
             case RAY, CONE -> {
                 Questions question = new Questions();
-                question.make(family, SEED, number);
+                question.make(family, seed, number);
                 // In space a start inside is told from one outside; in the plane a start at the border may be either.
                 boolean isDecided = family.planar() || (here > 0 && there > 0);
                 double ulp = Math.ulp(Math.max(here, question.size()));
@@ -72,27 +76,58 @@ class FilterTest {
         };
     }
 
+    /** Each bound is no more than ten times what rounding does at worst: a tenth of it lets a wrong answer through. */
     @Test
-    void aTenthOfTheBoundsIsTooLittleForEachOfTheDeterminants() throws IOException {
-        assertThat(wrong("tenth", Subject.SIDE, 20_000)).isPositive();
-        assertThat(wrong("tenth", Subject.VOLUME, 20_000)).isPositive();
+    void aTenthOfABoundIsTooLittle() throws IOException {
+        Map<String, Family> families = new LinkedHashMap<>();
+        families.put("RectangleRectangle", overlap(true, Leaf.UPRIGHT_BOX, Leaf.UPRIGHT_BOX));
+        families.put("ZonogonZonogon", overlap(true, Leaf.BOX, Leaf.BOX));
+        families.put("PolygonPolygon", overlap(true, Leaf.TRIANGLE, Leaf.TRIANGLE));
+        families.put("DiscDisc", overlap(true, Leaf.SPHERE, Leaf.SPHERE));
+        families.put("DiscRectangle", overlap(true, Leaf.UPRIGHT_BOX, Leaf.SPHERE));
+        families.put("PolytopePolytope", overlap(false, Leaf.BOX, Leaf.BOX));
+        families.put("SpatialOverlap.spheres", overlap(false, Leaf.SPHERE, Leaf.SPHERE));
+        families.put("RayDisc", ray(true, Leaf.SPHERE));
+        families.put("RayRectangle", ray(true, Leaf.UPRIGHT_BOX));
+        families.put("RayPolygon", ray(true, Leaf.TRIANGLE));
+        families.put("RaySphere", ray(false, Leaf.SPHERE));
+        families.put("RayBox", ray(false, Leaf.BOX));
+        families.put("RayTriangle", ray(false, Leaf.TRIANGLE));
+        families.put("RayCylinder", ray(false, Leaf.CYLINDER));
+        families.put("RayPrism", ray(false, Leaf.PRISM));
+        families.put("Orientation.side", new Family(Subject.SIDE, true, 0, 0));
+        families.put("Orientation.volume", new Family(Subject.VOLUME, false, 0, 0));
+        families.put("Border", new Family(Subject.BORDER, false, Leaf.CYLINDER, Leaf.CYLINDER));
+        List<Family> asked = List.copyOf(families.values());
+        int count = 40_000;
+        double[] right = Answers.here(asked, 9, count);
+        double[] mutant = Answers.forked(filter("tenth"), asked, 9, count);
+        int at = 0;
+        for (String bound : families.keySet()) {
+            int wrong = 0;
+            for (int k = at; k < at + count; k++) {
+                wrong += isSame(asked.get(k / count), 9, k % count, right[k], mutant[k]) ? 0 : 1;
+            }
+            assertThat(wrong)
+                    .as("wrong answers with a tenth of the bound of " + bound)
+                    .isPositive();
+            at += count;
+        }
     }
 
-    private static int wrong(String mode, Subject subject, int count) throws IOException {
-        double[] right = Answers.here(Questions.families(subject), SEED, count);
-        double[] mutant = Answers.forked(filter(mode), new Subject[] {subject}, SEED, count);
-        int wrong = 0;
-        for (int k = 0; k < right.length; k++) {
-            wrong += right[k] != mutant[k] ? 1 : 0;
-        }
-        return wrong;
+    private static Family overlap(boolean planar, int kindA, int kindB) {
+        return new Family(Subject.OVERLAP, planar, kindA, kindB);
+    }
+
+    private static Family ray(boolean planar, int kind) {
+        return new Family(Subject.RAY, planar, kind, kind);
     }
 
     @Test
     void anythingButTheDefaultIsLoggedAndWhatIsNoModeIsRefused() throws IOException {
-        String warned = Answers.run(filter("alone"), Answers.class, List.of("", "1", "1", "SIDE"));
+        String warned = Answers.run(filter("alone"), Answers.class, List.of("", "1", "1", "SIDE:true:0:0"));
         assertThat(warned).contains("WARNING").contains(Filter.PROPERTY + " is alone");
-        String refused = Answers.run(filter("perhaps"), Answers.class, List.of("", "1", "1", "SIDE"));
+        String refused = Answers.run(filter("perhaps"), Answers.class, List.of("", "1", "1", "SIDE:true:0:0"));
         assertThat(refused).contains(Filter.PROPERTY + " must be").contains("(got: perhaps)");
         assertThat(Filter.bound(3)).isEqualTo(3);
     }

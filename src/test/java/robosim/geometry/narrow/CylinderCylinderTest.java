@@ -240,6 +240,37 @@ class CylinderCylinderTest {
         assertThat(apart).isGreaterThan(400);
     }
 
+    /** One axis of full precision, and places within some ulp of touch. */
+    @Test
+    void parallelCylindersAreExactToTheLastBit() {
+        SplittableRandom random = new SplittableRandom(104);
+        int touching = 0;
+        int count = 20000;
+        for (int n = 0; n < count; n++) {
+            double[] a = cylinder(random, 1);
+            double[] b = cylinder(random, 1);
+            for (int k = 7; k <= 13; k += 3) {
+                b[k] = n % 3 == 0 ? -a[k] : a[k];
+            }
+            double[] axis = {a[7], a[10], a[13]};
+            double[] aside = cross(axis, new double[] {random.nextDouble(-1, 1), random.nextDouble(-1, 1), 1});
+            double length = RayMath.length(aside[0], aside[1], aside[2]);
+            boolean level = n % 2 == 0;
+            double reach = level ? a[3] + b[3] : a[4] + b[4];
+            for (int k = 0; k < 3; k++) {
+                double across = aside[k] / length;
+                b[k] = a[k] + reach * (level ? across : axis[k]) + 0.05 * (level ? axis[k] : across);
+            }
+            b[n % 3] += random.nextInt(-2, 3) * Math.ulp(b[n % 3]);
+            boolean truth = exactlyParallel(Leaf.CYLINDER, a, b);
+            touching += truth ? 1 : 0;
+            assertThat(SpatialOverlap.test(Leaf.CYLINDER, a, 0, Leaf.CYLINDER, b, 0, scratch))
+                    .as(Arrays.toString(a) + " with " + Arrays.toString(b))
+                    .isEqualTo(truth);
+        }
+        assertThat(touching).isBetween(count * 2 / 10, count * 8 / 10);
+    }
+
     private static boolean exactlyParallel(int kindA, double[] a, double[] b) {
         BigDecimal[] p = CylinderTwin.decimals(a[7], a[10], a[13]);
         if (kindA == Leaf.UPRIGHT_CYLINDER) {

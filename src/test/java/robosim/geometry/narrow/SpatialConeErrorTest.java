@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -63,6 +64,38 @@ class SpatialConeErrorTest {
         assertThat(heard).isGreaterThan(count * 2 / 10);
         assertThat(silent).isGreaterThan(count / 10);
         assertThat(worst).isGreaterThan(0.4);
+    }
+
+    /** A corner that is outside a narrow cone by less than doubles can tell, from far away: it was taken for the answer. */
+    @Test
+    void aCornerJustOutside() {
+        double half = 0.00940222659701042;
+        double cos = StrictMath.cos(half);
+        double[] o = {-0.08858403382790758, 0.6562928414357991, -0.10743696353701959};
+        double[] d = {0.7264859966100254, 0.5455858120499344, 0.4177968626250702};
+        double[] row = {
+            3022.509537708392,
+            2317.620893367133,
+            1768.0845808395336,
+            0.973378766474174,
+            0.965453908001624,
+            0.6332664088039879,
+            0.4890644332740438,
+            -0.17868971754672985,
+            0.8537481859128067,
+            0.7593857474259293,
+            0.5687696031004763,
+            -0.31596586080665323,
+            -0.42912616642742846,
+            0.8028518689222791,
+            0.4138594083203889,
+            0
+        };
+        BigDecimal truth = polytope(Leaf.BOX, o, row, unit(d), new BigDecimal(cos));
+        double answer = SpatialCone.distance(
+                o[0], o[1], o[2], d[0], d[1], d[2], cos, StrictMath.sin(half), Leaf.BOX, row, 0, scratch);
+        assertThat(truth.subtract(new BigDecimal(answer)).abs().doubleValue())
+                .isLessThanOrEqualTo(8 * Math.ulp(truth.doubleValue()));
     }
 
     /**

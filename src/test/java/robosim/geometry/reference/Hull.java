@@ -123,6 +123,19 @@ final class Hull {
         return hull;
     }
 
+    /** The same so many times larger, a number above 0; without its sides. */
+    Hull enlarged(Quantity factor) {
+        Hull hull = new Hull();
+        corners.forEach(corner -> hull.corners.add(Vectors.times(corner, factor)));
+        hull.edges.addAll(edges);
+        directions.forEach(direction -> hull.directions.add(Vectors.times(direction, factor)));
+        for (Slab slab : slabs) {
+            Quantity high = slab.high == null ? null : slab.high.times(factor);
+            hull.slabs.add(new Slab(slab.normal, slab.low.times(factor), high));
+        }
+        return hull;
+    }
+
     private static Hull ring(Arithmetic n, double[] row, boolean flat) {
         Hull hull = new Hull();
         for (int k = 0; k < 9; k += 3) {

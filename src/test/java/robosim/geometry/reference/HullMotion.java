@@ -41,6 +41,11 @@ public final class HullMotion {
         return time.compareTo(Rational.of(other));
     }
 
+    /** Compares the time with a decimal of finitely many binary places. */
+    public int compareTo(BigDecimal other) {
+        return time.compareTo(rational(other));
+    }
+
     private static Rational rational(BigDecimal value) {
         int places = Math.max(0, value.scale());
         BigInteger over =

@@ -31,14 +31,19 @@ public final class WayTruth {
         if (!formA.isRound()) {
             return cornersMeet(Truth.outline(n, formA, a), way, Truth.outline(n, formB, b));
         }
-        Quantity[] from = Vectors.of(n, a[0], 0, a[2]);
-        Quantity radius = n.of(a[3]);
+        return roundMeets(n, Vectors.of(n, a[0], 0, a[2]), way, a[3], formB, b, n.of(1));
+    }
+
+    /** A disc on its way against a disc or a polygon, which are to be taken so many times their size. */
+    private static boolean roundMeets(
+            Arithmetic n, Quantity[] from, Quantity[] way, double r, Form formB, double[] b, Quantity times) {
+        Quantity radius = n.of(r).times(times);
         if (formB.isRound()) {
-            Quantity both = radius.plus(n.of(b[3]));
-            Quantity[] w = minus(Vectors.of(n, b[0], 0, b[2]), from);
+            Quantity both = radius.plus(n.of(b[3]).times(times));
+            Quantity[] w = minus(Vectors.times(Vectors.of(n, b[0], 0, b[2]), times), from);
             return Hull.isNearSegment(w, way, both.times(both));
         }
-        Hull polygon = Truth.outline(n, formB, b);
+        Hull polygon = Truth.outline(n, formB, b).enlarged(times);
         Quantity[] to = plus(from, way);
         if (polygon.meetsSegment(from, to) || polygon.isWithin(from, radius) || polygon.isWithin(to, radius)) {
             return true;
@@ -49,6 +54,40 @@ public final class WayTruth {
             }
         }
         return false;
+    }
+
+    /**
+     * In space, an upright cylinder against what is upright: a disc on that part of its way on which the heights touch. The
+     * part begins and ends at fractions, so all is taken as many times its size as both denominators.
+     */
+    public static boolean upright(Arithmetic n, double[] a, double[] d, Form formB, double[] b) {
+        Quantity above = n.of(a[1]).minus(n.of(b[1]));
+        Quantity most = n.of(a[4]).plus(n.of(b[4]));
+        Quantity rise = n.of(d[1]);
+        Quantity begin = n.of(0);
+        Quantity beginUnder = n.of(1);
+        Quantity end = n.of(1);
+        Quantity endUnder = n.of(1);
+        for (int side = -1; side <= 1; side += 2) {
+            Quantity inside = side < 0 ? most.plus(above) : most.minus(above);
+            Quantity slope = side < 0 ? rise : rise.negate();
+            Quantity last = inside.plus(slope);
+            if (inside.signum() < 0) {
+                if (last.signum() < 0) {
+                    return false;
+                }
+                begin = inside.negate();
+                beginUnder = slope;
+            } else if (last.signum() < 0) {
+                end = inside;
+                endUnder = slope.negate();
+            }
+        }
+        Quantity[] start = Vectors.of(n, a[0], 0, a[2]);
+        Quantity[] way = Vectors.of(n, d[0], 0, d[2]);
+        Quantity[] from = Vectors.times(plus(Vectors.times(start, beginUnder), Vectors.times(way, begin)), endUnder);
+        Quantity[] to = Vectors.times(plus(Vectors.times(start, endUnder), Vectors.times(way, end)), beginUnder);
+        return roundMeets(n, from, minus(to, from), a[3], formB, b, beginUnder.times(endUnder));
     }
 
     /** In space: boxes and triangles. */

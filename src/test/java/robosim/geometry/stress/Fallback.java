@@ -60,4 +60,9 @@ record Fallback(String family, long cases, double[] perCase, SortedMap<String, L
         }
         return sums;
     }
+
+    @Override
+    public String toString() {
+        return family + ": exact stages a case " + Arrays.toString(perCase) + " of " + cases + ", " + stages;
+    }
 }

@@ -92,6 +92,9 @@ final class Families {
         all.add(new SweepFamily("planar sweep of polygon and disc", true, flat, DISCS));
         all.add(new SweepFamily("planar sweep of polygon and polygon", true, flat, flat));
         all.add(new SweepFamily("sweep of upright box and upright box", false, RECTANGLE, RECTANGLE));
+        all.add(new SweepFamily("sweep of upright cylinder and upright thing", false, UPRIGHT_TUBE, new Form[] {
+            UPRIGHT_CYLINDER, UPRIGHT_BOX
+        }));
         all.add(new SweepFamily("sweep of box and box", false, POLYGONS, new Form[] {BOX}));
         all.add(new SweepFamily("sweep of box and triangle", false, POLYGONS, TRIANGLES));
         all.add(new SweepFamily("sweep of triangle and triangle", false, TRIANGLES, TRIANGLES));

@@ -29,6 +29,11 @@ abstract class Family {
         return adversarial ? new double[] {0.2, 0.85} : new double[] {0.3, 0.7};
     }
 
+    /** The most exact stages that a case in general position may need on average: none, where there is a filter for it. */
+    double exactAtRandom() {
+        return 0;
+    }
+
     /** What a failure says beside the numbers. */
     String call() {
         return name;

@@ -59,7 +59,7 @@ final class MeshFamily extends Family {
         public void random(Case c) {
             make(first, false, solid);
             make(second, false, false);
-            double far = solid ? 1.4 : 1;
+            double far = solid ? 1.4 : 0.6;
             if (random.nextInt(4) == 0) {
                 first.turnAndPut(0, 0, 0);
                 second.turnAndPut(Forms.between(random, far), Forms.between(random, far), Forms.between(random, far));

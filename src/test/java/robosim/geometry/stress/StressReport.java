@@ -27,7 +27,7 @@ final class StressReport {
         Files.writeString(folder.resolve("fallback.csv"), fallbackCsv());
     }
 
-    private String markdown() {
+    String markdown() {
         StringBuilder text = new StringBuilder();
         long cases = tallies.stream().mapToLong(Tally::cases).sum();
         long wrong = tallies.stream().mapToLong(Tally::wrong).sum();

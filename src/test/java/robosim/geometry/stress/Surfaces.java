@@ -81,7 +81,7 @@ final class Surfaces {
     /** A strip of triangles and quads, open and crumpled; on a grid some of them have no area. */
     void strip(boolean grid) {
         clear();
-        int count = random.nextInt(3, 8);
+        int count = random.nextInt(3, grid ? 8 : 6);
         for (int k = 0; k < count; k++) {
             corners.add(new double[] {coordinate(grid), coordinate(grid), coordinate(grid)});
         }

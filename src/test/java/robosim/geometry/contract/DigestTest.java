@@ -1,0 +1,43 @@
+package robosim.geometry.contract;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import robosim.geometry.bench.Answers;
+import robosim.geometry.bench.Digest;
+
+/** The same bits with and without the compilers, and on every JDK that runs this test. */
+class DigestTest {
+    private static final int ANSWERS = 20_000;
+
+    @Test
+    void withAndWithoutTheOptimisingCompiler() throws IOException {
+        String here = Digest.of(ANSWERS);
+        List<String> count = List.of("" + ANSWERS);
+        assertThat(Answers.run(List.of("-XX:TieredStopAtLevel=1"), Digest.class, count))
+                .isEqualToIgnoringNewLines(here);
+        assertThat(Answers.run(List.of("-XX:-TieredCompilation", "-Xbatch"), Digest.class, count))
+                .isEqualToIgnoringNewLines(here);
+    }
+
+    @Test
+    void interpreted() throws IOException {
+        assertThat(Answers.run(List.of("-Xint"), Digest.class, List.of("2000")))
+                .isEqualToIgnoringNewLines(Digest.of(2000));
+    }
+
+    /** Where answers are meant to change, {@code Digest 20000} tells the new number. */
+    @Test
+    void onEveryJdk() throws IOException {
+        try (InputStream in = DigestTest.class.getResourceAsStream("digest.txt")) {
+            assertThat(in).isNotNull();
+            String stored = new String(in.readAllBytes(), StandardCharsets.UTF_8).strip();
+            assertThat(Digest.of(ANSWERS)).isEqualTo(stored);
+        }
+        assertThat(Digest.of(ANSWERS + 1)).isNotEqualTo(Digest.of(ANSWERS));
+    }
+}
