@@ -130,7 +130,7 @@ final class Ranging {
     private double nearestInCone(Level level, double limit, int but) {
         best = Double.POSITIVE_INFINITY;
         double reach = limit;
-        level.cursor.startPoint(ox, oz, limit);
+        level.cursor.startSector(ox, oz, leftX, leftZ, rightX, rightZ, limit);
         for (int id = level.cursor.next(reach); id >= 0; id = level.cursor.next(reach)) {
             if (id != but && coneMeets(level, id, reach)) {
                 tryBody(level, id, reach);

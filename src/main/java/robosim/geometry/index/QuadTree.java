@@ -392,6 +392,20 @@ public final class QuadTree {
         }
 
         /**
+         * Starts the query for all objects whose boxes are within a distance of a point and not wholly beyond one of two
+         * lines through it, nearest first.
+         *
+         * @param leftX  outward normal of one line, of length 1 at most; zero for none
+         * @param rightX outward normal of the other line
+         */
+        public void startSector(
+                double x, double z, double leftX, double leftZ, double rightX, double rightZ, double limit) {
+            isOrdered = true;
+            tree.growRegions();
+            ordered.startSector(tree.regions, x, z, leftX, leftZ, rightX, rightZ, limit);
+        }
+
+        /**
          * The next object of a ray or point query; -1 after the last within the limit, which may shrink from call to call.
          * A ray may be given an object again, and one that it passes by.
          */
