@@ -22,6 +22,9 @@ final class Level {
     final QuadTree tree;
     final QuadTree.Cursor cursor;
 
+    /** More than any place or size in the plane. */
+    final double extent;
+
     private LeafColumn leaves = new LeafColumn(16);
     private int[] first = new int[16];
     private int[] count = new int[16];
@@ -69,6 +72,7 @@ final class Level {
         this.dimension = dimension;
         tree = new QuadTree(-width / 2, -length / 2, width / 2, length / 2);
         cursor = tree.cursor();
+        extent = width + length;
     }
 
     /** Writes the leaves of an object at a place into a column that has room. */

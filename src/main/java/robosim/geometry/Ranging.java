@@ -104,7 +104,7 @@ final class Ranging {
         if (vertical) {
             level.cursor.startBox(ox, oz, ox, oz);
         } else {
-            level.cursor.startRay(ox, oz, ux, uz, limit);
+            level.cursor.startRay(ox, oz, ux, uz, loose(level, limit));
         }
         double reach = limit;
         for (int id = next(level, vertical, reach); id >= 0; id = next(level, vertical, reach)) {
@@ -123,23 +123,32 @@ final class Ranging {
         return best <= limit ? best : none();
     }
 
-    private static int next(Level level, boolean vertical, double reach) {
-        return vertical ? level.cursor.next() : level.cursor.next(reach);
+    /**
+     * The reach of the index and of bounds. A certified distance may be below the true one, and so below where the bounds
+     * begin: by 2^-40 of itself in a cone, and for a turned cylinder by 2^-48 of its place and size, both of which the
+     * world limits. What is answered at all is to be found again with its own distance as the limit.
+     */
+    private double loose(Level level, double reach) {
+        return reach + (0x1p-38 * reach + 0x1p-44 * (level.extent + Math.abs(ox) + Math.abs(oz)));
+    }
+
+    private int next(Level level, boolean vertical, double reach) {
+        return vertical ? level.cursor.next() : level.cursor.next(loose(level, reach));
     }
 
     private double nearestInCone(Level level, double limit, int but) {
         best = Double.POSITIVE_INFINITY;
         double reach = limit;
-        level.cursor.startSector(ox, oz, leftX, leftZ, rightX, rightZ, limit);
-        for (int id = level.cursor.next(reach); id >= 0; id = level.cursor.next(reach)) {
-            if (id != but && coneMeets(level, id, reach)) {
+        level.cursor.startSector(ox, oz, leftX, leftZ, rightX, rightZ, loose(level, limit));
+        for (int id = level.cursor.next(loose(level, reach)); id >= 0; id = level.cursor.next(loose(level, reach))) {
+            if (id != but && coneMeets(level, id, loose(level, reach))) {
                 tryBody(level, id, reach);
                 reach = Math.min(reach, best);
             }
         }
         for (int k = 0; k < level.moversBesideTree(); k++) {
             int id = bodies.mover(k);
-            if (id != but && coneMeets(level, id, reach)) {
+            if (id != but && coneMeets(level, id, loose(level, reach))) {
                 tryBody(level, id, reach);
                 reach = Math.min(reach, best);
             }

@@ -39,7 +39,7 @@ class FilterTest {
         int touching = 0;
         for (int k = 0; k < here.length; k++) {
             Family family = families.get(k / count);
-            if (!isSame(family, SEED, k % count, here[k], there[k])) {
+            if (isExact(family) && !isSame(family, SEED, k % count, here[k], there[k])) {
                 Questions question = new Questions();
                 question.make(family, SEED, k % count);
                 assertThat(here[k])
@@ -55,6 +55,17 @@ class FilterTest {
         assertThat(touching).isBetween(overlaps / 8, overlaps / 2);
     }
 
+    // In space the sweeps of what is round are certified, and may fall to another bracket of the same contact.
+    private static boolean isExact(Family family) {
+        return family.subject() != Subject.TRANSLATION
+                || family.planar()
+                || (isPolytope(family.kindA()) && isPolytope(family.kindB()));
+    }
+
+    private static boolean isPolytope(int kind) {
+        return kind == Leaf.UPRIGHT_BOX || kind == Leaf.BOX || kind == Leaf.TRIANGLE || kind == Leaf.PRISM;
+    }
+
     // A distance or a time may be any within its bound; what is decided must be the same.
     private static boolean isSame(Family family, long seed, int number, double here, double there) {
         if (here == there || (Double.isNaN(here) && Double.isNaN(there))) {
@@ -62,6 +73,9 @@ class FilterTest {
         }
         boolean isFinite =
                 here >= 0 && there >= 0 && here < Double.POSITIVE_INFINITY && there < Double.POSITIVE_INFINITY;
+        if (family.subject() == Subject.CONE && family.planar()) {
+            return isFinite; // that it echoes is decided; where a sector's edge grazes, the distance is not
+        }
         return switch (family.subject()) {
             case RAY, CONE -> {
                 Questions question = new Questions();
