@@ -28,7 +28,14 @@ final class NearestFirst {
     }
 
     void startSector(
-            RegionTree tree, double x, double z, double leftX, double leftZ, double rightX, double rightZ, double limit) {
+            RegionTree tree,
+            double x,
+            double z,
+            double leftX,
+            double leftZ,
+            double rightX,
+            double rightZ,
+            double limit) {
         keys.startPoint(x, z);
         keys.startSector(leftX, leftZ, rightX, rightZ);
         start(tree, limit);

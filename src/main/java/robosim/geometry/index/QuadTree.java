@@ -221,8 +221,8 @@ public final class QuadTree {
         double roomX = growing ? (maxX - minX) / 8 : 0;
         double roomZ = growing ? (maxZ - minZ) / 8 : 0;
         int bits = bits(growing ? 3L * count : 2L * count) - coarser;
-        Tiles tiles = new Tiles(
-                minX - roomX, minZ - roomZ, maxX + roomX, maxZ + roomZ, bits, new Tiles.Entries(3 * count));
+        Tiles tiles =
+                new Tiles(minX - roomX, minZ - roomZ, maxX + roomX, maxZ + roomZ, bits, new Tiles.Entries(3 * count));
         int left = 0;
         for (int k = 0; k < count; k++) {
             if (tiles.fits(boxes, 4 * ids[k])) {

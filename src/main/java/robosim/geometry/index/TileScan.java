@@ -118,10 +118,8 @@ final class TileScan {
             int at = 4 * listed;
             int id = entries[2 * listed];
             listed = entries[2 * listed + 1];
-            boolean isNear = bounds[at] <= highX
-                    && lowX <= bounds[at + 2]
-                    && bounds[at + 1] <= highZ
-                    && lowZ <= bounds[at + 3];
+            boolean isNear =
+                    bounds[at] <= highX && lowX <= bounds[at + 2] && bounds[at + 1] <= highZ && lowZ <= bounds[at + 3];
             if (isNear && meets(boxes, 4 * id) && (isRest || isFirst(boxes, 4 * id))) {
                 entry = listed;
                 return id;

@@ -41,7 +41,8 @@ class SwarmTest {
         for (int step = 0; step < 2 * count; step++) {
             int own = random.nextInt(count);
             String name = "robot " + own;
-            Move move = new Move(random.nextInt(-2, 3) * 0.5, 0, random.nextInt(-2, 3) * 0.5, 0, step % 3 == 0 ? 90 : 0);
+            Move move =
+                    new Move(random.nextInt(-2, 3) * 0.5, 0, random.nextInt(-2, 3) * 0.5, 0, step % 3 == 0 ? 90 : 0);
             String what = "%s by %s".formatted(list.objects().get(own), move);
             PlainList.Free truth = list.move(own, move);
             Ray mount = new Ray(new Point(), new Point(random.nextInt(-3, 4), 0, 1));
