@@ -4,12 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.model.Dimension;
 
-/** Motions so small that bounds of rounding underflow: as free as the same ones times a power of two, never freer. */
-class TinySweepTest {
+/** Motions of things that are tiny, or very high up: what they meet does not depend on it. */
+class SweepScaleTest {
     private static final int KINDS = 7;
 
     private final Scratch scratch = new Scratch();
@@ -48,6 +49,30 @@ class TinySweepTest {
         assertThat(free).isGreaterThan(300);
     }
 
+    /** Of a turned cylinder at the height of 2^60, seen from above; some begin in contact. */
+    @Test
+    void heightsDoNotCountInThePlane() {
+        SplittableRandom random = new SplittableRandom(30_062);
+        int met = 0;
+        int free = 0;
+        for (int k = 0; k < 400; k++) {
+            int kind = random.nextInt(4);
+            double[] a = SweepRows.random(Leaf.CYLINDER, 1.5, random);
+            double[] b = SweepRows.random(kind, 1.5, random);
+            double[] by = {random.nextDouble(-1, 1), 0, random.nextDouble(-1, 1)};
+            double degrees = random.nextDouble(-200, 200);
+            double low = share(Dimension.PLANAR, column(4, a, 0), column(kind, b, 0), by, degrees, false, 0);
+            a[1] = 0x1p60;
+            b[1] = -0x1p60;
+            double high = share(Dimension.PLANAR, column(4, a, 0), column(kind, b, 0), by, degrees, false, 0);
+            assertThat(high).as("case %d, kind %d, by %s", k, kind, degrees).isEqualTo(low);
+            met += low <= 1 ? 1 : 0;
+            free += low <= 1 ? 0 : 1;
+        }
+        assertThat(met).isGreaterThan(60);
+        assertThat(free).isGreaterThan(60);
+    }
+
     /** By straight ways, and where there is an angle by turns. */
     private double share(
             Dimension dimension, LeafColumn a, LeafColumn b, double[] by, double degrees, boolean tilts, int power) {
@@ -59,8 +84,7 @@ class TinySweepTest {
         } else {
             sweep.turn(dimension, x, y, z, tilts ? 0.6 : 0, tilts ? 0 : 1, tilts ? 0.8 : 0, degrees);
         }
-        return sweep.free(
-                column(a.kind(0), a.rows(), power), 0, column(b.kind(0), b.rows(), power), 0);
+        return sweep.free(column(a.kind(0), a.rows(), power), 0, column(b.kind(0), b.rows(), power), 0);
     }
 
     private static LeafColumn column(int kind, double[] row, int power) {
