@@ -23,6 +23,21 @@ final class Witness {
         boolean flat = dimension == Dimension.PLANAR;
         Distance.convexContact(dimension, kindA, a, i, kindB, b, j, out, s);
         double rounding = bound(flat, kindA, a, i, kindB, b, j, out, s);
+        if (flat && out[6] > FAR * rounding) {
+            // Deep in each other the middle of the way out need not be in either.
+            s.gjk.planar(kindA, a, i, kindB, b, j);
+            double x = out[0];
+            double z = out[2];
+            double before = out[6];
+            out[0] = 0.5 * s.gjk.ax() + 0.5 * s.gjk.bx();
+            out[2] = 0.5 * s.gjk.az() + 0.5 * s.gjk.bz();
+            bound(true, kindA, a, i, kindB, b, j, out, s);
+            if (out[6] > before) {
+                out[0] = x;
+                out[2] = z;
+                out[6] = before;
+            }
+        }
         boolean exactly = !flat && ExactPolytope.isKnown(kindA) && ExactPolytope.isKnown(kindB);
         if (exactly && out[6] > FAR * rounding && ExactCommon.point(kindA, a, i, kindB, b, j, out)) {
             bound(false, kindA, a, i, kindB, b, j, out, s);

@@ -2,6 +2,7 @@ package robosim.geometry.collision;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.within;
 
 import java.time.Duration;
 import java.util.ArrayList;
@@ -285,5 +286,19 @@ class ContactQueryTest {
     @SuppressWarnings({"NullAway", "TypeParameterUnusedInFormals"}) // what a caller without the checks may pass
     private static <T> T nothing() {
         return null;
+    }
+
+    /** A triangle across a segment, as seen from above: the middle of the shortest way out is in neither. */
+    @Test
+    void aPointSeenFromAboveIsOneOfBoth() {
+        MeshObject triangle = new MeshObject(
+                List.of(new Point(-4, 0, 2), new Point(0, 0, -2), new Point(-1, 0, 1)), new int[][] {{0, 1, 2}});
+        MeshObject segment = new MeshObject(List.of(new Point(-4, 5, 0), new Point(1, 4, 5)), new int[][] {{0, 1, 0}});
+        List<Contact> found = ContactQuery.contacts(triangle, segment, Dimension.PLANAR, 9);
+        assertThat(found).hasSize(1);
+        Contact contact = found.get(0);
+        assertThat(contact.error()).isLessThan(1e-13);
+        assertThat(contact.point().z() - contact.point().x()).isCloseTo(4, within(1e-13));
+        assertThat(contact.point().x()).isBetween(-3 - 1e-13, -1.0);
     }
 }
