@@ -122,7 +122,8 @@ final class Motion {
         phase.sweptBox(1, box);
         near.find(level, box, id);
         double met = phase.isRigid() ? leastFree() : leastFreeOfEnclosures();
-        double leaves = leavesWorld();
+        boolean isFarFromBorder = !phase.turns() && border.clearlyHolds(box);
+        double leaves = isFarFromBorder ? Double.POSITIVE_INFINITY : leavesWorld();
         if (leaves < met) {
             met = leaves;
             obstacle = BORDER;
