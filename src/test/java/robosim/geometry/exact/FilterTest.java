@@ -13,6 +13,7 @@ import robosim.geometry.bench.Answers;
 import robosim.geometry.bench.Questions;
 import robosim.geometry.bench.Questions.Family;
 import robosim.geometry.bench.Questions.Subject;
+import robosim.geometry.narrow.AimedBounds;
 import robosim.geometry.narrow.Leaf;
 
 /** Every verdict with its filter on, off and in doubt, in JVMs of their own. */
@@ -126,6 +127,19 @@ class FilterTest {
                     .isPositive();
             at += count;
         }
+    }
+
+    /** The same of bounds that random questions do not reach: all right as derived, none without wrong answers at a tenth. */
+    @Test
+    void aTenthOfABoundThatIsAimedAtIsTooLittle() throws IOException {
+        List<String> derived =
+                Answers.run(filter("on"), AimedBounds.class, List.of()).lines().toList();
+        assertThat(derived).hasSize(3).allSatisfy(line -> assertThat(line).endsWith(" 0"));
+        List<String> mutant = Answers.run(filter("tenth"), AimedBounds.class, List.of())
+                .lines()
+                .filter(line -> line.matches("[A-Z]\\w+\\.\\w+ \\d+"))
+                .toList();
+        assertThat(mutant).hasSize(3).allSatisfy(line -> assertThat(line).doesNotEndWith(" 0"));
     }
 
     private static Family overlap(boolean planar, int kindA, int kindB) {
