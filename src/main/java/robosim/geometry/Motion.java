@@ -122,7 +122,8 @@ final class Motion {
         phase.sweptBox(1, box);
         near.find(level, box, id);
         double met = phase.isRigid() ? leastFree() : leastFreeOfEnclosures();
-        double leaves = leavesWorld();
+        boolean isFarFromBorder = border.clearlyHolds(box);
+        double leaves = isFarFromBorder ? Double.POSITIVE_INFINITY : leavesWorld();
         if (leaves < met) {
             met = leaves;
             obstacle = BORDER;
@@ -234,6 +235,9 @@ final class Motion {
 
     private double turnLeavesWorld() {
         phase.exactlySwept(1, swept);
+        if (!border.nearlyHolds(swept)) {
+            phase.tightlySwept(1, swept);
+        }
         if (border.nearlyHolds(swept) && isHeld(phase.exactAtEnd())) {
             return Double.POSITIVE_INFINITY;
         }
@@ -241,7 +245,7 @@ final class Motion {
         double high = 1;
         for (int halving = 0; halving < 50; halving++) {
             double middle = low / 2 + high / 2;
-            phase.exactlySwept(middle, swept);
+            phase.tightlySwept(middle, swept);
             if (border.nearlyHolds(swept)) {
                 low = middle;
             } else {

@@ -181,15 +181,34 @@ final class Phase {
         union(exact, out);
     }
 
+    /** The same with each triangle of a mesh for itself, which takes longer. */
+    void tightlySwept(double share, double[] out) {
+        exactAtStart();
+        turnBy(share);
+        clear(out);
+        for (int leaf = 0; leaf < exact.size(); leaf++) {
+            sweep.tightBounds(exact, leaf, part);
+            include(part, out);
+        }
+    }
+
     private void union(LeafColumn column, double[] out) {
-        Arrays.fill(out, 0, 3, Double.POSITIVE_INFINITY);
-        Arrays.fill(out, 3, 6, Double.NEGATIVE_INFINITY);
+        clear(out);
         for (int leaf = 0; leaf < column.size(); leaf++) {
             sweep.bounds(column, leaf, part);
-            for (int k = 0; k < 3; k++) {
-                out[k] = Math.min(out[k], part[k]);
-                out[3 + k] = Math.max(out[3 + k], part[3 + k]);
-            }
+            include(part, out);
+        }
+    }
+
+    private static void clear(double[] box) {
+        Arrays.fill(box, 0, 3, Double.POSITIVE_INFINITY);
+        Arrays.fill(box, 3, 6, Double.NEGATIVE_INFINITY);
+    }
+
+    private static void include(double[] one, double[] all) {
+        for (int k = 0; k < 3; k++) {
+            all[k] = Math.min(all[k], one[k]);
+            all[3 + k] = Math.max(all[3 + k], one[3 + k]);
         }
     }
 

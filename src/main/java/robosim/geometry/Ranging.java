@@ -139,7 +139,7 @@ final class Ranging {
     private double nearestInCone(Level level, double limit, int but) {
         best = Double.POSITIVE_INFINITY;
         double reach = limit;
-        level.cursor.startPoint(ox, oz, loose(level, limit));
+        level.cursor.startSector(ox, oz, leftX, leftZ, rightX, rightZ, loose(level, limit));
         for (int id = level.cursor.next(loose(level, reach)); id >= 0; id = level.cursor.next(loose(level, reach))) {
             if (id != but && coneMeets(level, id, loose(level, reach))) {
                 tryBody(level, id, reach);

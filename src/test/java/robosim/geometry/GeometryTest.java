@@ -197,6 +197,24 @@ class GeometryTest {
                 .isTrue();
     }
 
+    @ParameterizedTest
+    @EnumSource(Dimension.class)
+    void aMeshTurnsAsFarAsItsCornersAllow(Dimension dimension) {
+        List<Point> corners =
+                List.of(new Point(1, 0, 1), new Point(-1, 0, 1), new Point(-1, 0, -1), new Point(1, 0, -1));
+        MeshObject tile = new MeshObject(corners, new int[][] {{0, 1, 2, 3}}).moveable("tile");
+        // The corners are 1.415 from the centre; those of the bounds at 45 degrees are 2.
+        Geometry wide = new Geometry(2.9, 1, 2.9, dimension, Accuracy.EXACT);
+        assertThat(wide.addObject(tile.turned(0, 45))).isTrue();
+        assertThat(wide.simpleTurn("tile", 100)).isTrue();
+        Geometry narrow = new Geometry(2.7, 1, 2.7, dimension, Accuracy.EXACT);
+        assertThat(narrow.addObject(tile)).isTrue();
+        MoveResult result = narrow.move("tile", new Move(0, 0, 0, 0, 90));
+        double free = Math.toDegrees(Math.acos(1.35 / Math.sqrt(2)));
+        assertThat(result.turnFraction()).isCloseTo((45 - free) / 90, within(1e-9));
+        assertThat(result.obstacle()).isNull();
+    }
+
     @Test
     void theBorderBlocksWithoutAnObstacle() {
         Geometry geometry = world(Dimension.SPATIAL, robot(0, 0));

@@ -27,6 +27,20 @@ final class NearestFirst {
         start(tree, limit);
     }
 
+    void startSector(
+            RegionTree tree,
+            double x,
+            double z,
+            double leftX,
+            double leftZ,
+            double rightX,
+            double rightZ,
+            double limit) {
+        keys.startPoint(x, z);
+        keys.startSector(leftX, leftZ, rightX, rightZ);
+        start(tree, limit);
+    }
+
     private void start(RegionTree tree, double limit) {
         queue.clear();
         entry = 0;

@@ -7,6 +7,10 @@ final class PlaneKeys {
     private boolean isRay;
     private double fromX;
     private double fromZ;
+    private double leftX;
+    private double leftZ;
+    private double rightX;
+    private double rightZ;
     private double unit = 1;
 
     void startRay(double ox, double oz, double dx, double dz) {
@@ -24,6 +28,22 @@ final class PlaneKeys {
         fromX = x;
         fromZ = z;
         isRay = false;
+        startSector(0, 0, 0, 0);
+    }
+
+    /** Leaves out what is wholly beyond one of two lines through the point, by their outward normals; zero for none. */
+    void startSector(double oneX, double oneZ, double twoX, double twoZ) {
+        leftX = oneX;
+        leftZ = oneZ;
+        rightX = twoX;
+        rightZ = twoZ;
+    }
+
+    private boolean isBeyond(double[] boxes, int at, double nx, double nz) {
+        double x = boxes[nx > 0 ? at : at + 2] - fromX;
+        double z = boxes[nz > 0 ? at + 1 : at + 3] - fromZ;
+        double slack = 0x1p-40 * (Math.abs(x) + Math.abs(z) + Math.abs(fromX) + Math.abs(fromZ));
+        return nx * x + nz * z > slack;
     }
 
     /** The caller's parameter as a key, rounded up. */
@@ -54,6 +74,9 @@ final class PlaneKeys {
     }
 
     private double pointKey(double[] boxes, int at) {
+        if (isBeyond(boxes, at, leftX, leftZ) || isBeyond(boxes, at, rightX, rightZ)) {
+            return Double.POSITIVE_INFINITY;
+        }
         double dx = Math.max(0, Math.max(boxes[at] - fromX, fromX - boxes[at + 2]));
         double dz = Math.max(0, Math.max(boxes[at + 1] - fromZ, fromZ - boxes[at + 3]));
         double square = dx * dx + dz * dz;

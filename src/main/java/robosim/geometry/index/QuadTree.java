@@ -23,11 +23,17 @@ public final class QuadTree {
     /** A layer of so few objects is one tile. */
     private static final int FEW = 6;
 
+    /** Fewer than two to the power of this tiles are not worth their while. */
+    private static final int LEAST_BITS = 3;
+
     private final Cells cells;
 
     // By id: the box; the first number is NaN where there is none.
     private double[] boxes = new double[4 * 64];
     private int size;
+
+    /** No coordinate of a box was ever of a greater magnitude. */
+    private double most;
 
     /** Finer tiles first; the last layer takes everything. */
     private final Tiles[] layers = new Tiles[MOST_LAYERS];
@@ -36,6 +42,9 @@ public final class QuadTree {
 
     /** How many objects there were when the tiles were laid out. */
     private int laid;
+
+    /** How many objects the last layer may come to hold before all is laid out anew. */
+    private int mostBeside;
 
     /** Whether the tiles were laid out in the midst of growing, with room for more. */
     private boolean growing;
@@ -89,6 +98,7 @@ public final class QuadTree {
     }
 
     private void write(int id, double minX, double minZ, double maxX, double maxZ) {
+        most = Math.max(most, Math.max(Math.max(-minX, maxX), Math.max(-minZ, maxZ)));
         int at = 4 * id;
         boxes[at] = minX;
         boxes[at + 1] = minZ;
@@ -111,7 +121,7 @@ public final class QuadTree {
     private void list(int id) {
         if (!isStale) {
             layerOf(id).add(id, boxes, 4 * id);
-            isStale = size > 4 * laid + FEW || layers[layerCount - 1].objects() > 2 * FEW + laid / 16;
+            isStale = size > 4 * laid + FEW || layers[layerCount - 1].objects() > mostBeside;
         }
     }
 
@@ -142,7 +152,7 @@ public final class QuadTree {
     }
 
     /**
-     * Gives an object of the tree another box, which must be one that could be added. Cheap where it stays on its tiles.
+     * Gives an object of the tree another box, which must be one that could be added.
      *
      * @throws IllegalArgumentException where the id is not in the tree
      */
@@ -156,7 +166,7 @@ public final class QuadTree {
         System.arraycopy(boxes, 4 * id, before, 0, 4);
         Tiles old = isStale ? null : layerOf(id);
         write(id, minX, minZ, maxX, maxZ);
-        if (old != null && (old != layerOf(id) || !old.sameTiles(boxes, 4 * id, before))) {
+        if (old != null) {
             old.remove(id, before, 0);
             list(id);
         }
@@ -180,19 +190,23 @@ public final class QuadTree {
             }
         }
         layerCount = 0;
-        while (layerCount < MOST_LAYERS - 1 && count > FEW) {
-            count = lay(left, count);
+        int coarser = 0;
+        while (layerCount < MOST_LAYERS - 1 && count > FEW && bits(count) - coarser > LEAST_BITS) {
+            int rest = lay(left, count, coarser);
+            coarser += 2 * rest > count ? 2 : 0;
+            count = rest;
         }
         Tiles rest = new Tiles(0, 0, 0, 0, 0, new Tiles.Entries(count));
         for (int k = 0; k < count; k++) {
             rest.add(left[k], boxes, 4 * left[k]);
         }
         layers[layerCount++] = rest;
+        mostBeside = 2 * (count + FEW) + laid / 16;
         isStale = false;
     }
 
     /** Makes a layer of those objects that fit its tiles; the others are moved to the front and counted. */
-    private int lay(int[] ids, int count) {
+    private int lay(int[] ids, int count, int coarser) {
         double minX = Double.POSITIVE_INFINITY;
         double minZ = Double.POSITIVE_INFINITY;
         double maxX = Double.NEGATIVE_INFINITY;
@@ -206,7 +220,7 @@ public final class QuadTree {
         }
         double roomX = growing ? (maxX - minX) / 8 : 0;
         double roomZ = growing ? (maxZ - minZ) / 8 : 0;
-        int bits = bits(growing ? 3L * count : count);
+        int bits = bits(growing ? 3L * count : 2L * count) - coarser;
         Tiles tiles =
                 new Tiles(minX - roomX, minZ - roomZ, maxX + roomX, maxZ + roomZ, bits, new Tiles.Entries(3 * count));
         int left = 0;
@@ -217,9 +231,11 @@ public final class QuadTree {
                 ids[left++] = ids[k];
             }
         }
-        tiles.divideCrowded(boxes);
-        tiles.arrange();
-        layers[layerCount++] = tiles;
+        if (left < count) {
+            tiles.divideCrowded(boxes);
+            tiles.arrange();
+            layers[layerCount++] = tiles;
+        }
         return left;
     }
 
@@ -269,6 +285,7 @@ public final class QuadTree {
         private int layer;
         private int entry = Tiles.NONE;
         private double slack;
+        private double aside;
 
         // The ray, for the layers to come; or the box.
         private double x0;
@@ -340,6 +357,8 @@ public final class QuadTree {
             }
             tree.settle();
             slack = 0x1p-44 * sum / speed;
+            // Sums of four numbers up to the most, times a direction: six roundings of 2^-53.
+            aside = 0x1p-48 * (2 * tree.most + 2 * sum) * speed;
             x0 = ox;
             z0 = oz;
             x1 = dx;
@@ -373,6 +392,20 @@ public final class QuadTree {
         }
 
         /**
+         * Starts the query for all objects whose boxes are within a distance of a point and not wholly beyond one of two
+         * lines through it, nearest first.
+         *
+         * @param leftX  outward normal of one line, of length 1 at most; zero for none
+         * @param rightX outward normal of the other line
+         */
+        public void startSector(
+                double x, double z, double leftX, double leftZ, double rightX, double rightZ, double limit) {
+            isOrdered = true;
+            tree.growRegions();
+            ordered.startSector(tree.regions, x, z, leftX, leftZ, rightX, rightZ, limit);
+        }
+
+        /**
          * The next object of a ray or point query; -1 after the last within the limit, which may shrink from call to call.
          * A ray may be given an object again, and one that it passes by.
          */
@@ -381,14 +414,9 @@ public final class QuadTree {
                 return ordered.next(tree.regions, tree.boxes, limit);
             }
             while (true) {
-                while (entry != Tiles.NONE) {
-                    int[] entries = walk.entries();
-                    int id = entries[2 * entry];
-                    entry = entries[2 * entry + 1];
-                    if (recent[id & (RECENT - 1)] != id) {
-                        recent[id & (RECENT - 1)] = id;
-                        return id;
-                    }
+                int id = nextListed();
+                if (id != Tiles.NONE) {
+                    return id;
                 }
                 // What is hit is measured with an error of its own: look a little farther.
                 double reach = limit * (1 + 0x1p-44) + slack;
@@ -401,6 +429,37 @@ public final class QuadTree {
                     walk.start(tiles, x0, z0, x1, z1);
                 }
             }
+        }
+
+        /** The next object of the tile whose box the ray's line may meet, unless it is one of the last. */
+        private int nextListed() {
+            int[] entries = walk.entries().data;
+            float[] bounds = walk.entries().bounds;
+            double dx = x1;
+            double dz = z1;
+            double wayX = Math.abs(dx);
+            double wayZ = Math.abs(dz);
+            double fromX = 2 * x0;
+            double fromZ = 2 * z0;
+            double most = aside;
+            int listed = entry;
+            while (listed != Tiles.NONE) {
+                int at = 4 * listed;
+                int id = entries[2 * listed];
+                listed = entries[2 * listed + 1];
+                double minX = bounds[at];
+                double minZ = bounds[at + 1];
+                double maxX = bounds[at + 2];
+                double maxZ = bounds[at + 3];
+                double off = Math.abs((minX + maxX - fromX) * dz - (minZ + maxZ - fromZ) * dx);
+                if (off <= (maxX - minX) * wayZ + (maxZ - minZ) * wayX + most && recent[id & (RECENT - 1)] != id) {
+                    recent[id & (RECENT - 1)] = id;
+                    entry = listed;
+                    return id;
+                }
+            }
+            entry = Tiles.NONE;
+            return Tiles.NONE;
         }
 
         /** A lower bound, rounded down, of the distance at which the last object of a point query begins. */

@@ -52,9 +52,9 @@ final class TileScan {
         column1 = over.column(x1, 0);
         row0 = over.row(z0, 0);
         row1 = over.row(z1, 0);
-        startX = Tiles.spread(column0, over.maskX);
+        startX = over.spreadX(column0);
         atX = startX;
-        atZ = Tiles.spread(row0, over.maskZ);
+        atZ = over.spreadZ(row0);
         column = column0;
         row = row0;
         isOver = false;
@@ -92,13 +92,9 @@ final class TileScan {
                 }
                 continue;
             }
-            int[] entries = tiles.store.data;
-            while (entry != Tiles.NONE) {
-                int id = entries[2 * entry];
-                entry = entries[2 * entry + 1];
-                if (meets(boxes, 4 * id) && (isRest || isFirst(boxes, 4 * id))) {
-                    return id;
-                }
+            int id = nextListed(boxes);
+            if (id != Tiles.NONE) {
+                return id;
             }
             if (isRest) {
                 isRest = false;
@@ -108,6 +104,29 @@ final class TileScan {
                 return Tiles.NONE;
             }
         }
+    }
+
+    private int nextListed(double[] boxes) {
+        int[] entries = tiles.store.data;
+        float[] bounds = tiles.store.bounds;
+        double lowX = minX;
+        double lowZ = minZ;
+        double highX = maxX;
+        double highZ = maxZ;
+        int listed = entry;
+        while (listed != Tiles.NONE) {
+            int at = 4 * listed;
+            int id = entries[2 * listed];
+            listed = entries[2 * listed + 1];
+            boolean isNear =
+                    bounds[at] <= highX && lowX <= bounds[at + 2] && bounds[at + 1] <= highZ && lowZ <= bounds[at + 3];
+            if (isNear && meets(boxes, 4 * id) && (isRest || isFirst(boxes, 4 * id))) {
+                entry = listed;
+                return id;
+            }
+        }
+        entry = Tiles.NONE;
+        return Tiles.NONE;
     }
 
     private boolean step() {

@@ -58,8 +58,8 @@ final class TileWalk {
     }
 
     /** The entries of the tiles that are walked. */
-    int[] entries() {
-        return tiles.store.data;
+    Tiles.Entries entries() {
+        return tiles.store;
     }
 
     /** Whether a ray begins near enough for the tiles' margin and is not too slow for a parameter. */
@@ -119,8 +119,8 @@ final class TileWalk {
         lineZ = deepens ? z + 1 : z;
         leftZ = deepens ? over.countZ - 1 - z : z;
         crossZ = alongZ ? (lineZ - gz) * inverseZ : Double.POSITIVE_INFINITY;
-        atX = Tiles.spread(x, over.maskX);
-        atZ = Tiles.spread(z, over.maskZ);
+        atX = over.spreadX(x);
+        atZ = over.spreadZ(z);
     }
 
     // Where the ray enters the window from outside; false where it passes by.
@@ -148,7 +148,7 @@ final class TileWalk {
     }
 
     private static int clamp(double place, int count) {
-        return (int) Math.max(0, Math.min(count - 1, place));
+        return place <= 0 ? 0 : place >= count ? count - 1 : (int) place;
     }
 
     /**

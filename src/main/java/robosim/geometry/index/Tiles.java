@@ -50,27 +50,50 @@ final class Tiles {
         /** By entry, two numbers: the object's id and the next entry of the same list. */
         int[] data;
 
+        /** By entry, four numbers: the object's box, rounded outward. A query reads them one after the other. */
+        float[] bounds;
+
         private int used;
         private int free = NONE;
 
         Entries(int capacity) {
             data = new int[2 * Math.max(8, capacity)];
+            bounds = new float[2 * data.length];
         }
 
         /** A list with one more object in front; answers its first entry. */
-        private int push(int head, int id) {
+        private int push(int head, int id, double[] boxes, int at) {
             int entry = free;
             if (entry == NONE) {
-                entry = used++;
-                if (2 * entry == data.length) {
-                    data = Arrays.copyOf(data, 2 * (entry + (entry >> 1) + 4));
-                }
+                entry = append();
             } else {
                 free = data[2 * entry + 1];
             }
             data[2 * entry] = id;
             data[2 * entry + 1] = head;
+            bounds[4 * entry] = down(boxes[at]);
+            bounds[4 * entry + 1] = down(boxes[at + 1]);
+            bounds[4 * entry + 2] = up(boxes[at + 2]);
+            bounds[4 * entry + 3] = up(boxes[at + 3]);
             return entry;
+        }
+
+        private int append() {
+            if (2 * used == data.length) {
+                data = Arrays.copyOf(data, 2 * (used + (used >> 1) + 4));
+                bounds = Arrays.copyOf(bounds, 2 * data.length);
+            }
+            return used++;
+        }
+
+        private static float down(double number) {
+            float near = (float) number;
+            return near > number ? Math.nextDown(near) : near;
+        }
+
+        private static float up(double number) {
+            float near = (float) number;
+            return near < number ? Math.nextUp(near) : near;
         }
 
         /** A list without an object that is in it; answers its first entry. */
@@ -99,23 +122,20 @@ final class Tiles {
             return length;
         }
 
-        /** Copies a list to the end of another store, oldest first; answers its first entry there. */
+        /** Copies a list to the end of another store; answers its first entry there. */
         private int copy(int head, Entries to) {
             int first = to.used;
             for (int entry = head; entry != NONE; entry = data[2 * entry + 1]) {
-                to.push(NONE, data[2 * entry]);
+                int copy = to.append();
+                to.data[2 * copy] = data[2 * entry];
+                to.data[2 * copy + 1] = copy + 1;
+                System.arraycopy(bounds, 4 * entry, to.bounds, 4 * copy, 4);
             }
-            int[] of = to.data;
-            // Lists grow at their heads: turned round, they are in the order in which they came.
-            for (int low = first, high = to.used - 1; low < high; low++, high--) {
-                int id = of[2 * low];
-                of[2 * low] = of[2 * high];
-                of[2 * high] = id;
+            if (to.used == first) {
+                return NONE;
             }
-            for (int entry = first; entry < to.used; entry++) {
-                of[2 * entry + 1] = entry + 1 == to.used ? NONE : entry + 1;
-            }
-            return to.used == first ? NONE : first;
+            to.data[2 * to.used - 1] = NONE;
+            return first;
         }
     }
 
@@ -135,6 +155,10 @@ final class Tiles {
 
     final int maskZ;
 
+    /** How many bits both axes have, which take turns; those that only one has are above them. */
+    private final int commonBits;
+
+    private final int common;
     private final double maxX;
     private final double maxZ;
     private int objects;
@@ -156,31 +180,16 @@ final class Tiles {
         scaleZ = most == 0 ? 0 : countZ / length;
         this.maxX = maxX;
         this.maxZ = maxZ;
-        int[] masks = masks(bitsX, bitsZ);
-        maskX = masks[0];
-        maskZ = masks[1];
+        commonBits = Math.min(bitsX, bitsZ);
+        common = (1 << commonBits) - 1;
+        maskX = spreadX(countX - 1);
+        maskZ = spreadZ(countZ - 1);
         heads = new int[1 << most];
         Arrays.fill(heads, NONE);
     }
 
     private static boolean isOrdinary(double size) {
         return size > 0x1p-300 && size < 0x1p300;
-    }
-
-    /** Cuts along X and Z in turn as long as both axes have cuts left, the last ones in the lowest bits. */
-    private static int[] masks(int bitsX, int bitsZ) {
-        int x = 0;
-        int z = 0;
-        int bit = 0;
-        for (int level = 0; level < Math.max(bitsX, bitsZ); level++) {
-            if (level < bitsX) {
-                x |= 1 << bit++;
-            }
-            if (level < bitsZ) {
-                z |= 1 << bit++;
-            }
-        }
-        return new int[] {x, z};
     }
 
     /** Whether there is one tile only, which everything fits. */
@@ -196,17 +205,22 @@ final class Tiles {
         return objects;
     }
 
-    /** Spreads the bits of a column or row over those of a mask. */
-    static int spread(int number, int mask) {
-        int spread = 0;
-        int left = number;
-        for (int rest = mask; left != 0; rest &= rest - 1) {
-            if ((left & 1) != 0) {
-                spread |= rest & -rest;
-            }
-            left >>>= 1;
-        }
-        return spread;
+    /** The bits of a column's number in their places in a tile's. */
+    int spreadX(int column) {
+        return dilated(column & common) | (column & ~common) << commonBits;
+    }
+
+    /** The bits of a row's number in their places in a tile's. */
+    int spreadZ(int row) {
+        return dilated(row & common) << 1 | (row & ~common) << commonBits;
+    }
+
+    /** Puts a zero above each of the lower 16 bits. */
+    private static int dilated(int number) {
+        int n = (number | number << 8) & 0x00ff00ff;
+        n = (n | n << 4) & 0x0f0f0f0f;
+        n = (n | n << 2) & 0x33333333;
+        return (n | n << 1) & 0x55555555;
     }
 
     /** The next column or row up, of spread bits. */
@@ -224,7 +238,7 @@ final class Tiles {
     }
 
     private static int clamp(double place, int count) {
-        return (int) Math.max(0, Math.min(count - 1, place));
+        return place <= 0 ? 0 : place >= count ? count - 1 : (int) place;
     }
 
     boolean fits(double[] boxes, int at) {
@@ -249,8 +263,8 @@ final class Tiles {
         int x1 = column(boxes[at + 2], MARGIN);
         int z0 = row(boxes[at + 1], -MARGIN);
         int z1 = row(boxes[at + 3], MARGIN);
-        int startX = spread(x0, maskX);
-        int z = spread(z0, maskZ);
+        int startX = spreadX(x0);
+        int z = spreadZ(z0);
         for (int row = z0; row <= z1; row++) {
             int x = startX;
             for (int column = x0; column <= x1; column++) {
@@ -267,7 +281,7 @@ final class Tiles {
         if (head < NONE) {
             within(head).addPart(id, boxes, at);
         } else {
-            heads[tile] = store.push(head, id);
+            heads[tile] = store.push(head, id, boxes, at);
         }
     }
 
@@ -276,7 +290,7 @@ final class Tiles {
         if (isSmall(boxes, at)) {
             add(id, boxes, at);
         } else {
-            rest = store.push(rest, id);
+            rest = store.push(rest, id, boxes, at);
         }
     }
 
@@ -291,8 +305,8 @@ final class Tiles {
         int x1 = column(boxes[at + 2], MARGIN);
         int z0 = row(boxes[at + 1], -MARGIN);
         int z1 = row(boxes[at + 3], MARGIN);
-        int startX = spread(x0, maskX);
-        int z = spread(z0, maskZ);
+        int startX = spreadX(x0);
+        int z = spreadZ(z0);
         for (int row = z0; row <= z1; row++) {
             int x = startX;
             for (int column = x0; column <= x1; column++) {
@@ -319,15 +333,6 @@ final class Tiles {
         } else {
             rest = store.strike(rest, id);
         }
-    }
-
-    /** Whether two boxes that fit, the second at the start of an array, are surely listed alike. */
-    boolean sameTiles(double[] boxes, int at, double[] other) {
-        return innerCount == 0
-                && column(boxes[at], -MARGIN) == column(other[0], -MARGIN)
-                && column(boxes[at + 2], MARGIN) == column(other[2], MARGIN)
-                && row(boxes[at + 1], -MARGIN) == row(other[1], -MARGIN)
-                && row(boxes[at + 3], MARGIN) == row(other[3], MARGIN);
     }
 
     /** Divides tiles with long lists, their parts too. */
@@ -389,11 +394,12 @@ final class Tiles {
         return gathered;
     }
 
-    /** Puts the entries of each tile beside each other, tile after tile, each tile's in the order in which they came. */
+    /** Puts the entries of each tile beside each other, tile after tile, each tile's in its own order. */
     void arrange() {
         Entries arranged = new Entries(store.used);
         arrange(arranged);
         store.data = arranged.data;
+        store.bounds = arranged.bounds;
         store.used = arranged.used;
         store.free = NONE;
     }
@@ -407,10 +413,5 @@ final class Tiles {
                 heads[tile] = store.copy(heads[tile], to);
             }
         }
-    }
-
-    /** All entries in the order of tiles, as {@link #arrange()} leaves them: three or so for an object. */
-    int entries() {
-        return store.used;
     }
 }

@@ -46,6 +46,20 @@ public final class Border {
         return true;
     }
 
+    /**
+     * Whether a box, six numbers, is inside by so much that whatever it holds is, however it is rounded: by 2^-30 of half
+     * the world, where a coordinate within is rounded by at most 2^-53 of that.
+     */
+    public boolean clearlyHolds(double[] box) {
+        for (int axis = 0; axis < 3; axis += step()) {
+            double most = half[axis] * (1 - 0x1p-30);
+            if (!(-box[axis] < most && box[3 + axis] < most)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     /** Whether a box, six numbers, is inside but for rounding, touching allowed. */
     public boolean nearlyHolds(double[] box) {
         for (int axis = 0; axis < 3; axis += step()) {

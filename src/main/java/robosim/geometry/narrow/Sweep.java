@@ -1,5 +1,6 @@
 package robosim.geometry.narrow;
 
+import java.util.Arrays;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.model.Dimension;
 
@@ -70,6 +71,26 @@ public final class Sweep {
         double[] row = s.triangleB; // the mesh's bounds, as a box that moves
         boxRow(box, row);
         bounds(Leaf.UPRIGHT_BOX, row, 0, out);
+    }
+
+    /** The same by each triangle of a mesh for itself, where the bounds that move with it would reach too far. */
+    public void tightBounds(LeafColumn column, int leaf, double[] out) {
+        if (!Leaf.isMesh(column.kind(leaf))) {
+            bounds(column, leaf, out);
+            return;
+        }
+        column.bounds(leaf, s.meshBox);
+        Arrays.fill(out, 0, 3, Double.POSITIVE_INFINITY);
+        Arrays.fill(out, 3, 6, Double.NEGATIVE_INFINITY);
+        s.outer.startBox(column, leaf, s.meshBox);
+        for (int t = s.outer.next(0); t >= 0; t = s.outer.next(0)) {
+            s.outer.corners(t, s.triangleA, 0);
+            bounds(Leaf.TRIANGLE, s.triangleA, 0, swept);
+            for (int k = 0; k < 3; k++) {
+                out[k] = Math.min(out[k], swept[k]);
+                out[3 + k] = Math.max(out[3 + k], swept[3 + k]);
+            }
+        }
     }
 
     private static void boxRow(double[] box, double[] row) {

@@ -111,6 +111,9 @@ public final class MeshTruth {
             if ((ab > 0 || bc > 0 || ca > 0) && (ab < 0 || bc < 0 || ca < 0)) {
                 continue; // passes by
             }
+            if (ab == 0 && bc == 0 && ca == 0 && isFlat(a, b, c)) {
+                continue; // a point, or a segment in line with the start, which is not on it
+            }
             if (ab == 0 || bc == 0 || ca == 0) {
                 return -1;
             }
@@ -119,5 +122,14 @@ public final class MeshTruth {
             }
         }
         return crossings;
+    }
+
+    private static boolean isFlat(Quantity[] a, Quantity[] b, Quantity[] c) {
+        for (Quantity part : cross(minus(b, a), minus(c, a))) {
+            if (part.signum() != 0) {
+                return false;
+            }
+        }
+        return true;
     }
 }
