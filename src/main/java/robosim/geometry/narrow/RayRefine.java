@@ -9,8 +9,8 @@ import robosim.geometry.exact.Filter;
 final class RayRefine {
     /**
      * What a remainder in pairs may be off by, as a share of the sum of its terms' magnitudes: some ten steps of 2^-102 to
-     * 2^-100 in a row, of which few are ever at their worst. A tenth of it shows in no distance: it is 2^-41 of the ulp that
-     * is asked about, and the same doubles come out of exact numbers, which are next.
+     * 2^-100 in a row, of which few are ever at their worst. A tenth of it
+     * shows in no distance: it decides only whether one is fine enough, and there it is some 2^-41 of the ulp asked about.
      */
     static final double ERROR = Filter.bound(0x1p-94);
 
