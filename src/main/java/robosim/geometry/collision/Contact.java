@@ -12,8 +12,9 @@ import robosim.geometry.model.Point;
  *     two pieces alone: a mesh may need another way out. Where a solid mesh holds the other piece inside, it is straight
  *     up or down, and tells nothing
  * @param error how far the point is at most from either piece, world units; measured for this very
- *     point. Between boxes and triangles some 2<sup>-44</sup> of their size, with round things 2<sup>-36</sup>, and 0 inside
- *     of a solid mesh
+ *     point. Between boxes and triangles some 2<sup>-44</sup> of their size, 0 inside of a solid mesh, and with round things
+ *     mostly 2<sup>-36</sup>: where a cylinder only just touches something flat the point may be farther off, which this
+ *     number tells
  * @param certainty whether it is proven that they touch
  */
 public record Contact(ContactPart a, ContactPart b, Point point, Point normal, double error, Certainty certainty) {}

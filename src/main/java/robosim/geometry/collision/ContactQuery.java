@@ -24,7 +24,8 @@ import robosim.geometry.narrow.Scratch;
  * is a solid mesh that holds the other inside, that is one contact more: of the solid no face is named; of a mesh inside
  * the first face of a piece of it that is inside. How deep things are in each other is not told.
  *
- * <p>All questions mean the same for (a, b) and (b, a). Methods may be called from any number of threads.
+ * <p>All questions mean the same for (a, b) and (b, a). Methods may be called from any number of threads. An argument that
+ * is null or out of its range is refused with an {@code IllegalArgumentException} that names it.
  */
 public final class ContactQuery {
     private static final int STEPS_A_LOOK = 16;

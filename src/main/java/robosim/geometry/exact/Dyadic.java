@@ -146,11 +146,6 @@ public final class Dyadic implements Comparable<Dyadic> {
         return signum() < 0 ? -negate().away() : towardsZero();
     }
 
-    /** The smallest double that is not below this number; {@code +Infinity} where there is no finite one. */
-    public double ceiling() {
-        return signum() < 0 ? -negate().towardsZero() : away();
-    }
-
     /**
      * Sign of {@code a + b + c}, exact, without allocation in all ordinary cases.
      */
@@ -187,16 +182,6 @@ public final class Dyadic implements Comparable<Dyadic> {
             return of(a).add(of(b)).add(of(c)).add(of(d)).signum();
         }
         return sign(q3, h3, h2, h1);
-    }
-
-    /** Compares {@code a + b} with {@code c}: sign of {@code a + b - c}, exact. */
-    public static int compareSum(double a, double b, double c) {
-        return signOfSum(a, b, -c);
-    }
-
-    /** Compares {@code a + b} with {@code c + d}: sign of {@code a + b - c - d}, exact. */
-    public static int compareSums(double a, double b, double c, double d) {
-        return signOfSum(a, b, -c, -d);
     }
 
     @Override

@@ -132,47 +132,6 @@ public final class Expansion {
         return 0;
     }
 
-    /** Packs an expansion in place into as few parts as it needs; the largest is then within an ulp of the whole. */
-    public static int compress(double[] e, int n) {
-        if (n == 0) {
-            return 0;
-        }
-        double q = e[n - 1];
-        int bottom = n - 1;
-        for (int i = n - 2; i >= 0; i--) {
-            double sum = q + e[i];
-            double tail = e[i] - (sum - q);
-            q = sum;
-            if (tail != 0) {
-                e[bottom--] = q;
-                q = tail;
-            }
-        }
-        e[bottom] = q;
-        int top = 0;
-        for (int i = bottom + 1; i < n; i++) {
-            double sum = e[i] + q;
-            double tail = q - (sum - e[i]);
-            q = sum;
-            if (tail != 0) {
-                e[top++] = tail;
-            }
-        }
-        if (q != 0) {
-            e[top++] = q;
-        }
-        return top;
-    }
-
-    /** The value within a few ulp. */
-    public static double estimate(double[] e, int n) {
-        double sum = 0;
-        for (int i = 0; i < n; i++) {
-            sum += e[i];
-        }
-        return sum;
-    }
-
     private static int pair(double hi, double lo, double[] h) {
         int length = 0;
         if (lo != 0) {

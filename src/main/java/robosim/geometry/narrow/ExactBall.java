@@ -1,12 +1,14 @@
 package robosim.geometry.narrow;
 
 import robosim.geometry.exact.Dyadic;
+import robosim.geometry.exact.Stages;
 
 /**
  * A sphere moved straight on against a sphere, box or triangle at rest, decided without rounding: its centre meets what
  * is as near as the radius to a corner, an edge or a side. Roots are compared by squaring. Slow.
  */
 final class ExactBall {
+    private static final Stages.Counter EXACT = Stages.counter("MovingBall");
     private static final double NEVER = Double.POSITIVE_INFINITY;
 
     private final Vector centre;
@@ -23,6 +25,7 @@ final class ExactBall {
 
     /** As {@link SpatialSweep#translation}, for a sphere against a sphere, box or triangle. */
     static double time(double[] a, int i, double dx, double dy, double dz, int kindB, double[] b, int j) {
+        EXACT.count();
         Vector move = Vector.of(dx, dy, dz);
         Dyadic radius = Dyadic.of(a[i + Leaf.SIZE]);
         if (kindB == Leaf.SPHERE) {

@@ -8,7 +8,7 @@ package robosim.geometry.narrow;
  * method from the near side: it never oversteps.
  *
  * <p><b>What is certain.</b> A time is never late, and what starts apart is free only by proof: a held axis whose gap,
- * less the {@link Gjk#ROUNDOFF} of the extents, stays open to the end. A time may be early, and a motion that passes by may
+ * less the {@link Gjk#ROUNDOFF} of the extents and what may underflow, stays open to the end. A time may be early, and a motion that passes by may
  * be stopped, by as much as {@link Gjk} leaves open: at the time answered the gap is at most {@link #EARLY} of the sum of
  * sizes, distances and way. Where the two are closer than that at the start they count as in contact, and the least ways
  * out of {@link Penetration}, to rounding, decide whether the motion is against them.
@@ -46,7 +46,7 @@ final class HeldMove {
             return Double.POSITIVE_INFINITY;
         }
         load(planar, kindA, a, i, kindB, b, j);
-        double error = Gjk.ROUNDOFF * (mover.extent + rest.extent);
+        double error = Gjk.ROUNDOFF * (mover.extent + rest.extent) + MovingAxes.TINY;
         double t = 0;
         for (int step = 0; step < MOST_STEPS; step++) {
             if (t > 1) {
@@ -82,7 +82,7 @@ final class HeldMove {
                     - mover.margin
                     - rest.margin
                     - error;
-            double slack = Gjk.ROUNDOFF * (Math.abs(dx) + Math.abs(vy) + Math.abs(dz));
+            double slack = Gjk.ROUNDOFF * (Math.abs(dx) + Math.abs(vy) + Math.abs(dz)) + MovingAxes.TINY;
             double closing = -(nx * dx + ny * vy + nz * dz) + slack;
             if (closing <= 0 && gap - closing * t > 0) {
                 return Double.POSITIVE_INFINITY;

@@ -53,6 +53,8 @@ final class HeldTurn {
         wx = way * axisX;
         wy = way * axisY;
         wz = way * axisZ;
+        mover.level = planar && wx == 0 && wz == 0;
+        rest.level = mover.level;
         mover.load(kindA, a, i, px, py, pz, wx, wy, wz);
         rest.load(kindB, b, j, px, py, pz, wx, wy, wz);
         double angle = Degrees.toRadians(Math.abs(degrees));
@@ -122,7 +124,7 @@ final class HeldTurn {
         double place = -rest.least(0) + rest.error() - depth;
         mover.aim(nx, ny, nz, 1);
         double end = mover.until(place, t);
-        if (!planar || (wx == 0 && wz == 0)) {
+        if (!planar || mover.level) {
             // The direction in the mover as it stood at the start.
             double cos = StrictMath.cos(t);
             double sin = -StrictMath.sin(t);
@@ -143,7 +145,7 @@ final class HeldTurn {
         for (int k = 0; k < ways.count(); k++) {
             mover.aim(ways.nx(k), ways.ny(k), ways.nz(k), 1);
             best = Math.max(best, mover.notFurtherBack());
-            if (!planar || (wx == 0 && wz == 0)) {
+            if (!planar || mover.level) {
                 rest.aim(-ways.nx(k), -ways.ny(k), -ways.nz(k), -1);
                 best = Math.max(best, rest.notFurtherBack());
             }

@@ -83,7 +83,7 @@ final class MovingBall {
         }
         double x = a[i] - b[j];
         double z = a[i + 2] - b[j + 2];
-        double e = ROUNDOFF * (Math.abs(x) + Math.abs(z));
+        double e = ROUNDOFF * (Math.abs(x) + Math.abs(z)) + MovingAxes.TINY;
         double alongX = Math.abs(x * b[j + 6] + z * b[j + 12]);
         double alongZ = Math.abs(x * b[j + 8] + z * b[j + 14]);
         return alongX + e < b[j + 3] / UNIT && alongZ + e < b[j + 5] / UNIT;
@@ -107,6 +107,9 @@ final class MovingBall {
             double time = ball.corner();
             if (Double.isNaN(time)) {
                 time = PlanarSweep.exactDisc(a, i, dx, dz, kind, row, at, null);
+            }
+            if (time > 1) {
+                return time; // not even a cylinder without ends is met
             }
             return Math.abs(oy + time * dy - row[at + 1]) + e < row[at + 4] ? time : near;
         }

@@ -201,13 +201,11 @@ public final class Sweep {
         double x = turns ? px : dx;
         double y = turns ? py : dy;
         double z = turns ? pz : dz;
-        double free = convex(x, y, z, kindA, a, i, kindB, b, j);
-        // Only a tiny motion may have been kept from going on by what underflowed.
-        if (free == Double.POSITIVE_INFINITY || !s.magnified.take(RayMath.largest(x, y, z), kindA, a, i, kindB, b, j)) {
-            return free;
-        }
+        double largest = RayMath.largest(x, y, z);
         Magnified m = s.magnified;
-        return convex(m.up(x), m.up(y), m.up(z), kindA, m.a, 0, kindB, m.b, 0);
+        return largest < Magnified.SMALL && m.take(largest, kindA, a, i, kindB, b, j)
+                ? convex(m.up(x), m.up(y), m.up(z), kindA, m.a, 0, kindB, m.b, 0)
+                : convex(x, y, z, kindA, a, i, kindB, b, j);
     }
 
     /** With the pivot of a turn, or the displacement of a translation. */

@@ -13,6 +13,9 @@ final class TurnBody {
     private static final int MOST_POINTS = 16;
     private static final int MOST_STEPS = 200;
 
+    /** Whether heights are left out: for turns about the vertical of what is seen from above. */
+    boolean level;
+
     /** At least the distance from the pivot of every point, and all that coordinates are made of. */
     double extent;
 
@@ -102,7 +105,7 @@ final class TurnBody {
 
     private void add(double px, double py, double pz) {
         x[points] = px;
-        y[points] = py;
+        y[points] = level ? 0 : py;
         z[points] = pz;
         points++;
     }
@@ -118,7 +121,7 @@ final class TurnBody {
 
     /** How wrong a place along a unit direction may be. */
     double error() {
-        return ROUNDOFF * extent;
+        return ROUNDOFF * extent + MovingAxes.TINY;
     }
 
     /** Takes a unit direction; the turn goes by the right hand about the axis, or (sign -1) against it. */

@@ -8,9 +8,9 @@ package robosim.geometry.narrow;
  * which the other's corners go round backwards. Either way each corner is beyond the normal's line while
  * {@code rho cos(t - phase) > c}: an arc of angles. The turn is free up to the first angle that no normal covers.
  *
- * <p>All coordinates are relative to the pivot, and so mirrored that the turn goes from x towards z. A margin of 64 units
+ * <p>All coordinates are relative to the pivot, and so mirrored that the turn goes from x towards z. A margin of 128 units
  * of roundoff (2^-53) of all sizes is kept from every line, and {@link #MARGIN} from every end of an arc: coordinates carry
- * 8 units, unit normals 3, dot products 3, sines and angles 4 each. Corners that are nearer to their line than that when
+ * 8 units, unit normals 3, dot products 3, sines and angles 4 each, on either side; that several times over. Corners that are nearer to their line than that when
  * the turn begins are judged by where they go from there: by the first derivative, or the second where that is zero.
  */
 final class TurnOutline {

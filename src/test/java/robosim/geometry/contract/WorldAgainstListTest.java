@@ -41,7 +41,7 @@ class WorldAgainstListTest {
         Geometry world = new Geometry(SIZE, SIZE, SIZE, dimension, accuracy);
         fill(world, list, objects, random, count);
         Geometry shuffled = shuffled(list, random, dimension, accuracy);
-        for (int round = 0; round < 40; round++) {
+        for (int round = 0; round < 20; round++) {
             overlaps(world, shuffled, list, objects, random);
             beams(world, shuffled, list, objects, random);
             casts(world, shuffled, list, objects, random);

@@ -90,6 +90,48 @@ public final class WayTruth {
         return roundMeets(n, from, minus(to, from), a[3], formB, b, beginUnder.times(endUnder));
     }
 
+    /** In space, a sphere against a sphere, a box or a triangle. */
+    public static boolean ball(Arithmetic n, double[] a, double[] d, Form formB, double[] b) {
+        Quantity[] from = Vectors.of(n, a[0], a[1], a[2]);
+        Quantity[] way = Vectors.of(n, d[0], d[1], d[2]);
+        Quantity radius = n.of(a[3]);
+        if (formB == Form.SPHERE) {
+            Quantity both = radius.plus(n.of(b[3]));
+            return Hull.isNearSegment(minus(Vectors.of(n, b[0], b[1], b[2]), from), way, both.times(both));
+        }
+        Hull hull = Truth.hull(n, formB, b);
+        Quantity[] to = plus(from, way);
+        if (hull.meetsSegment(from, to) || hull.isWithin(from, radius) || hull.isWithin(to, radius)) {
+            return true;
+        }
+        Quantity most = radius.times(radius);
+        for (Quantity[] corner : hull.corners) {
+            if (Hull.isNearSegment(minus(corner, from), way, most)) {
+                return true;
+            }
+        }
+        for (int k = 0; k < hull.edges.size(); k++) {
+            Quantity[] start = hull.corners.get(hull.edges.get(k)[0]);
+            if (isNearWithin(minus(start, from), way, hull.edge(k), most)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Whether two segments, w from the one's start to the other's, are near each other between their ends. */
+    private static boolean isNearWithin(Quantity[] w, Quantity[] way, Quantity[] edge, Quantity most) {
+        Quantity[] across = cross(way, edge);
+        Quantity whole = dot(across, across);
+        if (whole.signum() == 0) {
+            return false;
+        }
+        Quantity height = dot(w, across);
+        return atMost(height.times(height), most.times(whole))
+                && isShare(dot(cross(w, edge), across), whole, 1)
+                && isShare(dot(cross(w, way), across), whole, 1);
+    }
+
     /** In space: boxes and triangles. */
     public static boolean spatial(Arithmetic n, Form formA, double[] a, double[] d, Form formB, double[] b) {
         Hull mover = Truth.hull(n, formA, a);

@@ -95,6 +95,9 @@ final class Families {
         all.add(new SweepFamily("sweep of upright cylinder and upright thing", false, UPRIGHT_TUBE, new Form[] {
             UPRIGHT_CYLINDER, UPRIGHT_BOX
         }));
+        all.add(new SweepFamily("sweep of sphere and sphere", false, BALL, BALL));
+        all.add(new SweepFamily("sweep of sphere and box", false, BALL, POLYGONS));
+        all.add(new SweepFamily("sweep of sphere and triangle", false, BALL, TRIANGLES));
         all.add(new SweepFamily("sweep of box and box", false, POLYGONS, new Form[] {BOX}));
         all.add(new SweepFamily("sweep of box and triangle", false, POLYGONS, TRIANGLES));
         all.add(new SweepFamily("sweep of triangle and triangle", false, TRIANGLES, TRIANGLES));

@@ -15,6 +15,7 @@ import robosim.geometry.narrow.PlanarRay;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.SpatialOverlap;
 import robosim.geometry.narrow.SpatialRay;
+import robosim.geometry.narrow.SpatialSweep;
 
 /** What a stress run has found wrong once, in the numbers that it found. */
 class FoundTest {
@@ -133,5 +134,19 @@ class FoundTest {
 
     private static double distance(Point direction, MeshObject object) {
         return CollisionDetection.rayDistance(new Ray(new Point(7, 0, 1), direction), object);
+    }
+
+    /** Along a diagonal towards a square, through lengths of which a share is less than the least double. */
+    @Test
+    void aPointOfSubnormalSizeDoesNotPassThroughABox() {
+        double unit = 0x1p-1060;
+        double[] point = new double[16];
+        point[0] = -2.5 * unit;
+        point[1] = -2.5 * unit;
+        point[2] = 1.25 * unit;
+        double[] square = {0.5 * unit, 0.5 * unit, -1.5 * unit, 0, 0, 0.25 * unit, 0, 1, 0, 1, 0, 0, 0, 0, -1, 0};
+        double time = SpatialSweep.translation(
+                Leaf.SPHERE, point, 0, 6 * unit, 6 * unit, -6 * unit, Leaf.BOX, square, 0, new Scratch());
+        assertThat(time).isEqualTo(0.5);
     }
 }

@@ -67,6 +67,13 @@ final class SweepFamily extends Family {
             double[] back = {-way[0], -way[1], -way[2]};
             return WayTruth.upright(n, c.b, back, c.formA, c.a);
         }
+        if (c.formA == Form.SPHERE) {
+            return WayTruth.ball(n, c.a, way, c.formB, c.b);
+        }
+        if (c.formB == Form.SPHERE) {
+            double[] back = {-way[0], -way[1], -way[2]};
+            return WayTruth.ball(n, c.b, back, c.formA, c.a);
+        }
         return WayTruth.spatial(n, c.formA, c.a, way, c.formB, c.b);
     }
 
