@@ -4,6 +4,8 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.narrow.Leaf;
+import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.SpatialDistance;
 
 /**
  * Two leaves, or a leaf and a ray, somewhere between far apart and deep inside each other, most often within a few last
@@ -118,7 +120,7 @@ final class NearContacts {
         way[axis] = 2 * (half + random.nextInt(-3, 4) * Math.ulp(half));
     }
 
-    /** The largest magnitude among the coordinates and sizes, and a ray's start. */
+    /** The largest magnitude among the coordinates and sizes of two leaves, or of the first and a ray's start. */
     double size(int kindA, int kindB, boolean isRay) {
         double size = isRay ? Math.max(Math.abs(start[0]), Math.max(Math.abs(start[1]), Math.abs(start[2]))) : 0;
         for (int k = 0; k < places(kindA); k++) {
@@ -130,10 +132,27 @@ final class NearContacts {
         return size;
     }
 
+    /** The sum of the magnitudes of the coordinates and sizes of two leaves, and of the way. */
+    double sum(int kindA, int kindB) {
+        double sum = Math.abs(way[0]) + Math.abs(way[1]) + Math.abs(way[2]);
+        for (int k = 0; k < 10; k++) {
+            sum += (k < places(kindA) ? Math.abs(a[k]) : 0) + (k < places(kindB) ? Math.abs(b[k]) : 0);
+        }
+        return sum;
+    }
+
+    /** How far apart the leaves are in space after a share of the way. */
+    double gap(int kindA, int kindB, double share, Scratch scratch) {
+        double[] moved = a.clone();
+        shift(kindA, moved, share, way);
+        return SpatialDistance.between(kindA, moved, 0, kindB, b, 0, scratch);
+    }
+
     private void begin(SplittableRandom source) {
         random = source;
         coarse = random.nextInt(3) == 0;
         scale = 1;
+        set(n, 1, 0, 0); // what is not made to touch asks for a direction too, and not for the last question's
     }
 
     // What of a row is a length, the first numbers.

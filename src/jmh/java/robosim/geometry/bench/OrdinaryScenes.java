@@ -4,11 +4,16 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.SplittableRandom;
+import java.util.function.IntConsumer;
 import java.util.function.IntSupplier;
+import java.util.function.IntUnaryOperator;
+import java.util.function.LongSupplier;
 import robosim.geometry.Geometry;
 import robosim.geometry.collision.CollisionDetection;
 import robosim.geometry.exact.Stages;
@@ -24,23 +29,38 @@ final class OrdinaryScenes {
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
     private static final double RANGE = 20;
 
-    /** Questions of one kind; the task asks some and answers how many. */
-    private record Work(String name, IntSupplier task) {}
+    private static final List<String> WORLDS = List.of("warehouse", "rooms", "maze", "cylinders", "meshes");
+
+    /** Questions of one kind, in parts: a part is prepared, which is not measured, and asked, and tells how many it was. */
+    private record Work(String name, int parts, IntConsumer prepare, IntUnaryOperator ask, LongSupplier strayed) {
+        Work(String name, IntSupplier task) {
+            this(name, 1, part -> {}, part -> task.getAsInt(), () -> 0);
+        }
+    }
 
     private OrdinaryScenes() {}
 
     /**
-     * For each scene a line: its name, nanoseconds of processor time a question, questions, and falls to exact paths.
+     * For each scene a line: its name, nanoseconds of processor time a question, questions, falls to pairs of doubles, falls
+     * to exact paths, and legs of trips that began elsewhere than recorded.
      *
-     * @param args milliseconds to warm up and to measure each
+     * @param args milliseconds to warm up and to measure each; the file of the {@link #record recorded} trips
      */
-    public static void main(String[] args) {
-        for (Work work : scenes()) {
+    public static void main(String[] args) throws IOException {
+        for (Work work : scenes(Files.readAllLines(Path.of(args[2])))) {
             rounds(work, Double.parseDouble(args[0]) * 1e6);
-            long before = falls();
+            long fine = falls(true);
+            long exact = falls(false);
             Rounds measured = rounds(work, Double.parseDouble(args[1]) * 1e6);
             double[] nanos = measured.nanos().stream().mapToDouble(n -> n).toArray();
-            Timing.print("%s;%.3f;%d;%d", work.name(), Timing.median(nanos), measured.questions(), falls() - before);
+            Timing.print(
+                    "%s;%.3f;%d;%d;%d;%d",
+                    work.name(),
+                    Timing.median(nanos),
+                    measured.questions(),
+                    falls(true) - fine,
+                    falls(false) - exact,
+                    work.strayed().getAsLong());
         }
     }
 
@@ -52,9 +72,14 @@ final class OrdinaryScenes {
         long questions = 0;
         double sum = 0;
         while (sum < least || nanos.size() < 5) {
-            long start = THREADS.getCurrentThreadCpuTime();
-            int asked = work.task().getAsInt();
-            double time = THREADS.getCurrentThreadCpuTime() - start;
+            double time = 0;
+            int asked = 0;
+            for (int part = 0; part < work.parts(); part++) {
+                work.prepare().accept(part);
+                long start = THREADS.getCurrentThreadCpuTime();
+                asked += work.ask().applyAsInt(part);
+                time += THREADS.getCurrentThreadCpuTime() - start;
+            }
             nanos.add(time / asked);
             questions += asked;
             sum += time;
@@ -62,13 +87,35 @@ final class OrdinaryScenes {
         return new Rounds(nanos, questions);
     }
 
-    private static long falls() {
-        return Stages.counts().values().stream().mapToLong(Long::longValue).sum();
+    private static long falls(boolean fine) {
+        return Stages.counts().entrySet().stream()
+                .filter(stage -> stage.getKey().endsWith(" fine") == fine)
+                .mapToLong(Map.Entry::getValue)
+                .sum();
     }
 
-    private static List<Work> scenes() {
+    /** Writes the robots' trips in all worlds to a file, as this JVM answers: a line for each question. */
+    static void record(Path file) throws IOException {
+        List<String> lines = new ArrayList<>();
+        for (String world : WORLDS) {
+            Trip.record(read(world)).forEach(question -> lines.add(world + ":" + question));
+        }
+        Files.write(file, lines);
+    }
+
+    private static Trip trip(String world, List<String> lines) {
+        String begin = world + ":";
+        return Trip.of(
+                read(world),
+                lines.stream()
+                        .filter(line -> line.startsWith(begin))
+                        .map(line -> line.substring(begin.length()))
+                        .toList());
+    }
+
+    private static List<Work> scenes(List<String> trips) {
         List<Work> scenes = new ArrayList<>();
-        for (String world : new String[] {"warehouse", "rooms", "maze", "cylinders", "meshes"}) {
+        for (String world : WORLDS) {
             Geometry geometry = read(world);
             List<String> robots = geometry.objects().stream()
                     .filter(GeometryObject::isMoveable)
@@ -76,8 +123,8 @@ final class OrdinaryScenes {
                     .toList();
             scenes.add(new Work(world + ": sonar rays", () -> sonars(geometry, robots, 0)));
             scenes.add(new Work(world + ": sonar cones", () -> sonars(geometry, robots, 15)));
-            SplittableRandom random = new SplittableRandom(4);
-            scenes.add(new Work(world + ": moves and turns", () -> moves(geometry, robots, random)));
+            Trip trip = trip(world, trips);
+            scenes.add(new Work(world + ": moves and turns", trip.legs(), trip::prepare, trip::ask, trip::strayed));
         }
         Scene scene = new Scene(1000, 1);
         List<GeometryObject> objects = scene.objects(1000);
@@ -95,25 +142,6 @@ final class OrdinaryScenes {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-    }
-
-    // Robots go ahead, turn where they are refused, and back where there is no room for that either.
-    private static int moves(Geometry geometry, List<String> robots, SplittableRandom random) {
-        int asked = 0;
-        for (int step = 0; step < 50; step++) {
-            for (String robot : robots) {
-                double way = random.nextDouble(0.04, 0.06);
-                asked++;
-                if (!geometry.simpleMove(robot, way, 0, 0)) {
-                    asked++;
-                    if (!geometry.simpleTurn(robot, random.nextDouble(-90, 90))) {
-                        asked++;
-                        geometry.simpleMove(robot, -way, 0, 0);
-                    }
-                }
-            }
-        }
-        return asked;
     }
 
     private static int sonars(Geometry geometry, List<String> robots, double width) {

@@ -214,7 +214,18 @@ public final class Questions {
 
     /** The largest of the numbers that a distance is computed from. */
     public double size() {
-        return pairs.size(family.kindA(), family.kindB(), family.subject() == Subject.RAY);
+        boolean isBeam = family.subject() == Subject.RAY || family.subject() == Subject.CONE;
+        return pairs.size(family.kindA(), family.kindB(), isBeam);
+    }
+
+    /** Of a translation: the sum of the magnitudes of all coordinates and sizes, and of the way. */
+    public double sum() {
+        return pairs.sum(family.kindA(), family.kindB());
+    }
+
+    /** Of a translation: how far apart the two are after a share of it. */
+    public double gap(double share) {
+        return pairs.gap(family.kindA(), family.kindB(), share, scratch);
     }
 
     /** The question in numbers. */

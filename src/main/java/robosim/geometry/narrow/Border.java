@@ -1,6 +1,8 @@
 package robosim.geometry.narrow;
 
+import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Dyadic;
+import robosim.geometry.exact.Expansion;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.Stages;
 import robosim.geometry.model.Dimension;
@@ -20,12 +22,16 @@ public final class Border {
 
     private static final double FILTER = Filter.bound(4.01 * 0x1p-53);
     private static final double CYLINDER_FILTER = Filter.bound(ROUNDING);
+    private static final Stages.Counter SUMS = Stages.counter("Border sums");
     private static final Stages.Counter EXACT = Stages.counter("Border");
 
     /** Half the world along x, y and z. */
     private final double[] half;
 
     private final Dimension dimension;
+
+    /** A sum of doubles without rounding: two, and a product of two parts for each half size. */
+    private final double[] sum = new double[8];
 
     public Border(double width, double height, double length, Dimension dimension) {
         half = new double[] {width / 2, height / 2, length / 2};
@@ -105,7 +111,45 @@ public final class Border {
         if (Math.abs(reach - half[axis]) > bound) {
             return reach < half[axis];
         }
+        if (kind != Leaf.CYLINDER && !Filter.isOff() && fits(kind, row, at, axis)) {
+            SUMS.count();
+            return roomAsSum(kind, row, at, axis, sign) >= 0;
+        }
         return holdsExactly(kind, row, at, axis, sign);
+    }
+
+    /** Whether the products of a box's half sizes and axes lose nothing. */
+    private static boolean fits(int kind, double[] row, int at, int axis) {
+        int r = at + Leaf.ROTATION + 3 * axis;
+        for (int k = 0; k < 3 && !isRound(kind); k++) {
+            if (!Expansion.fits(row[at + 3 + k], 2) || !Expansion.fits(row[r + k], 2)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static boolean isRound(int kind) {
+        return kind == Leaf.SPHERE || kind == Leaf.UPRIGHT_CYLINDER;
+    }
+
+    /** The sign of what is left between a leaf and the border; exact, as all its terms are added without rounding. */
+    private int roomAsSum(int kind, double[] row, int at, int axis, int sign) {
+        sum[0] = half[axis];
+        int terms = Expansion.grow(sum, 1, -sign * row[at + axis]);
+        if (isRound(kind)) {
+            return Expansion.sign(sum, Expansion.grow(sum, terms, -extent(kind, row, at, axis)));
+        }
+        int r = at + Leaf.ROTATION + 3 * axis;
+        for (int k = 0; k < 3; k++) {
+            double part = row[at + 3 + k] * -Math.abs(row[r + k]);
+            if (part != 0) {
+                terms = Expansion.grow(sum, terms, part);
+                double tail = DoubleDouble.productTail(row[at + 3 + k], -Math.abs(row[r + k]), part);
+                terms = tail == 0 ? terms : Expansion.grow(sum, terms, tail);
+            }
+        }
+        return Expansion.sign(sum, terms);
     }
 
     /** How far a leaf reaches from its centre along an axis of the world, to rounding. */

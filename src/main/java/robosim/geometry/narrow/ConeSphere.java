@@ -11,7 +11,11 @@ import robosim.geometry.exact.Stages;
  * <p>In pairs of doubles, off by less than 2^-90 of the coordinates; whether it is heard is exact for the stored cosine.
  */
 final class ConeSphere {
-    /** Roundoff of a distance from the border, some ten steps of 2^-100, as a share of the coordinates and the radius. */
+    /**
+     * Roundoff of a distance from the border, some ten steps of 2^-100, as a share of the coordinates and the radius. No
+     * input was found that a tenth of it decides wrongly: the sine is irrational, so that a stored radius comes within
+     * 2^-93 of the border by chance only, once in 2^40; where it touches the border exactly, pairs give that exactly.
+     */
     private static final double FILTER = Filter.bound(0x1p-90);
 
     private static final Stages.Counter EXACT = Stages.counter("ConeSphere");

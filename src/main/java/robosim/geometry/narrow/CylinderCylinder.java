@@ -6,12 +6,21 @@ import robosim.geometry.exact.Stages;
 /** Two cylinders in space, of which at least one is turned. */
 final class CylinderCylinder {
     /**
-     * Roundoff of both comparisons between parallel cylinders, in units of the magnitudes that go in. Along: an offset u,
-     * its product and sums 3u; a.a and a.b 3u, times a half height u, their sum u: 6u. Across: coordinates of w x a are off
-     * by 3u of their permanents, their squares and the sum by 6u + 3u of the squared permanents, (r + R)^2 a.a by 7u. The
-     * last difference u. All below 16u.
+     * Roundoff of what lies along parallel axes, in u = 2^-53 of the magnitudes that go in: an offset 1, its products 1 and
+     * their sum 2. The last difference keeps its sign.
      */
-    private static final double PARALLEL_ERROR = Filter.bound(16 * 0x1p-53);
+    private static final double ALONG_ERROR = Filter.bound(4.01 * 0x1p-53);
+
+    /** Of the half heights: a.a and a.b 3, their products 1, the sum 1. */
+    private static final double HEIGHTS_ERROR = Filter.bound(5.01 * 0x1p-53);
+
+    /**
+     * Of the squared permanents of w x a: a product 2, a coordinate 3, its square 7, the sum of three 9. Of the squared
+     * reach: the sum of the radii 1, its square 3, a.a 3, the product 7.
+     */
+    private static final double ACROSS_ERROR = Filter.bound(9.01 * 0x1p-53);
+
+    private static final double REACH_ERROR = Filter.bound(7.01 * 0x1p-53);
 
     /** More than underflow may lose. */
     private static final double UNDERFLOW = 0x1p-960;
@@ -90,7 +99,7 @@ final class CylinderCylinder {
         double heights = a[i + 4] * square + b[j + 4] * cosine;
         double along = Math.abs(wx * ax + wy * ay + wz * az);
         double size = Math.abs(wx * ax) + Math.abs(wy * ay) + Math.abs(wz * az);
-        double alongError = PARALLEL_ERROR * (heights + size) + UNDERFLOW;
+        double alongError = ALONG_ERROR * size + HEIGHTS_ERROR * heights + UNDERFLOW;
         double yz = wy * az;
         double zy = wz * ay;
         double zx = wz * ax;
@@ -102,7 +111,7 @@ final class CylinderCylinder {
                 + square(Math.abs(zx) + Math.abs(xz))
                 + square(Math.abs(xy) + Math.abs(yx));
         double reach = square(a[i + 3] + b[j + 3]) * square;
-        double acrossError = PARALLEL_ERROR * (permanent + reach) + UNDERFLOW;
+        double acrossError = ACROSS_ERROR * permanent + REACH_ERROR * reach + UNDERFLOW;
         if (along - heights > alongError || across - reach > acrossError) {
             return -1;
         }

@@ -15,6 +15,7 @@ final class DiscRectangle {
     private static final double SQUARES = Filter.bound(5.01 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
 
+    private static final Stages.Counter FINE = Stages.counter("DiscRectangle fine");
     private static final Stages.Counter EXACT = Stages.counter("DiscRectangle");
 
     private DiscRectangle() {}
@@ -42,7 +43,7 @@ final class DiscRectangle {
     }
 
     /** Whether they touch or overlap; exact. */
-    static boolean touch(double px, double pz, double r, double[] row, int at) {
+    static boolean touch(double px, double pz, double r, double[] row, int at, FineOverlap fine) {
         if (!isSquare(row, at)) {
             return exactTouch(px, pz, r, row, at);
         }
@@ -70,7 +71,9 @@ final class DiscRectangle {
         if (most < (near - slack) - SQUARES * most || (mostX == 0 && mostZ == 0)) {
             return true;
         }
-        return doubtfulTouch(px, pz, r, row, at);
+        FINE.count();
+        int side = fine.discRectangle(px, pz, r, row, at);
+        return side == 0 ? doubtfulTouch(px, pz, r, row, at) : side < 0;
     }
 
     private static boolean doubtfulTouch(double px, double pz, double r, double[] row, int at) {
@@ -99,8 +102,8 @@ final class DiscRectangle {
     }
 
     /** The least distance, 0 in contact. */
-    static double distance(double px, double pz, double r, double[] row, int at) {
-        if (touch(px, pz, r, row, at)) {
+    static double distance(double px, double pz, double r, double[] row, int at, FineOverlap fine) {
+        if (touch(px, pz, r, row, at, fine)) {
             return 0;
         }
         double c = row[at + 6];

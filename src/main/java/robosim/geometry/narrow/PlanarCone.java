@@ -157,11 +157,13 @@ public final class PlanarCone {
             inside &= across >= 0 || q.isBlurred(ex, ez);
             double along = -(ex * ax + ez * az);
             double length = ex * ex + ez * ez;
-            // The foot of the apex on the side's line, where that is on the side.
+            // The foot of the apex on the side's line, where that is on the side. Not from a x b: of a short side seen
+            // from far away the rounding of the two products would be divided by the side's length alone.
             if (along > 0 && along < length) {
-                double turn = across / length;
-                if (across * turn < least) {
-                    least = across * turn;
+                double past = ax * ez - az * ex;
+                double turn = past / length;
+                if (past * turn < least) {
+                    least = past * turn;
                     q.pointX = ez * turn;
                     q.pointZ = -ex * turn;
                 }

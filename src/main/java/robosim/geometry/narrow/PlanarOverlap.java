@@ -37,8 +37,8 @@ public final class PlanarOverlap {
             return PolygonPolygon.touch(kindA, a, i, kindB, b, j, s);
         }
         return kindB == Leaf.UPRIGHT_BOX
-                ? RectangleRectangle.touch(a, i, b, j)
-                : ZonogonZonogon.touch(kindA, a, i, kindB, b, j);
+                ? RectangleRectangle.touch(a, i, b, j, s.fine)
+                : ZonogonZonogon.touch(kindA, a, i, kindB, b, j, s.fine);
     }
 
     private static boolean isBox(int kind) {
@@ -47,7 +47,7 @@ public final class PlanarOverlap {
 
     private static boolean discPolygon(double[] disc, int i, int kind, double[] b, int j, Scratch s) {
         return kind == Leaf.UPRIGHT_BOX
-                ? DiscRectangle.touch(disc[i], disc[i + 2], disc[i + 3], b, j)
+                ? DiscRectangle.touch(disc[i], disc[i + 2], disc[i + 3], b, j, s.fine)
                 : DiscPolygon.touch(disc[i], disc[i + 2], disc[i + 3], kind, b, j, s);
     }
 

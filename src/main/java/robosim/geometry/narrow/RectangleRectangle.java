@@ -18,12 +18,13 @@ final class RectangleRectangle {
     private static final double UNDERFLOW = 0x1p-960;
 
     private static final Stages.Counter ALIGNED = Stages.counter("RectangleRectangle aligned");
+    private static final Stages.Counter FINE = Stages.counter("RectangleRectangle fine");
     private static final Stages.Counter EXACT = Stages.counter("RectangleRectangle");
 
     private RectangleRectangle() {}
 
     /** Whether they touch or overlap; exact. */
-    static boolean touch(double[] a, int i, double[] b, int j) {
+    static boolean touch(double[] a, int i, double[] b, int j, FineOverlap fine) {
         double dx = a[i] - b[j];
         double dz = a[i + 2] - b[j + 2];
         double aHalfX = a[i + 3];
@@ -55,15 +56,28 @@ final class RectangleRectangle {
         if (gap > doubt) {
             return false;
         }
-        return gap < -doubt || doubtfulTouch(a, i, b, j);
+        if (gap < -doubt) {
+            return true;
+        }
+        if (DiscRectangle.isAligned(a, i) && DiscRectangle.isAligned(b, j)) {
+            return alignedTouch(a, i, b, j);
+        }
+        FINE.count();
+        int side1 = gap1 < -doubt ? -1 : fine.along(aux, auz, a, i, b, j);
+        int side2 = gap2 < -doubt ? -1 : fine.along(avx, avz, a, i, b, j);
+        int side3 = gap3 < -doubt ? -1 : fine.along(bux, buz, a, i, b, j);
+        int side4 = gap4 < -doubt ? -1 : fine.along(bvx, bvz, a, i, b, j);
+        int side = Math.max(Math.max(side1, side2), Math.max(side3, side4));
+        return side == 0 ? exactTouch(a, i, b, j) : side < 0;
     }
 
-    private static boolean doubtfulTouch(double[] a, int i, double[] b, int j) {
-        if (DiscRectangle.isAligned(a, i) && DiscRectangle.isAligned(b, j)) {
-            ALIGNED.count();
-            return reach(a[i], b[j], DiscRectangle.alignedX(a, i), DiscRectangle.alignedX(b, j))
-                    && reach(a[i + 2], b[j + 2], DiscRectangle.alignedZ(a, i), DiscRectangle.alignedZ(b, j));
-        }
+    private static boolean alignedTouch(double[] a, int i, double[] b, int j) {
+        ALIGNED.count();
+        return reach(a[i], b[j], DiscRectangle.alignedX(a, i), DiscRectangle.alignedX(b, j))
+                && reach(a[i + 2], b[j + 2], DiscRectangle.alignedZ(a, i), DiscRectangle.alignedZ(b, j));
+    }
+
+    private static boolean exactTouch(double[] a, int i, double[] b, int j) {
         EXACT.count();
         return ExactPlanar.of(Leaf.UPRIGHT_BOX, a, i).touches(ExactPlanar.of(Leaf.UPRIGHT_BOX, b, j));
     }

@@ -8,7 +8,8 @@ package robosim.geometry.narrow;
  * with y = 0 throughout, and must be asked for directions with y = 0 only. Spheres, and upright cylinders in the plane,
  * are loaded as their centre with a {@link #margin} around it.
  *
- * <p>Coordinates found are off the exact ones by at most 8 units of roundoff (2^-53) of {@link #extent}.
+ * <p>Coordinates found are off the exact ones by at most 8 units of roundoff (2^-53) of {@link #extent}, a prism's by
+ * 11. Another point may be found that reaches less far by about as much; {@link Gjk#ROUNDOFF} counts both.
  */
 final class Support {
     private static final int POINTS = 0;
@@ -16,6 +17,12 @@ final class Support {
     private static final int ROUND = 2;
 
     private static final int MOST_POINTS = 16;
+
+    /**
+     * A direction is along an axis where its sine is no larger: below, squares underflow, and a point of the rim would be
+     * found at another radius. The cap's centre is short of the rim by less than this share of the radius.
+     */
+    private static final double STRAIGHT = 0x1p-500;
 
     /** The point found by {@link #find}. */
     double x;
@@ -101,6 +108,7 @@ final class Support {
             form = POINTS;
             prism(row, at, ox, oy, oz, scale);
             surround();
+            extent *= 2; // its corners are off by more
             return;
         }
         centreX = (row[at] - ox) * scale;
@@ -155,7 +163,7 @@ final class Support {
         double ry = axisZ * qx - axisX * qz;
         double rz = axisX * qy - axisY * qx;
         double length = Math.sqrt(rx * rx + ry * ry + rz * rz);
-        double reach = length > 0 ? radius / length : 0;
+        double reach = length > STRAIGHT ? radius / length : 0;
         x = centreX + (s * ux + reach * rx);
         y = centreY + heights * (s * uy + reach * ry);
         z = centreZ + (s * uz + reach * rz);

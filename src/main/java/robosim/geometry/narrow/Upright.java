@@ -7,8 +7,8 @@ import robosim.geometry.exact.Stages;
 
 /** The heights of leaves that stand upright: a flat base on an interval of Y. */
 public final class Upright {
-    // The difference of the ends is rounded once and so are the halves' sum; what is left of the two keeps its sign.
-    private static final double FILTER = Filter.bound(1.01 * 0x1p-53);
+    // Rounding keeps the order of the two sums: only where they come out the same may either be the larger.
+    private static final boolean IS_DOUBTING = Filter.isDoubting();
     private static final Stages.Counter EXACT = Stages.counter("Upright");
 
     private Upright() {}
@@ -24,13 +24,10 @@ public final class Upright {
         double down = half(kindA, a, i);
         double top = middle(kindB, b, j, 9);
         double up = half(kindB, b, j);
-        double gap = (base - top) - (down + up);
-        double doubt = FILTER * (Math.abs(base) + Math.abs(top) + down + up);
-        if (gap > doubt) {
-            return false;
-        }
-        if (gap < -doubt) {
-            return true;
+        double apart = base - top;
+        double halves = down + up;
+        if (apart != halves && !IS_DOUBTING) {
+            return apart < halves;
         }
         EXACT.count();
         return Dyadic.signOfSum(base, -top, -down, -up) <= 0;

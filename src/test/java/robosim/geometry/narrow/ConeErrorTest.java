@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -280,5 +281,23 @@ class ConeErrorTest {
 
     private static BigDecimal root(BigDecimal square) {
         return square.signum() <= 0 ? BigDecimal.ZERO : square.sqrt(DIGITS);
+    }
+
+    /** The bound of an edge's depth is not idle: that of a corner alone comes to more than a tenth of it. */
+    @Test
+    void theDepthOfACornerIsOffByATenthOfItsBound() {
+        double[] d = {0.3477021455478506, -0.158260573066916, 0.4709351827179953};
+        double[] p = {-0.2767906702525891, 0.14481970208000639, -0.0940296332316426};
+        double cos = 0.9365061410686879;
+        Cone cone = new Cone();
+        cone.set(0.1, 0.2, 0.3, d[0], d[1], d[2], cos);
+        BigDecimal[] q = CylinderTwin.minus(CylinderTwin.decimals(p), CylinderTwin.decimals(0.1, 0.2, 0.3));
+        BigDecimal[] axis = CylinderTwin.decimals(d);
+        BigDecimal length = root(CylinderTwin.dot(q, q));
+        BigDecimal depth = CylinderTwin.dot(q, axis)
+                .divide(root(CylinderTwin.dot(axis, axis)), DIGITS)
+                .subtract(new BigDecimal(cos).multiply(length));
+        BigDecimal off = new BigDecimal(cone.depth(p[0] - 0.1, p[1] - 0.2, p[2] - 0.3)).subtract(depth);
+        assertThat(off.abs().doubleValue() / length.doubleValue()).isBetween(4.8 * 0x1p-53, 48 * 0x1p-53);
     }
 }

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.lang.management.ManagementFactory;
+import java.math.BigDecimal;
+import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
@@ -229,6 +231,36 @@ class HardMovesTest {
             out[k] *= f;
         }
         return out;
+    }
+
+    /** Level motions past a box that is a last bit away, or touched in passing: no gap closes, and doubles cannot tell. */
+    @Test
+    void slidingPastWithinALastBitIsFreeAndTouchingInPassingIsNot() {
+        int free = 0;
+        int count = 400;
+        for (int n = 0; n < count; n++) {
+            double[] a = Rows.box(0, 0, 0, 0.5, random.nextDouble(0.1, 1), random.nextDouble(0.1, 1), Rows.identity());
+            double[] b = Rows.box(4, 0, 0, 0.5, random.nextDouble(0.1, 1), random.nextDouble(0.1, 1), Rows.identity());
+            int across = n % 2 == 0 ? 2 : 1;
+            double reach = a[3 + across] + b[3 + across];
+            b[across] = reach + random.nextInt(-1, 3) * Math.ulp(reach);
+            BigDecimal gap = new BigDecimal(b[across])
+                    .subtract(new BigDecimal(a[3 + across]))
+                    .subtract(new BigDecimal(b[3 + across]));
+            boolean isFree = gap.signum() > 0;
+            String text = Arrays.toString(a) + " past " + Arrays.toString(b);
+            if (across == 2) {
+                double planar =
+                        PlanarSweep.translation(Leaf.UPRIGHT_BOX, a, 0, 8, 0, 0, Leaf.UPRIGHT_BOX, b, 0, scratch);
+                assertThat(planar == Double.POSITIVE_INFINITY).as(text).isEqualTo(isFree);
+            }
+            for (int kind : new int[] {Leaf.UPRIGHT_BOX, Leaf.BOX}) {
+                double time = SpatialSweep.translation(kind, a, 0, 8, 0, 0, kind, b, 0, scratch);
+                assertThat(time == Double.POSITIVE_INFINITY).as(text).isEqualTo(isFree);
+            }
+            free += isFree ? 1 : 0;
+        }
+        assertThat(free).isBetween(count * 3 / 10, count * 7 / 10);
     }
 
     @Test

@@ -2,7 +2,11 @@ package robosim.geometry.narrow;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.List;
+import java.util.Objects;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 class PlanarConeTest {
@@ -130,6 +134,105 @@ class PlanarConeTest {
                 .isInfinite(); // 0.8 is stored as a little more
         assertThat(PlanarCone.distance(0, 0, 1, 0, Math.nextDown(0.8), 0.6, Leaf.TRIANGLE, far, 0, scratch))
                 .isBetween(5 - 1e-15, 5 + 1e-15);
+    }
+
+    /** A box of 1e-14 seen from 3e-11 away: 1,000 ulp too near while its foot was taken from the product of two corners. */
+    @Test
+    void aShortSideFarAwayIsAsFarAsItIs() {
+        double[] box = {
+            -8.663945152728643E-13,
+            -2.7370550793081655E-16,
+            9.531610107526493E-13,
+            0.0,
+            8.123408717164015E-15,
+            2.7195137119011268E-15,
+            0.9457495619676907,
+            -0.322141398179341,
+            -0.04222186183697213,
+            0.2960991396515765,
+            0.9081027469373674,
+            -0.2960991396515766,
+            0.13372757956202322,
+            0.26753377466007344,
+            0.9542235659847308,
+            0.0
+        };
+        double half = 1.305;
+        double distance = PlanarCone.distance(
+                1.6739333017957895E-11,
+                2.2160537056585827E-11,
+                -0.018906939144769708,
+                -0.022766126703541056,
+                StrictMath.cos(half),
+                StrictMath.sin(half),
+                Leaf.BOX,
+                box,
+                0,
+                scratch);
+        double corner = 2.756099438844037991918081911386361370588574992677922998494749844508841E-11;
+        assertThat(distance).isBetween(corner - 8 * Math.ulp(corner), corner + 8 * Math.ulp(corner));
+    }
+
+    /** Small triangles wholly within the sector: the nearest point is theirs, by 60 digits. */
+    @Test
+    void whatIsWhollyWithinIsAsFarAsItsNearestPointWithinEightUlp() {
+        SplittableRandom random = new SplittableRandom(23);
+        int corners = 0;
+        int count = 6000;
+        double worst = 0;
+        for (int n = 0; n < count; n++) {
+            double size = Math.scalb(1.0, -random.nextInt(1, 40));
+            double aim = random.nextDouble(-3, 3);
+            double ox = random.nextDouble(-1, 1);
+            double oz = random.nextDouble(-1, 1);
+            double x = ox + 2 * StrictMath.cos(aim);
+            double z = oz + 2 * StrictMath.sin(aim);
+            // A side square to the way to it, so that its foot is near an end.
+            double along =
+                    random.nextInt(2) == 0 ? random.nextDouble(-0.6, 0.6) : 0.5 + random.nextDouble(-4, 4) * size;
+            double px = -size * StrictMath.sin(aim);
+            double pz = size * StrictMath.cos(aim);
+            double[] row = triangle(
+                    x + (along - 0.5) * px,
+                    z + (along - 0.5) * pz,
+                    x + (along + 0.5) * px,
+                    z + (along + 0.5) * pz,
+                    x + size * StrictMath.cos(aim),
+                    z + size * StrictMath.sin(aim));
+            BigDecimal truth = nearest(ox, oz, row);
+            double distance = cone(ox, oz, aim, 1.2, Leaf.TRIANGLE, row);
+            double largest = Math.max(distance, Math.max(Math.abs(x), Math.abs(z)) + size);
+            double ulps = new BigDecimal(distance).subtract(truth).abs().doubleValue() / Math.ulp(largest);
+            assertThat(ulps)
+                    .as(PlanarRayTest.text(ox, oz, aim, 1.2, Leaf.TRIANGLE, row))
+                    .isLessThanOrEqualTo(8);
+            worst = Math.max(worst, ulps);
+            corners += Math.abs(along) > 0.5 ? 1 : 0;
+        }
+        assertThat(worst).isGreaterThan(0.8);
+        assertThat(corners).isBetween(count / 10, count * 9 / 10);
+    }
+
+    private static BigDecimal nearest(double ox, double oz, double[] row) {
+        MathContext digits = new MathContext(60);
+        BigDecimal least = null;
+        for (int k = 0; k < 9; k += 3) {
+            int next = (k + 3) % 9;
+            BigDecimal ax = new BigDecimal(row[k]).subtract(new BigDecimal(ox));
+            BigDecimal az = new BigDecimal(row[k + 2]).subtract(new BigDecimal(oz));
+            BigDecimal ex = new BigDecimal(row[next]).subtract(new BigDecimal(row[k]));
+            BigDecimal ez = new BigDecimal(row[next + 2]).subtract(new BigDecimal(row[k + 2]));
+            BigDecimal square = ex.multiply(ex).add(ez.multiply(ez));
+            BigDecimal ahead = ax.multiply(ex).add(az.multiply(ez)).negate();
+            BigDecimal share = square.signum() == 0
+                    ? BigDecimal.ZERO
+                    : ahead.divide(square, digits).max(BigDecimal.ZERO).min(BigDecimal.ONE);
+            BigDecimal px = ax.add(ex.multiply(share));
+            BigDecimal pz = az.add(ez.multiply(share));
+            BigDecimal distance = px.multiply(px).add(pz.multiply(pz)).sqrt(digits);
+            least = least == null ? distance : least.min(distance);
+        }
+        return Objects.requireNonNull(least);
     }
 
     private static double[] triangle(double ax, double az, double bx, double bz, double cx, double cz) {
