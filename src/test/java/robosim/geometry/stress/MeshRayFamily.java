@@ -44,7 +44,7 @@ final class MeshRayFamily extends Family {
 
     @Override
     double[] mix(boolean adversarial) {
-        return new double[] {0.3, 0.9};
+        return new double[] {0.25, 0.9};
     }
 
     @Override
