@@ -6,12 +6,14 @@ import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.File;
 import java.io.IOException;
+import java.net.URISyntaxException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import robosim.geometry.Geometry;
 import robosim.geometry.bench.Questions.Family;
 import robosim.geometry.bench.Questions.Subject;
 
@@ -55,7 +57,7 @@ public final class Answers {
         }
     }
 
-    /** Runs a program in a JVM of its own, on the class path of this one, and answers all that it says. */
+    /** Runs a program in a JVM of its own, with the classes of this one, and answers all that it says. */
     public static String run(List<String> options, Class<?> program, List<String> arguments) throws IOException {
         return run(Path.of(System.getProperty("java.home"), "bin", "java"), options, program, arguments);
     }
@@ -69,8 +71,21 @@ public final class Answers {
         return new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
     }
 
+    /** Where these classes and the product's lie; the JVM's own class path is Maven's where Maven runs a program. */
     static String classPath() {
-        return System.getProperty("java.class.path");
+        return location(Answers.class) + File.pathSeparator + location(Geometry.class);
+    }
+
+    private static String location(Class<?> type) {
+        try {
+            return Path.of(type.getProtectionDomain()
+                            .getCodeSource()
+                            .getLocation()
+                            .toURI())
+                    .toString();
+        } catch (URISyntaxException e) {
+            throw new IllegalStateException(e);
+        }
     }
 
     private static String text(Family family) {

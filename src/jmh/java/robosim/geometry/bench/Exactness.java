@@ -68,6 +68,7 @@ public final class Exactness {
                 row.falls += Long.parseLong(exact.get(k)[4]);
                 row.strayed += Long.parseLong(alone.get(k)[5]);
             }
+            Timing.print("pair %d of %d", pair + 1, pairs);
         }
         Timing.print("%d pairs of JVMs %s on %s", pairs, Runtime.version(), System.getProperty("os.arch"));
         Timing.print(
