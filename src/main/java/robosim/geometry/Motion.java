@@ -122,8 +122,7 @@ final class Motion {
         phase.sweptBox(1, box);
         near.find(level, box, id);
         double met = phase.isRigid() ? leastFree() : leastFreeOfEnclosures();
-        boolean isFarFromBorder = border.clearlyHolds(box);
-        double leaves = isFarFromBorder ? Double.POSITIVE_INFINITY : leavesWorld();
+        double leaves = border.clearlyHolds(box) ? Double.POSITIVE_INFINITY : leavesWorld();
         if (leaves < met) {
             met = leaves;
             obstacle = BORDER;
@@ -221,14 +220,14 @@ final class Motion {
     }
 
     private double translationLeavesWorld() {
+        if (isHeld(phase.exactAtEnd())) {
+            return Double.POSITIVE_INFINITY;
+        }
         double dx = phase.displacement(0);
         double dy = phase.displacement(1);
         double dz = phase.displacement(2);
         LeafColumn exact = phase.exactAtStart();
         double leaves = border.share(exact, 0, exact.size(), dx, dy, dz);
-        if (isHeld(phase.exactAtEnd())) {
-            return Double.POSITIVE_INFINITY;
-        }
         double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
         return Math.max(0, Math.min(1, leaves) - (clearance > 0 ? clearance / length : 0));
     }

@@ -38,6 +38,33 @@ final class Magnified {
                 && copy(kindB, rowB, j, b);
     }
 
+    /** As {@link #take(double, int, double[], int, int, double[], int)}, where heights do not count: there are none then. */
+    boolean takeLevel(double more, int kindA, double[] rowA, int i, int kindB, double[] rowB, int j) {
+        level(kindA, rowA, i, a);
+        level(kindB, rowB, j, b);
+        return take(more, kindA, a, 0, kindB, b, 0);
+    }
+
+    private static void level(int kind, double[] row, int at, double[] out) {
+        System.arraycopy(row, at, out, 0, Leaf.STRIDE);
+        switch (kind) {
+            case Leaf.PRISM -> {
+                out[8] = 0;
+                out[9] = 0;
+            }
+            case Leaf.TRIANGLE -> {
+                out[1] = 0;
+                out[4] = 0;
+                out[7] = 0;
+            }
+            case Leaf.UPRIGHT_BOX, Leaf.UPRIGHT_CYLINDER -> {
+                out[1] = 0;
+                out[4] = 0;
+            }
+            default -> out[1] = 0; // a size of what leans shows from above
+        }
+    }
+
     private boolean take(double largest) {
         power = -Math.getExponent(largest);
         return largest < SMALL && largest > 0;

@@ -199,13 +199,28 @@ public final class Sweep {
 
     private double convex(int kindA, double[] a, int i, int kindB, double[] b, int j) {
         double x = turns ? px : dx;
-        double y = turns ? py : dy;
+        double y = isLevel() ? 0 : turns ? py : dy;
         double z = turns ? pz : dz;
         double largest = RayMath.largest(x, y, z);
-        Magnified m = s.magnified;
-        return largest < Magnified.SMALL && m.take(largest, kindA, a, i, kindB, b, j)
-                ? convex(m.up(x), m.up(y), m.up(z), kindA, m.a, 0, kindB, m.b, 0)
+        return largest < Magnified.SMALL && isTakenUp(largest, kindA, a, i, kindB, b, j)
+                ? magnified(x, y, z, kindA, kindB)
                 : convex(x, y, z, kindA, a, i, kindB, b, j);
+    }
+
+    /** Whether heights do not count: only what tilts in the plane brings them in. */
+    private boolean isLevel() {
+        return dimension == Dimension.PLANAR && !(turns && (wx != 0 || wz != 0));
+    }
+
+    private boolean isTakenUp(double largest, int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        return isLevel()
+                ? s.magnified.takeLevel(largest, kindA, a, i, kindB, b, j)
+                : s.magnified.take(largest, kindA, a, i, kindB, b, j);
+    }
+
+    private double magnified(double x, double y, double z, int kindA, int kindB) {
+        Magnified m = s.magnified;
+        return convex(m.up(x), m.up(y), m.up(z), kindA, m.a, 0, kindB, m.b, 0);
     }
 
     /** With the pivot of a turn, or the displacement of a translation. */

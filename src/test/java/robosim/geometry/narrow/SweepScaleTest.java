@@ -73,6 +73,57 @@ class SweepScaleTest {
         assertThat(free).isGreaterThan(60);
     }
 
+    /** What is tiny on the floor is as free high up, where it may stand on something large. */
+    @Test
+    void heightsDoNotCountForWhatIsTinyInThePlane() {
+        SplittableRandom random = new SplittableRandom(30_063);
+        int met = 0;
+        int free = 0;
+        for (int k = 0; k < 3000; k++) {
+            int power = -random.nextInt(210, 1072);
+            int kindA = random.nextInt(KINDS);
+            int kindB = random.nextInt(KINDS);
+            LeafColumn a = column(kindA, SweepRows.random(kindA, 2, random), power);
+            LeafColumn b = column(kindB, SweepRows.random(kindB, 2, random), power);
+            double[] by = {random.nextDouble(-3, 3), 0, random.nextDouble(-3, 3)};
+            by[0] = Math.scalb(by[0], power);
+            by[2] = Math.scalb(by[2], power);
+            double degrees = k % 2 == 0 ? 0 : random.nextDouble(-400, 400);
+            double low = share(Dimension.PLANAR, a, b, by, degrees, false, 0);
+            lift(a);
+            lift(b);
+            by[1] = 0.75;
+            double high = share(Dimension.PLANAR, a, b, by, degrees, false, 0);
+            assertThat(high)
+                    .as("case %d, kinds %d and %d at 2^%d, turned by %s", k, kindA, kindB, power, degrees)
+                    .isEqualTo(low);
+            met += low <= 1 ? 1 : 0;
+            free += low <= 1 ? 0 : 1;
+        }
+        assertThat(met).isGreaterThan(300);
+        assertThat(free).isGreaterThan(300);
+    }
+
+    private static void lift(LeafColumn column) {
+        double[] row = column.rows();
+        switch (column.kind(0)) {
+            case Leaf.TRIANGLE -> {
+                row[1] += 0.5;
+                row[4] += 1.5;
+                row[7] += 0.25;
+            }
+            case Leaf.PRISM -> {
+                row[8] += 0.5;
+                row[9] += 1.5;
+            }
+            case Leaf.UPRIGHT_BOX, Leaf.UPRIGHT_CYLINDER -> {
+                row[1] += 0.5;
+                row[4] += 0.25;
+            }
+            default -> row[1] += 0.5;
+        }
+    }
+
     /** By straight ways, and where there is an angle by turns. */
     private double share(
             Dimension dimension, LeafColumn a, LeafColumn b, double[] by, double degrees, boolean tilts, int power) {
