@@ -18,7 +18,7 @@ public final class PlanarSweep {
      *
      * @param dy ignored: heights do not count
      * @return the time of impact, from 0 to 1, rounded down; 0 where a motion from contact goes deeper;
-     *     {@code +Infinity} where nothing is met by time 1, touching at time 1 included, or a motion from contact goes
+     *     {@code +Infinity} where nothing is met by time 1 (touching at time 1 is meeting), or a motion from contact goes
      *     along or away
      */
     public static double translation(

@@ -268,18 +268,10 @@ final class Rays implements Family.Source {
         for (int k = 0; k < 3; k++) {
             way[k] = 3 * Forms.between(random, reach);
         }
-        double yes = 0;
-        double no = 1;
-        for (int k = 0; k < 60 && Math.nextUp(yes) < no; k++) {
-            double middle = yes + (no - yes) / 2;
-            at(c, middle);
-            if (family.product(c, scratch) > 0) {
-                yes = middle;
-            } else {
-                no = middle;
-            }
-        }
-        share = yes;
+        share = Threshold.lastYes(t -> {
+            at(c, t);
+            return family.product(c, scratch) > 0;
+        });
         left = THRESHOLD_CASES;
     }
 

@@ -232,18 +232,10 @@ final class SweepFamily extends Family {
                 aside[k] = shorten ? -to : Forms.between(random, 4);
             }
             base.copyFrom(c);
-            double yes = 0;
-            double no = 1;
-            for (int k = 0; k < 60 && Math.nextUp(yes) < no; k++) {
-                double middle = yes + (no - yes) / 2;
-                at(c, middle);
-                if (product(c, scratch) > 0) {
-                    yes = middle;
-                } else {
-                    no = middle;
-                }
-            }
-            share = yes;
+            share = Threshold.lastYes(t -> {
+                at(c, t);
+                return product(c, scratch) > 0;
+            });
             left = THRESHOLD_CASES;
         }
 

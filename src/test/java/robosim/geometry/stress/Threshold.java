@@ -1,6 +1,7 @@
 package robosim.geometry.stress;
 
 import java.util.SplittableRandom;
+import java.util.function.DoublePredicate;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.reference.Truth.Form;
 
@@ -52,19 +53,26 @@ final class Threshold {
         for (int k = 0; k < 3; k++) {
             way[k] = Math.scalb(way[k], power);
         }
+        share = Threshold.lastYes(t -> {
+            at(c, t);
+            return family.product(c, scratch) > 0;
+        });
+        left = CASES;
+    }
+
+    /** The greatest share from 0 to 1 that halving finds to be a yes, next to a no. */
+    static double lastYes(DoublePredicate isYes) {
         double yes = 0;
         double no = 1;
         for (int k = 0; k < 60 && Math.nextUp(yes) < no; k++) {
             double middle = yes + (no - yes) / 2;
-            at(c, middle);
-            if (family.product(c, scratch) > 0) {
+            if (isYes.test(middle)) {
                 yes = middle;
             } else {
                 no = middle;
             }
         }
-        share = yes;
-        left = CASES;
+        return yes;
     }
 
     private void at(Case c, double t) {
