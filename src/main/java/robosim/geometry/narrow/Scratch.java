@@ -18,6 +18,8 @@ public final class Scratch {
     final MeshWalk inner = new MeshWalk();
     final MeshWalk around = new MeshWalk();
 
+    final MeshRay meshRay = new MeshRay();
+
     /** Two meshes, descended at once. */
     final ContactPairs pairs = new ContactPairs(this);
 
