@@ -20,7 +20,10 @@ public final class Scratch {
 
     final MeshRay meshRay = new MeshRay();
 
-    /** Two meshes, descended at once. */
+    /** Two meshes in space, descended at once. */
+    final MeshPairs meshPairs = new MeshPairs(this);
+
+    /** Two meshes seen from above, descended at once. */
     final ContactPairs pairs = new ContactPairs(this);
 
     /** A placed triangle of the first and of the second mesh, as leaf rows. */

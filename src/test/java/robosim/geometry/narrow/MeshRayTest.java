@@ -146,7 +146,7 @@ class MeshRayTest {
                 m.up(ray[0]), m.up(ray[1]), m.up(ray[2]), ray[3], ray[4], ray[5], Leaf.TRIANGLE, m.a, 0, scratch));
     }
 
-    private static double[][] rows(LeafColumn column) {
+    static double[][] rows(LeafColumn column) {
         TriangleMesh mesh = column.mesh(0);
         double[][] rows = new double[mesh.size()][Leaf.STRIDE];
         for (int t = 0; t < mesh.size(); t++) {
