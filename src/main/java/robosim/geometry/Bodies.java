@@ -100,8 +100,10 @@ final class Bodies {
     /** Puts the centre of a moveable object elsewhere: six numbers, the last three what it has lost. */
     void shift(int id, double[] centre) {
         int at = place(id);
-        System.arraycopy(centre, 0, places, at, 3);
-        System.arraycopy(centre, 3, places, at + Pose.LOST, 3);
+        for (int k = 0; k < 3; k++) {
+            places[at + k] = centre[k];
+            places[at + Pose.LOST + k] = centre[3 + k];
+        }
     }
 
     void remove(int id) {

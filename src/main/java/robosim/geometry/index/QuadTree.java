@@ -163,7 +163,9 @@ public final class QuadTree {
         if (hasRegions) {
             regions.remove(id, boxes);
         }
-        System.arraycopy(boxes, 4 * id, before, 0, 4);
+        for (int k = 0; k < 4; k++) {
+            before[k] = boxes[4 * id + k];
+        }
         Tiles old = isStale ? null : layerOf(id);
         write(id, minX, minZ, maxX, maxZ);
         if (old != null && old == layerOf(id)) {
@@ -352,6 +354,11 @@ public final class QuadTree {
         /** The k-th object that was gathered. */
         public int gathered(int k) {
             return gathering.id(k);
+        }
+
+        /** The bounds of all that was gathered, rounded outward: least x and z, greatest x and z of the k-th from 4k on. */
+        public float[] gatheredBoxes() {
+            return gathering.boxes();
         }
 
         private @Nullable Tiles nextLayer() {

@@ -5,6 +5,7 @@ import java.util.Arrays;
 /** Objects of {@link Tiles} that are near a box, all at once: each as often as tiles of the box list it. */
 final class TileGathering {
     private int[] ids = new int[16];
+    private float[] boxes = new float[4 * ids.length];
     private int count;
 
     void clear() {
@@ -17,6 +18,11 @@ final class TileGathering {
 
     int id(int k) {
         return ids[k];
+    }
+
+    /** The listed bounds of all, four numbers each. */
+    float[] boxes() {
+        return boxes;
     }
 
     /** Adds the objects whose listed bounds meet a closed box. */
@@ -53,16 +59,26 @@ final class TileGathering {
             int at = 4 * listed;
             int id = entries[2 * listed];
             listed = entries[2 * listed + 1];
-            if (bounds[at] <= maxX && minX <= bounds[at + 2] && bounds[at + 1] <= maxZ && minZ <= bounds[at + 3]) {
-                add(id);
+            float lowX = bounds[at];
+            float lowZ = bounds[at + 1];
+            float highX = bounds[at + 2];
+            float highZ = bounds[at + 3];
+            if (lowX <= maxX && minX <= highX && lowZ <= maxZ && minZ <= highZ) {
+                add(id, lowX, lowZ, highX, highZ);
             }
         }
     }
 
-    private void add(int id) {
+    private void add(int id, float lowX, float lowZ, float highX, float highZ) {
         if (count == ids.length) {
             ids = Arrays.copyOf(ids, 2 * count);
+            boxes = Arrays.copyOf(boxes, 8 * count);
         }
-        ids[count++] = id;
+        ids[count] = id;
+        int at = 4 * count++;
+        boxes[at] = lowX;
+        boxes[at + 1] = lowZ;
+        boxes[at + 2] = highX;
+        boxes[at + 3] = highZ;
     }
 }

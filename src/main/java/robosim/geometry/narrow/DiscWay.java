@@ -35,21 +35,21 @@ public final class DiscWay {
         return kind == Leaf.UPRIGHT_CYLINDER || kind == Leaf.SPHERE;
     }
 
-    /** Whether disc i of a column, moved on by (dx, dz), meets disc j. */
-    public static int past(LeafColumn column, int i, double dx, double dz, int j) {
-        double[] rows = column.rows();
-        int a = i * Leaf.STRIDE;
-        int b = j * Leaf.STRIDE;
-        double qx = rows[b] - rows[a];
-        double qz = rows[b + 2] - rows[a + 2];
-        double r = rows[a + 3] + rows[b + 3];
-        double reach = r * r;
+    /**
+     * Whether a disc that moves on by (dx, dz) meets another, whose centre is off by (qx, qz), each right to an ulp.
+     *
+     * @param core the sum of the radii at least, or -1 where nothing shall be called met
+     * @param hull the sum of the radii at most
+     */
+    public static int past(double qx, double qz, double dx, double dz, double core, double hull) {
+        double reach = hull * hull;
         double off = qx * qx + qz * qz;
         double way = dx * dx + dz * dz;
         double doubt = FILTER * (reach + off + way);
         if (!(off > reach + doubt && way > SHORT)) {
             return UNSURE;
         }
+        double inner = core < 0 ? Double.NEGATIVE_INFINITY : core * core - doubt;
         double along = qx * dx + qz * dz;
         if (along <= 0) {
             return CLEAR;
@@ -58,10 +58,10 @@ public final class DiscWay {
             double ex = qx - dx;
             double ez = qz - dz;
             double end = ex * ex + ez * ez;
-            return end > reach + doubt ? CLEAR : end < reach - doubt ? MET : UNSURE;
+            return end > reach + doubt ? CLEAR : end < inner ? MET : UNSURE;
         }
         double aside = qx * dz - qz * dx;
         double least = aside * aside;
-        return least > (reach + doubt) * way ? CLEAR : least < (reach - doubt) * way ? MET : UNSURE;
+        return least > (reach + doubt) * way ? CLEAR : least < inner * way ? MET : UNSURE;
     }
 }
