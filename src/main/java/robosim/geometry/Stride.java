@@ -43,11 +43,11 @@ final class Stride {
     private double dz;
     private boolean hasProbe;
 
-    // The disc around the object, and by how much it may be off or too large.
+    // The disc around the object, and by how much it may be off.
     private double ownX;
     private double ownZ;
     private double ownRadius;
-    private double ownDoubt;
+    private double ownSlack;
     private boolean ownIsDisc;
 
     @SuppressWarnings("NullAway.Init") // a question sets its level
@@ -100,12 +100,12 @@ final class Stride {
 
     private boolean passesAll() {
         QuadTree.Cursor cursor = level.cursor;
-        int near = cursor.gather(box[0], box[2], box[3], box[5]);
+        int near = cursor.gather(box[0], box[2], box[3], box[5], id);
         float[] boxes = cursor.gatheredBoxes();
         for (int k = 0; k < near; k++) {
             int other = cursor.gathered(k);
             int b = 4 * k;
-            if (other != id && !passes(other, quickly(other, boxes[b], boxes[b + 1], boxes[b + 2], boxes[b + 3]))) {
+            if (!passes(other, quickly(other, boxes[b], boxes[b + 1], boxes[b + 2], boxes[b + 3]))) {
                 return false;
             }
         }
@@ -133,25 +133,25 @@ final class Stride {
         double halfZ = Math.max(b[6 * id + 5] - ownZ, ownZ - b[6 * id + 2]);
         ownIsDisc = level.isDisc(id);
         ownRadius = ownIsDisc ? Math.max(halfX, halfZ) : Math.sqrt(halfX * halfX + halfZ * halfZ);
-        ownDoubt = 0x1p-50 * (Math.abs(ownX) + Math.abs(ownZ) + ownRadius);
+        ownSlack = 0x1p-50 * (Math.abs(ownX) + Math.abs(ownZ) + ownRadius) + LEAST;
     }
 
     /**
      * What doubles can tell, as seen from above, of the discs around the object and around a box: a disc's own, or that
-     * through the box's corners. An end of the box is off by less than 2^-23 of itself, a float's ulp, and what is
-     * subtracted from it by an ulp of a double or two.
+     * through the box's corners. An end of the box is off by less than 2^-21.9 of itself, and what is subtracted from it
+     * by an ulp of a double or two.
      */
     private int quickly(int other, float minX, float minZ, float maxX, float maxZ) {
         double halfX = 0.5 * maxX - 0.5 * minX;
         double halfZ = 0.5 * maxZ - 0.5 * minZ;
-        boolean areDiscs = ownIsDisc && level.isDisc(other);
-        double radius = level.isDisc(other) ? Math.max(halfX, halfZ) : Math.sqrt(halfX * halfX + halfZ * halfZ);
-        double doubt = 0x1p-22 * (Math.abs(minX) + Math.abs(maxX) + Math.abs(minZ) + Math.abs(maxZ)) + ownDoubt;
-        double reach = ownRadius + radius;
+        boolean isDisc = level.isDisc(other);
+        double radius = isDisc ? Math.max(halfX, halfZ) : Math.sqrt(halfX * halfX + halfZ * halfZ);
+        double slack = 0x1p-21 * (Math.abs(minX) + Math.abs(maxX) + Math.abs(minZ) + Math.abs(maxZ)) + ownSlack;
+        double qx = 0.5 * minX + 0.5 * maxX - ownX;
+        double qz = 0.5 * minZ + 0.5 * maxZ - ownZ;
         // Who meets as seen from above may be higher or lower.
-        double core = areDiscs && level.dimension == Dimension.PLANAR ? reach - 2 * doubt : -1;
-        return DiscWay.past(
-                0.5 * minX + 0.5 * maxX - ownX, 0.5 * minZ + 0.5 * maxZ - ownZ, dx, dz, core, reach + doubt + LEAST);
+        boolean isAll = isDisc && ownIsDisc && level.dimension == Dimension.PLANAR;
+        return DiscWay.past(qx, qz, dx, dz, ownRadius + radius, slack, isAll);
     }
 
     private boolean passesExactly(int other) {

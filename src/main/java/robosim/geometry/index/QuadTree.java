@@ -337,15 +337,15 @@ public final class QuadTree {
         }
 
         /**
-         * Gathers all objects whose boxes, rounded outward to floats, meet this closed box, and answers how many there are;
-         * take them with {@link #gathered}. One that lies across regions may be there again.
+         * Gathers all objects but one whose boxes, rounded outward to floats, meet this closed box, and answers how many
+         * there are; take them with {@link #gathered}. One that lies across regions may be there again.
          */
-        public int gather(double minX, double minZ, double maxX, double maxZ) {
+        public int gather(double minX, double minZ, double maxX, double maxZ, int but) {
             tree.settle();
-            gathering.clear();
+            gathering.start(minX, minZ, maxX, maxZ, but);
             for (int k = 0; k < tree.layerCount; k++) {
                 if (!tree.layers[k].isEmpty()) {
-                    gathering.gather(tree.layers[k], minX, minZ, maxX, maxZ);
+                    gathering.gather(tree.layers[k]);
                 }
             }
             return gathering.count();
