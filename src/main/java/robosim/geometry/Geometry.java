@@ -191,7 +191,7 @@ public final class Geometry {
                 id, Arguments.coordinate("x", x), Arguments.coordinate("y", y), Arguments.coordinate("z", z), vector);
         int verdict = stride(id, vector[0], vector[1], vector[2]);
         return verdict == Stride.UNKNOWN
-                ? commitIf(id, motion.attempt(level, id, vector[0], vector[1], vector[2], 0, 0, 0))
+                ? commitIf(id, motion.allows(level, id, vector[0], vector[1], vector[2]))
                 : verdict == Stride.FREE;
     }
 
@@ -213,7 +213,7 @@ public final class Geometry {
     public boolean simpleTurn(String name, double degrees) {
         int id = population.mover(name);
         Arguments.angle("degrees", degrees);
-        return commitIf(id, motion.attemptTurn(level, id, degrees));
+        return commitIf(id, motion.allowsTurn(level, id, degrees));
     }
 
     private boolean carryOut(int id, double dx, double dy, double dz, double rx, double ry) {
