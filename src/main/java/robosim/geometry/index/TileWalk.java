@@ -21,7 +21,8 @@ final class TileWalk {
     private Tiles tiles;
     private final Line line;
 
-    // The walk: the next tile, at which parameter the ray comes to it and crosses its far sides, and the last tile's end.
+    // The walk: the next tile, at which parameter the ray comes to it and crosses its far sides, and the last tile's
+    // end.
     private double gx;
     private double gz;
     private double inverseX;

@@ -110,7 +110,9 @@ public final class Cast {
     private double convex(int kind, double[] row, int at) {
         double distance = convex(ox, oy, oz, kind, row, at);
         // Only a small distance may have been spoiled by what underflowed.
-        if (distance > Magnified.SMALL || isFarFromOrigin || !s.magnified.take(RayMath.largest(ox, oy, oz), kind, row, at)) {
+        if (distance > Magnified.SMALL
+                || isFarFromOrigin
+                || !s.magnified.take(RayMath.largest(ox, oy, oz), kind, row, at)) {
             return distance;
         }
         Magnified m = s.magnified;

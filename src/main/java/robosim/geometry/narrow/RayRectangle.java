@@ -13,7 +13,6 @@ final class RayRectangle {
     private static final double FILTER = Filter.bound(4.01 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
 
-
     // By which side a ray enters is told by the products of how far it starts beyond each and its way across the other,
     // each off by two of these bounds; the quotients that stand for them by 6u, which is less than two more.
     private static final double SURE = 16;
