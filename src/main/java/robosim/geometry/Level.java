@@ -27,8 +27,7 @@ final class Level {
     final double extent;
 
     private LeafColumn leaves = new LeafColumn(16);
-    private int[] first = new int[16];
-    private int[] count = new int[16];
+    private final Spans spans = new Spans();
     private double[] bounds = new double[6 * 16];
 
     /** Up to so many moveable objects are as quickly asked one by one; where there are more, the quadtree has them too. */
@@ -50,9 +49,6 @@ final class Level {
 
     /** Convex leaves as they are. */
     private static final byte CONVEX = 2;
-
-    /** Leaves that no object uses any more. */
-    private int unused;
 
     private final LeafColumn incoming = new LeafColumn(1);
     private final double[] part = new double[6];
@@ -127,13 +123,10 @@ final class Level {
             Form form = new Form(object, accuracy);
             forms[id] = form;
             shapes[id] = form.shape();
-            first[id] = leaves.append(form.size());
-            count[id] = form.size();
-            placeForm(form, object, leaves, first[id]);
+            placeForm(form, object, leaves, spans.claim(id, form.size(), leaves));
         } else {
             placed(object, incoming);
-            first[id] = leaves.appendCopy(incoming, 0, incoming.size());
-            count[id] = incoming.size();
+            leaves.copy(incoming, spans.claim(id, incoming.size(), leaves));
         }
         measure(id);
         if (object.isMoveable()) {
@@ -169,10 +162,8 @@ final class Level {
     }
 
     private void reserve(int id) {
-        if (id >= first.length) {
+        if (id >= forms.length) {
             int capacity = id + (id >> 1) + 1;
-            first = Arrays.copyOf(first, capacity);
-            count = Arrays.copyOf(count, capacity);
             forms = Arrays.copyOf(forms, capacity);
             shapes = Arrays.copyOf(shapes, capacity);
             bounds = Arrays.copyOf(bounds, 6 * capacity);
@@ -187,27 +178,12 @@ final class Level {
             tree.remove(id);
         }
         forms[id] = null;
-        unused += count[id];
-        count[id] = 0;
-        if (unused > 64 && unused > leaves.size() / 2) {
-            compact();
-        }
-    }
-
-    private void compact() {
-        LeafColumn tight = new LeafColumn(leaves.size() - unused);
-        for (int id = 0; id < first.length; id++) {
-            if (count[id] > 0) {
-                first[id] = tight.appendCopy(leaves, first[id], count[id]);
-            }
-        }
-        leaves = tight;
-        unused = 0;
+        leaves = spans.release(id, leaves);
     }
 
     /** Puts a moveable object where its place now says. */
     void move(int id, double[] places, int at) {
-        place(form(id), places[at], places[at + 1], places[at + 2], places, at + 3, leaves, first[id]);
+        place(form(id), places[at], places[at + 1], places[at + 2], places, at + 3, leaves, first(id));
         measure(id);
         listAnew(id);
     }
@@ -219,7 +195,7 @@ final class Level {
             return;
         }
         // Its own centre is the origin, and no coordinate is -0.0: placed, it has the centre to the bit.
-        System.arraycopy(places, at, leaves.rows(), first[id] * Leaf.STRIDE, 3);
+        System.arraycopy(places, at, leaves.rows(), first(id) * Leaf.STRIDE, 3);
         measure(id);
         listAnew(id);
     }
@@ -232,11 +208,11 @@ final class Level {
     }
 
     private void measure(int id) {
-        if (count[id] == 1) {
-            leaves.bounds(first[id], part);
+        if (count(id) == 1) {
+            leaves.bounds(first(id), part);
             System.arraycopy(part, 0, bounds, 6 * id, 6);
         } else {
-            boundsOf(leaves, first[id], count[id], bounds, 6 * id);
+            boundsOf(leaves, first(id), count(id), bounds, 6 * id);
         }
     }
 
@@ -273,11 +249,11 @@ final class Level {
     }
 
     int first(int id) {
-        return first[id];
+        return spans.first(id);
     }
 
     int count(int id) {
-        return count[id];
+        return spans.count(id);
     }
 
     /** The bounds of all objects: object id's six numbers begin at 6 id. */

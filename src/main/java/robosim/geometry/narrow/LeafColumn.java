@@ -7,6 +7,8 @@ import robosim.geometry.model.TriangleMesh;
 
 /** Leaves beside each other: a row of {@link Leaf#STRIDE} doubles, its kind among them, and for meshes the triangles. */
 public final class LeafColumn {
+    private static final int VACANT = -1;
+
     private int size;
     private int capacity;
     private double[] rows;
@@ -42,13 +44,35 @@ public final class LeafColumn {
     /** Appends copies of leaves of another column and answers the first one's index. */
     public int appendCopy(LeafColumn other, int first, int count) {
         int at = append(count);
+        copy(other, first, count, at);
+        return at;
+    }
+
+    /** Writes copies of all leaves of another column from a leaf on. */
+    public void copy(LeafColumn other, int at) {
+        copy(other, 0, other.size, at);
+    }
+
+    private void copy(LeafColumn other, int first, int count, int at) {
         System.arraycopy(other.rows, first * Leaf.STRIDE, rows, at * Leaf.STRIDE, count * Leaf.STRIDE);
         for (int k = 0; k < count; k++) {
             if (Leaf.isMesh(kind(at + k))) {
                 setMesh(at + k, other.mesh(first + k));
             }
         }
-        return at;
+    }
+
+    /** Leaves nothing at a leaf's place. */
+    public void vacate(int leaf) {
+        setKind(leaf, VACANT);
+        if (meshes != null) {
+            meshes[leaf] = null;
+        }
+    }
+
+    /** Whether nothing is at a leaf's place. */
+    public boolean isVacant(int leaf) {
+        return kind(leaf) == VACANT;
     }
 
     /** Forgets all leaves. */
