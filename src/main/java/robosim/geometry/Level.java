@@ -28,8 +28,7 @@ final class Level {
     final double extent;
 
     private LeafColumn leaves = new LeafColumn(16);
-    private int[] first = new int[16];
-    private int[] count = new int[16];
+    private final Spans spans = new Spans();
     private double[] bounds = new double[6 * 16];
 
     /** Up to so many moveable objects are as quickly asked one by one; where there are more, the quadtree has them too. */
@@ -52,9 +51,6 @@ final class Level {
 
     /** It is a disc as seen from above. */
     private static final byte DISC = 4;
-
-    /** Leaves that no object uses any more. */
-    private int unused;
 
     private final LeafColumn incoming = new LeafColumn(1);
     private final double[] part = new double[6];
@@ -130,13 +126,10 @@ final class Level {
             Form form = new Form(object, accuracy);
             forms[id] = form;
             shapes[id] = form.shape();
-            first[id] = leaves.append(form.size());
-            count[id] = form.size();
-            placeForm(form, object, leaves, first[id]);
+            placeForm(form, object, leaves, spans.claim(id, form.size(), leaves));
         } else {
             placed(object, incoming);
-            first[id] = leaves.appendCopy(incoming, 0, incoming.size());
-            count[id] = incoming.size();
+            leaves.copy(incoming, spans.claim(id, incoming.size(), leaves));
         }
         measure(id);
         if (object.isMoveable()) {
@@ -172,10 +165,8 @@ final class Level {
     }
 
     private void reserve(int id) {
-        if (id >= first.length) {
+        if (id >= forms.length) {
             int capacity = id + (id >> 1) + 1;
-            first = Arrays.copyOf(first, capacity);
-            count = Arrays.copyOf(count, capacity);
             forms = Arrays.copyOf(forms, capacity);
             shapes = Arrays.copyOf(shapes, capacity);
             bounds = Arrays.copyOf(bounds, 6 * capacity);
@@ -190,27 +181,12 @@ final class Level {
             tree.remove(id);
         }
         forms[id] = null;
-        unused += count[id];
-        count[id] = 0;
-        if (unused > 64 && unused > leaves.size() / 2) {
-            compact();
-        }
-    }
-
-    private void compact() {
-        LeafColumn tight = new LeafColumn(leaves.size() - unused);
-        for (int id = 0; id < first.length; id++) {
-            if (count[id] > 0) {
-                first[id] = tight.appendCopy(leaves, first[id], count[id]);
-            }
-        }
-        leaves = tight;
-        unused = 0;
+        leaves = spans.release(id, leaves);
     }
 
     /** Puts a moveable object where its place now says. */
     void move(int id, double[] places, int at) {
-        place(form(id), places[at], places[at + 1], places[at + 2], places, at + 3, leaves, first[id]);
+        place(form(id), places[at], places[at + 1], places[at + 2], places, at + 3, leaves, first(id));
         measure(id);
         listAnew(id);
     }
@@ -223,7 +199,7 @@ final class Level {
         }
         // Its own centre is the origin, and no coordinate is -0.0: placed, it has the centre to the bit.
         double[] rows = leaves.rows();
-        int row = first[id] * Leaf.STRIDE;
+        int row = first(id) * Leaf.STRIDE;
         rows[row] = places[at];
         rows[row + 1] = places[at + 1];
         rows[row + 2] = places[at + 2];
@@ -239,16 +215,16 @@ final class Level {
     }
 
     private void measure(int id) {
-        if (count[id] != 1) {
-            boundsOf(leaves, first[id], count[id], bounds, 6 * id);
+        if (count(id) != 1) {
+            boundsOf(leaves, first(id), count(id), bounds, 6 * id);
             shapes[id] = (byte) (shapes[id] & ~DISC);
             return;
         }
-        leaves.bounds(first[id], part);
+        leaves.bounds(first(id), part);
         for (int k = 0; k < 6; k++) {
             bounds[6 * id + k] = part[k];
         }
-        shapes[id] = (byte) (DiscWay.isDisc(leaves.kind(first[id])) ? shapes[id] | DISC : shapes[id] & ~DISC);
+        shapes[id] = (byte) (DiscWay.isDisc(leaves.kind(first(id))) ? shapes[id] | DISC : shapes[id] & ~DISC);
     }
 
     /** Whether what stands for a moveable object here is made of convex leaves that go with it as they are. */
@@ -289,11 +265,11 @@ final class Level {
     }
 
     int first(int id) {
-        return first[id];
+        return spans.first(id);
     }
 
     int count(int id) {
-        return count[id];
+        return spans.count(id);
     }
 
     /** The bounds of all objects: object id's six numbers begin at 6 id. */

@@ -277,22 +277,17 @@ public final class QuadTree {
      * the tree ends the query: start again.
      */
     public static final class Cursor {
-        /** How many of the last objects a ray remembers, so that one that lies on several tiles comes once or twice. */
-        private static final int RECENT = 8;
-
         private final QuadTree tree;
         private final NearestFirst ordered = new NearestFirst();
         private final TileWalk walk;
         private final TileScan scan;
+        private final TileWalk.Line line = new TileWalk.Line();
         private final TileGathering gathering = new TileGathering();
-        private final int[] recent = new int[RECENT];
         private boolean isOrdered;
         private int layer;
-        private int entry = Tiles.NONE;
         private double slack;
-        private double aside;
 
-        // The ray, for the layers to come; or the box.
+        // The box, for the layers to come.
         private double x0;
         private double z0;
         private double x1;
@@ -301,7 +296,7 @@ public final class QuadTree {
         private Cursor(QuadTree tree) {
             this.tree = tree;
             Tiles none = new Tiles(0, 0, 0, 0, 0, new Tiles.Entries(0));
-            walk = new TileWalk(none);
+            walk = new TileWalk(none, line);
             scan = new TileScan(none);
         }
 
@@ -387,15 +382,8 @@ public final class QuadTree {
             }
             tree.settle();
             slack = 0x1p-44 * sum / speed;
-            // Sums of four numbers up to the most, times a direction: six roundings of 2^-53.
-            aside = 0x1p-48 * (2 * tree.most + 2 * sum) * speed;
-            x0 = ox;
-            z0 = oz;
-            x1 = dx;
-            z1 = dz;
-            entry = Tiles.NONE;
+            line.start(ox, oz, dx, dz, tree.most);
             walk.stop();
-            Arrays.fill(recent, -1);
             layer = 0;
             isOrdered = false;
             for (int k = 0; k < tree.layerCount; k++) {
@@ -443,53 +431,19 @@ public final class QuadTree {
             if (isOrdered) {
                 return ordered.next(tree.regions, tree.boxes, limit);
             }
+            // What is hit is measured with an error of its own: look a little farther.
+            double reach = limit * (1 + 0x1p-44) + slack;
             while (true) {
-                int id = nextListed();
+                int id = walk.next(reach);
                 if (id != Tiles.NONE) {
                     return id;
                 }
-                // What is hit is measured with an error of its own: look a little farther.
-                double reach = limit * (1 + 0x1p-44) + slack;
-                entry = walk.next(reach);
-                if (entry == Tiles.NONE) {
-                    Tiles tiles = nextLayer();
-                    if (tiles == null) {
-                        return -1;
-                    }
-                    walk.start(tiles, x0, z0, x1, z1);
+                Tiles tiles = nextLayer();
+                if (tiles == null) {
+                    return -1;
                 }
+                walk.start(tiles);
             }
-        }
-
-        /** The next object of the tile whose box the ray's line may meet, unless it is one of the last. */
-        private int nextListed() {
-            int[] entries = walk.entries().data;
-            float[] bounds = walk.entries().bounds;
-            double dx = x1;
-            double dz = z1;
-            double wayX = Math.abs(dx);
-            double wayZ = Math.abs(dz);
-            double fromX = 2 * x0;
-            double fromZ = 2 * z0;
-            double most = aside;
-            int listed = entry;
-            while (listed != Tiles.NONE) {
-                int at = 4 * listed;
-                int id = entries[2 * listed];
-                listed = entries[2 * listed + 1];
-                double minX = bounds[at];
-                double minZ = bounds[at + 1];
-                double maxX = bounds[at + 2];
-                double maxZ = bounds[at + 3];
-                double off = Math.abs((minX + maxX - fromX) * dz - (minZ + maxZ - fromZ) * dx);
-                if (off <= (maxX - minX) * wayZ + (maxZ - minZ) * wayX + most && recent[id & (RECENT - 1)] != id) {
-                    recent[id & (RECENT - 1)] = id;
-                    entry = listed;
-                    return id;
-                }
-            }
-            entry = Tiles.NONE;
-            return Tiles.NONE;
         }
 
         /** A lower bound, rounded down, of the distance at which the last object of a point query begins. */
