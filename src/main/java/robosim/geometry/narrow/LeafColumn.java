@@ -9,6 +9,9 @@ import robosim.geometry.model.TriangleMesh;
 public final class LeafColumn {
     private static final int VACANT = -1;
 
+    /** Columns with fewer leaves grow by as many again. */
+    private static final int SMALL = 1 << 15;
+
     private int size;
     private int capacity;
     private double[] rows;
@@ -32,7 +35,7 @@ public final class LeafColumn {
         int first = size;
         size += count;
         if (size > capacity) {
-            capacity = Math.max(size, capacity + (capacity >> 1) + 1);
+            capacity = Math.max(size, capacity + (capacity < SMALL ? capacity : capacity >> 1) + 1);
             rows = Arrays.copyOf(rows, capacity * Leaf.STRIDE);
             if (meshes != null) {
                 meshes = Arrays.copyOf(meshes, capacity);
