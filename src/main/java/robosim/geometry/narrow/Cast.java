@@ -24,6 +24,9 @@ public final class Cast {
     private double halfSin;
     private boolean cone;
 
+    /** Whether the start alone is too large for anything to be taken up, see {@link Magnified}. */
+    private boolean isFarFromOrigin;
+
     /** The place, in the order of the tree's leaves, of the triangle that gave the last answer of a mesh, else -1. */
     private int triangle;
 
@@ -61,6 +64,7 @@ public final class Cast {
         uy = dy / length;
         uz = dz / length;
         cone = false;
+        isFarFromOrigin = RayMath.largest(x, y, z) >= Magnified.SMALL;
     }
 
     /** A coordinate (0 to 2) of the line's unit direction; in PLANAR that of its projection. */
@@ -118,7 +122,9 @@ public final class Cast {
     private double convex(int kind, double[] row, int at) {
         double distance = convex(ox, oy, oz, kind, row, at);
         // Only a small distance may have been spoiled by what underflowed.
-        if (distance > Magnified.SMALL || !s.magnified.take(RayMath.largest(ox, oy, oz), kind, row, at)) {
+        if (distance > Magnified.SMALL
+                || isFarFromOrigin
+                || !s.magnified.take(RayMath.largest(ox, oy, oz), kind, row, at)) {
             return distance;
         }
         Magnified m = s.magnified;
