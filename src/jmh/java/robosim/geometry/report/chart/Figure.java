@@ -18,6 +18,10 @@ public record Figure(String name, String title, String caption, List<Panel> pane
     static final int WIDTH = 960;
     private static final int MARGIN = 24;
     private static final double TITLE_SIZE = 19;
+
+    /** How much wider bold letters are. */
+    private static final double BOLD = 1.08;
+
     private static final double LEGEND_SIZE = 13;
     private static final double CAPTION_SIZE = 12.5;
     private static final double CAPTION_LINE = 18;
@@ -31,7 +35,7 @@ public record Figure(String name, String title, String caption, List<Panel> pane
     public String svg() {
         StringBuilder body = new StringBuilder();
         double y = 36;
-        for (String line : Words.wrap(title, TITLE_SIZE, WIDTH - 2.0 * MARGIN)) {
+        for (String line : Words.wrap(title, BOLD * TITLE_SIZE, WIDTH - 2.0 * MARGIN)) {
             body.append(
                     text(MARGIN, y, TITLE_SIZE, "ink", "start", line).replace("<text", "<text font-weight=\"600\""));
             y += 25;

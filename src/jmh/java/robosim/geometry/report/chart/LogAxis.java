@@ -15,6 +15,7 @@ import java.util.function.IntFunction;
 public record LogAxis(String title, int low, int high, boolean hasZero, IntFunction<String> label) implements Axis {
     private static final double STRIP = 0.12;
     private static final double ZERO = 0.045;
+    private static final double ROOM = 1.25;
     private static final int MOST_LABELS = 9;
 
     /** Refuses an axis without length. */
@@ -26,6 +27,15 @@ public record LogAxis(String title, int low, int high, boolean hasZero, IntFunct
 
     /** Wide enough for all values; zeros among them get a strip. */
     public static LogAxis around(String title, double[] values, IntFunction<String> label) {
+        return around(title, values, label, 1);
+    }
+
+    /** Wide enough for all values and a little more, so that no marker stands on a border. */
+    public static LogAxis roomy(String title, double[] values, IntFunction<String> label) {
+        return around(title, values, label, ROOM);
+    }
+
+    private static LogAxis around(String title, double[] values, IntFunction<String> label, double room) {
         double least = Double.POSITIVE_INFINITY;
         double most = 0;
         boolean hasZero = false;
@@ -36,8 +46,8 @@ public record LogAxis(String title, int low, int high, boolean hasZero, IntFunct
                 most = Math.max(most, value);
             }
         }
-        int low = most == 0 ? 0 : Decades.floor(least);
-        int high = most == 0 ? 1 : Math.max(low + 1, Decades.ceil(most));
+        int low = most == 0 ? 0 : Decades.floor(least / room);
+        int high = most == 0 ? 1 : Math.max(low + 1, Decades.ceil(most * room));
         return new LogAxis(title, low, high, hasZero, label);
     }
 

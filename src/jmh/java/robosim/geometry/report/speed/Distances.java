@@ -90,7 +90,7 @@ final class Distances implements Study {
             progress.at((k + 1.0) / form.cases());
         }
         tallies.forEach((subject, tally) -> {
-            tally.ulps.put(sink, subject, target.text, aim.text, "ulp");
+            tally.ulps.putCurve(sink, subject, target.text, aim.text, "ulp");
             sink.put(subject, target.text, aim.text, "asked", tally.asked);
             sink.put(subject, target.text, aim.text, "missed", tally.missed);
             sink.put(subject, target.text, aim.text, "invented", tally.invented);

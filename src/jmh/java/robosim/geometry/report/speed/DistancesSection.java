@@ -75,7 +75,7 @@ final class DistancesSection {
         }
         return new Panel(
                 target.text + ", " + aim.text,
-                new LogAxis("error, units in the last place", -1, 10, true, Decades::plain),
+                new LogAxis("error, units in the last place", -1, 16, true, Decades::plain),
                 new NinesAxis("answers off by no more", 4),
                 series);
     }

@@ -19,7 +19,7 @@ record Form(double warmMillis, double batchMillis, int rounds, int sample, int c
     /** By name: {@code full}, {@code quick}, or {@code tiny} for a test. */
     static Form of(String name) {
         return switch (name.toLowerCase(Locale.ROOT)) {
-            case "full" -> new Form(200, 10, 11, 256, 4000, 1_000_000, 3);
+            case "full" -> new Form(200, 10, 11, 256, 2500, 1_000_000, 3);
             case "quick" -> new Form(10, 1, 3, 32, 120, 10_000, 1);
             case "tiny" -> new Form(1, 0.1, 2, 8, 12, 100, 1);
             default -> throw new IllegalArgumentException("form must be full, quick or tiny (got: " + name + ")");

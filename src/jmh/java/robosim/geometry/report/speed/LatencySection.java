@@ -88,7 +88,7 @@ final class LatencySection {
         double[] all = dots.stream().flatMap(List::stream).mapToDouble(Dot::x).toArray();
         return new Panel(
                 query.equals("ray") ? "ray, closest hit" : "overlap test",
-                LogAxis.around("time of one question", all, Decades::nanos),
+                LogAxis.roomy("time of one question", all, Decades::nanos),
                 new NamesAxis("", names),
                 series);
     }

@@ -79,8 +79,8 @@ final class Moves implements Study {
             progress.at((k + 1.0) / count);
         }
         tallies.forEach((subject, tally) -> {
-            tally.early.put(sink, subject, family.text, "move", "early");
-            tally.late.put(sink, subject, family.text, "move", "late");
+            tally.early.putCurve(sink, subject, family.text, "move", "early");
+            tally.late.putCurve(sink, subject, family.text, "move", "late");
             tally.penetration.put(sink, subject, family.text, "move", "penetration");
             sink.put(subject, family.text, "move", "asked", tally.asked);
             sink.put(subject, family.text, "move", "through", tally.through);

@@ -85,7 +85,7 @@ final class PeersSection {
         return new Panel(
                 WORKS.get(work),
                 LogAxis.around("objects", sizes, Decades::plain),
-                LogAxis.around("time of one question", nanos, Decades::nanos),
+                LogAxis.roomy("time of one question", nanos, Decades::nanos),
                 series);
     }
 

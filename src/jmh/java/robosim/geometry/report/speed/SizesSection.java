@@ -64,7 +64,7 @@ final class SizesSection {
         return new Panel(
                 query.equals("ray") ? "ray, closest hit" : "overlap test",
                 LogAxis.around("objects", values(series, true), SizesSection::count),
-                LogAxis.around("time of one question", nanos, Decades::nanos),
+                LogAxis.roomy("time of one question", nanos, Decades::nanos),
                 series);
     }
 

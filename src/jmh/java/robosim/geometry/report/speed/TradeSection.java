@@ -120,11 +120,11 @@ final class TradeSection {
     }
 
     static Axis nanos(List<Series> series) {
-        return LogAxis.around("time of one question", values(series, true), Decades::nanos);
+        return LogAxis.roomy("time of one question", values(series, true), Decades::nanos);
     }
 
     static Axis around(String title, List<Series> series) {
-        return LogAxis.around(title, values(series, false), Decades::plain);
+        return LogAxis.roomy(title, values(series, false), Decades::plain);
     }
 
     private static double[] values(List<Series> series, boolean isX) {

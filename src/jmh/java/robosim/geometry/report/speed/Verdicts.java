@@ -56,7 +56,7 @@ final class Verdicts implements Study {
 
     private static void family(Family family, Form form, Sink sink, Progress progress) {
         PairMaker maker = new PairMaker(family, new SplittableRandom(Form.SEED + family.ordinal()));
-        SplittableRandom random = new SplittableRandom(Form.SEED);
+        SplittableRandom random = new SplittableRandom(Form.SEED + 50 + family.ordinal());
         Map<Subject, Tally> tallies = new LinkedHashMap<>();
         int made = 0;
         while (made < form.cases()) {

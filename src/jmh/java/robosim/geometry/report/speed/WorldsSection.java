@@ -74,7 +74,7 @@ final class WorldsSection {
                 .toArray();
         return new Panel(
                 query.equals("cone") ? "cone of 15\u00b0" : query,
-                LogAxis.around("time of one question", all, Decades::nanos),
+                LogAxis.roomy("time of one question", all, Decades::nanos),
                 new NamesAxis("", names),
                 series);
     }
