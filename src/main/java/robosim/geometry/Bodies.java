@@ -97,6 +97,13 @@ final class Bodies {
         System.arraycopy(place, 0, places, place(id), PLACE);
     }
 
+    /** Puts the centre of a moveable object elsewhere: six numbers, the last three what it has lost. */
+    void shift(int id, double[] centre) {
+        int at = place(id);
+        System.arraycopy(centre, 0, places, at, 3);
+        System.arraycopy(centre, 3, places, at + Pose.LOST, 3);
+    }
+
     void remove(int id) {
         String name = value(id).name();
         if (name != null) {

@@ -53,6 +53,7 @@ public final class Geometry {
     private final Ranging ranging;
     private final Beams beams;
     private final Motion motion;
+    private final Stride stride;
     private final double[] vector = new double[6];
 
     /** A world of 1000 x 1000 x 1000 world units, SPATIAL and EXACT. */
@@ -87,6 +88,7 @@ public final class Geometry {
         ranging = new Ranging(bodies, scratch);
         beams = new Beams(dimension, bodies, ranging);
         motion = new Motion(bodies, population.border, scratch);
+        stride = new Stride(bodies, population.border, scratch);
     }
 
     /** Extent along X in world units. */
@@ -187,7 +189,19 @@ public final class Geometry {
         int id = population.mover(name);
         bodies.toWorld(
                 id, Arguments.coordinate("x", x), Arguments.coordinate("y", y), Arguments.coordinate("z", z), vector);
-        return carryOut(id, vector[0], vector[1], vector[2], 0, 0);
+        int verdict = stride(id, vector[0], vector[1], vector[2]);
+        return verdict == Stride.UNKNOWN
+                ? commitIf(id, motion.allows(level, id, vector[0], vector[1], vector[2]))
+                : verdict == Stride.FREE;
+    }
+
+    /** Makes a straight move if it is known to be free. */
+    private int stride(int id, double dx, double dy, double dz) {
+        int verdict = stride.ask(level, id, dx, dy, dz);
+        if (verdict == Stride.FREE) {
+            population.shift(id, stride.end());
+        }
+        return verdict;
     }
 
     /**
@@ -199,11 +213,12 @@ public final class Geometry {
     public boolean simpleTurn(String name, double degrees) {
         int id = population.mover(name);
         Arguments.angle("degrees", degrees);
-        return commitIf(id, motion.attemptTurn(level, id, degrees));
+        return commitIf(id, motion.allowsTurn(level, id, degrees));
     }
 
     private boolean carryOut(int id, double dx, double dy, double dz, double rx, double ry) {
-        return commitIf(id, motion.attempt(level, id, dx, dy, dz, rx, ry, 0));
+        boolean isMade = rx == 0 && ry == 0 && stride(id, dx, dy, dz) == Stride.FREE;
+        return isMade || commitIf(id, motion.attempt(level, id, dx, dy, dz, rx, ry, 0));
     }
 
     private boolean commitIf(int id, boolean free) {

@@ -9,6 +9,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.narrow.Enclosure;
+import robosim.geometry.narrow.Leaf;
 import robosim.geometry.narrow.LeafColumn;
 import robosim.geometry.narrow.OwnLeaves;
 
@@ -39,6 +40,17 @@ final class Level {
     /** How to place what moves; null for static objects. */
     private @Nullable Form[] forms = new Form[16];
 
+    /** What is known of those forms beforehand. */
+    private byte[] shapes = new byte[16];
+
+    private static final byte ANY = 0;
+
+    /** One convex leaf about the object's centre, as it is. */
+    private static final byte SINGLE = 1;
+
+    /** Convex leaves as they are. */
+    private static final byte CONVEX = 2;
+
     /** Leaves that no object uses any more. */
     private int unused;
 
@@ -59,6 +71,10 @@ final class Level {
             if (exact != null) {
                 exact.append(own.size());
             }
+        }
+
+        private byte shape() {
+            return enclosure != null || own.hasMesh() ? ANY : own.isSingle() ? SINGLE : CONVEX;
         }
 
         /** How many leaves stand for the object. */
@@ -110,6 +126,7 @@ final class Level {
         if (object.isMoveable()) {
             Form form = new Form(object, accuracy);
             forms[id] = form;
+            shapes[id] = form.shape();
             first[id] = leaves.append(form.size());
             count[id] = form.size();
             placeForm(form, object, leaves, first[id]);
@@ -157,6 +174,7 @@ final class Level {
             first = Arrays.copyOf(first, capacity);
             count = Arrays.copyOf(count, capacity);
             forms = Arrays.copyOf(forms, capacity);
+            shapes = Arrays.copyOf(shapes, capacity);
             bounds = Arrays.copyOf(bounds, 6 * capacity);
         }
     }
@@ -191,6 +209,22 @@ final class Level {
     void move(int id, double[] places, int at) {
         place(form(id), places[at], places[at + 1], places[at + 2], places, at + 3, leaves, first[id]);
         measure(id);
+        listAnew(id);
+    }
+
+    /** Puts a moveable object where its place now says, with the attitude that it had. */
+    void shift(int id, double[] places, int at) {
+        if (shapes[id] != SINGLE) {
+            move(id, places, at);
+            return;
+        }
+        // Its own centre is the origin, and no coordinate is -0.0: placed, it has the centre to the bit.
+        System.arraycopy(places, at, leaves.rows(), first[id] * Leaf.STRIDE, 3);
+        measure(id);
+        listAnew(id);
+    }
+
+    private void listAnew(int id) {
         if (hasMoversInTree) {
             int b = 6 * id;
             tree.move(id, bounds[b], bounds[b + 2], bounds[b + 3], bounds[b + 5]);
@@ -198,7 +232,17 @@ final class Level {
     }
 
     private void measure(int id) {
-        boundsOf(leaves, first[id], count[id], bounds, 6 * id);
+        if (count[id] == 1) {
+            leaves.bounds(first[id], part);
+            System.arraycopy(part, 0, bounds, 6 * id, 6);
+        } else {
+            boundsOf(leaves, first[id], count[id], bounds, 6 * id);
+        }
+    }
+
+    /** Whether what stands for a moveable object here is made of convex leaves that go with it as they are. */
+    boolean keepsShape(int id) {
+        return shapes[id] != ANY;
     }
 
     /** The outward bounds of some leaves, six numbers. */

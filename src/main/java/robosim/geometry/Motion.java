@@ -31,6 +31,7 @@ final class Motion {
     private Level level;
     private int id;
     private double clearance;
+    private boolean isEndWanted;
     private int obstacle;
     private int obstacleLeaf;
     private int ownLeaf;
@@ -73,7 +74,7 @@ final class Motion {
      * @return whether all of it is free; else {@link #end()} is the place before contact
      */
     boolean attempt(Level inLevel, int mover, double x, double y, double z, double turnX, double turnY, double gap) {
-        begin(inLevel, mover, gap);
+        begin(inLevel, mover, gap, true);
         boolean free = isFree(x, y, z, Phase.NO_TURN, 0);
         if (!free) {
             fraction = share;
@@ -92,15 +93,20 @@ final class Motion {
         return true;
     }
 
-    /** Tries a turn about the vertical through the centre. */
-    boolean attemptTurn(Level inLevel, int mover, double byDegrees) {
-        begin(inLevel, mover, 0);
-        boolean free = isFree(0, 0, 0, Phase.VERTICAL, byDegrees);
-        turnFraction = free ? 1 : share;
-        return free;
+    /** Whether a displacement in the world's axes is free, and no more: {@link #end()} is only set where it is. */
+    boolean allows(Level inLevel, int mover, double x, double y, double z) {
+        begin(inLevel, mover, 0, false);
+        return isFree(x, y, z, Phase.NO_TURN, 0);
     }
 
-    private void begin(Level inLevel, int mover, double gap) {
+    /** Whether a turn about the vertical through the centre is free, and no more. */
+    boolean allowsTurn(Level inLevel, int mover, double byDegrees) {
+        begin(inLevel, mover, 0, false);
+        return isFree(0, 0, 0, Phase.VERTICAL, byDegrees);
+    }
+
+    private void begin(Level inLevel, int mover, double gap, boolean isToEnd) {
+        isEndWanted = isToEnd;
         level = inLevel;
         id = mover;
         clearance = gap;
@@ -131,8 +137,11 @@ final class Motion {
             phase.advance();
             return true;
         }
-        share = backOff(Math.min(met, 1));
-        phase.endAt(share);
+        // How far it might have gone is dear: a place is looked for, next to contact, that is free for certain.
+        if (isEndWanted) {
+            share = backOff(Math.min(met, 1));
+            phase.endAt(share);
+        }
         return false;
     }
 

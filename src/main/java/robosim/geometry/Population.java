@@ -113,6 +113,14 @@ final class Population {
         moved(id);
     }
 
+    /** Moves the centre of an object, which keeps its attitude; six numbers, see {@link Bodies#shift}. */
+    void shift(int id, double[] centre) {
+        bodies.shift(id, centre);
+        for (Level each : levels) {
+            each.shift(id, bodies.places(), bodies.place(id));
+        }
+    }
+
     private void moved(int id) {
         for (Level each : levels) {
             each.move(id, bodies.places(), bodies.place(id));

@@ -4,7 +4,7 @@ package robosim.geometry.exact;
  * Angles in degrees: sine and cosine that are exact at quarter turns, headings that do not drift, and the way from
  * radians.
  *
- * <p>Everything rests on {@link StrictMath} and exact reductions, so the bits are the same on every JVM.
+ * <p>Everything rests on {@link Radians}, {@link StrictMath} and exact reductions, so the bits are the same on every JVM.
  */
 public final class Degrees {
     // pi / 180, 180 / pi and pi / 2 as unevaluated sums of doubles.
@@ -25,8 +25,8 @@ public final class Degrees {
     private Degrees() {}
 
     /**
-     * Sine of an angle, within 1.5 ulp (StrictMath's one, and the rounding of a correction); exact at multiples of 30 where
-     * it is 0, 0.5 or 1, and odd to the bit.
+     * Sine of an angle, within 1.5 ulp (one of {@link Radians}, and the rounding of a correction); exact at multiples of 30
+     * where it is 0, 0.5 or 1, and odd to the bit.
      *
      * @param degrees finite, any size
      */
@@ -137,7 +137,7 @@ public final class Degrees {
         }
         double radians = degrees * RADIANS_HI;
         double tail = radiansTail(degrees, lo, radians);
-        return StrictMath.sin(radians) + tail * StrictMath.cos(radians);
+        return Radians.sin(radians) + tail * Radians.cos(radians);
     }
 
     private static double cosWithin(double degrees, double lo) {
@@ -146,7 +146,7 @@ public final class Degrees {
         }
         double radians = degrees * RADIANS_HI;
         double tail = radiansTail(degrees, lo, radians);
-        return StrictMath.cos(radians) - tail * StrictMath.sin(radians);
+        return Radians.cos(radians) - tail * Radians.sin(radians);
     }
 
     private static double radiansTail(double degrees, double lo, double radians) {

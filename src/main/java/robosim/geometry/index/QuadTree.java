@@ -166,7 +166,9 @@ public final class QuadTree {
         System.arraycopy(boxes, 4 * id, before, 0, 4);
         Tiles old = isStale ? null : layerOf(id);
         write(id, minX, minZ, maxX, maxZ);
-        if (old != null) {
+        if (old != null && old == layerOf(id)) {
+            old.move(id, before, 0, boxes, 4 * id);
+        } else if (old != null) {
             old.remove(id, before, 0);
             list(id);
         }
@@ -280,6 +282,7 @@ public final class QuadTree {
         private final NearestFirst ordered = new NearestFirst();
         private final TileWalk walk;
         private final TileScan scan;
+        private final TileGathering gathering = new TileGathering();
         private final int[] recent = new int[RECENT];
         private boolean isOrdered;
         private int layer;
@@ -329,6 +332,26 @@ public final class QuadTree {
                 }
                 scan.start(tiles, x0, z0, x1, z1);
             }
+        }
+
+        /**
+         * Gathers all objects whose boxes, rounded outward to floats, meet this closed box, and answers how many there are;
+         * take them with {@link #gathered}. One that lies across regions may be there again.
+         */
+        public int gather(double minX, double minZ, double maxX, double maxZ) {
+            tree.settle();
+            gathering.clear();
+            for (int k = 0; k < tree.layerCount; k++) {
+                if (!tree.layers[k].isEmpty()) {
+                    gathering.gather(tree.layers[k], minX, minZ, maxX, maxZ);
+                }
+            }
+            return gathering.count();
+        }
+
+        /** The k-th object that was gathered. */
+        public int gathered(int k) {
+            return gathering.id(k);
         }
 
         private @Nullable Tiles nextLayer() {

@@ -71,10 +71,23 @@ final class Tiles {
             }
             data[2 * entry] = id;
             data[2 * entry + 1] = head;
+            write(entry, boxes, at);
+            return entry;
+        }
+
+        private void write(int entry, double[] boxes, int at) {
             bounds[4 * entry] = down(boxes[at]);
             bounds[4 * entry + 1] = down(boxes[at + 1]);
             bounds[4 * entry + 2] = up(boxes[at + 2]);
             bounds[4 * entry + 3] = up(boxes[at + 3]);
+        }
+
+        /** The entry of an object that is in a list. */
+        private int find(int head, int id) {
+            int entry = head;
+            while (data[2 * entry] != id) {
+                entry = data[2 * entry + 1];
+            }
             return entry;
         }
 
@@ -332,6 +345,43 @@ final class Tiles {
             remove(id, boxes, at);
         } else {
             rest = store.strike(rest, id);
+        }
+    }
+
+    /** Lists a box anew that was listed by other numbers; both fit. */
+    void move(int id, double[] before, int from, double[] boxes, int at) {
+        int x0 = column(boxes[at], -MARGIN);
+        int x1 = column(boxes[at + 2], MARGIN);
+        int z0 = row(boxes[at + 1], -MARGIN);
+        int z1 = row(boxes[at + 3], MARGIN);
+        boolean isSame = x0 == column(before[from], -MARGIN)
+                && x1 == column(before[from + 2], MARGIN)
+                && z0 == row(before[from + 1], -MARGIN)
+                && z1 == row(before[from + 3], MARGIN);
+        if (!isSame) {
+            remove(id, before, from);
+            add(id, boxes, at);
+            return;
+        }
+        int startX = spreadX(x0);
+        int z = spreadZ(z0);
+        for (int row = z0; row <= z1; row++) {
+            int x = startX;
+            for (int column = x0; column <= x1; column++) {
+                moveWithin(x | z, id, before, from, boxes, at);
+                x = up(x, maskX);
+            }
+            z = up(z, maskZ);
+        }
+    }
+
+    private void moveWithin(int tile, int id, double[] before, int from, double[] boxes, int at) {
+        int head = heads[tile];
+        if (head < NONE) {
+            within(head).removePart(id, before, from);
+            within(head).addPart(id, boxes, at);
+        } else {
+            store.write(store.find(head, id), boxes, at);
         }
     }
 

@@ -1,6 +1,7 @@
 package robosim.geometry.narrow;
 
 import robosim.geometry.exact.Degrees;
+import robosim.geometry.exact.Radians;
 
 /**
  * A leaf of any kind turned about any axis, against one at rest: held axes.
@@ -107,8 +108,8 @@ final class HeldTurn {
     }
 
     private void pose(int kind, double[] row, int at, double px, double py, double pz, double t) {
-        double cos = StrictMath.cos(t);
-        double sin = StrictMath.sin(t);
+        double cos = Radians.cos(t);
+        double sin = Radians.sin(t);
         if (kind == Leaf.PRISM) {
             // Its box, which is good enough to find axes by.
             boxOf(row, at);
@@ -126,8 +127,8 @@ final class HeldTurn {
         double end = mover.until(place, t);
         if (!planar || mover.level) {
             // The direction in the mover as it stood at the start.
-            double cos = StrictMath.cos(t);
-            double sin = -StrictMath.sin(t);
+            double cos = Radians.cos(t);
+            double sin = -Radians.sin(t);
             double along = (wx * nx + wy * ny + wz * nz) * (1 - cos);
             double mx = nx * cos + (wy * nz - wz * ny) * sin + wx * along;
             double my = ny * cos + (wz * nx - wx * nz) * sin + wy * along;

@@ -13,6 +13,12 @@ final class MovingDisc {
     private static final double ROUNDOFF = MovingAxes.ROUNDOFF;
     private static final double TINY = MovingAxes.TINY;
 
+    // Where a disc comes to the line of an edge, as the edge sees it.
+    private static final int BEFORE = -1;
+    private static final int BESIDE = 0;
+    private static final int BEYOND = 1;
+    private static final int UNCERTAIN = 2;
+
     /** Below this squares of coordinates would underflow. */
     private static final double MINUTE = 0x1p-200;
 
@@ -109,25 +115,53 @@ final class MovingDisc {
     /** Enters the offset lines through one of them: beside its edge, or past an end, where the corner is round. */
     private double through(Outline o, int k, double lo, double hi, double radius, double dx, double dz) {
         int next = k + 1 == o.corners ? 0 : k + 1;
+        if (o.x[k] == o.x[next] && o.z[k] == o.z[next]) {
+            return corner(o, k, radius, dx, dz);
+        }
+        return switch (place(o, k, lo, hi, dx, dz)) {
+            case BEFORE -> pastEnd(o, k == 0 ? o.corners - 1 : k - 1, k, radius, dx, dz);
+            case BEYOND -> pastEnd(o, next, next, radius, dx, dz);
+            case BESIDE -> beside(o, k, next);
+            default -> Double.NaN;
+        };
+    }
+
+    /**
+     * Past an end of the edge whose line seemed the last to be reached: at the corner; or, where two edges lie all but in
+     * one line, as those of a tilted box do, beside the other one. What comes from outside and touches an edge between its
+     * ends has touched nothing before.
+     */
+    private double pastEnd(Outline o, int other, int corner, double radius, double dx, double dz) {
+        double nx = o.nx[other];
+        double nz = o.nz[other];
+        double v = nx * dx + nz * dz;
+        double ev = ROUNDOFF * (Math.abs(nx * dx) + Math.abs(nz * dz)) + TINY;
+        double g = height[other] - radius * length[other];
+        double e = ROUNDOFF * ((Math.abs(nx) + Math.abs(nz)) * o.size + radius * length[other]) + TINY;
+        boolean enters = g > e && -v > ev;
+        return enters && place(o, other, (g - e) / (ev - v), (g + e) / (-v - ev), dx, dz) == BESIDE
+                ? beside(o, other, other + 1 == o.corners ? 0 : other + 1)
+                : corner(o, corner, radius, dx, dz);
+    }
+
+    /** Where the centre is as seen from an edge when it reaches the edge's line, between two times. */
+    private static int place(Outline o, int k, double lo, double hi, double dx, double dz) {
+        int next = k + 1 == o.corners ? 0 : k + 1;
         double ex = o.x[next] - o.x[k];
         double ez = o.z[next] - o.z[k];
         double square = ex * ex + ez * ez;
-        if (square == 0) {
-            return corner(o, k, radius, dx, dz);
-        }
         double share = (lo * dx - o.x[k]) * ex + (lo * dz - o.z[k]) * ez;
         double e = (Math.abs(ex) + Math.abs(ez))
                         * (2 * ROUNDOFF * (o.size + lo * (Math.abs(dx) + Math.abs(dz)))
                                 + (hi - lo) * (Math.abs(dx) + Math.abs(dz)))
                 + TINY;
         if (share < -e) {
-            return corner(o, k, radius, dx, dz);
+            return BEFORE;
         }
         if (share > square + e) {
-            return corner(o, next, radius, dx, dz);
+            return BEYOND;
         }
-        boolean sure = share > e && share < square - e && hi <= 1;
-        return sure ? beside(o, k, next) : Double.NaN;
+        return share > e && share < square - e && hi <= 1 ? BESIDE : UNCERTAIN;
     }
 
     private double beside(Outline o, int k, int next) {

@@ -111,7 +111,7 @@ final class Outline {
                 vz = -vz;
             }
             int place = count++;
-            while (place > 0 && Orientation.side(0, 0, ux[place - 1], uz[place - 1], vx, vz) < 0) {
+            while (place > 0 && Orientation.compareProducts(ux[place - 1], vz, uz[place - 1], vx) < 0) {
                 copy(place - 1, place);
                 place--;
             }

@@ -1,5 +1,7 @@
 package robosim.geometry.narrow;
 
+import robosim.geometry.exact.Radians;
+
 /** Where and against which direction the projections of two leaves touch. */
 public final class PlanarContact {
     // Directions tried for the least penetration of a curved outline, before the best is refined.
@@ -125,8 +127,8 @@ public final class PlanarContact {
 
     // All round in even steps, then halving the step about the best.
     private static void around(PlanarShape p, PlanarShape q, double[] normal) {
-        double stepX = StrictMath.cos(2 * Math.PI / DIRECTIONS);
-        double stepZ = StrictMath.sin(2 * Math.PI / DIRECTIONS);
+        double stepX = Radians.cos(2 * Math.PI / DIRECTIONS);
+        double stepZ = Radians.sin(2 * Math.PI / DIRECTIONS);
         double nx = 1;
         double nz = 0;
         for (int k = 0; k < DIRECTIONS; k++) {

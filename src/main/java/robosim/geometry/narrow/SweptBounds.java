@@ -9,10 +9,18 @@ public final class SweptBounds {
     /** Writes least x, y, z and greatest x, y, z of a leaf anywhere on a straight way. */
     public static void translation(int kind, double[] row, int at, double dx, double dy, double dz, double[] out6) {
         LeafBounds.of(kind, row, at, out6);
+        moved(out6, 0, dx, dy, dz, out6);
+    }
+
+    /**
+     * Writes the bounds, anywhere on a straight way, of what has these bounds at its start. Rounding outward keeps an
+     * order, so the bounds of many leaves may be moved, or those of each be taken together: the same bits.
+     */
+    public static void moved(double[] bounds, int at, double dx, double dy, double dz, double[] out6) {
         for (int k = 0; k < 3; k++) {
             double d = k == 0 ? dx : k == 1 ? dy : dz;
-            out6[k] = -Upright.sumUp(-out6[k], Math.max(0, -d));
-            out6[k + 3] = Upright.sumUp(out6[k + 3], Math.max(0, d));
+            out6[k] = -Upright.sumUp(-bounds[at + k], Math.max(0, -d));
+            out6[k + 3] = Upright.sumUp(bounds[at + 3 + k], Math.max(0, d));
         }
     }
 

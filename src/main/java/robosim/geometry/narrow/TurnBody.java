@@ -1,5 +1,7 @@
 package robosim.geometry.narrow;
 
+import robosim.geometry.exact.Radians;
+
 /**
  * A leaf relative to a pivot, as a turn about an axis through it sees it: how long the leaf stays beyond a plane.
  *
@@ -145,8 +147,8 @@ final class TurnBody {
 
     /** The least place along the direction at angle t. */
     double least(double t) {
-        double cos = StrictMath.cos(t);
-        double sin = StrictMath.sin(t);
+        double cos = Radians.cos(t);
+        double sin = Radians.sin(t);
         double best = Double.POSITIVE_INFINITY;
         for (int m = 0; m < points; m++) {
             best = Math.min(best, k[m] + a[m] * cos + b[m] * sin);
@@ -197,8 +199,8 @@ final class TurnBody {
     }
 
     private boolean pointsHold(double limit, double t) {
-        double cos = StrictMath.cos(t);
-        double sin = StrictMath.sin(t);
+        double cos = Radians.cos(t);
+        double sin = Radians.sin(t);
         for (int m = 0; m < points; m++) {
             if (!(k[m] + a[m] * cos + b[m] * sin > limit)) {
                 return false;
@@ -209,8 +211,8 @@ final class TurnBody {
 
     /** The greatest sqrt(1 - s^2) from one angle to another, rounded up. */
     private double steepest(double from, double to) {
-        double s0 = sk + sa * StrictMath.cos(from) + sb * StrictMath.sin(from);
-        double s1 = sk + sa * StrictMath.cos(to) + sb * StrictMath.sin(to);
+        double s0 = sk + sa * Radians.cos(from) + sb * Radians.sin(from);
+        double s1 = sk + sa * Radians.cos(to) + sb * Radians.sin(to);
         double low = Math.min(s0, s1);
         double high = Math.max(s0, s1);
         double top = StrictMath.atan2(sb, sa);
@@ -305,8 +307,8 @@ final class TurnBody {
                 rise = rho == 0 ? 0 : a[m] > 0 ? b[m] * b[m] / (rho + a[m]) : rho - a[m];
                 top = rho;
             } else {
-                double sin = StrictMath.sin(0.5 * angle);
-                double cos = StrictMath.cos(0.5 * angle);
+                double sin = Radians.sin(0.5 * angle);
+                double cos = Radians.cos(0.5 * angle);
                 rise = 2 * sin * (b[m] * cos - a[m] * sin);
                 top = a[m] + rise;
                 rise += ROUNDOFF * sin * rho;
@@ -331,8 +333,8 @@ final class TurnBody {
     private double rimTop(int m, double from, double to, double best, int depth) {
         double middle = 0.5 * (from + to);
         double half = 0.5 * (to - from);
-        double cos = StrictMath.cos(middle);
-        double sin = StrictMath.sin(middle);
+        double cos = Radians.cos(middle);
+        double sin = Radians.sin(middle);
         double s = sk + sa * cos + sb * sin;
         double slope = sb * cos - sa * sin;
         double here = k[m] + a[m] * cos + b[m] * sin + radius * across(s);

@@ -1,5 +1,7 @@
 package robosim.geometry.narrow;
 
+import robosim.geometry.exact.Radians;
+
 /**
  * A point going round a pivot against a polygon rounded by a radius: a disc turned about a pivot off its centre, or, seen
  * from the mover, a disc at rest against a polygon that turns. Closed form.
@@ -128,8 +130,8 @@ final class TurnDisc {
             t = phase + arc;
             slack = rho * (StrictMath.acos(Math.max(-1, h - 4 * error / rho)) - arc) + 2 * error;
         }
-        double cos = StrictMath.cos(t);
-        double sin = StrictMath.sin(t);
+        double cos = Radians.cos(t);
+        double sin = Radians.sin(t);
         return isBeside(px * cos - pz * sin, px * sin + pz * cos, x0, z0, ex, ez, length, slack)
                 ? ahead(t)
                 : Double.POSITIVE_INFINITY;

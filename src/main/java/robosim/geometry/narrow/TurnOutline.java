@@ -1,5 +1,7 @@
 package robosim.geometry.narrow;
 
+import robosim.geometry.exact.Radians;
+
 /**
  * A polygon (or a point) turned about a pivot against one at rest, in the plane: closed form.
  *
@@ -129,8 +131,8 @@ final class TurnOutline {
     private double until(int k, double t, double threshold) {
         int row = k * Outline.MOST_CORNERS;
         double c = offset[k] + threshold;
-        double cos = StrictMath.cos(t);
-        double sin = StrictMath.sin(t);
+        double cos = Radians.cos(t);
+        double sin = Radians.sin(t);
         for (int m = row; m < row + corners[k]; m++) {
             if (!(cosine[m] * cos + sine[m] * sin > c)) {
                 return t;

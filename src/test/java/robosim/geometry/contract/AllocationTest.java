@@ -1,0 +1,153 @@
+package robosim.geometry.contract;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.function.IntToDoubleFunction;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.Geometry;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Ray;
+import robosim.geometry.model.SphereObject;
+
+/** What a robot asks in each step of a simulation leaves nothing for the garbage collector, on any JDK. */
+class AllocationTest {
+    private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+    private static final int CALLS = 4000;
+    private static final double SIDE = 200;
+
+    private final SplittableRandom random = new SplittableRandom(41);
+
+    @ParameterizedTest
+    @EnumSource
+    void stepsAllocateNothing(Dimension dimension) {
+        Geometry geometry = new Geometry(SIDE, 20, SIDE, dimension, Accuracy.EXACT);
+        for (int k = 0; k < 300; k++) {
+            geometry.addObject(object(k));
+        }
+        for (String robot : ROBOTS) {
+            GeometryObject round = new CylinderObject(new Point(), 0.5, 1);
+            GeometryObject square = new BoxObject(new Point(), 1, 1, 0.8);
+            GeometryObject body = robot.startsWith("round") ? round : square;
+            while (!geometry.addObject(body.moveable(robot).movedTo(place(5)))) {
+                // until it has found room
+            }
+        }
+        Ray[] rays = new Ray[64];
+        for (int k = 0; k < rays.length; k++) {
+            rays[k] = new Ray(place(5), new Point(coordinate(), dimension == Dimension.PLANAR ? 0 : 1, coordinate()));
+        }
+        Ray mount = new Ray(new Point(0.3, 0.2, 0.1), new Point(1, 0.1, 0.5));
+        Point mast = new Point(0.1, 0.4, 0);
+        double[] distances = new double[19];
+
+        assertAllocatesNothing("simpleMove", k -> geometry.simpleMove(robot(k), step(k), 0, 0) ? 1 : 0);
+        assertAllocatesNothing("simpleTurn", k -> geometry.simpleTurn(robot(k), k % 7 * 23.4 - 60) ? 1 : 0);
+        assertAllocatesNothing("ray", k -> bounded(geometry.getRayDistance(rays[k & 63], 0, 100, 0)));
+        assertAllocatesNothing("cone", k -> bounded(geometry.getRayDistance(rays[k & 63], 0, 100, 1 + k % 40)));
+        assertAllocatesNothing("coarse", k -> bounded(geometry.getRayDistance(rays[k & 63], 0, 99, 0, Accuracy.OBB)));
+        assertAllocatesNothing("ignoring", k -> bounded(geometry.getRayDistance(rays[k & 63], 0, 99, 9, robot(k))));
+        assertAllocatesNothing(
+                "sonar", k -> bounded(geometry.getSonarDistance(robot(k), 1, k % 9 - 4, 0.1, 50, k % 3 * 15)));
+        assertAllocatesNothing(
+                "mounted sonar", k -> bounded(geometry.getSonarDistance(robot(k), mount, 0.1, 50, k % 3 * 15)));
+        assertAllocatesNothing("proximity", k -> bounded(geometry.getProximity(robot(k), 20)));
+        assertAllocatesNothing("scan", k -> {
+            geometry.scan(robot(k), -90.3, 10.1, 0, 50, distances);
+            return bounded(distances[k % 19]);
+        });
+        assertAllocatesNothing("mounted scan", k -> {
+            geometry.scan(robot(k), mast, k, 10, 0, 50, distances);
+            return bounded(distances[k % 19]);
+        });
+        // They stand elsewhere now, and the world is asked again.
+        assertAllocatesNothing("moves and sonars", k -> {
+            String robot = robot(k);
+            boolean moved = geometry.simpleMove(robot, step(k), 0, 0);
+            boolean turned = geometry.simpleTurn(robot, moved ? 3.7 : 61.3);
+            return (turned ? 1 : 0) + bounded(geometry.getSonarDistance(robot, 1, 0, 0, 30, 20));
+        });
+    }
+
+    private static final List<String> ROBOTS =
+            List.of("round a", "square a", "round b", "square b", "round c", "square c", "round d", "square d");
+
+    private static String robot(int k) {
+        return ROBOTS.get(k & 7);
+    }
+
+    /** There and back for each of them, then further than there is room. */
+    private static double step(int k) {
+        return (k % 32 < 16 ? 0.3 : 250) * (k % 16 < 8 ? 1 : -1);
+    }
+
+    private static double bounded(double distance) {
+        return Math.min(distance, 1000);
+    }
+
+    /** Less than a byte a call, and the calls answer a mix. */
+    private static void assertAllocatesNothing(String call, IntToDoubleFunction ask) {
+        run(ask);
+        long before = THREADS.getCurrentThreadAllocatedBytes();
+        int changes = run(ask);
+        long bytes = THREADS.getCurrentThreadAllocatedBytes() - before;
+        assertThat(changes).as(call).isGreaterThan(CALLS / 20);
+        assertThat(bytes / (double) CALLS).as(call).isLessThan(1);
+    }
+
+    /** How often an answer differed from the one before. */
+    private static int run(IntToDoubleFunction ask) {
+        int changes = 0;
+        double last = Double.NaN;
+        for (int k = 0; k < CALLS; k++) {
+            double answer = ask.applyAsDouble(k);
+            changes += answer == last ? 0 : 1;
+            last = answer;
+        }
+        return changes;
+    }
+
+    private double coordinate() {
+        return random.nextDouble(-0.45 * SIDE, 0.45 * SIDE);
+    }
+
+    private Point place(double height) {
+        return new Point(coordinate(), -height, coordinate());
+    }
+
+    private GeometryObject object(int k) {
+        double size = random.nextDouble(1, 5);
+        GeometryObject object = switch (k % 6) {
+            case 0 -> new BoxObject(new Point(), size, 6, 2);
+            case 1 -> new BoxObject(new Point(), size, 6, 3).turned(0, random.nextDouble(-180, 180));
+            case 2 -> new CylinderObject(new Point(), 0.5 * size, 6);
+            case 3 -> new SphereObject(new Point(), 0.5 * size);
+            case 4 -> new BoxObject(new Point(), size, 2, 3).turned(random.nextDouble(-180, 180), 33.3);
+            default -> k % 12 < 6 ? pyramid(size) : pair(size);
+        };
+        return object.movedTo(place(random.nextDouble(4, 6)));
+    }
+
+    private static GeometryObject pyramid(double size) {
+        List<Point> corners = List.of(
+                new Point(size, -2, 0.1), new Point(-size, -2, size), new Point(-0.9, -2, -size), new Point(0, 3, 0.2));
+        return new MeshObject(corners, new int[][] {{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
+    }
+
+    private static GeometryObject pair(double size) {
+        return new ObjectGroup(List.of(
+                new BoxObject(new Point(1, 0, 0), size, 3, 1).turned(0, 20),
+                new CylinderObject(new Point(-1, 0.5, 1), 1, size).turned(40, 10)));
+    }
+}
