@@ -51,7 +51,8 @@ class AxisTest {
         assertThat(axis.ticks().get(0).label()).isEqualTo("0");
         assertThat(axis.at(0)).isLessThan(axis.breaks().get(0));
         assertThat(axis.at(1e-9)).isEqualTo(axis.breaks().get(0));
-        assertThat(LogAxis.around("e", new double[] {0}, Decades::plain).ticks()).isNotEmpty();
+        assertThat(LogAxis.around("e", new double[] {0}, Decades::plain).ticks())
+                .isNotEmpty();
     }
 
     @Test

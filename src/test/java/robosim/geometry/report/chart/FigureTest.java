@@ -47,7 +47,10 @@ class FigureTest {
         Element root = parsed(svg).getDocumentElement();
         assertThat(root.getTagName()).isEqualTo("svg");
         assertThat(root.getElementsByTagName("title").item(0).getTextContent()).isEqualTo("Title \"quoted\" <here>");
-        assertThat(svg).contains("prefers-color-scheme:dark").doesNotContain("href").doesNotContain("url(");
+        assertThat(svg)
+                .contains("prefers-color-scheme:dark")
+                .doesNotContain("href")
+                .doesNotContain("url(");
         assertThat(svg).doesNotContain("NaN").doesNotContain("Infinity");
     }
 
@@ -61,7 +64,16 @@ class FigureTest {
             words.add(texts.item(k).getTextContent());
         }
         assertThat(words)
-                .contains("engine", "other", "EXACT", "0 wrong", "time", "error", "a < b & c", "Caption & more.", "10 ns");
+                .contains(
+                        "engine",
+                        "other",
+                        "EXACT",
+                        "0 wrong",
+                        "time",
+                        "error",
+                        "a < b & c",
+                        "Caption & more.",
+                        "10 ns");
     }
 
     @Test

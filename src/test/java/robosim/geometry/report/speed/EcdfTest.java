@@ -32,8 +32,7 @@ class EcdfTest {
     @Test
     void onlyWhatSoManyValuesCanTellIsWrittenDown() {
         List<String> metrics = new ArrayList<>();
-        of(1000)
-                .put(
+        of(1000).put(
                         (subject, scene, query, metric, value) -> metrics.add(metric),
                         Subject.exact(Dimension.PLANAR),
                         "scene",

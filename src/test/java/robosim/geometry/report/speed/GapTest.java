@@ -24,14 +24,22 @@ class GapTest {
     void gapsAndDepthsThatAreKnown() {
         BoxObject box = new BoxObject(new Point(), 2, 2, 2);
         CylinderObject disc = new CylinderObject(new Point(4, 0, 5), 1, 2);
-        assertThat(gap(box, disc, Dimension.PLANAR)).as("3, 4, 5 from the corner").isEqualTo(4);
-        assertThat(gap(disc, box.movedTo(new Point(1.5, 0, 5)), Dimension.PLANAR)).isEqualTo(0.5);
-        assertThat(gap(box, box.movedTo(new Point(1.5, 0, 0.25)), Dimension.PLANAR)).isEqualTo(-0.5);
-        assertThat(gap(box, disc.movedTo(new Point(0.5, 0, 0)), Dimension.PLANAR)).as("inside").isEqualTo(-1.5);
-        assertThat(gap(box, disc.movedTo(new Point(0, 5, 0)), Dimension.SPATIAL)).isEqualTo(3);
+        assertThat(gap(box, disc, Dimension.PLANAR))
+                .as("3, 4, 5 from the corner")
+                .isEqualTo(4);
+        assertThat(gap(disc, box.movedTo(new Point(1.5, 0, 5)), Dimension.PLANAR))
+                .isEqualTo(0.5);
+        assertThat(gap(box, box.movedTo(new Point(1.5, 0, 0.25)), Dimension.PLANAR))
+                .isEqualTo(-0.5);
+        assertThat(gap(box, disc.movedTo(new Point(0.5, 0, 0)), Dimension.PLANAR))
+                .as("inside")
+                .isEqualTo(-1.5);
+        assertThat(gap(box, disc.movedTo(new Point(0, 5, 0)), Dimension.SPATIAL))
+                .isEqualTo(3);
         assertThat(gap(box, box.movedTo(new Point(5, 6, 2)), Dimension.SPATIAL)).isEqualTo(5);
         SphereObject ball = new SphereObject(new Point(), 1);
-        assertThat(gap(ball, ball.movedTo(new Point(1, 2, 2)), Dimension.SPATIAL)).isEqualTo(1);
+        assertThat(gap(ball, ball.movedTo(new Point(1, 2, 2)), Dimension.SPATIAL))
+                .isEqualTo(1);
     }
 
     @Test
@@ -63,7 +71,8 @@ class GapTest {
                 Pair pair = maker.touching();
                 if (pair != null) {
                     made++;
-                    assertThat(Gaps.overlap(pair.a(), pair.b(), family.dimension)).isTrue();
+                    assertThat(Gaps.overlap(pair.a(), pair.b(), family.dimension))
+                            .isTrue();
                 }
             }
             assertThat(made).as("%s that touch, of 40", family).isGreaterThan(4);

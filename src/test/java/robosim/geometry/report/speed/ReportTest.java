@@ -35,10 +35,15 @@ class ReportTest {
         Results results = measured("sizes", "verdicts", "distances");
         for (Dimension dimension : Dimension.values()) {
             Subject exact = Subject.exact(dimension);
-            assertThat(results.value("sizes", exact, "100", "ray", "ns").orElseThrow()).isPositive();
-            assertThat(Resolution.worst(results, exact)).as("EXACT is never wrong").hasValue(0);
+            assertThat(results.value("sizes", exact, "100", "ray", "ns").orElseThrow())
+                    .isPositive();
+            assertThat(Resolution.worst(results, exact))
+                    .as("EXACT is never wrong")
+                    .hasValue(0);
             Subject sphere = WorldsSection.subject(Accuracy.SPHERE, dimension);
-            assertThat(Resolution.worst(results, sphere).orElseThrow()).as("a coarse level is").isPositive();
+            assertThat(Resolution.worst(results, sphere).orElseThrow())
+                    .as("a coarse level is")
+                    .isPositive();
         }
         Report.write(results, folder);
         String page = Files.readString(folder.resolve("speed-against-error.md"));

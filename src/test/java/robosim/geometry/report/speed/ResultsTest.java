@@ -30,7 +30,9 @@ class ResultsTest {
         results.write(folder.resolve("r.csv"));
         Results read = Results.read(folder.resolve("r.csv"));
         assertThat(read.head()).isEqualTo(results.head());
-        assertThat(read.where(all -> true)).isEqualTo(results.where(all -> true)).hasSize(3);
+        assertThat(read.where(all -> true))
+                .isEqualTo(results.where(all -> true))
+                .hasSize(3);
         assertThat(read.value("sizes", EXACT, "100", "ray", "ns")).hasValue(12.5);
         assertThat(read.value("sizes", EXACT, "1000", "ray", "ns")).isEmpty();
     }
@@ -79,9 +81,13 @@ class ResultsTest {
         bar.show("cones", 1, 0.5);
         bar.finish("cones", 1);
         bar.end();
-        assertThat(bytes.toString(StandardCharsets.UTF_8)).startsWith(" 25 %  cones").doesNotContain("\r");
+        assertThat(bytes.toString(StandardCharsets.UTF_8))
+                .startsWith(" 25 %  cones")
+                .doesNotContain("\r");
         Bar watched = new Bar(new PrintStream(bytes, true, StandardCharsets.UTF_8), true, 4);
         watched.show("cones", 1, 1);
-        assertThat(bytes.toString(StandardCharsets.UTF_8)).contains("\r[########").contains(" 25 %  cones");
+        assertThat(bytes.toString(StandardCharsets.UTF_8))
+                .contains("\r[########")
+                .contains(" 25 %  cones");
     }
 }
