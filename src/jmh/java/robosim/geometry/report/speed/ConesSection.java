@@ -68,6 +68,59 @@ final class ConesSection {
         return late.isPresent() ? late : results.value(STUDY, subject, scene, "fan of " + size, "late q1.0");
     }
 
+    /** What a fan is worth that takes as long as the cone. */
+    static void addEqual(Results results, Page page) {
+        List<List<String>> rows = new ArrayList<>();
+        for (String scene : Cones.SCENES) {
+            for (Dimension dimension : List.of(Dimension.PLANAR, Dimension.SPATIAL)) {
+                Subject subject = Subject.exact(dimension);
+                String name = scene + " 15";
+                OptionalDouble cone = results.value(STUDY, subject, name, "cone", Results.NANOS);
+                if (cone.isPresent()) {
+                    rows.add(equal(results, subject, scene, name, cone.getAsDouble()));
+                }
+            }
+        }
+        page.table(
+                List.of(
+                        "scene",
+                        "dimension",
+                        "exact cone, ns",
+                        "the largest fan that is as fast",
+                        "99.9 % are off by up to",
+                        "echoes not heard",
+                        "1 mm takes"),
+                rows);
+    }
+
+    private static List<String> equal(Results results, Subject subject, String scene, String name, double cone) {
+        int size = Cones.FANS.stream()
+                .filter(rays -> results.value(STUDY, subject, name, "fan of " + rays, Results.NANOS)
+                                .orElse(Double.POSITIVE_INFINITY)
+                        <= cone)
+                .reduce(0, Math::max);
+        return List.of(
+                scene,
+                subject.dimension(),
+                Words.nanos(cone),
+                size == 0 ? "none, not even of 3 rays" : size + " rays",
+                size == 0 ? Words.NONE : Words.size(late(results, subject, name, size)) + " m",
+                size == 0
+                        ? Words.NONE
+                        : Words.percent(results.value(STUDY, subject, name, "fan of " + size, "unheard share")
+                                .orElse(0)),
+                enough(results, subject, name));
+    }
+
+    /** The smallest fan of which 99.9 % are within a millimetre. */
+    private static String enough(Results results, Subject subject, String name) {
+        return Cones.FANS.stream()
+                .filter(size -> late(results, subject, name, size).orElse(1) <= 1e-3)
+                .findFirst()
+                .map(size -> size + " rays")
+                .orElse("more than 181 rays");
+    }
+
     private static void table(Results results, Page page) {
         List<List<String>> rows = new ArrayList<>();
         for (String scene : Cones.SCENES) {
@@ -104,11 +157,7 @@ final class ConesSection {
                     .orElseThrow();
             row.add(Words.ratio(nanos / cone.getAsDouble()) + ", " + Words.percent(unheard) + " unheard");
         }
-        row.add(Cones.FANS.stream()
-                .filter(size -> late(results, subject, name, size).orElse(1) <= 1e-3)
-                .findFirst()
-                .map(size -> size + " rays")
-                .orElse("more than 181 rays"));
+        row.add(enough(results, subject, name));
         rows.add(row);
     }
 }

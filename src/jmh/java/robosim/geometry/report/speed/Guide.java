@@ -59,6 +59,10 @@ final class Guide {
             case "levels" -> levels(results, page);
             case "dimensions" -> dimensions(results, page);
             case "robots" -> RobotsSection.table(results, page);
+            case "cones" -> ConesSection.addEqual(results, page);
+            case "filter" ->
+                page.paragraph("Exact over filter alone, the geometric mean over all worlds and questions: **"
+                        + Words.ratio(FilterSection.mean(results)) + "**.");
             case "machine" -> page.paragraph(machine(results));
             case "summary" -> Summary.add(results, page);
             default -> throw new IllegalArgumentException("no figures of this name (got: " + name + ")");

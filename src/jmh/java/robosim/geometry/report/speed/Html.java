@@ -41,7 +41,9 @@ final class Html {
             th, td { padding: 0.3rem 0.75rem; border-bottom: 1px solid var(--line); text-align: left;
               vertical-align: top; }
             th { border-bottom: 2px solid var(--line); color: var(--faint); font-weight: 600; }
-            .number { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+            .number { text-align: right; font-variant-numeric: tabular-nums; }
+            td.number, td:first-child { white-space: nowrap; }
+            th { vertical-align: bottom; }
             tr:hover td { background: var(--band); }
             pre { padding: 0.8rem 1rem; background: var(--band); border-radius: 0.4rem; overflow-x: auto; }
             code { font-family: ui-monospace, monospace; font-size: 0.92em; }

@@ -3,6 +3,7 @@ package robosim.geometry.report.speed;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -37,6 +38,7 @@ public final class SpeedAgainstError {
         String peers = System.getProperty("peers.csv", "");
         if (!peers.isEmpty()) {
             PeerLines.read(Path.of(peers)).forEach(results::add);
+            results.head("native engines", "figures of " + Path.of(peers).getFileName());
         }
         Files.createDirectories(folder);
         results.write(folder.resolve("speed-against-error.csv"));
@@ -67,7 +69,7 @@ public final class SpeedAgainstError {
 
     /** What is compared stands beside each other in time too. */
     private static List<Part> parts(int forks) {
-        List<Part> parts = new java.util.ArrayList<>(List.of(
+        List<Part> parts = new ArrayList<>(List.of(
                 new Part("sizes", "on", 90),
                 new Part("worlds", "on", 90),
                 new Part("cones", "on", 50),

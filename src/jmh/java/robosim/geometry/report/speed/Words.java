@@ -38,6 +38,9 @@ final class Words {
     }
 
     static String ratio(double ratio) {
+        if (ratio > 0 && ratio < 0.095) {
+            return "1/" + count(1 / ratio) + " x";
+        }
         return (ratio < 10 ? format("%.2f", ratio) : format("%,.1f", ratio)) + " x";
     }
 
