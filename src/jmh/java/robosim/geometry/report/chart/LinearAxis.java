@@ -1,5 +1,7 @@
 package robosim.geometry.report.chart;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -34,7 +36,10 @@ public record LinearAxis(String title, double step, double end) implements Axis 
             double value = k * step;
             String label = step >= 1
                     ? String.format(Locale.ROOT, "%,d", Math.round(value))
-                    : Double.toString((float) value).replaceAll("\\.0$", "");
+                    : BigDecimal.valueOf(value)
+                            .round(new MathContext(6))
+                            .stripTrailingZeros()
+                            .toPlainString();
             ticks.add(new Tick(at(value), label, true));
         }
         return ticks;

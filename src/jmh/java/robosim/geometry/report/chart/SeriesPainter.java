@@ -84,7 +84,7 @@ final class SeriesPainter {
                     (series.hollow() ? "h" : "f") + series.colour(),
                     plot.left(),
                     y(dot) - thick / 2,
-                    Math.max(1, x(dot) - plot.left()),
+                    x(dot) - plot.left(),
                     thick));
             double width = Words.width(dot.label(), SIZE);
             boolean fits = x(dot) + 6 + width < plot.right();

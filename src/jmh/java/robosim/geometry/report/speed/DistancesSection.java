@@ -7,7 +7,10 @@ import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.report.chart.Decades;
 import robosim.geometry.report.chart.Figure;
+import robosim.geometry.report.chart.LinearAxis;
 import robosim.geometry.report.chart.LogAxis;
+import robosim.geometry.report.chart.Marker;
+import robosim.geometry.report.chart.NamesAxis;
 import robosim.geometry.report.chart.NinesAxis;
 import robosim.geometry.report.chart.Panel;
 import robosim.geometry.report.chart.Series;
@@ -45,7 +48,54 @@ final class DistancesSection {
                 panels,
                 2,
                 230));
+        page.picture(new Figure(
+                "distances-failures",
+                "Distance along a ray: what is no distance at all",
+                "Of all rays at discs and turned rectangles in the plane, random and grazing together: hits that were not"
+                        + " seen, hits where there is none, and answers that are no number or an exception. JTS was asked"
+                        + " about rectangles alone.",
+                List.of(
+                        failures(results, "missed", "hits missed"),
+                        failures(results, "invented", "hits invented"),
+                        failures(results, "no number", "no number or exception")),
+                3,
+                120));
         table(results, page);
+    }
+
+    private static Panel failures(Results results, String metric, String title) {
+        List<String> names = new ArrayList<>();
+        List<Dot> dots = new ArrayList<>();
+        double most = 1;
+        for (Subject subject : subjects(Dimension.PLANAR)) {
+            double asked = sum(results, subject, "asked");
+            double failed = sum(results, subject, metric);
+            if (asked > 0) {
+                dots.add(
+                        new Dot(100 * failed / asked, names.size(), Words.count(failed) + " of " + Words.count(asked)));
+                names.add(name(subject));
+                most = Math.max(most, 100 * failed / asked);
+            }
+        }
+        // Room for the words behind the longest bar.
+        LinearAxis share = LinearAxis.upTo("% of what was asked", 2.2 * most);
+        return new Panel(
+                title,
+                share,
+                new NamesAxis("", names),
+                List.of(new Series("", 4, Marker.SQUARE, Line.BARS, false, dots)));
+    }
+
+    private static double sum(Results results, Subject subject, String metric) {
+        return results.of(STUDY).stream()
+                .filter(measure ->
+                        measure.subject().equals(subject) && measure.metric().equals(metric))
+                .mapToDouble(Measure::value)
+                .sum();
+    }
+
+    private static String name(Subject subject) {
+        return subject.isModule() ? subject.isAlone() ? "filter alone" : "EXACT" : subject.engine();
     }
 
     private static List<Subject> subjects(Dimension dimension) {
@@ -67,9 +117,7 @@ final class DistancesSection {
                     ? subject.isAlone() ? "this module, filter alone" : "this module, EXACT"
                     : subject.engine();
             if (!dots.isEmpty()) {
-                Look look = subject.isAlone()
-                        ? new Look(3, robosim.geometry.report.chart.Marker.PLUS, false)
-                        : Look.of(subject);
+                Look look = subject.isAlone() ? new Look(3, Marker.PLUS, false) : Look.of(subject);
                 series.add(look.series(name, subject.isAlone() ? Line.DASHED : Line.SOLID, dots));
             }
         }

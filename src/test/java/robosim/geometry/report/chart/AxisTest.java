@@ -88,6 +88,7 @@ class AxisTest {
             LinearAxis axis = LinearAxis.upTo("n", most);
             assertThat(axis.end()).isGreaterThanOrEqualTo(most).isLessThan(most * 1.6);
             assertThat(axis.ticks()).as("marks up to %s", most).hasSizeBetween(3, 8);
+            assertThat(labels(axis)).as("without noise").allMatch(label -> label.length() <= 7);
         }
     }
 }
