@@ -163,7 +163,9 @@ public final class QuadTree {
         if (hasRegions) {
             regions.remove(id, boxes);
         }
-        System.arraycopy(boxes, 4 * id, before, 0, 4);
+        for (int k = 0; k < 4; k++) {
+            before[k] = boxes[4 * id + k];
+        }
         Tiles old = isStale ? null : layerOf(id);
         write(id, minX, minZ, maxX, maxZ);
         if (old != null && old == layerOf(id)) {
@@ -371,15 +373,15 @@ public final class QuadTree {
         }
 
         /**
-         * Gathers all objects whose boxes, rounded outward to floats, meet this closed box, and answers how many there are;
-         * take them with {@link #gathered}. One that lies across regions may be there again.
+         * Gathers all objects but one whose boxes, rounded outward to floats, meet this closed box, and answers how many
+         * there are; take them with {@link #gathered}. One that lies across regions may be there again.
          */
-        public int gather(double minX, double minZ, double maxX, double maxZ) {
+        public int gather(double minX, double minZ, double maxX, double maxZ, int but) {
             tree.settle();
-            gathering.clear();
+            gathering.start(minX, minZ, maxX, maxZ, but);
             for (int k = 0; k < tree.layerCount; k++) {
                 if (!tree.layers[k].isEmpty()) {
-                    gathering.gather(tree.layers[k], minX, minZ, maxX, maxZ);
+                    gathering.gather(tree.layers[k]);
                 }
             }
             return gathering.count();
@@ -388,6 +390,11 @@ public final class QuadTree {
         /** The k-th object that was gathered. */
         public int gathered(int k) {
             return gathering.id(k);
+        }
+
+        /** The bounds of all that was gathered, rounded outward: least x and z, greatest x and z of the k-th from 4k on. */
+        public float[] gatheredBoxes() {
+            return gathering.boxes();
         }
 
         private @Nullable Tiles nextLayer() {
