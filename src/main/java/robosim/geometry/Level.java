@@ -8,6 +8,7 @@ import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.narrow.DiscWay;
 import robosim.geometry.narrow.Enclosure;
 import robosim.geometry.narrow.Leaf;
 import robosim.geometry.narrow.LeafColumn;
@@ -27,8 +28,7 @@ final class Level {
     final double extent;
 
     private LeafColumn leaves = new LeafColumn(16);
-    private int[] first = new int[16];
-    private int[] count = new int[16];
+    private final Spans spans = new Spans();
     private double[] bounds = new double[6 * 16];
 
     /** Up to so many moveable objects are as quickly asked one by one; where there are more, the quadtree has them too. */
@@ -37,25 +37,28 @@ final class Level {
     private int movers;
     private boolean hasMoversInTree;
 
-    /** How to place what moves; null for static objects. */
+    /** How to place what moves; null where nobody has asked. */
     private @Nullable Form[] forms = new Form[16];
 
-    /** What is known of those forms beforehand. */
+    /** What is known of each object beforehand. */
     private byte[] shapes = new byte[16];
 
-    private static final byte ANY = 0;
+    /** It moves, and convex leaves that go with it as they are stand for it. */
+    private static final byte CONVEX = 1;
 
-    /** One convex leaf about the object's centre, as it is. */
-    private static final byte SINGLE = 1;
+    /** And there is one, about its centre. */
+    private static final byte SINGLE = 2;
 
-    /** Convex leaves as they are. */
-    private static final byte CONVEX = 2;
+    /** It is a disc as seen from above. */
+    private static final byte DISC = 4;
 
-    /** Leaves that no object uses any more. */
-    private int unused;
+    /** It moves. */
+    private static final byte MOVER = 8;
 
+    private final Bodies bodies;
     private final LeafColumn incoming = new LeafColumn(1);
     private final double[] part = new double[6];
+    private final double[] box = new double[6];
     private final double[] attitude = new double[Attitude.STRIDE];
 
     /** An object in its own frame, ready to be placed at a level. */
@@ -73,17 +76,14 @@ final class Level {
             }
         }
 
-        private byte shape() {
-            return enclosure != null || own.hasMesh() ? ANY : own.isSingle() ? SINGLE : CONVEX;
-        }
-
         /** How many leaves stand for the object. */
         int size() {
             return enclosure == null ? own.size() : 1;
         }
     }
 
-    Level(Accuracy accuracy, Dimension dimension, double width, double length) {
+    Level(Bodies bodies, Accuracy accuracy, Dimension dimension, double width, double length) {
+        this.bodies = bodies;
         this.accuracy = accuracy;
         this.dimension = dimension;
         tree = new QuadTree(-width / 2, -length / 2, width / 2, length / 2);
@@ -122,26 +122,36 @@ final class Level {
 
     /** Takes an object in under an id that it has elsewhere; in a world of moveable and static ones. */
     void add(int id, GeometryObject object) {
+        placed(object, incoming);
+        boundsOf(incoming, 0, incoming.size(), box, 0);
+        add(id, object, incoming, box);
+    }
+
+    /** Takes an object in that has been placed, with the bounds of what stands for it. */
+    void add(int id, GeometryObject object, LeafColumn placed, double[] box) {
         reserve(id);
+        int leaf = spans.claim(id, placed.size(), leaves);
+        leaves.copy(placed, leaf);
+        System.arraycopy(box, 0, bounds, 6 * id, 6);
+        shapes[id] = placed.size() == 1 && DiscWay.isDisc(leaves.kind(leaf)) ? DISC : 0;
         if (object.isMoveable()) {
-            Form form = new Form(object, accuracy);
-            forms[id] = form;
-            shapes[id] = form.shape();
-            first[id] = leaves.append(form.size());
-            count[id] = form.size();
-            placeForm(form, object, leaves, first[id]);
-        } else {
-            placed(object, incoming);
-            first[id] = leaves.appendCopy(incoming, 0, incoming.size());
-            count[id] = incoming.size();
-        }
-        measure(id);
-        if (object.isMoveable()) {
+            shapes[id] = (byte) (shapes[id] | MOVER | shape(id, object));
             movers++;
             countMovers(id);
         } else {
             addToTree(id);
         }
+    }
+
+    private byte shape(int id, GeometryObject object) {
+        if (accuracy != Accuracy.EXACT) {
+            return 0;
+        }
+        return switch (object.kind()) {
+            case BOX, CYLINDER, SPHERE -> CONVEX | SINGLE;
+            case MESH -> 0;
+            case GROUP -> form(id).own.hasMesh() ? 0 : CONVEX;
+        };
     }
 
     /** Takes all moveable objects into the quadtree when there are no longer few. */
@@ -150,8 +160,10 @@ final class Level {
             addToTree(last);
         } else if (movers > FEW_MOVERS) {
             hasMoversInTree = true;
-            for (int id = 0; id < forms.length; id++) {
-                if (forms[id] != null) {
+            for (int k = 0; k < bodies.moverCount(); k++) {
+                int id = bodies.mover(k);
+                if (id < shapes.length
+                        && (shapes[id] & MOVER) != 0) { // not all are here yet where a level is being made
                     addToTree(id);
                 }
             }
@@ -169,17 +181,15 @@ final class Level {
     }
 
     private void reserve(int id) {
-        if (id >= first.length) {
-            int capacity = id + (id >> 1) + 1;
-            first = Arrays.copyOf(first, capacity);
-            count = Arrays.copyOf(count, capacity);
+        if (id >= forms.length) {
+            int capacity = Growth.of(id);
             forms = Arrays.copyOf(forms, capacity);
             shapes = Arrays.copyOf(shapes, capacity);
             bounds = Arrays.copyOf(bounds, 6 * capacity);
         }
     }
 
-    void remove(int id, Bodies bodies) {
+    void remove(int id) {
         if (bodies.isMoveable(id)) {
             movers--;
         }
@@ -187,39 +197,29 @@ final class Level {
             tree.remove(id);
         }
         forms[id] = null;
-        unused += count[id];
-        count[id] = 0;
-        if (unused > 64 && unused > leaves.size() / 2) {
-            compact();
-        }
-    }
-
-    private void compact() {
-        LeafColumn tight = new LeafColumn(leaves.size() - unused);
-        for (int id = 0; id < first.length; id++) {
-            if (count[id] > 0) {
-                first[id] = tight.appendCopy(leaves, first[id], count[id]);
-            }
-        }
-        leaves = tight;
-        unused = 0;
+        shapes[id] = 0;
+        leaves = spans.release(id, leaves);
     }
 
     /** Puts a moveable object where its place now says. */
     void move(int id, double[] places, int at) {
-        place(form(id), places[at], places[at + 1], places[at + 2], places, at + 3, leaves, first[id]);
+        place(form(id), places[at], places[at + 1], places[at + 2], places, at + 3, leaves, first(id));
         measure(id);
         listAnew(id);
     }
 
     /** Puts a moveable object where its place now says, with the attitude that it had. */
     void shift(int id, double[] places, int at) {
-        if (shapes[id] != SINGLE) {
+        if ((shapes[id] & SINGLE) == 0) {
             move(id, places, at);
             return;
         }
         // Its own centre is the origin, and no coordinate is -0.0: placed, it has the centre to the bit.
-        System.arraycopy(places, at, leaves.rows(), first[id] * Leaf.STRIDE, 3);
+        double[] rows = leaves.rows();
+        int row = first(id) * Leaf.STRIDE;
+        rows[row] = places[at];
+        rows[row + 1] = places[at + 1];
+        rows[row + 2] = places[at + 2];
         measure(id);
         listAnew(id);
     }
@@ -232,21 +232,34 @@ final class Level {
     }
 
     private void measure(int id) {
-        if (count[id] == 1) {
-            leaves.bounds(first[id], part);
-            System.arraycopy(part, 0, bounds, 6 * id, 6);
-        } else {
-            boundsOf(leaves, first[id], count[id], bounds, 6 * id);
+        if (count(id) != 1) {
+            boundsOf(leaves, first(id), count(id), bounds, 6 * id);
+            shapes[id] = (byte) (shapes[id] & ~DISC);
+            return;
         }
+        leaves.bounds(first(id), part);
+        for (int k = 0; k < 6; k++) {
+            bounds[6 * id + k] = part[k];
+        }
+        shapes[id] = (byte) (DiscWay.isDisc(leaves.kind(first(id))) ? shapes[id] | DISC : shapes[id] & ~DISC);
     }
 
     /** Whether what stands for a moveable object here is made of convex leaves that go with it as they are. */
     boolean keepsShape(int id) {
-        return shapes[id] != ANY;
+        return (shapes[id] & CONVEX) != 0;
+    }
+
+    /** Whether an object is a disc as seen from above, where it is now. */
+    boolean isDisc(int id) {
+        return (shapes[id] & DISC) != 0;
     }
 
     /** The outward bounds of some leaves, six numbers. */
     void boundsOf(LeafColumn column, int from, int number, double[] out, int at) {
+        if (number == 1 && at == 0) {
+            column.bounds(from, out);
+            return;
+        }
         for (int k = 0; k < 3; k++) {
             out[at + k] = Double.POSITIVE_INFINITY;
             out[at + 3 + k] = Double.NEGATIVE_INFINITY;
@@ -260,10 +273,12 @@ final class Level {
         }
     }
 
+    /** How to place a moveable object; made when it is first needed, as most only go straight on. */
     Form form(int id) {
         Form form = forms[id];
         if (form == null) {
-            throw new IllegalStateException("id must be that of a moveable object (got: " + id + ")");
+            form = new Form(bodies.value(id), accuracy);
+            forms[id] = form;
         }
         return form;
     }
@@ -273,11 +288,11 @@ final class Level {
     }
 
     int first(int id) {
-        return first[id];
+        return spans.first(id);
     }
 
     int count(int id) {
-        return count[id];
+        return spans.count(id);
     }
 
     /** The bounds of all objects: object id's six numbers begin at 6 id. */

@@ -10,6 +10,11 @@ import org.dyn4j.collision.broadphase.NullAABBExpansionMethod;
 import org.dyn4j.geometry.AABB;
 import org.locationtech.jts.geom.Envelope;
 import org.locationtech.jts.index.quadtree.Quadtree;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
@@ -23,13 +28,58 @@ import robosim.geometry.narrow.Scratch;
 /**
  * Sequential checked additions, the 2005 report's own measure: each new object is tested against those that are in, and
  * comes in where it touches none. The same objects and the same narrow phase behind a {@link Geometry}, a plain list that
- * asks the narrow phase of each, a list that compares bounds first, JTS's quadtree and dyn4j's dynamic AABB tree, in turn.
+ * asks the narrow phase of each, a list that compares bounds first, JTS's quadtree and dyn4j's dynamic AABB tree, in turn,
+ * which {@link Benchmarks} can not: ratios of interleaved rounds.
  *
  * <p>{@code mvn -q test-compile exec:java -Dexec.classpathScope=test
  * -Dexec.mainClass=robosim.geometry.bench.Additions}
  */
-public final class Additions {
-    private Additions() {}
+@State(Scope.Thread)
+public class Additions {
+    /** How many objects; the trees of all fit the third cache. */
+    @Param({"100", "1000", "10000"})
+    public int objects;
+
+    private List<GeometryObject> candidates;
+    private double world;
+
+    /** Makes the objects, the same from run to run. */
+    @Setup
+    public void make() {
+        Scene scene = new Scene(objects, 1);
+        candidates = scene.objects(objects);
+        world = scene.side() + 20;
+    }
+
+    /** All of them into a new world of the module, through its public call. */
+    @Benchmark
+    public long module() {
+        return geometry(candidates, world);
+    }
+
+    /** To subtract: the leaf and the bounds of each. */
+    @Benchmark
+    public double loop() {
+        Store store = new Store();
+        double sum = 0;
+        for (GeometryObject object : candidates) {
+            store.ask(object);
+            sum += store.box[0];
+        }
+        return sum;
+    }
+
+    /** JTS's quadtree before the same narrow phase. */
+    @Benchmark
+    public long jts() {
+        return jts(candidates);
+    }
+
+    /** dyn4j's dynamic tree before the same narrow phase. */
+    @Benchmark
+    public long dyn4j() {
+        return dyn4j(candidates);
+    }
 
     /** Asks the question for 1,000 and 10,000 objects. */
     public static void main(String[] args) {

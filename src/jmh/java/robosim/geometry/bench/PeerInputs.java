@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
@@ -112,6 +113,25 @@ final class PeerInputs {
 
     private static Point point(ByteBuffer in) {
         return new Point(in.getDouble(), in.getDouble(), in.getDouble());
+    }
+
+    /** Hits and sum of distances of a scene's rays, then hits of its probes, if the folder holds a truth; else null. */
+    double @Nullable [] truth(int objects) throws IOException {
+        Path file = folder.resolve("data").resolve("truth.txt");
+        if (Files.exists(file)) {
+            for (String line : Files.readAllLines(file)) {
+                // REF W1a N hits_solid H sum S .. W1b P
+                String[] words = line.split(" ", -1);
+                if (words.length > 6 && words[1].equals("W1a") && words[2].equals("" + objects)) {
+                    return new double[] {
+                        Double.parseDouble(words[4]),
+                        Double.parseDouble(words[6]),
+                        Double.parseDouble(words[words.length - 1])
+                    };
+                }
+            }
+        }
+        return null;
     }
 
     private ByteBuffer read(String name) throws IOException {

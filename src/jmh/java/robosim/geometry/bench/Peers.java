@@ -22,7 +22,7 @@ import java.util.TreeMap;
  *
  * <p>{@code mvn -q test-compile exec:java -Dexec.classpathScope=test -Dexec.mainClass=robosim.geometry.bench.Peers
  * -Dpeers=FOLDER}, where the folder holds the inputs in {@code data} and, where there are any, the engines in
- * {@code bin}. {@code -Dwork=W1a,W4} and {@code -Dsizes=100,10000} take a part, {@code -Drounds=7} sets the rounds.
+ * {@code bin} or in the folder of {@code -Dengines}. {@code -Dwork=W1a,W4} and {@code -Dsizes=100,10000} take a part, {@code -Drounds=7} sets the rounds.
  */
 public final class Peers {
     /** Which engine answers which workload; each is asked for all sizes at once. */
@@ -60,8 +60,10 @@ public final class Peers {
 
     private static void askEngines(Path folder, List<String> works, List<Line> lines, boolean aloud)
             throws IOException, InterruptedException {
+        Path engines =
+                Path.of(System.getProperty("engines", folder.resolve("bin").toString()));
         for (Map.Entry<String, String> engine : new TreeMap<>(ENGINES).entrySet()) {
-            Path program = folder.resolve("bin").resolve(engine.getKey());
+            Path program = engines.resolve(engine.getKey()).toAbsolutePath();
             List<String> asked = new ArrayList<>(List.of(program.toString()));
             for (String work : engine.getValue().split(" ", -1)) {
                 if (works.stream().anyMatch(each -> each.startsWith(work) && !each.equals("W1c"))) {

@@ -37,7 +37,7 @@ final class Swarm {
     private final double[] wayZ;
     private final double world;
 
-    private Swarm(int count) {
+    Swarm(int count) {
         this.count = count;
         passes = Math.max(1, 10_000 / count);
         double side = 3 * Math.sqrt(count);
@@ -71,7 +71,7 @@ final class Swarm {
         }
     }
 
-    private Geometry geometry() {
+    Geometry geometry() {
         Geometry geometry = new Geometry(world, 10, world, Dimension.PLANAR, Accuracy.EXACT);
         for (int k = 0; k < count; k++) {
             geometry.addObjectUnchecked(new CylinderObject(new Point(x[k], 0, z[k]), RADIUS, 2).moveable(names[k]));
@@ -93,10 +93,25 @@ final class Swarm {
         return new Answer(made, made);
     }
 
+    /** One of the moves of a pass, numbered from 0 to twice the count: all there, then all back again. */
+    boolean move(Geometry geometry, int step) {
+        int k = robot(step);
+        double sign = step < count ? 1 : -1;
+        return geometry.simpleMove(names[k], sign * wayX[k], 0, sign * wayZ[k]);
+    }
+
+    private int robot(int step) {
+        return step < count ? step : 2 * count - 1 - step;
+    }
+
+    double wayX(int step) {
+        return wayX[robot(step)];
+    }
+
     private record Item(int index) {}
 
     /** The same discs behind dyn4j's tree or none, before the module's own sweep. */
-    private final class Flock implements AABBProducer<Item> {
+    final class Flock implements AABBProducer<Item> {
         private final boolean hasTree;
         private final DynamicAABBTree<Item> tree =
                 new DynamicAABBTree<>((a, b) -> true, this, new NullAABBExpansionMethod<>());
@@ -127,6 +142,12 @@ final class Swarm {
                 }
             }
             return new Answer(made, made);
+        }
+
+        boolean move(int step) {
+            int k = robot(step);
+            double sign = step < count ? 1 : -1;
+            return move(k, sign * wayX[k], sign * wayZ[k]);
         }
 
         private boolean move(int k, double dx, double dz) {

@@ -7,8 +7,13 @@ import robosim.geometry.model.TriangleMesh;
 
 /** Leaves beside each other: a kind, a row of {@link Leaf#STRIDE} doubles and, for meshes, the triangles of each. */
 public final class LeafColumn {
+    private static final byte VACANT = -1;
+
+    /** Columns with fewer leaves grow by as many again. */
+    private static final int SMALL = 1 << 15;
+
     private int size;
-    private int[] kinds;
+    private byte[] kinds;
     private double[] rows;
 
     /** None until the first mesh comes. */
@@ -16,7 +21,7 @@ public final class LeafColumn {
 
     /** An empty column with room for so many leaves. */
     public LeafColumn(int capacity) {
-        kinds = new int[Math.max(1, capacity)];
+        kinds = new byte[Math.max(1, capacity)];
         rows = new double[kinds.length * Leaf.STRIDE];
     }
 
@@ -30,7 +35,8 @@ public final class LeafColumn {
         int first = size;
         size += count;
         if (size > kinds.length) {
-            int capacity = Math.max(size, kinds.length + (kinds.length >> 1) + 1);
+            int more = kinds.length < SMALL ? kinds.length : kinds.length >> 1;
+            int capacity = Math.max(size, kinds.length + more + 1);
             kinds = Arrays.copyOf(kinds, capacity);
             rows = Arrays.copyOf(rows, capacity * Leaf.STRIDE);
             if (meshes != null) {
@@ -43,14 +49,36 @@ public final class LeafColumn {
     /** Appends copies of leaves of another column and answers the first one's index. */
     public int appendCopy(LeafColumn other, int first, int count) {
         int at = append(count);
+        copy(other, first, count, at);
+        return at;
+    }
+
+    /** Writes copies of all leaves of another column from a leaf on. */
+    public void copy(LeafColumn other, int at) {
+        copy(other, 0, other.size, at);
+    }
+
+    private void copy(LeafColumn other, int first, int count, int at) {
+        System.arraycopy(other.kinds, first, kinds, at, count);
+        System.arraycopy(other.rows, first * Leaf.STRIDE, rows, at * Leaf.STRIDE, count * Leaf.STRIDE);
         for (int k = 0; k < count; k++) {
-            kinds[at + k] = other.kinds[first + k];
-            if (Leaf.isMesh(kinds[at + k])) {
+            if (Leaf.isMesh(kind(at + k))) {
                 setMesh(at + k, other.mesh(first + k));
             }
         }
-        System.arraycopy(other.rows, first * Leaf.STRIDE, rows, at * Leaf.STRIDE, count * Leaf.STRIDE);
-        return at;
+    }
+
+    /** Leaves nothing at a leaf's place. */
+    public void vacate(int leaf) {
+        kinds[leaf] = VACANT;
+        if (meshes != null) {
+            meshes[leaf] = null;
+        }
+    }
+
+    /** Whether nothing is at a leaf's place. */
+    public boolean isVacant(int leaf) {
+        return kind(leaf) == VACANT;
     }
 
     /** Forgets all leaves. */
@@ -64,7 +92,7 @@ public final class LeafColumn {
     }
 
     public void setKind(int leaf, int kind) {
-        kinds[leaf] = kind;
+        kinds[leaf] = (byte) kind;
     }
 
     /** The numbers of all leaves; leaf k begins at {@code k * Leaf.STRIDE}. Valid until the next append. */
@@ -80,16 +108,36 @@ public final class LeafColumn {
                 return mesh;
             }
         }
-        throw new IllegalStateException("leaf must be a mesh (got: leaf " + leaf + " of kind " + kinds[leaf] + ")");
+        throw new IllegalStateException("leaf must be a mesh (got: leaf " + leaf + " of kind " + kind(leaf) + ")");
     }
 
     /** The outward bounds of a leaf: least x, y and z, then greatest. */
     public void bounds(int leaf, double[] out) {
-        if (Leaf.isMesh(kinds[leaf])) {
+        if (Leaf.isMesh(kind(leaf))) {
             meshBounds(leaf, out);
         } else {
-            LeafBounds.of(kinds[leaf], rows, leaf * Leaf.STRIDE, out);
+            LeafBounds.of(kind(leaf), rows, leaf * Leaf.STRIDE, out);
         }
+    }
+
+    /** Bounds of a leaf, least x, y and z and then greatest: as {@link #bounds} or, where that is quicker, wider. */
+    public void roughBounds(int leaf, double[] out) {
+        int kind = kind(leaf);
+        if (kind != Leaf.UPRIGHT_CYLINDER && kind != Leaf.SPHERE) {
+            bounds(leaf, out);
+            return;
+        }
+        int at = leaf * Leaf.STRIDE;
+        roughRange(rows[at], rows[at + 3], out, 0);
+        roughRange(rows[at + 1], kind == Leaf.SPHERE ? rows[at + 3] : rows[at + 4], out, 1);
+        roughRange(rows[at + 2], rows[at + 3], out, 2);
+    }
+
+    private static void roughRange(double middle, double half, double[] out, int axis) {
+        // More than the rounding of a sum of two.
+        double more = half + (0x1p-51 * (Math.abs(middle) + half) + Double.MIN_NORMAL);
+        out[axis] = middle - more;
+        out[3 + axis] = middle + more;
     }
 
     /** Where the box of the mesh in its own frame comes to stand, widened as {@link MeshWalk} widens a question. */
