@@ -11,8 +11,9 @@ import robosim.geometry.model.TriangleMesh;
  *
  * <p>Boxes stand in their meshes' own frames and so are turned to each other, by one rotation for all pairs: what is b's is
  * taken into a's frame, and a pair is passed by where an own axis of either separates it (six of the fifteen of Gottschalk,
- * Lin and Manocha 1996; the other nine cost more than they save). {@link #pad} is more than all roundings on the way, of the placed corners too, so that no pair that meets is lost.
- * An instance belongs to one owner of queries; nothing is allocated once the stacks have grown, but by exact decisions.
+ * Lin and Manocha 1996; the other nine cost more than they save). {@link #pad} is more than all roundings on the way, of
+ * the placed corners too, so that no pair that meets is lost. An instance belongs to one owner of queries; nothing is
+ * allocated once the stacks have grown, but by exact decisions.
  */
 final class MeshPairs {
     private static final double APART = Double.POSITIVE_INFINITY;

@@ -157,7 +157,10 @@ final class MeshWalk {
         return squared < 0x1p-900 ? 0 : Math.sqrt(squared) * (1 - 0x1p-50 - skew);
     }
 
-    /** The place, in the order of the leaves, of the next triangle whose key is at most the limit, or -1. A limit only ever shrinks. */
+    /**
+     * The place, in the order of the leaves, of the next triangle whose key is at most the limit, or -1. A limit only ever
+     * shrinks.
+     */
     int next(double limit) {
         while (true) {
             while (item < end) {
