@@ -9,6 +9,9 @@ import robosim.geometry.model.TriangleMesh;
 public final class LeafColumn {
     private static final byte VACANT = -1;
 
+    /** Columns with fewer leaves grow by as many again. */
+    private static final int SMALL = 1 << 15;
+
     private int size;
     private byte[] kinds;
     private double[] rows;
@@ -32,7 +35,8 @@ public final class LeafColumn {
         int first = size;
         size += count;
         if (size > kinds.length) {
-            int capacity = Math.max(size, kinds.length + (kinds.length >> 1) + 1);
+            int more = kinds.length < SMALL ? kinds.length : kinds.length >> 1;
+            int capacity = Math.max(size, kinds.length + more + 1);
             kinds = Arrays.copyOf(kinds, capacity);
             rows = Arrays.copyOf(rows, capacity * Leaf.STRIDE);
             if (meshes != null) {
