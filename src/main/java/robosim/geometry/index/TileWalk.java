@@ -18,6 +18,9 @@ final class TileWalk {
     private static final double FLAT = 0x1p-60;
     private static final double LEAST = 0x1p-300;
 
+    /** The square of a direction that loses no bits. */
+    private static final double SHORTEST = 0x1p-900;
+
     private Tiles tiles;
     private final Line line;
 
@@ -220,8 +223,9 @@ final class TileWalk {
         double fromZ = 2 * l.oz;
         double most = l.aside;
         // The middle of the way to the reach, twice and times the direction, as the offsets are; wide of what this
-        // rounds.
-        double half = reach * (dx * dx + dz * dz);
+        // rounds. A direction whose square is no number has none.
+        double square = dx * dx + dz * dz;
+        double half = square > SHORTEST ? reach * square : Double.POSITIVE_INFINITY;
         double margin = half * (1 + 0x1p-48) + most;
         int[] heads = tiles.heads;
         int[] entries = tiles.store.data;
