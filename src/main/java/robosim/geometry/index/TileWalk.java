@@ -219,6 +219,10 @@ final class TileWalk {
         double fromX = 2 * l.ox;
         double fromZ = 2 * l.oz;
         double most = l.aside;
+        // The middle of the way to the reach, twice and times the direction, as the offsets are; wide of what this
+        // rounds.
+        double half = reach * (dx * dx + dz * dz);
+        double margin = half * (1 + 0x1p-48) + most;
         int[] heads = tiles.heads;
         int[] entries = tiles.store.data;
         float[] bounds = tiles.store.bounds;
@@ -240,8 +244,13 @@ final class TileWalk {
                 double minZ = bounds[at + 1];
                 double maxX = bounds[at + 2];
                 double maxZ = bounds[at + 3];
-                double off = Math.abs((minX + maxX - fromX) * dz - (minZ + maxZ - fromZ) * dx);
-                if (off <= (maxX - minX) * wayZ + (maxZ - minZ) * wayX + most && l.isNew(id)) {
+                double offX = minX + maxX - fromX;
+                double offZ = minZ + maxZ - fromZ;
+                double wide = maxX - minX;
+                double deep = maxZ - minZ;
+                if (Math.abs(offX * dz - offZ * dx) <= wide * wayZ + deep * wayX + most
+                        && Math.abs(offX * dx + offZ * dz - half) <= wide * wayX + deep * wayZ + margin
+                        && l.isNew(id)) {
                     begin = from;
                     crossX = cx;
                     crossZ = cz;
