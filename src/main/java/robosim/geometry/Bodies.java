@@ -52,7 +52,7 @@ final class Bodies {
     int add(GeometryObject object) {
         int id = freeCount > 0 ? free[--freeCount] : capacityUsed++;
         if (id == values.length) {
-            int capacity = id + (id >> 1) + 1;
+            int capacity = Growth.of(id);
             values = Arrays.copyOf(values, capacity);
             order = Arrays.copyOf(order, capacity);
             slots = Arrays.copyOf(slots, capacity);

@@ -1,6 +1,7 @@
 package robosim.geometry;
 
 import robosim.geometry.exact.Degrees;
+import robosim.geometry.index.QuadTree;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Cast;
 import robosim.geometry.narrow.Distance;
@@ -19,7 +20,6 @@ final class Ranging {
     private double oy;
     private double oz;
     private double ux;
-    private double uy;
     private double uz;
     private double width;
     private int hit;
@@ -53,16 +53,19 @@ final class Ranging {
         ox = x;
         oy = y;
         oz = z;
-        ux = cast.unit(0);
-        uy = cast.unit(1);
-        uz = cast.unit(2);
         width = openingAngle;
         if (width > 0) {
+            takeUnit();
             double cos = Degrees.cos(width / 2);
             double sin = Degrees.sin(width / 2);
             cast.widen(cos, sin);
             setSides(sin);
         }
+    }
+
+    private void takeUnit() {
+        ux = cast.unit(0);
+        uz = cast.unit(2);
     }
 
     /**
@@ -100,27 +103,46 @@ final class Ranging {
 
     private double nearestOnLine(Level level, double limit, int but) {
         best = Double.POSITIVE_INFINITY;
-        boolean vertical = ux == 0 && uz == 0;
-        if (vertical) {
-            level.cursor.startBox(ox, oz, ox, oz);
-        } else {
-            level.cursor.startRay(ox, oz, ux, uz, loose(level, limit));
-        }
+        double dx = cast.way(0);
+        double dz = cast.way(2);
         double reach = limit;
-        for (int id = next(level, vertical, reach); id >= 0; id = next(level, vertical, reach)) {
-            if (id != but) {
-                tryBody(level, id, reach);
-                reach = Math.min(reach, best);
+        if (dx == 0 && dz == 0) {
+            reach = nearestAboveOrBelow(level, limit, but);
+        } else {
+            double slack = slack(level);
+            double inverse = 1 / cast.length();
+            QuadTree.Cursor cursor = level.cursor;
+            cursor.startRay(ox, oz, dx, dz, loose(limit, slack) * inverse);
+            for (int id = cursor.next(loose(reach, slack) * inverse);
+                    id >= 0;
+                    id = cursor.next(loose(reach, slack) * inverse)) {
+                if (id != but) {
+                    reach = tryBody(level, id, reach);
+                }
             }
         }
-        for (int k = 0; k < level.moversBesideTree(); k++) {
+        int movers = level.moversBesideTree();
+        if (movers > 0) {
+            takeUnit();
+        }
+        for (int k = 0; k < movers; k++) {
             int id = bodies.mover(k);
             if (id != but && lineMeets(level, id, reach)) {
-                tryBody(level, id, reach);
-                reach = Math.min(reach, best);
+                reach = tryBody(level, id, reach);
             }
         }
         return best <= limit ? best : none();
+    }
+
+    private double nearestAboveOrBelow(Level level, double limit, int but) {
+        double reach = limit;
+        level.cursor.startBox(ox, oz, ox, oz);
+        for (int id = level.cursor.next(); id >= 0; id = level.cursor.next()) {
+            if (id != but) {
+                reach = tryBody(level, id, reach);
+            }
+        }
+        return reach;
     }
 
     /**
@@ -128,29 +150,28 @@ final class Ranging {
      * begin: by 2^-40 of itself in a cone, and for a turned cylinder by 2^-48 of its place and size, both of which the
      * world limits. What is answered at all is to be found again with its own distance as the limit.
      */
-    private double loose(Level level, double reach) {
-        return reach + (0x1p-38 * reach + 0x1p-44 * (level.extent + Math.abs(ox) + Math.abs(oz)));
+    private static double loose(double reach, double slack) {
+        return reach + (0x1p-38 * reach + slack);
     }
 
-    private int next(Level level, boolean vertical, double reach) {
-        return vertical ? level.cursor.next() : level.cursor.next(loose(level, reach));
+    private double slack(Level level) {
+        return 0x1p-44 * (level.extent + Math.abs(ox) + Math.abs(oz));
     }
 
     private double nearestInCone(Level level, double limit, int but) {
         best = Double.POSITIVE_INFINITY;
         double reach = limit;
-        level.cursor.startSector(ox, oz, leftX, leftZ, rightX, rightZ, loose(level, limit));
-        for (int id = level.cursor.next(loose(level, reach)); id >= 0; id = level.cursor.next(loose(level, reach))) {
-            if (id != but && coneMeets(level, id, loose(level, reach))) {
-                tryBody(level, id, reach);
-                reach = Math.min(reach, best);
+        double slack = slack(level);
+        level.cursor.startSector(ox, oz, leftX, leftZ, rightX, rightZ, loose(limit, slack));
+        for (int id = level.cursor.next(loose(reach, slack)); id >= 0; id = level.cursor.next(loose(reach, slack))) {
+            if (id != but && coneMeets(level, id, loose(reach, slack))) {
+                reach = tryBody(level, id, reach);
             }
         }
         for (int k = 0; k < level.moversBesideTree(); k++) {
             int id = bodies.mover(k);
-            if (id != but && coneMeets(level, id, loose(level, reach))) {
-                tryBody(level, id, reach);
-                reach = Math.min(reach, best);
+            if (id != but && coneMeets(level, id, loose(reach, slack))) {
+                reach = tryBody(level, id, reach);
             }
         }
         return best <= limit ? best : none();
@@ -161,15 +182,19 @@ final class Ranging {
         return Double.POSITIVE_INFINITY;
     }
 
-    private void tryBody(Level level, int id, double reach) {
-        for (int leaf = level.first(id); leaf < level.first(id) + level.count(id); leaf++) {
-            double found = cast.distance(level.leaves(), leaf, Math.min(reach, best));
+    /** Looks for something nearer on one object and answers how far to look from now on. */
+    private double tryBody(Level level, int id, double reach) {
+        int first = level.first(id);
+        int last = first + level.count(id);
+        for (int leaf = first; leaf < last; leaf++) {
+            double found = cast.distance(level.leaves(), leaf, best < reach ? best : reach);
             if (found < best || (found == best && hit >= 0 && bodies.isEarlier(id, hit))) {
                 best = found;
                 hit = id;
                 hitLeaf = leaf;
             }
         }
+        return best < reach ? best : reach;
     }
 
     /** Whether the line may meet an object's bounds within reach; never wrong where it says no. */
@@ -216,9 +241,9 @@ final class Ranging {
     /** A coordinate (0 to 2) of the point on the line at a distance. */
     double point(int axis, double at) {
         return switch (axis) {
-            case 0 -> ox + at * ux;
-            case 1 -> oy + at * uy;
-            default -> oz + at * uz;
+            case 0 -> ox + at * cast.unit(0);
+            case 1 -> oy + at * cast.unit(1);
+            default -> oz + at * cast.unit(2);
         };
     }
 

@@ -45,6 +45,9 @@ final class TileWalk {
     /** The next entry of the list that is read. */
     private int entry = Tiles.NONE;
 
+    /** What the next tile holds, read while the lists before it are: memory is slow. */
+    private int ahead = Tiles.NONE;
+
     private boolean isWithin;
     private @Nullable TileWalk inner;
     private long visited;
@@ -157,6 +160,7 @@ final class TileWalk {
         end = Math.max(Math.min(endX, endZ), Math.nextUp(begin));
         atX = over.spreadX(x);
         atZ = over.spreadZ(z);
+        ahead = over.heads[atX | atZ];
     }
 
     // Where the ray enters the window from outside; false where it passes by.
@@ -215,6 +219,10 @@ final class TileWalk {
         double fromX = 2 * l.ox;
         double fromZ = 2 * l.oz;
         double most = l.aside;
+        // The middle of the way to the reach, twice and times the direction, as the offsets are; wide of what this
+        // rounds.
+        double half = reach * (dx * dx + dz * dz);
+        double margin = half * (1 + 0x1p-48) + most;
         int[] heads = tiles.heads;
         int[] entries = tiles.store.data;
         float[] bounds = tiles.store.bounds;
@@ -226,6 +234,7 @@ final class TileWalk {
         int x = atX;
         int z = atZ;
         int listed = entry;
+        int after = ahead;
         while (true) {
             while (listed >= 0) {
                 int at = 4 * listed;
@@ -235,8 +244,13 @@ final class TileWalk {
                 double minZ = bounds[at + 1];
                 double maxX = bounds[at + 2];
                 double maxZ = bounds[at + 3];
-                double off = Math.abs((minX + maxX - fromX) * dz - (minZ + maxZ - fromZ) * dx);
-                if (off <= (maxX - minX) * wayZ + (maxZ - minZ) * wayX + most && l.isNew(id)) {
+                double offX = minX + maxX - fromX;
+                double offZ = minZ + maxZ - fromZ;
+                double wide = maxX - minX;
+                double deep = maxZ - minZ;
+                if (Math.abs(offX * dz - offZ * dx) <= wide * wayZ + deep * wayX + most
+                        && Math.abs(offX * dx + offZ * dz - half) <= wide * wayX + deep * wayZ + margin
+                        && l.isNew(id)) {
                     begin = from;
                     crossX = cx;
                     crossZ = cz;
@@ -245,6 +259,7 @@ final class TileWalk {
                     atX = x;
                     atZ = z;
                     entry = listed;
+                    ahead = after;
                     return id;
                 }
             }
@@ -258,7 +273,7 @@ final class TileWalk {
                 break;
             }
             visited++;
-            listed = heads[x | z];
+            listed = after;
             if (cx < cz) {
                 from = cx;
                 x = ((x | fillX) + countX) & tiles.maskX;
@@ -270,6 +285,7 @@ final class TileWalk {
                 farZ += stepZ;
                 cz = (farZ - gz) * inverseZ;
             }
+            after = heads[x | z];
         }
         begin = from;
         crossX = cx;
@@ -279,6 +295,7 @@ final class TileWalk {
         atX = x;
         atZ = z;
         entry = Tiles.NONE;
+        ahead = after;
         return Tiles.NONE;
     }
 
