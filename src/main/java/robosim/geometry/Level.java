@@ -38,7 +38,7 @@ final class Level {
     private boolean hasMoversInTree;
 
     /** How to place what moves; null where nobody has asked. */
-    private @Nullable Form[] forms = new Form[16];
+    private @Nullable Form[] forms = new Form[0];
 
     /** What is known of each object beforehand. */
     private byte[] shapes = new byte[16];
@@ -181,9 +181,8 @@ final class Level {
     }
 
     private void reserve(int id) {
-        if (id >= forms.length) {
+        if (id >= shapes.length) {
             int capacity = Growth.of(id);
-            forms = Arrays.copyOf(forms, capacity);
             shapes = Arrays.copyOf(shapes, capacity);
             bounds = Arrays.copyOf(bounds, 6 * capacity);
         }
@@ -196,7 +195,9 @@ final class Level {
         if (tree.contains(id)) {
             tree.remove(id);
         }
-        forms[id] = null;
+        if (id < forms.length) {
+            forms[id] = null;
+        }
         shapes[id] = 0;
         leaves = spans.release(id, leaves);
     }
@@ -275,8 +276,11 @@ final class Level {
 
     /** How to place a moveable object; made when it is first needed, as most only go straight on. */
     Form form(int id) {
-        Form form = forms[id];
+        Form form = id < forms.length ? forms[id] : null;
         if (form == null) {
+            if (id >= forms.length) {
+                forms = Arrays.copyOf(forms, shapes.length);
+            }
             form = new Form(bodies.value(id), accuracy);
             forms[id] = form;
         }
