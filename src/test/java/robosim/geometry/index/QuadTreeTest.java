@@ -319,6 +319,21 @@ class QuadTreeTest {
     }
 
     @Test
+    void aReachBeyondTheObjectsIsNoneWhateverTheSpeed() {
+        QuadTree tree = new QuadTree(-10, -10, 10, 10);
+        tree.add(0, 1, 1, 2, 2);
+        QuadTree.Cursor cursor = tree.cursor();
+        for (int power = -1020; power <= 1000; power += 20) {
+            double speed = Math.scalb(1.0, power);
+            double[] ray = {0, 0, speed, speed};
+            double reach = Math.min(Double.MAX_VALUE, Math.scalb(3.0, -power));
+            assertThat(collectRay(cursor, ray, reach).cardinality())
+                    .as("speed " + speed)
+                    .isEqualTo(1);
+        }
+    }
+
+    @Test
     void queriesLookIntoFewRegions() {
         SplittableRandom random = new SplittableRandom(61);
         int n = 20_000;
