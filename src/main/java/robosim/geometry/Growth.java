@@ -8,6 +8,6 @@ final class Growth {
 
     /** The next capacity of what is full with so many. */
     static int of(int size) {
-        return size < SMALL ? 2 * size + 2 : size + (size >> 1);
+        return size < SMALL ? 2 * size + 2 : size + (size >> 2);
     }
 }

@@ -35,7 +35,7 @@ public final class LeafColumn {
         int first = size;
         size += count;
         if (size > kinds.length) {
-            int more = kinds.length < SMALL ? kinds.length : kinds.length >> 1;
+            int more = kinds.length < SMALL ? kinds.length : kinds.length >> 2;
             int capacity = Math.max(size, kinds.length + more + 1);
             kinds = Arrays.copyOf(kinds, capacity);
             rows = Arrays.copyOf(rows, capacity * Leaf.STRIDE);
