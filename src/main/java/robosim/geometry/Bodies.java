@@ -1,8 +1,6 @@
 package robosim.geometry;
 
 import java.util.Arrays;
-import java.util.HashMap;
-import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Pose;
@@ -15,7 +13,7 @@ final class Bodies {
     /** Doubles a place, laid out by {@link Pose}. */
     static final int PLACE = Pose.PLACE;
 
-    private final Map<String, Integer> byName = new HashMap<>();
+    private final Names names = new Names();
     private @Nullable GeometryObject[] values = new GeometryObject[16];
     private long[] order = new long[16];
 
@@ -47,8 +45,7 @@ final class Bodies {
 
     /** The id of a name, or -1. */
     int find(String name) {
-        Integer id = byName.get(name);
-        return id == null ? -1 : id;
+        return names.find(name);
     }
 
     /** Takes an object in and answers its id. */
@@ -65,7 +62,7 @@ final class Bodies {
         slots[id] = -1;
         String name = object.name();
         if (name != null) {
-            byName.put(name, id);
+            names.put(name, id);
         }
         if (object.isMoveable()) {
             addMover(id, object.pose());
@@ -100,14 +97,16 @@ final class Bodies {
     /** Puts the centre of a moveable object elsewhere: six numbers, the last three what it has lost. */
     void shift(int id, double[] centre) {
         int at = place(id);
-        System.arraycopy(centre, 0, places, at, 3);
-        System.arraycopy(centre, 3, places, at + Pose.LOST, 3);
+        for (int k = 0; k < 3; k++) {
+            places[at + k] = centre[k];
+            places[at + Pose.LOST + k] = centre[3 + k];
+        }
     }
 
     void remove(int id) {
         String name = value(id).name();
         if (name != null) {
-            byName.remove(name);
+            names.remove(name);
         }
         if (slots[id] >= 0) {
             removeMover(slots[id]);

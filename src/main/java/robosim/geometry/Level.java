@@ -8,6 +8,7 @@ import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.narrow.DiscWay;
 import robosim.geometry.narrow.Enclosure;
 import robosim.geometry.narrow.Leaf;
 import robosim.geometry.narrow.LeafColumn;
@@ -27,8 +28,7 @@ final class Level {
     final double extent;
 
     private LeafColumn leaves = new LeafColumn(16);
-    private int[] first = new int[16];
-    private int[] count = new int[16];
+    private final Spans spans = new Spans();
     private double[] bounds = new double[6 * 16];
 
     /** Up to so many moveable objects are as quickly asked one by one; where there are more, the quadtree has them too. */
@@ -40,19 +40,17 @@ final class Level {
     /** How to place what moves; null for static objects. */
     private @Nullable Form[] forms = new Form[16];
 
-    /** What is known of those forms beforehand. */
+    /** What is known of each object beforehand. */
     private byte[] shapes = new byte[16];
 
-    private static final byte ANY = 0;
+    /** It moves, and convex leaves that go with it as they are stand for it. */
+    private static final byte CONVEX = 1;
 
-    /** One convex leaf about the object's centre, as it is. */
-    private static final byte SINGLE = 1;
+    /** And there is one, about its centre. */
+    private static final byte SINGLE = 2;
 
-    /** Convex leaves as they are. */
-    private static final byte CONVEX = 2;
-
-    /** Leaves that no object uses any more. */
-    private int unused;
+    /** It is a disc as seen from above. */
+    private static final byte DISC = 4;
 
     private final LeafColumn incoming = new LeafColumn(1);
     private final double[] part = new double[6];
@@ -74,7 +72,7 @@ final class Level {
         }
 
         private byte shape() {
-            return enclosure != null || own.hasMesh() ? ANY : own.isSingle() ? SINGLE : CONVEX;
+            return enclosure != null || own.hasMesh() ? 0 : own.isSingle() ? CONVEX | SINGLE : CONVEX;
         }
 
         /** How many leaves stand for the object. */
@@ -123,17 +121,15 @@ final class Level {
     /** Takes an object in under an id that it has elsewhere; in a world of moveable and static ones. */
     void add(int id, GeometryObject object) {
         reserve(id);
+        shapes[id] = 0;
         if (object.isMoveable()) {
             Form form = new Form(object, accuracy);
             forms[id] = form;
             shapes[id] = form.shape();
-            first[id] = leaves.append(form.size());
-            count[id] = form.size();
-            placeForm(form, object, leaves, first[id]);
+            placeForm(form, object, leaves, spans.claim(id, form.size(), leaves));
         } else {
             placed(object, incoming);
-            first[id] = leaves.appendCopy(incoming, 0, incoming.size());
-            count[id] = incoming.size();
+            leaves.copy(incoming, spans.claim(id, incoming.size(), leaves));
         }
         measure(id);
         if (object.isMoveable()) {
@@ -169,10 +165,8 @@ final class Level {
     }
 
     private void reserve(int id) {
-        if (id >= first.length) {
+        if (id >= forms.length) {
             int capacity = id + (id >> 1) + 1;
-            first = Arrays.copyOf(first, capacity);
-            count = Arrays.copyOf(count, capacity);
             forms = Arrays.copyOf(forms, capacity);
             shapes = Arrays.copyOf(shapes, capacity);
             bounds = Arrays.copyOf(bounds, 6 * capacity);
@@ -187,39 +181,28 @@ final class Level {
             tree.remove(id);
         }
         forms[id] = null;
-        unused += count[id];
-        count[id] = 0;
-        if (unused > 64 && unused > leaves.size() / 2) {
-            compact();
-        }
-    }
-
-    private void compact() {
-        LeafColumn tight = new LeafColumn(leaves.size() - unused);
-        for (int id = 0; id < first.length; id++) {
-            if (count[id] > 0) {
-                first[id] = tight.appendCopy(leaves, first[id], count[id]);
-            }
-        }
-        leaves = tight;
-        unused = 0;
+        leaves = spans.release(id, leaves);
     }
 
     /** Puts a moveable object where its place now says. */
     void move(int id, double[] places, int at) {
-        place(form(id), places[at], places[at + 1], places[at + 2], places, at + 3, leaves, first[id]);
+        place(form(id), places[at], places[at + 1], places[at + 2], places, at + 3, leaves, first(id));
         measure(id);
         listAnew(id);
     }
 
     /** Puts a moveable object where its place now says, with the attitude that it had. */
     void shift(int id, double[] places, int at) {
-        if (shapes[id] != SINGLE) {
+        if ((shapes[id] & SINGLE) == 0) {
             move(id, places, at);
             return;
         }
         // Its own centre is the origin, and no coordinate is -0.0: placed, it has the centre to the bit.
-        System.arraycopy(places, at, leaves.rows(), first[id] * Leaf.STRIDE, 3);
+        double[] rows = leaves.rows();
+        int row = first(id) * Leaf.STRIDE;
+        rows[row] = places[at];
+        rows[row + 1] = places[at + 1];
+        rows[row + 2] = places[at + 2];
         measure(id);
         listAnew(id);
     }
@@ -232,17 +215,26 @@ final class Level {
     }
 
     private void measure(int id) {
-        if (count[id] == 1) {
-            leaves.bounds(first[id], part);
-            System.arraycopy(part, 0, bounds, 6 * id, 6);
-        } else {
-            boundsOf(leaves, first[id], count[id], bounds, 6 * id);
+        if (count(id) != 1) {
+            boundsOf(leaves, first(id), count(id), bounds, 6 * id);
+            shapes[id] = (byte) (shapes[id] & ~DISC);
+            return;
         }
+        leaves.bounds(first(id), part);
+        for (int k = 0; k < 6; k++) {
+            bounds[6 * id + k] = part[k];
+        }
+        shapes[id] = (byte) (DiscWay.isDisc(leaves.kind(first(id))) ? shapes[id] | DISC : shapes[id] & ~DISC);
     }
 
     /** Whether what stands for a moveable object here is made of convex leaves that go with it as they are. */
     boolean keepsShape(int id) {
-        return shapes[id] != ANY;
+        return (shapes[id] & CONVEX) != 0;
+    }
+
+    /** Whether an object is a disc as seen from above, where it is now. */
+    boolean isDisc(int id) {
+        return (shapes[id] & DISC) != 0;
     }
 
     /** The outward bounds of some leaves, six numbers. */
@@ -273,11 +265,11 @@ final class Level {
     }
 
     int first(int id) {
-        return first[id];
+        return spans.first(id);
     }
 
     int count(int id) {
-        return count[id];
+        return spans.count(id);
     }
 
     /** The bounds of all objects: object id's six numbers begin at 6 id. */

@@ -1,6 +1,7 @@
 package robosim.geometry;
 
 import robosim.geometry.exact.DoubleDouble;
+import robosim.geometry.index.QuadTree;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Pose;
 import robosim.geometry.narrow.Border;
@@ -24,6 +25,9 @@ final class Stride {
     /** Not asked here: see {@link Motion}. */
     static final int UNKNOWN = 0;
 
+    /** More than the least float. */
+    private static final double LEAST = 0x1p-140;
+
     private final Bodies bodies;
     private final Border border;
     private final Scratch s;
@@ -38,6 +42,13 @@ final class Stride {
     private double dy;
     private double dz;
     private boolean hasProbe;
+
+    // The disc around the object, and by how much it may be off.
+    private double ownX;
+    private double ownZ;
+    private double ownRadius;
+    private double ownSlack;
+    private boolean ownIsDisc;
 
     @SuppressWarnings("NullAway.Init") // a question sets its level
     Stride(Bodies bodies, Border border, Scratch scratch) {
@@ -68,6 +79,7 @@ final class Stride {
             return UNKNOWN;
         }
         hasProbe = false;
+        enclose();
         SweptBounds.moved(level.bounds(), 6 * mover, dx, dy, dz, box);
         if (!border.clearlyHolds(box) && !endsInside()) {
             return BLOCKED;
@@ -87,43 +99,59 @@ final class Stride {
     }
 
     private boolean passesAll() {
-        int near = level.cursor.gather(box[0], box[2], box[3], box[5]);
+        QuadTree.Cursor cursor = level.cursor;
+        int near = cursor.gather(box[0], box[2], box[3], box[5], id);
+        float[] boxes = cursor.gatheredBoxes();
         for (int k = 0; k < near; k++) {
-            if (!passes(level.cursor.gathered(k))) {
+            int other = cursor.gathered(k);
+            int b = 4 * k;
+            if (!passes(other, quickly(other, boxes[b], boxes[b + 1], boxes[b + 2], boxes[b + 3]))) {
                 return false;
             }
         }
         for (int k = 0; k < level.moversBesideTree(); k++) {
-            if (!passes(bodies.mover(k))) {
+            int other = bodies.mover(k);
+            if (other != id && !passes(other, DiscWay.UNSURE)) {
                 return false;
             }
         }
         return true;
     }
 
-    private boolean passes(int other) {
-        if (other == id) {
-            return true;
-        }
-        int quick = quickly(other);
+    private boolean passes(int other, int quick) {
         return quick == DiscWay.UNSURE ? !level.meets(other, box) || passesExactly(other) : quick == DiscWay.CLEAR;
     }
 
-    /** What doubles can tell of two discs, as seen from above. */
-    private int quickly(int other) {
-        LeafColumn leaves = level.leaves();
-        int own = level.first(id);
-        int others = level.first(other);
-        boolean areDiscs = level.count(id) == 1
-                && level.count(other) == 1
-                && DiscWay.isDisc(leaves.kind(own))
-                && DiscWay.isDisc(leaves.kind(others));
-        if (!areDiscs) {
-            return DiscWay.UNSURE;
-        }
-        int verdict = DiscWay.past(leaves, own, dx, dz, others);
+    /** The disc around the object, as seen from above. */
+    private void enclose() {
+        double[] places = bodies.places();
+        int at = bodies.place(id);
+        ownX = places[at];
+        ownZ = places[at + 2];
+        double[] b = level.bounds();
+        double halfX = Math.max(b[6 * id + 3] - ownX, ownX - b[6 * id]);
+        double halfZ = Math.max(b[6 * id + 5] - ownZ, ownZ - b[6 * id + 2]);
+        ownIsDisc = level.isDisc(id);
+        ownRadius = ownIsDisc ? Math.max(halfX, halfZ) : Math.sqrt(halfX * halfX + halfZ * halfZ);
+        ownSlack = 0x1p-50 * (Math.abs(ownX) + Math.abs(ownZ) + ownRadius) + LEAST;
+    }
+
+    /**
+     * What doubles can tell, as seen from above, of the discs around the object and around a box: a disc's own, or that
+     * through the box's corners. An end of the box is off by less than 2^-21.9 of itself, and what is subtracted from it
+     * by an ulp of a double or two.
+     */
+    private int quickly(int other, float minX, float minZ, float maxX, float maxZ) {
+        double halfX = 0.5 * maxX - 0.5 * minX;
+        double halfZ = 0.5 * maxZ - 0.5 * minZ;
+        boolean isDisc = level.isDisc(other);
+        double radius = isDisc ? Math.max(halfX, halfZ) : Math.sqrt(halfX * halfX + halfZ * halfZ);
+        double slack = 0x1p-21 * (Math.abs(minX) + Math.abs(maxX) + Math.abs(minZ) + Math.abs(maxZ)) + ownSlack;
+        double qx = 0.5 * minX + 0.5 * maxX - ownX;
+        double qz = 0.5 * minZ + 0.5 * maxZ - ownZ;
         // Who meets as seen from above may be higher or lower.
-        return verdict == DiscWay.MET && level.dimension == Dimension.SPATIAL ? DiscWay.UNSURE : verdict;
+        boolean isAll = isDisc && ownIsDisc && level.dimension == Dimension.PLANAR;
+        return DiscWay.past(qx, qz, dx, dz, ownRadius + radius, slack, isAll);
     }
 
     private boolean passesExactly(int other) {

@@ -178,8 +178,8 @@ public final class Questions {
     private boolean border(int kind, double[] row) {
         LeafColumn column = new LeafColumn(1);
         column.append(1);
-        column.setKind(0, kind);
         System.arraycopy(row, 0, column.rows(), 0, Leaf.STRIDE);
+        column.setKind(0, kind);
         double[] size = pairs.way;
         return new Border(size[0], size[1], size[2], Dimension.SPATIAL).holds(column, 0, 1);
     }

@@ -163,7 +163,9 @@ public final class QuadTree {
         if (hasRegions) {
             regions.remove(id, boxes);
         }
-        System.arraycopy(boxes, 4 * id, before, 0, 4);
+        for (int k = 0; k < 4; k++) {
+            before[k] = boxes[4 * id + k];
+        }
         Tiles old = isStale ? null : layerOf(id);
         write(id, minX, minZ, maxX, maxZ);
         if (old != null && old == layerOf(id)) {
@@ -275,22 +277,17 @@ public final class QuadTree {
      * the tree ends the query: start again.
      */
     public static final class Cursor {
-        /** How many of the last objects a ray remembers, so that one that lies on several tiles comes once or twice. */
-        private static final int RECENT = 8;
-
         private final QuadTree tree;
         private final NearestFirst ordered = new NearestFirst();
         private final TileWalk walk;
         private final TileScan scan;
+        private final TileWalk.Line line = new TileWalk.Line();
         private final TileGathering gathering = new TileGathering();
-        private final int[] recent = new int[RECENT];
         private boolean isOrdered;
         private int layer;
-        private int entry = Tiles.NONE;
         private double slack;
-        private double aside;
 
-        // The ray, for the layers to come; or the box.
+        // The box, for the layers to come.
         private double x0;
         private double z0;
         private double x1;
@@ -299,7 +296,7 @@ public final class QuadTree {
         private Cursor(QuadTree tree) {
             this.tree = tree;
             Tiles none = new Tiles(0, 0, 0, 0, 0, new Tiles.Entries(0));
-            walk = new TileWalk(none);
+            walk = new TileWalk(none, line);
             scan = new TileScan(none);
         }
 
@@ -335,15 +332,15 @@ public final class QuadTree {
         }
 
         /**
-         * Gathers all objects whose boxes, rounded outward to floats, meet this closed box, and answers how many there are;
-         * take them with {@link #gathered}. One that lies across regions may be there again.
+         * Gathers all objects but one whose boxes, rounded outward to floats, meet this closed box, and answers how many
+         * there are; take them with {@link #gathered}. One that lies across regions may be there again.
          */
-        public int gather(double minX, double minZ, double maxX, double maxZ) {
+        public int gather(double minX, double minZ, double maxX, double maxZ, int but) {
             tree.settle();
-            gathering.clear();
+            gathering.start(minX, minZ, maxX, maxZ, but);
             for (int k = 0; k < tree.layerCount; k++) {
                 if (!tree.layers[k].isEmpty()) {
-                    gathering.gather(tree.layers[k], minX, minZ, maxX, maxZ);
+                    gathering.gather(tree.layers[k]);
                 }
             }
             return gathering.count();
@@ -352,6 +349,11 @@ public final class QuadTree {
         /** The k-th object that was gathered. */
         public int gathered(int k) {
             return gathering.id(k);
+        }
+
+        /** The bounds of all that was gathered, rounded outward: least x and z, greatest x and z of the k-th from 4k on. */
+        public float[] gatheredBoxes() {
+            return gathering.boxes();
         }
 
         private @Nullable Tiles nextLayer() {
@@ -380,15 +382,8 @@ public final class QuadTree {
             }
             tree.settle();
             slack = 0x1p-44 * sum / speed;
-            // Sums of four numbers up to the most, times a direction: six roundings of 2^-53.
-            aside = 0x1p-48 * (2 * tree.most + 2 * sum) * speed;
-            x0 = ox;
-            z0 = oz;
-            x1 = dx;
-            z1 = dz;
-            entry = Tiles.NONE;
+            line.start(ox, oz, dx, dz, tree.most);
             walk.stop();
-            Arrays.fill(recent, -1);
             layer = 0;
             isOrdered = false;
             for (int k = 0; k < tree.layerCount; k++) {
@@ -436,53 +431,19 @@ public final class QuadTree {
             if (isOrdered) {
                 return ordered.next(tree.regions, tree.boxes, limit);
             }
+            // What is hit is measured with an error of its own: look a little farther.
+            double reach = limit * (1 + 0x1p-44) + slack;
             while (true) {
-                int id = nextListed();
+                int id = walk.next(reach);
                 if (id != Tiles.NONE) {
                     return id;
                 }
-                // What is hit is measured with an error of its own: look a little farther.
-                double reach = limit * (1 + 0x1p-44) + slack;
-                entry = walk.next(reach);
-                if (entry == Tiles.NONE) {
-                    Tiles tiles = nextLayer();
-                    if (tiles == null) {
-                        return -1;
-                    }
-                    walk.start(tiles, x0, z0, x1, z1);
+                Tiles tiles = nextLayer();
+                if (tiles == null) {
+                    return -1;
                 }
+                walk.start(tiles);
             }
-        }
-
-        /** The next object of the tile whose box the ray's line may meet, unless it is one of the last. */
-        private int nextListed() {
-            int[] entries = walk.entries().data;
-            float[] bounds = walk.entries().bounds;
-            double dx = x1;
-            double dz = z1;
-            double wayX = Math.abs(dx);
-            double wayZ = Math.abs(dz);
-            double fromX = 2 * x0;
-            double fromZ = 2 * z0;
-            double most = aside;
-            int listed = entry;
-            while (listed != Tiles.NONE) {
-                int at = 4 * listed;
-                int id = entries[2 * listed];
-                listed = entries[2 * listed + 1];
-                double minX = bounds[at];
-                double minZ = bounds[at + 1];
-                double maxX = bounds[at + 2];
-                double maxZ = bounds[at + 3];
-                double off = Math.abs((minX + maxX - fromX) * dz - (minZ + maxZ - fromZ) * dx);
-                if (off <= (maxX - minX) * wayZ + (maxZ - minZ) * wayX + most && recent[id & (RECENT - 1)] != id) {
-                    recent[id & (RECENT - 1)] = id;
-                    entry = listed;
-                    return id;
-                }
-            }
-            entry = Tiles.NONE;
-            return Tiles.NONE;
         }
 
         /** A lower bound, rounded down, of the distance at which the last object of a point query begins. */

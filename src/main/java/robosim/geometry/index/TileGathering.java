@@ -2,12 +2,34 @@ package robosim.geometry.index;
 
 import java.util.Arrays;
 
-/** Objects of {@link Tiles} that are near a box, all at once: each as often as tiles of the box list it. */
+/**
+ * Objects of {@link Tiles} that are near a box, all at once: each as often as tiles of the box list it. A small box lies on
+ * one tile, two or four, each with one object or two or none: loops over them would be guessed wrong most of the time, so
+ * the usual case has one loop, and what does not count is written down and written over.
+ */
 final class TileGathering {
+    private static final int SIGN = Integer.SIZE - 1;
+
     private int[] ids = new int[16];
+    private float[] boxes = new float[4 * ids.length];
     private int count;
 
-    void clear() {
+    /** The heads of the lists to read, and one place more. */
+    private final int[] heads = new int[5];
+
+    private double minX;
+    private double minZ;
+    private double maxX;
+    private double maxZ;
+    private int but;
+
+    /** Starts with nothing, for a closed box and all objects but one. */
+    void start(double x0, double z0, double x1, double z1, int without) {
+        minX = x0;
+        minZ = z0;
+        maxX = x1;
+        maxZ = z1;
+        but = without;
         count = 0;
     }
 
@@ -19,25 +41,63 @@ final class TileGathering {
         return ids[k];
     }
 
-    /** Adds the objects whose listed bounds meet a closed box. */
-    void gather(Tiles over, double minX, double minZ, double maxX, double maxZ) {
+    /** The listed bounds of all, four numbers each. */
+    float[] boxes() {
+        return boxes;
+    }
+
+    /** Adds the objects whose listed bounds meet the box. */
+    void gather(Tiles over) {
         if (over.rest != Tiles.NONE) {
-            gatherList(over.store, over.rest, minX, minZ, maxX, maxZ);
+            readOne(over.store, over.rest);
         }
         int column0 = over.column(minX, 0);
         int column1 = over.column(maxX, 0);
-        int row1 = over.row(maxZ, 0);
         int row0 = over.row(minZ, 0);
-        int startX = over.spreadX(column0);
-        int z = over.spreadZ(row0);
-        for (int row = row0; row <= row1; row++) {
+        int row1 = over.row(maxZ, 0);
+        int x0 = over.spreadX(column0);
+        int z0 = over.spreadZ(row0);
+        int more = column1 - column0;
+        int deeper = row1 - row0;
+        if ((more | deeper) > 1 || !gatherFour(over, x0, z0, more, deeper)) {
+            gatherAll(over, x0, z0, more, deeper);
+        }
+    }
+
+    /** From a tile, the next one if there is one more column, and the same of one more row; false where any is divided. */
+    private boolean gatherFour(Tiles over, int x, int z, int more, int deeper) {
+        int nextX = Tiles.up(x, over.maskX);
+        int nextZ = Tiles.up(z, over.maskZ);
+        int a = over.heads[x | z];
+        int b = over.heads[nextX | z] | -(1 - more);
+        int c = over.heads[x | nextZ] | -(1 - deeper);
+        int d = over.heads[nextX | nextZ] | -(1 - (more & deeper));
+        if (Math.min(Math.min(a, b), Math.min(c, d)) < Tiles.NONE) {
+            return false;
+        }
+        // A head that is NONE is written over by the next one.
+        heads[0] = a;
+        int lists = 1 + (a >> SIGN);
+        heads[lists] = b;
+        lists += 1 + (b >> SIGN);
+        heads[lists] = c;
+        lists += 1 + (c >> SIGN);
+        heads[lists] = d;
+        lists += 1 + (d >> SIGN);
+        read(over.store, lists);
+        return true;
+    }
+
+    private void gatherAll(Tiles over, int startX, int startZ, int more, int deeper) {
+        int z = startZ;
+        for (int row = 0; row <= deeper; row++) {
             int x = startX;
-            for (int column = column0; column <= column1; column++) {
+            for (int column = 0; column <= more; column++) {
                 int head = over.heads[x | z];
                 if (head < Tiles.NONE) {
-                    gather(over.within(head), minX, minZ, maxX, maxZ);
-                } else {
-                    gatherList(over.store, head, minX, minZ, maxX, maxZ);
+                    gather(over.within(head));
+                } else if (head > Tiles.NONE) {
+                    readOne(over.store, head);
                 }
                 x = Tiles.up(x, over.maskX);
             }
@@ -45,24 +105,55 @@ final class TileGathering {
         }
     }
 
-    private void gatherList(Tiles.Entries store, int head, double minX, double minZ, double maxX, double maxZ) {
-        int[] entries = store.data;
-        float[] bounds = store.bounds;
-        int listed = head;
-        while (listed != Tiles.NONE) {
-            int at = 4 * listed;
-            int id = entries[2 * listed];
-            listed = entries[2 * listed + 1];
-            if (bounds[at] <= maxX && minX <= bounds[at + 2] && bounds[at + 1] <= maxZ && minZ <= bounds[at + 3]) {
-                add(id);
-            }
-        }
+    private void readOne(Tiles.Entries store, int head) {
+        heads[0] = head;
+        read(store, 1);
     }
 
-    private void add(int id) {
-        if (count == ids.length) {
-            ids = Arrays.copyOf(ids, 2 * count);
+    /** Adds what counts of so many lists that are not empty. */
+    private void read(Tiles.Entries store, int lists) {
+        int[] entries = store.data;
+        float[] bounds = store.bounds;
+        double lowX = minX;
+        double lowZ = minZ;
+        double highX = maxX;
+        double highZ = maxZ;
+        int to = count;
+        int list = 0;
+        int listed = heads[0];
+        while (list < lists) {
+            if (to == ids.length) {
+                grow();
+            }
+            int at = 4 * listed;
+            int id = entries[2 * listed];
+            float x0 = bounds[at];
+            float z0 = bounds[at + 1];
+            float x1 = bounds[at + 2];
+            float z1 = bounds[at + 3];
+            ids[to] = id;
+            boxes[4 * to] = x0;
+            boxes[4 * to + 1] = z0;
+            boxes[4 * to + 2] = x1;
+            boxes[4 * to + 3] = z1;
+            // A difference has the sign of an order, and +0 where the two are equal.
+            long apart = Double.doubleToRawLongBits(highX - x0)
+                    | Double.doubleToRawLongBits(x1 - lowX)
+                    | Double.doubleToRawLongBits(highZ - z0)
+                    | Double.doubleToRawLongBits(z1 - lowZ);
+            int isOther = (id - but | but - id) >>> SIGN;
+            to += isOther & (int) (~apart >>> (Long.SIZE - 1));
+            // The next of this list, or the first of the next one.
+            int next = entries[2 * listed + 1];
+            int isLast = next >> SIGN;
+            list -= isLast;
+            listed = (next & ~isLast) | (heads[list] & isLast);
         }
-        ids[count++] = id;
+        count = to;
+    }
+
+    private void grow() {
+        ids = Arrays.copyOf(ids, 2 * ids.length);
+        boxes = Arrays.copyOf(boxes, 2 * boxes.length);
     }
 }

@@ -3,7 +3,8 @@ package robosim.geometry.index;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A ray's way over {@link Tiles}, front to back: from each tile to the neighbour through whose side the ray leaves it.
+ * A ray's way over {@link Tiles}, front to back: from each tile to the neighbour through whose side the ray leaves it, and
+ * of what each lists the objects whose boxes the ray's line may meet.
  *
  * <p>Why none is missed: in tiles, the start is {@code g = (o - origin) scale}, wrong by at most {@code 2^-52 |g|}, and the
  * parameter at which the ray crosses a line between tiles is {@code (line - g) / v}, three roundings more, so at each
@@ -18,35 +19,77 @@ final class TileWalk {
     private static final double LEAST = 0x1p-300;
 
     private Tiles tiles;
+    private final Line line;
+
+    // The walk: the next tile, at which parameter the ray comes to it and crosses its far sides, and the last tile's
+    // end.
     private double gx;
     private double gz;
     private double inverseX;
     private double inverseZ;
     private double lineX;
     private double lineZ;
-    private int stepX;
-    private int stepZ;
+    private double stepX;
+    private double stepZ;
+    private int countX;
+    private int countZ;
     private int fillX;
     private int fillZ;
     private int atX;
     private int atZ;
-    private int leftX;
-    private int leftZ;
     private double begin;
     private double crossX;
     private double crossZ;
-    private boolean isOver = true;
+    private double end;
+
+    /** The next entry of the list that is read. */
+    private int entry = Tiles.NONE;
+
     private boolean isWithin;
     private @Nullable TileWalk inner;
-    private int restHead = Tiles.NONE;
-    private double fromX;
-    private double fromZ;
-    private double wayX;
-    private double wayZ;
     private long visited;
 
-    TileWalk(Tiles any) {
+    /** The ray, and which objects it was given last: one for a walk and those within its tiles. */
+    static final class Line {
+        /** How many objects are remembered, so that one that lies on several tiles comes once or twice. */
+        private static final int RECENT = 8;
+
+        private double ox;
+        private double oz;
+        private double dx;
+        private double dz;
+
+        /** What rounding may do to how far a box is aside. */
+        private double aside;
+
+        /** By the last bits of an id: the query's number above the id. */
+        private final long[] recent = new long[RECENT];
+
+        private long query;
+
+        /** Takes a new ray in a world where no coordinate is of a greater magnitude than the most. */
+        void start(double x, double z, double wayX, double wayZ, double most) {
+            ox = x;
+            oz = z;
+            dx = wayX;
+            dz = wayZ;
+            // Sums of four numbers up to the most, times a direction: six roundings of 2^-53.
+            aside = 0x1p-47 * (most + (Math.abs(x) + Math.abs(z))) * (Math.abs(wayX) + Math.abs(wayZ));
+            query += 1L << Integer.SIZE;
+        }
+
+        private boolean isNew(int id) {
+            long mark = query | id;
+            int place = id & (RECENT - 1);
+            boolean isNew = recent[place] != mark;
+            recent[place] = mark;
+            return isNew;
+        }
+    }
+
+    TileWalk(Tiles any, Line line) {
         tiles = any;
+        this.line = line;
     }
 
     long visited() {
@@ -54,12 +97,9 @@ final class TileWalk {
     }
 
     void stop() {
-        isOver = true;
-    }
-
-    /** The entries of the tiles that are walked. */
-    Tiles.Entries entries() {
-        return tiles.store;
+        end = Double.NEGATIVE_INFINITY;
+        entry = Tiles.NONE;
+        isWithin = false;
     }
 
     /** Whether a ray begins near enough for the tiles' margin and is not too slow for a parameter. */
@@ -70,55 +110,51 @@ final class TileWalk {
                         && Math.max(Math.abs(dx * over.scaleX), Math.abs(dz * over.scaleZ)) > LEAST);
     }
 
-    /** Starts the walk of a ray that is near. */
-    void start(Tiles over, double ox, double oz, double dx, double dz) {
+    /** Starts the walk of the line, which is near. */
+    void start(Tiles over) {
         tiles = over;
-        begin = 0;
-        isOver = false;
         isWithin = false;
-        restHead = over.rest;
-        fromX = ox;
-        fromZ = oz;
-        wayX = dx;
-        wayZ = dz;
+        entry = over.rest;
+        begin = 0;
         if (over.isSingle()) {
-            atX = 0;
-            atZ = 0;
-            leftX = 0;
-            leftZ = 0;
-            crossX = Double.POSITIVE_INFINITY;
-            crossZ = Double.POSITIVE_INFINITY;
+            end = Double.NEGATIVE_INFINITY;
+            entry = over.heads[0];
             return;
         }
-        double vx = dx * over.scaleX;
-        double vz = dz * over.scaleZ;
+        double vx = line.dx * over.scaleX;
+        double vz = line.dz * over.scaleZ;
         double speedX = Math.abs(vx);
         double speedZ = Math.abs(vz);
-        gx = (ox - over.originX) * over.scaleX;
-        gz = (oz - over.originZ) * over.scaleZ;
+        gx = (line.ox - over.originX) * over.scaleX;
+        gz = (line.oz - over.originZ) * over.scaleZ;
         boolean alongX = speedX > FLAT * speedZ;
         boolean alongZ = speedZ > FLAT * speedX;
         inverseX = 1 / vx;
         inverseZ = 1 / vz;
         boolean isInside = gx >= 0 && gx <= over.countX && gz >= 0 && gz <= over.countZ;
         if (!isInside && !enter(over, alongX, alongZ)) {
-            isOver = true;
+            end = Double.NEGATIVE_INFINITY;
             return;
         }
-        int x = clamp(begin == 0 ? gx : gx + begin * vx, over.countX);
-        int z = clamp(begin == 0 ? gz : gz + begin * vz, over.countZ);
-        boolean rises = vx > 0;
-        stepX = rises ? 1 : -1;
-        fillX = rises ? ~over.maskX : 0;
-        lineX = rises ? x + 1 : x;
-        leftX = rises ? over.countX - 1 - x : x;
+        int x = clamp(gx + begin * vx, over.countX);
+        int z = clamp(gz + begin * vz, over.countZ);
+        // -1 for a falling coordinate, else 0, without a branch that would be guessed wrong half of the time.
+        int fallX = (int) (Double.doubleToRawLongBits(vx) >> 63);
+        int fallZ = (int) (Double.doubleToRawLongBits(vz) >> 63);
+        countX = 1 + 2 * fallX;
+        countZ = 1 + 2 * fallZ;
+        stepX = countX;
+        stepZ = countZ;
+        fillX = ~over.maskX & ~fallX;
+        fillZ = ~over.maskZ & ~fallZ;
+        lineX = x + 1 + fallX;
+        lineZ = z + 1 + fallZ;
         crossX = alongX ? (lineX - gx) * inverseX : Double.POSITIVE_INFINITY;
-        boolean deepens = vz > 0;
-        stepZ = deepens ? 1 : -1;
-        fillZ = deepens ? ~over.maskZ : 0;
-        lineZ = deepens ? z + 1 : z;
-        leftZ = deepens ? over.countZ - 1 - z : z;
         crossZ = alongZ ? (lineZ - gz) * inverseZ : Double.POSITIVE_INFINITY;
+        double endX = alongX ? ((over.countX & ~fallX) - gx) * inverseX : Double.POSITIVE_INFINITY;
+        double endZ = alongZ ? ((over.countZ & ~fallZ) - gz) * inverseZ : Double.POSITIVE_INFINITY;
+        // At least the first tile is looked at, wherever rounding lets the walk end.
+        end = Math.max(Math.min(endX, endZ), Math.nextUp(begin));
         atX = over.spreadX(x);
         atZ = over.spreadZ(z);
     }
@@ -148,77 +184,108 @@ final class TileWalk {
     }
 
     private static int clamp(double place, int count) {
-        return place <= 0 ? 0 : place >= count ? count - 1 : (int) place;
+        return Math.max(0, Math.min((int) place, count - 1));
     }
 
     /**
-     * The first entry of the next list that is not empty and whose tile begins within the reach;
-     * {@link Tiles#NONE} after the last.
+     * The next object whose box the line may meet, on a tile that begins within the reach; {@link Tiles#NONE} after the
+     * last.
      */
     int next(double reach) {
-        if (restHead != Tiles.NONE) {
-            int head = restHead;
-            restHead = Tiles.NONE;
-            return head;
-        }
         while (true) {
-            if (isWithin) {
-                int head = within().next(reach);
-                if (head != Tiles.NONE) {
-                    return head;
-                }
-                isWithin = false;
+            int id = isWithin ? within().next(reach) : Tiles.NONE;
+            if (id != Tiles.NONE) {
+                return id;
             }
-            int head = isOver ? Tiles.NONE : step(reach);
-            if (head >= Tiles.NONE) {
-                return head;
+            isWithin = false;
+            id = nextListed(reach);
+            if (!isWithin) {
+                return id;
             }
-            within().start(tiles.within(head), fromX, fromZ, wayX, wayZ);
-            isWithin = true;
         }
+    }
+
+    /** The same, but where it comes to a divided tile it only starts there. */
+    private int nextListed(double reach) {
+        Line l = line;
+        double dx = l.dx;
+        double dz = l.dz;
+        double wayX = Math.abs(dx);
+        double wayZ = Math.abs(dz);
+        double fromX = 2 * l.ox;
+        double fromZ = 2 * l.oz;
+        double most = l.aside;
+        int[] heads = tiles.heads;
+        int[] entries = tiles.store.data;
+        float[] bounds = tiles.store.bounds;
+        double from = begin;
+        double cx = crossX;
+        double cz = crossZ;
+        double farX = lineX;
+        double farZ = lineZ;
+        int x = atX;
+        int z = atZ;
+        int listed = entry;
+        while (true) {
+            while (listed >= 0) {
+                int at = 4 * listed;
+                int id = entries[2 * listed];
+                listed = entries[2 * listed + 1];
+                double minX = bounds[at];
+                double minZ = bounds[at + 1];
+                double maxX = bounds[at + 2];
+                double maxZ = bounds[at + 3];
+                double off = Math.abs((minX + maxX - fromX) * dz - (minZ + maxZ - fromZ) * dx);
+                if (off <= (maxX - minX) * wayZ + (maxZ - minZ) * wayX + most && l.isNew(id)) {
+                    begin = from;
+                    crossX = cx;
+                    crossZ = cz;
+                    lineX = farX;
+                    lineZ = farZ;
+                    atX = x;
+                    atZ = z;
+                    entry = listed;
+                    return id;
+                }
+            }
+            if (listed < Tiles.NONE) {
+                within().start(tiles.within(listed));
+                isWithin = true;
+                break;
+            }
+            if (!(from <= reach && from < end)) {
+                end = Double.NEGATIVE_INFINITY;
+                break;
+            }
+            visited++;
+            listed = heads[x | z];
+            if (cx < cz) {
+                from = cx;
+                x = ((x | fillX) + countX) & tiles.maskX;
+                farX += stepX;
+                cx = (farX - gx) * inverseX;
+            } else {
+                from = cz;
+                z = ((z | fillZ) + countZ) & tiles.maskZ;
+                farZ += stepZ;
+                cz = (farZ - gz) * inverseZ;
+            }
+        }
+        begin = from;
+        crossX = cx;
+        crossZ = cz;
+        lineX = farX;
+        lineZ = farZ;
+        atX = x;
+        atZ = z;
+        entry = Tiles.NONE;
+        return Tiles.NONE;
     }
 
     private TileWalk within() {
         if (inner == null) {
-            inner = new TileWalk(tiles);
+            inner = new TileWalk(tiles, line);
         }
         return inner;
-    }
-
-    /** What the next tile that is not empty holds. */
-    private int step(double reach) {
-        int[] heads = tiles.heads;
-        int x = atX;
-        int z = atZ;
-        double cx = crossX;
-        double cz = crossZ;
-        double from = begin;
-        while (from <= reach) {
-            visited++;
-            int head = heads[x | z];
-            if (cx < cz) {
-                from = cx;
-                isOver = leftX-- == 0;
-                x = ((x | fillX) + stepX) & tiles.maskX;
-                lineX += stepX;
-                cx = (lineX - gx) * inverseX;
-            } else {
-                from = cz;
-                isOver = leftZ-- == 0;
-                z = ((z | fillZ) + stepZ) & tiles.maskZ;
-                lineZ += stepZ;
-                cz = (lineZ - gz) * inverseZ;
-            }
-            if (head != Tiles.NONE || isOver) {
-                begin = from;
-                atX = x;
-                atZ = z;
-                crossX = cx;
-                crossZ = cz;
-                return head;
-            }
-        }
-        isOver = true;
-        return Tiles.NONE;
     }
 }

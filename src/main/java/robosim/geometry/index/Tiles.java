@@ -99,14 +99,14 @@ final class Tiles {
             return used++;
         }
 
+        // A float is within 2^-24 of a double, or within 2^-150: this is below it by more, and by at most 2^-22 of it.
         private static float down(double number) {
-            float near = (float) number;
-            return near > number ? Math.nextDown(near) : near;
+            float below = (float) (number - (Math.abs(number) * 0x1p-23 + Float.MIN_VALUE));
+            return below == Float.POSITIVE_INFINITY ? Float.MAX_VALUE : below;
         }
 
         private static float up(double number) {
-            float near = (float) number;
-            return near < number ? Math.nextUp(near) : near;
+            return -down(-number);
         }
 
         /** A list without an object that is in it; answers its first entry. */

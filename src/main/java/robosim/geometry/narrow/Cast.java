@@ -24,6 +24,9 @@ public final class Cast {
     private double halfSin;
     private boolean cone;
 
+    /** Whether the start alone is too large for anything to be taken up, see {@link Magnified}. */
+    private boolean isFarFromOrigin;
+
     /** The triangle that gave the last answer of a mesh, else -1. */
     private int triangle;
 
@@ -58,6 +61,7 @@ public final class Cast {
         uy = dy / length;
         uz = dz / length;
         cone = false;
+        isFarFromOrigin = RayMath.largest(x, y, z) >= Magnified.SMALL;
     }
 
     /** A coordinate (0 to 2) of the line's unit direction; in PLANAR that of its projection. */
@@ -106,7 +110,9 @@ public final class Cast {
     private double convex(int kind, double[] row, int at) {
         double distance = convex(ox, oy, oz, kind, row, at);
         // Only a small distance may have been spoiled by what underflowed.
-        if (distance > Magnified.SMALL || !s.magnified.take(RayMath.largest(ox, oy, oz), kind, row, at)) {
+        if (distance > Magnified.SMALL
+                || isFarFromOrigin
+                || !s.magnified.take(RayMath.largest(ox, oy, oz), kind, row, at)) {
             return distance;
         }
         Magnified m = s.magnified;

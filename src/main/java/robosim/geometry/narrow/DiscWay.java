@@ -10,23 +10,25 @@ public final class DiscWay {
     /** Doubles cannot tell. */
     public static final int UNSURE = 0;
 
-    /** The two are apart all the way, and where it ends. */
+    /** The one blocks nothing: they are apart all the way and at its end, or overlap and go away from each other. */
     public static final int CLEAR = 1;
 
-    /** The two are apart at the start and touch on the way. */
+    /** The one blocks: they are apart at the start and touch on the way, or overlap and go deeper. */
     public static final int MET = -1;
 
-    // With u = 2^-53 and M for the sum of the squares of offset q, way d and radii: the offset is off by u of itself,
-    // so
-    // q.q is off by 4u q.q, (q x d)^2 by 7u q.q d.d and r^2 d.d by 6u of itself. The offset q - d at the end is off by
-    // u|q| + u|q - d|, its square by u q.q + 5u(q - d).(q - d) <= 11u q.q + 10u d.d. The stored end is off the way by
-    // u|d|, which makes 2u q.q + 3u d.d more. A foot that is judged before the end, or behind it, for rounding is off
-    // by
-    // 3u|q|, which counts squared. The comparison itself adds 2u: at most 14u M of each, and 16u with the second order.
-    private static final double FILTER = Filter.bound(16 * 0x1p-53);
+    // With u = 2^-53: the offset q is off by u of itself, and the place p on the way d by u of itself, so q - p by
+    // u(|q| + |d| + |q - p|), and its square by that doubled times |q - p| and 2u of itself: 7u q.q + u d.d, as q - p
+    // is
+    // not longer than q. That p is not quite the foot counts squared. The stored end is off the way by u|d|, which
+    // makes
+    // u q.q + u d.d more; the square of the radii is off by 3u of itself, and the comparison adds 2u.
+    private static final double FILTER = Filter.bound(12 * 0x1p-53);
 
-    /** Ways whose squares are below this could lose products of four lengths to underflow. */
-    private static final double SHORT = 0x1p-480;
+    // Each product of q and d is off by 2u of itself, their sum by u.
+    private static final double FILTER_AHEAD = Filter.bound(4 * 0x1p-53);
+
+    /** Ways whose squares are below this could lose too much of them to underflow. */
+    private static final double SHORT = 0x1p-900;
 
     private DiscWay() {}
 
@@ -35,33 +37,36 @@ public final class DiscWay {
         return kind == Leaf.UPRIGHT_CYLINDER || kind == Leaf.SPHERE;
     }
 
-    /** Whether disc i of a column, moved on by (dx, dz), meets disc j. */
-    public static int past(LeafColumn column, int i, double dx, double dz, int j) {
-        double[] rows = column.rows();
-        int a = i * Leaf.STRIDE;
-        int b = j * Leaf.STRIDE;
-        double qx = rows[b] - rows[a];
-        double qz = rows[b + 2] - rows[a + 2];
-        double r = rows[a + 3] + rows[b + 3];
-        double reach = r * r;
+    /**
+     * Whether what a disc encloses may move on by (dx, dz) for what another disc encloses, whose centre is off by
+     * (qx, qz).
+     *
+     * @param reach the sum of the radii
+     * @param slack how far the offset may be off, apart from half an ulp; and the sum of the radii, either way
+     * @param isAll whether each disc is all that it encloses; else nothing is called met
+     */
+    public static int past(double qx, double qz, double dx, double dz, double reach, double slack, boolean isAll) {
+        double hull = reach + slack + slack;
+        double core = reach - slack - slack;
         double off = qx * qx + qz * qz;
         double way = dx * dx + dz * dz;
-        double doubt = FILTER * (reach + off + way);
-        if (!(off > reach + doubt && way > SHORT)) {
+        double doubt = FILTER * (hull * hull + off + way);
+        if (!(way > SHORT)) {
             return UNSURE;
         }
-        double along = qx * dx + qz * dz;
-        if (along <= 0) {
-            return CLEAR;
+        double ahead = qx * dx + qz * dz;
+        if (off > hull * hull + doubt) {
+            double share = Math.max(0, Math.min(1, ahead / way));
+            double ex = qx - share * dx;
+            double ez = qz - share * dz;
+            double least = ex * ex + ez * ez;
+            return least > hull * hull + doubt
+                    ? CLEAR
+                    : isAll && core > 0 && least < core * core - doubt ? MET : UNSURE;
         }
-        if (along >= way) {
-            double ex = qx - dx;
-            double ez = qz - dz;
-            double end = ex * ex + ez * ez;
-            return end > reach + doubt ? CLEAR : end < reach - doubt ? MET : UNSURE;
-        }
-        double aside = qx * dz - qz * dx;
-        double least = aside * aside;
-        return least > (reach + doubt) * way ? CLEAR : least < (reach - doubt) * way ? MET : UNSURE;
+        double span = Math.abs(dx) + Math.abs(dz);
+        double doubtAhead = slack * span + FILTER_AHEAD * (Math.abs(qx * dx) + Math.abs(qz * dz));
+        boolean isCertain = isAll && core > 0 && off < core * core - doubt && Math.abs(ahead) > doubtAhead;
+        return !isCertain ? UNSURE : ahead > 0 ? MET : CLEAR;
     }
 }

@@ -5,10 +5,12 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.index.BoxTree;
 import robosim.geometry.model.TriangleMesh;
 
-/** Leaves beside each other: a kind, a row of {@link Leaf#STRIDE} doubles and, for meshes, the triangles of each. */
+/** Leaves beside each other: a row of {@link Leaf#STRIDE} doubles, its kind among them, and for meshes the triangles. */
 public final class LeafColumn {
+    private static final int VACANT = -1;
+
     private int size;
-    private int[] kinds;
+    private int capacity;
     private double[] rows;
 
     /** None until the first mesh comes. */
@@ -16,8 +18,8 @@ public final class LeafColumn {
 
     /** An empty column with room for so many leaves. */
     public LeafColumn(int capacity) {
-        kinds = new int[Math.max(1, capacity)];
-        rows = new double[kinds.length * Leaf.STRIDE];
+        this.capacity = Math.max(1, capacity);
+        rows = new double[this.capacity * Leaf.STRIDE];
     }
 
     /** How many leaves there are. */
@@ -29,9 +31,8 @@ public final class LeafColumn {
     public int append(int count) {
         int first = size;
         size += count;
-        if (size > kinds.length) {
-            int capacity = Math.max(size, kinds.length + (kinds.length >> 1) + 1);
-            kinds = Arrays.copyOf(kinds, capacity);
+        if (size > capacity) {
+            capacity = Math.max(size, capacity + (capacity >> 1) + 1);
             rows = Arrays.copyOf(rows, capacity * Leaf.STRIDE);
             if (meshes != null) {
                 meshes = Arrays.copyOf(meshes, capacity);
@@ -43,14 +44,35 @@ public final class LeafColumn {
     /** Appends copies of leaves of another column and answers the first one's index. */
     public int appendCopy(LeafColumn other, int first, int count) {
         int at = append(count);
+        copy(other, first, count, at);
+        return at;
+    }
+
+    /** Writes copies of all leaves of another column from a leaf on. */
+    public void copy(LeafColumn other, int at) {
+        copy(other, 0, other.size, at);
+    }
+
+    private void copy(LeafColumn other, int first, int count, int at) {
+        System.arraycopy(other.rows, first * Leaf.STRIDE, rows, at * Leaf.STRIDE, count * Leaf.STRIDE);
         for (int k = 0; k < count; k++) {
-            kinds[at + k] = other.kinds[first + k];
-            if (Leaf.isMesh(kinds[at + k])) {
+            if (Leaf.isMesh(kind(at + k))) {
                 setMesh(at + k, other.mesh(first + k));
             }
         }
-        System.arraycopy(other.rows, first * Leaf.STRIDE, rows, at * Leaf.STRIDE, count * Leaf.STRIDE);
-        return at;
+    }
+
+    /** Leaves nothing at a leaf's place. */
+    public void vacate(int leaf) {
+        setKind(leaf, VACANT);
+        if (meshes != null) {
+            meshes[leaf] = null;
+        }
+    }
+
+    /** Whether nothing is at a leaf's place. */
+    public boolean isVacant(int leaf) {
+        return kind(leaf) == VACANT;
     }
 
     /** Forgets all leaves. */
@@ -60,11 +82,11 @@ public final class LeafColumn {
     }
 
     public int kind(int leaf) {
-        return kinds[leaf];
+        return (int) rows[leaf * Leaf.STRIDE + Leaf.KIND];
     }
 
     public void setKind(int leaf, int kind) {
-        kinds[leaf] = kind;
+        rows[leaf * Leaf.STRIDE + Leaf.KIND] = kind;
     }
 
     /** The numbers of all leaves; leaf k begins at {@code k * Leaf.STRIDE}. Valid until the next append. */
@@ -80,15 +102,15 @@ public final class LeafColumn {
                 return mesh;
             }
         }
-        throw new IllegalStateException("leaf must be a mesh (got: leaf " + leaf + " of kind " + kinds[leaf] + ")");
+        throw new IllegalStateException("leaf must be a mesh (got: leaf " + leaf + " of kind " + kind(leaf) + ")");
     }
 
     /** The outward bounds of a leaf: least x, y and z, then greatest. */
     public void bounds(int leaf, double[] out) {
-        if (Leaf.isMesh(kinds[leaf])) {
+        if (Leaf.isMesh(kind(leaf))) {
             meshBounds(leaf, out);
         } else {
-            LeafBounds.of(kinds[leaf], rows, leaf * Leaf.STRIDE, out);
+            LeafBounds.of(kind(leaf), rows, leaf * Leaf.STRIDE, out);
         }
     }
 
@@ -116,7 +138,7 @@ public final class LeafColumn {
 
     void setMesh(int leaf, TriangleMesh mesh) {
         if (meshes == null) {
-            meshes = new TriangleMesh[kinds.length];
+            meshes = new TriangleMesh[capacity];
         }
         meshes[leaf] = mesh;
     }

@@ -141,8 +141,8 @@ public final class OwnLeaves {
 
     private int row(int kind, double[] frame) {
         int leaf = own.append(1);
-        own.setKind(leaf, kind);
         System.arraycopy(frame, 0, own.rows(), leaf * Leaf.STRIDE, Leaf.STRIDE);
+        own.setKind(leaf, kind);
         return leaf * Leaf.STRIDE;
     }
 

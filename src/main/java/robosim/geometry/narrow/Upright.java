@@ -55,6 +55,10 @@ public final class Upright {
     /** {@code a + b}, rounded up. */
     static double sumUp(double a, double b) {
         double sum = a + b;
-        return DoubleDouble.sumTail(a, b, sum) > 0 ? Math.nextUp(sum) : sum;
+        // The next double up, or not, without a branch that would be guessed wrong half of the time.
+        long isUp = Double.doubleToLongBits(0.0 - DoubleDouble.sumTail(a, b, sum)) >> (Long.SIZE - 1);
+        long from = Double.doubleToRawLongBits(sum + 0.0);
+        long next = from + ((from >> (Long.SIZE - 1)) | 1);
+        return Double.longBitsToDouble((Double.doubleToRawLongBits(sum) & ~isUp) | (next & isUp));
     }
 }

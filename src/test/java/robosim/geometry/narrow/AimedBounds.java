@@ -54,8 +54,8 @@ public final class AimedBounds {
         half += random.nextInt(-1, 2) * Math.ulp(half);
         LeafColumn column = new LeafColumn(1);
         column.append(1);
-        column.setKind(0, Leaf.BOX);
         System.arraycopy(row, 0, column.rows(), 0, Leaf.STRIDE);
+        column.setKind(0, Leaf.BOX);
         boolean truth = reach.compareTo(new BigDecimal(half)) <= 0;
         return new Border(2 * half, 100, 100, Dimension.SPATIAL).holds(column, 0, 1) != truth;
     }
