@@ -1,6 +1,9 @@
 package robosim.geometry;
 
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Degrees;
+import robosim.geometry.index.OctTree;
+import robosim.geometry.index.SpaceKeys;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Cast;
 import robosim.geometry.narrow.Distance;
@@ -22,6 +25,9 @@ final class Ranging {
     private double uy;
     private double uz;
     private double width;
+    private double halfCos;
+    private double halfSin;
+    private final SpaceKeys keys = new SpaceKeys();
     private int hit;
     private int hitLeaf;
 
@@ -62,6 +68,11 @@ final class Ranging {
             double sin = Degrees.sin(width / 2);
             cast.widen(cos, sin);
             setSides(sin);
+            halfCos = cos;
+            halfSin = sin;
+            keys.startCone(ox, oy, oz, ux, uy, uz, cos, sin);
+        } else if (dimension == Dimension.SPATIAL) {
+            keys.startRay(ox, oy, oz, ux, uy, uz);
         }
     }
 
@@ -100,15 +111,15 @@ final class Ranging {
 
     private double nearestOnLine(Level level, double limit, int but) {
         best = Double.POSITIVE_INFINITY;
+        double reach = nearestInStacks(level, limit);
         boolean vertical = ux == 0 && uz == 0;
         if (vertical) {
             level.cursor.startBox(ox, oz, ox, oz);
         } else {
-            level.cursor.startRay(ox, oz, ux, uz, loose(level, limit));
+            level.cursor.startRay(ox, oz, ux, uz, loose(level, reach));
         }
-        double reach = limit;
         for (int id = next(level, vertical, reach); id >= 0; id = next(level, vertical, reach)) {
-            if (id != but) {
+            if (id != but && isAtHeight(level, id, reach)) {
                 tryBody(level, id, reach);
                 reach = Math.min(reach, best);
             }
@@ -138,10 +149,10 @@ final class Ranging {
 
     private double nearestInCone(Level level, double limit, int but) {
         best = Double.POSITIVE_INFINITY;
-        double reach = limit;
-        level.cursor.startSector(ox, oz, leftX, leftZ, rightX, rightZ, loose(level, limit));
+        double reach = nearestInStacks(level, limit);
+        level.cursor.startSector(ox, oz, leftX, leftZ, rightX, rightZ, loose(level, reach));
         for (int id = level.cursor.next(loose(level, reach)); id >= 0; id = level.cursor.next(loose(level, reach))) {
-            if (id != but && coneMeets(level, id, loose(level, reach))) {
+            if (id != but && coneMeets(level, id, loose(level, reach)) && isAtHeight(level, id, reach)) {
                 tryBody(level, id, reach);
                 reach = Math.min(reach, best);
             }
@@ -154,6 +165,34 @@ final class Ranging {
             }
         }
         return best <= limit ? best : none();
+    }
+
+    /** Tries what stands in an octree, which are no moveable objects; answers how far there is still to look. */
+    private double nearestInStacks(Level level, double limit) {
+        OctTree.@Nullable Cursor stacked = level.stacks.cursor();
+        double reach = limit;
+        if (stacked != null) {
+            if (width > 0) {
+                stacked.startCone(level.bounds(), ox, oy, oz, ux, uy, uz, halfCos, halfSin);
+            } else {
+                stacked.startRay(level.bounds(), ox, oy, oz, ux, uy, uz);
+            }
+            for (int id = stacked.next(high(level, reach)); id >= 0; id = stacked.next(high(level, reach))) {
+                tryBody(level, id, reach);
+                reach = Math.min(reach, best);
+            }
+        }
+        return reach;
+    }
+
+    /** Whether the beam may meet an object's bounds, with its height, within reach. */
+    private boolean isAtHeight(Level level, int id, double reach) {
+        return level.dimension == Dimension.PLANAR || keys.key(level.bounds(), 6 * id) <= high(level, reach);
+    }
+
+    /** As {@link #loose}, with heights. */
+    private double high(Level level, double reach) {
+        return loose(level, reach) + 0x1p-44 * (level.stacks.most() + Math.abs(oy));
     }
 
     private double none() {
@@ -238,6 +277,18 @@ final class Ranging {
         for (int other = level.cursor.next(reach + radius); other >= 0; other = level.cursor.next(reach + radius)) {
             if (other != id) {
                 reach = tryPair(level, id, other, reach);
+            }
+        }
+        OctTree.@Nullable Cursor stacked = level.stacks.cursor();
+        if (stacked != null) {
+            double y = b[k + 1] / 2 + b[k + 4] / 2;
+            double hy = Math.max(b[k + 4] - y, y - b[k + 1]);
+            double all = Math.sqrt(hx * hx + hy * hy + hz * hz + UNDERFLOW) * (1 + 0x1p-50);
+            stacked.startPoint(b, x, y, z);
+            for (int other = stacked.next(reach + all); other >= 0; other = stacked.next(reach + all)) {
+                if (other != id) {
+                    reach = tryPair(level, id, other, reach);
+                }
             }
         }
         for (int m = 0; m < level.moversBesideTree(); m++) {

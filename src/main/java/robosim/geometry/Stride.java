@@ -1,6 +1,8 @@
 package robosim.geometry;
 
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.DoubleDouble;
+import robosim.geometry.index.OctTree;
 import robosim.geometry.index.QuadTree;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Pose;
@@ -107,6 +109,15 @@ final class Stride {
             int b = 4 * k;
             if (!passes(other, quickly(other, boxes[b], boxes[b + 1], boxes[b + 2], boxes[b + 3]))) {
                 return false;
+            }
+        }
+        OctTree.@Nullable Cursor stacked = level.stacks.cursor();
+        if (stacked != null) {
+            stacked.startBox(level.bounds(), box);
+            for (int other = stacked.next(0); other >= 0; other = stacked.next(0)) {
+                if (!passesExactly(other)) {
+                    return false;
+                }
             }
         }
         for (int k = 0; k < level.moversBesideTree(); k++) {

@@ -5,7 +5,8 @@ import java.util.Arrays;
 /**
  * Objects by a small id of the caller's and a box in space, for scenes that are stacked in height: a region is cut in eight
  * at its centre where it holds more than a few objects. An object lives in the one region that holds its box's centre, and
- * every region knows tight bounds of all that lives in it; what stands outside of the extent lives at its rim.
+ * every region knows tight bounds of all that lives in it. Where a centre lies outside, the outermost region becomes an
+ * eighth of a larger one.
  *
  * <p>The boxes stay with the caller: object id's six numbers, the least corner and the greatest, begin at 6 id, and must be
  * the same from its addition to its removal. Belongs to one thread at a time.
@@ -22,7 +23,7 @@ public final class OctTree {
     private static final int MOST_DEPTH = 40;
 
     private final double[] middle = new double[3];
-    private final double half;
+    private double half;
 
     private int[] links = new int[9];
     private double[] bounds = new double[6 * 9];
@@ -31,17 +32,17 @@ public final class OctTree {
     /** By id, the next object of the same region. */
     private int[] next = new int[64];
 
-    private final int[] path = new int[MOST_DEPTH + 1];
+    private int[] path = new int[MOST_DEPTH + 1];
     private final double[] cell = new double[4];
 
-    /** An empty tree over a cube about a box of six numbers. */
+    /** An empty tree, at first over a cube about a box of six numbers. */
     public OctTree(double[] extent) {
         double most = 0;
         for (int axis = 0; axis < 3; axis++) {
             middle[axis] = extent[axis] / 2 + extent[axis + 3] / 2;
             most = Math.max(most, extent[axis + 3] / 2 - extent[axis] / 2);
         }
-        half = most;
+        half = most > 0 ? most : 1;
         links[0] = EMPTY;
         clear(0);
     }
@@ -55,6 +56,9 @@ public final class OctTree {
     public void add(int id, double[] boxes) {
         if (id >= next.length) {
             next = Arrays.copyOf(next, Math.max(id + 1, next.length + (next.length >> 1)));
+        }
+        while (!isWithin(6 * id, boxes)) {
+            widen(6 * id, boxes);
         }
         int depth = find(id, boxes);
         int region = path[depth];
@@ -101,6 +105,32 @@ public final class OctTree {
         }
     }
 
+    private boolean isWithin(int at, double[] boxes) {
+        for (int axis = 0; axis < 3; axis++) {
+            if (!(Math.abs(boxes[at + axis] / 2 + boxes[at + axis + 3] / 2 - middle[axis]) <= half)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Makes the outermost region an eighth of one that reaches farther towards a box. */
+    private void widen(int at, double[] boxes) {
+        int part = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            boolean isBelow = boxes[at + axis] / 2 + boxes[at + axis + 3] / 2 < middle[axis];
+            part |= isBelow ? 1 << axis : 0;
+            middle[axis] += isBelow ? -half : half;
+        }
+        half *= 2;
+        if (links[0] != EMPTY) {
+            int parts = claimParts();
+            links[parts + part] = links[0];
+            System.arraycopy(bounds, 0, bounds, 6 * (parts + part), 6);
+            links[0] = parts;
+        }
+    }
+
     /** Writes the regions down to the uncut one that an object's centre is in; answers how many lie above that. */
     private int find(int id, double[] boxes) {
         System.arraycopy(middle, 0, cell, 0, 3);
@@ -109,6 +139,9 @@ public final class OctTree {
         path[0] = 0;
         while (links[path[depth]] >= 0) {
             int part = partOf(6 * id, boxes);
+            if (depth + 1 == path.length) {
+                path = Arrays.copyOf(path, 2 * path.length);
+            }
             path[depth + 1] = links[path[depth]] + part;
             enter(part);
             depth++;
@@ -140,8 +173,7 @@ public final class OctTree {
         return count > FEW;
     }
 
-    /** Cuts the region that is the current cell. */
-    private void cut(int region, double[] boxes) {
+    private int claimParts() {
         if (regions + 8 > links.length) {
             links = Arrays.copyOf(links, 2 * links.length + 8);
             bounds = Arrays.copyOf(bounds, 6 * links.length);
@@ -152,6 +184,12 @@ public final class OctTree {
             links[part] = EMPTY;
             clear(part);
         }
+        return parts;
+    }
+
+    /** Cuts the region that is the current cell. */
+    private void cut(int region, double[] boxes) {
+        int parts = claimParts();
         int id = ~links[region];
         links[region] = parts;
         while (id != NONE) {

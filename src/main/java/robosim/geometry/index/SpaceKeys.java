@@ -1,7 +1,7 @@
 package robosim.geometry.index;
 
 /** By what a query orders boxes of six numbers: a lower bound of where they begin, infinite where they are missed. */
-final class SpaceKeys {
+public final class SpaceKeys {
     private enum Query {
         BOX,
         RAY,
@@ -24,20 +24,22 @@ final class SpaceKeys {
     private double sin;
     private double away;
 
-    void startBox(double[] of) {
+    /** All boxes that meet this one begin at 0. */
+    public void startBox(double[] of) {
         query = Query.BOX;
         System.arraycopy(of, 0, box, 0, 6);
     }
 
-    /** A direction of about length 1: a key is a parameter of it. */
-    void startRay(double ox, double oy, double oz, double dx, double dy, double dz) {
+    /** A direction of about length 1: a box begins at a parameter of it. */
+    public void startRay(double ox, double oy, double oz, double dx, double dy, double dz) {
         query = Query.RAY;
         slabX.start(ox, dx, dx);
         slabY.start(oy, dy, dy);
         slabZ.start(oz, dz, dz);
     }
 
-    void startPoint(double px, double py, double pz) {
+    /** A box begins at its distance. */
+    public void startPoint(double px, double py, double pz) {
         query = Query.POINT;
         x = px;
         y = py;
@@ -45,7 +47,9 @@ final class SpaceKeys {
         away = Math.abs(px) + Math.abs(py) + Math.abs(pz);
     }
 
-    void startCone(double px, double py, double pz, double ax, double ay, double az, double halfCos, double halfSin) {
+    /** A box begins at its distance from the apex, or not at all where it lies wholly beyond the cone about a unit vector. */
+    public void startCone(
+            double px, double py, double pz, double ax, double ay, double az, double halfCos, double halfSin) {
         startPoint(px, py, pz);
         query = Query.CONE;
         ux = ax;
@@ -55,7 +59,8 @@ final class SpaceKeys {
         sin = halfSin;
     }
 
-    double key(double[] of, int at) {
+    /** Where the box begins whose six numbers are there. */
+    public double key(double[] of, int at) {
         return switch (query) {
             case BOX -> boxKey(of, at);
             case RAY -> rayKey(of, at);
