@@ -19,7 +19,7 @@ import org.locationtech.jts.geom.GeometryFactory;
 import robosim.geometry.cases.HardCase;
 
 /** dyn4j: open convex sets of the plane, tested by its default, Gjk, and moved by ConservativeAdvancement. */
-final class Dyn4jPeer implements Peer {
+public final class Dyn4jPeer implements Peer {
     private final Gjk gjk = new Gjk();
 
     @Override
@@ -45,7 +45,7 @@ final class Dyn4jPeer implements Peer {
     }
 
     /** A shape about a centre, which dyn4j turns about. */
-    private static Convex shape(Outline.Piece piece, double[] pivot) throws CannotException {
+    public static Convex shape(Outline.Piece piece, double[] pivot) throws CannotException {
         try {
             if (piece.isDisc()) {
                 Circle circle = new Circle(piece.radius());

@@ -10,7 +10,7 @@ import org.locationtech.jts.geom.LineString;
 import robosim.geometry.cases.HardCase;
 
 /** JTS: closed sets of the plane; a disc is a point and a distance. */
-final class JtsPeer implements Peer {
+public final class JtsPeer implements Peer {
     private static final GeometryFactory FACTORY = new GeometryFactory();
 
     @Override
@@ -37,7 +37,7 @@ final class JtsPeer implements Peer {
         return new Coordinate(p[0], p[1]);
     }
 
-    private static Geometry geometry(Outline.Piece piece) {
+    public static Geometry geometry(Outline.Piece piece) {
         if (piece.isDisc()) {
             return FACTORY.createPoint(at(piece.corners().get(0)));
         }

@@ -18,19 +18,19 @@ import robosim.geometry.report.Peer.CannotException;
  * @param pivot     what it turns about
  * @param isRounded whether corners may be rounded: those of what is turned
  */
-record Outline(List<Piece> pieces, double[] pivot, boolean isRounded) {
+public record Outline(List<Piece> pieces, double[] pivot, boolean isRounded) {
     /**
      * A disc about one corner, or the hull of corners where its radius is negative.
      *
      * @param ordered whether the corners are those of a convex polygon in order
      */
-    record Piece(List<double[]> corners, double radius, boolean ordered) {
-        boolean isDisc() {
+    public record Piece(List<double[]> corners, double radius, boolean ordered) {
+        public boolean isDisc() {
             return radius >= 0;
         }
     }
 
-    static Outline of(GeometryObject object) throws CannotException {
+    public static Outline of(GeometryObject object) throws CannotException {
         List<Piece> pieces = new ArrayList<>();
         add(object, pieces);
         return new Outline(pieces, flat(object.center()), isTurned(object));

@@ -3,7 +3,7 @@ package robosim.geometry.report;
 import robosim.geometry.cases.HardCase;
 
 /** Another engine that can be asked some of the questions. */
-interface Peer {
+public interface Peer {
     String name();
 
     String version();

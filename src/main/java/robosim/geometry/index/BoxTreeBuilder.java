@@ -5,190 +5,278 @@ import java.util.Arrays;
 /** Builds a {@link BoxTree}: cuts where the surface area heuristic over sixteen bins says, in half where it cannot. */
 final class BoxTreeBuilder {
     private static final int BINS = 16;
+
     /** From here down every cut is in half: the depth stays below this and the 31 halvings of any array. */
     private static final int HEURISTIC_DEPTH = 48;
 
     static final int MAX_DEPTH = HEURISTIC_DEPTH + 32;
 
-    private final double[] boxes;
+    /** What it costs to look at the two parts of a node, in items looked at. */
+    private static final float NODE_COST = 1.5f;
+
+    /** Exponents of a scale that a double can hold, and one over it too. */
+    private static final int MOST_EXPONENT = 1000;
+
     private final int[] order;
-    private double[] bounds;
-    private int[] counts;
-    private int[] links;
-    private int nodes;
+    private final double[] bounds = new double[6];
+    private final double[] origin = new double[3];
+    private final double scale;
 
-    private final double[] span = new double[6];
-    private final double[] binBounds = new double[6 * BINS];
+    /** Six floats an item, least and greatest in the tree's units, rounded outward; moved with {@link #order}. */
+    private final float[] boxes;
+
+    private float[] nodes;
+    private int count = 1;
+
+    // The boxes and the doubled middles of the range in hand.
+    private final float[] range = new float[6];
+    private final float[] middles = new float[6];
+
+    private final float[] binBounds = new float[6 * BINS];
     private final int[] binCounts = new int[BINS];
-    private final double[] areaRight = new double[BINS];
+    private final float[] costRight = new float[BINS];
+    private final float[] grown = new float[6];
 
-    BoxTreeBuilder(double[] boxes) {
-        if (boxes.length == 0 || boxes.length % 6 != 0) {
+    BoxTreeBuilder(double[] given) {
+        if (given.length == 0 || given.length % 6 != 0) {
             throw new IllegalArgumentException(
-                    "boxes must be six numbers for each of at least one item (got: " + boxes.length + " numbers)");
+                    "boxes must be six numbers for each of at least one item (got: " + given.length + " numbers)");
         }
-        for (int i = 0; i < boxes.length; i++) {
-            if (!Double.isFinite(boxes[i]) || (i % 6 >= 3 && boxes[i] < boxes[i - 3])) {
-                throw new IllegalArgumentException(
-                        "box must be finite and min at most max (got: " + boxes[i] + " in box " + i / 6 + ")");
-            }
+        measure(given);
+        double largest = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            origin[axis] = bounds[axis] / 2 + bounds[3 + axis] / 2;
+            double reach = Math.max(bounds[3 + axis] - origin[axis], origin[axis] - bounds[axis]);
+            largest = Math.max(largest, reach);
         }
-        this.boxes = boxes;
-        int n = boxes.length / 6;
+        int exponent = largest == 0 ? 0 : Math.getExponent(Math.nextUp(largest)) + 1;
+        scale = Math.scalb(1.0, -Math.max(-MOST_EXPONENT, Math.min(MOST_EXPONENT, exponent)));
+        int n = given.length / 6;
         order = new int[n];
         Arrays.setAll(order, i -> i);
-        bounds = new double[6 * (2 * n - 1)];
-        counts = new int[2 * n - 1];
-        links = new int[2 * n - 1];
-        build(0, n, 0);
-        bounds = Arrays.copyOf(bounds, 6 * nodes);
-        counts = Arrays.copyOf(counts, nodes);
-        links = Arrays.copyOf(links, nodes);
+        boxes = new float[6 * n];
+        for (int i = 0; i < boxes.length; i++) {
+            boxes[i] = outward(given[i], i % 6);
+        }
+        nodes = new float[BoxTree.STRIDE * (2 * n - 1)];
+        build(0, 0, n, 0);
+        nodes = Arrays.copyOf(nodes, BoxTree.STRIDE * count);
     }
 
-    double[] bounds() {
-        return bounds;
+    private void measure(double[] given) {
+        Arrays.fill(bounds, 0, 3, Double.POSITIVE_INFINITY);
+        Arrays.fill(bounds, 3, 6, Double.NEGATIVE_INFINITY);
+        for (int i = 0; i < given.length; i++) {
+            int side = i % 6;
+            double value = given[i];
+            if (!Double.isFinite(value) || (side >= 3 && value < given[i - 3])) {
+                throw new IllegalArgumentException(
+                        "box must be finite and min at most max (got: " + value + " in box " + i / 6 + ")");
+            }
+            bounds[side] = side < 3 ? Math.min(bounds[side], value) : Math.max(bounds[side], value);
+        }
     }
 
-    int[] counts() {
-        return counts;
+    /** A bound in the tree's units: the difference is off by half an ulp, the product by nothing above the subnormals. */
+    private float outward(double value, int side) {
+        double own = (value - origin[side % 3]) * scale;
+        return side < 3 ? down(Math.nextDown(own)) : up(Math.nextUp(own));
     }
 
-    int[] links() {
-        return links;
+    private static float down(double value) {
+        float nearest = (float) value;
+        return nearest > value ? Math.nextDown(nearest) : nearest;
+    }
+
+    private static float up(double value) {
+        float nearest = (float) value;
+        return nearest < value ? Math.nextUp(nearest) : nearest;
+    }
+
+    float[] nodes() {
+        return nodes;
     }
 
     int[] order() {
         return order;
     }
 
-    private int build(int from, int to, int depth) {
-        int node = nodes++;
-        empty(bounds, 6 * node);
-        for (int k = from; k < to; k++) {
-            grow(bounds, 6 * node, boxes, 6 * order[k]);
-        }
-        if (to - from <= BoxTree.LEAF) {
-            counts[node] = to - from;
-            links[node] = from;
-            return node;
-        }
-        int middle = split(from, to, depth);
-        build(from, middle, depth + 1);
-        links[node] = build(middle, to, depth + 1);
-        return node;
+    double[] bounds() {
+        return bounds;
     }
 
-    private int split(int from, int to, int depth) {
-        int axis = longestAxis(from, to);
-        double low = span[axis];
-        double extent = span[axis + 3] - low;
-        int half = (from + to) >>> 1;
-        if (extent == 0) {
-            return half; // all in one place: any half is as good
+    double[] origin() {
+        return origin;
+    }
+
+    double scale() {
+        return scale;
+    }
+
+    private void build(int node, int from, int to, int depth) {
+        measure(from, to);
+        write(node);
+        int middle = to - from == 1 ? to : split(from, to, depth);
+        int at = BoxTree.STRIDE * node;
+        if (middle == to) {
+            nodes[at + BoxTree.LINK] = Float.intBitsToFloat(from);
+            nodes[at + BoxTree.COUNT] = Float.intBitsToFloat(to - from);
+            return;
         }
-        if (depth < HEURISTIC_DEPTH) {
-            double scale = BINS / extent;
-            if (Double.isFinite(scale)) {
-                int cut = bestCut(from, to, axis, low, scale);
-                int middle = partition(from, to, axis, low, scale, cut);
-                if (middle > from && middle < to) {
-                    return middle;
-                }
+        int parts = count;
+        count += 2;
+        nodes[at + BoxTree.LINK] = Float.intBitsToFloat(parts);
+        build(parts, from, middle, depth + 1);
+        build(parts + 1, middle, to, depth + 1);
+    }
+
+    private void measure(int from, int to) {
+        empty(range, 0);
+        empty(middles, 0);
+        for (int k = 6 * from; k < 6 * to; k += 6) {
+            for (int axis = 0; axis < 3; axis++) {
+                float low = boxes[k + axis];
+                float high = boxes[k + 3 + axis];
+                float middle = low + high;
+                range[axis] = Math.min(range[axis], low);
+                range[axis + 3] = Math.max(range[axis + 3], high);
+                middles[axis] = Math.min(middles[axis], middle);
+                middles[axis + 3] = Math.max(middles[axis + 3], middle);
             }
+        }
+    }
+
+    private void write(int node) {
+        for (int axis = 0; axis < 3; axis++) {
+            float low = range[axis];
+            float high = range[axis + 3];
+            float middle = 0.5f * (low + high);
+            int at = BoxTree.STRIDE * node + axis;
+            nodes[at] = middle;
+            nodes[at + BoxTree.HALF] = up(Math.nextUp(Math.max((double) high - middle, (double) middle - low)));
+        }
+    }
+
+    /** Where the right part begins; the end where all of it is to be a leaf. */
+    private int split(int from, int to, int depth) {
+        int half = (from + to) >>> 1;
+        int axis = longestAxis();
+        float low = middles[axis];
+        float extent = middles[axis + 3] - low;
+        if (extent <= 0) {
+            return to - from <= BoxTree.LEAF ? to : half; // all in one place: any half is as good
+        }
+        float scaling = BINS / extent;
+        if (depth < HEURISTIC_DEPTH && scaling < Float.POSITIVE_INFINITY) {
+            float whole = (to - from) * area(range, 0);
+            int cut = bestCut(from, to, axis, low, scaling);
+            if (to - from <= BoxTree.LEAF && leastCost + NODE_COST * area(range, 0) >= whole) {
+                return to;
+            }
+            int middle = partition(from, to, axis, low, scaling, cut);
+            if (middle > from && middle < to) {
+                return middle;
+            }
+        }
+        if (to - from <= BoxTree.LEAF) {
+            return to;
         }
         select(from, to - 1, half, axis);
         return half;
     }
 
-    private int longestAxis(int from, int to) {
-        empty(span, 0);
-        for (int k = from; k < to; k++) {
-            for (int axis = 0; axis < 3; axis++) {
-                double centre = centre(order[k], axis);
-                span[axis] = Math.min(span[axis], centre);
-                span[axis + 3] = Math.max(span[axis + 3], centre);
-            }
-        }
-        double x = span[3] - span[0];
-        double y = span[4] - span[1];
-        double z = span[5] - span[2];
+    private int longestAxis() {
+        float x = middles[3] - middles[0];
+        float y = middles[4] - middles[1];
+        float z = middles[5] - middles[2];
         return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
     }
 
+    private float leastCost;
+
     // The bin at which the right part begins, by the least sum of area times items.
-    private int bestCut(int from, int to, int axis, double low, double scale) {
+    private int bestCut(int from, int to, int axis, float low, float scaling) {
         Arrays.fill(binCounts, 0);
         for (int bin = 0; bin < BINS; bin++) {
             empty(binBounds, 6 * bin);
         }
         for (int k = from; k < to; k++) {
-            int bin = bin(order[k], axis, low, scale);
+            int bin = bin(k, axis, low, scaling);
             binCounts[bin]++;
-            grow(binBounds, 6 * bin, boxes, 6 * order[k]);
+            grow(binBounds, 6 * bin, boxes, 6 * k);
         }
-        empty(span, 0);
+        empty(grown, 0);
         int right = 0;
         for (int bin = BINS - 1; bin > 0; bin--) {
             right += binCounts[bin];
-            grow(span, 0, binBounds, 6 * bin);
-            areaRight[bin] = right == 0 ? Double.POSITIVE_INFINITY : right * area(span);
+            grow(grown, 0, binBounds, 6 * bin);
+            costRight[bin] = right == 0 ? Float.POSITIVE_INFINITY : right * area(grown, 0);
         }
-        empty(span, 0);
+        empty(grown, 0);
         int left = 0;
         int best = BINS / 2;
-        double least = Double.POSITIVE_INFINITY;
+        leastCost = Float.POSITIVE_INFINITY;
         for (int bin = 1; bin < BINS; bin++) {
             left += binCounts[bin - 1];
-            grow(span, 0, binBounds, 6 * (bin - 1));
-            double cost = left == 0 ? Double.POSITIVE_INFINITY : left * area(span) + areaRight[bin];
-            if (cost < least) {
-                least = cost;
+            grow(grown, 0, binBounds, 6 * (bin - 1));
+            float cost = left == 0 ? Float.POSITIVE_INFINITY : left * area(grown, 0) + costRight[bin];
+            if (cost < leastCost) {
+                leastCost = cost;
                 best = bin;
             }
         }
         return best;
     }
 
-    // Keeps the order within each part, so equal input gives equal trees whatever the cut.
-    private int partition(int from, int to, int axis, double low, double scale, int cut) {
-        int[] behind = new int[to - from];
+    private int partition(int from, int to, int axis, float low, float scaling, int cut) {
         int left = from;
-        int right = 0;
-        for (int k = from; k < to; k++) {
-            if (bin(order[k], axis, low, scale) < cut) {
-                order[left++] = order[k];
-            } else {
-                behind[right++] = order[k];
+        int right = to - 1;
+        while (true) {
+            while (left <= right && bin(left, axis, low, scaling) < cut) {
+                left++;
             }
+            while (left <= right && bin(right, axis, low, scaling) >= cut) {
+                right--;
+            }
+            if (left >= right) {
+                return left;
+            }
+            swap(left++, right--);
         }
-        System.arraycopy(behind, 0, order, left, right);
-        return left;
     }
 
-    private int bin(int item, int axis, double low, double scale) {
-        return Math.min(BINS - 1, (int) ((centre(item, axis) - low) * scale));
+    private void swap(int p, int q) {
+        int item = order[p];
+        order[p] = order[q];
+        order[q] = item;
+        for (int k = 0; k < 6; k++) {
+            float number = boxes[6 * p + k];
+            boxes[6 * p + k] = boxes[6 * q + k];
+            boxes[6 * q + k] = number;
+        }
     }
 
-    // Hoare's selection: order[k] gets the item that sorting by centre would put there, smaller ones before it.
+    private int bin(int place, int axis, float low, float scaling) {
+        return Math.min(BINS - 1, (int) ((middle(place, axis) - low) * scaling));
+    }
+
+    // Hoare's selection: order[k] gets the item that sorting by middle would put there, smaller ones before it.
     private void select(int from, int to, int k, int axis) {
         int low = from;
         int high = to;
         while (low < high) {
-            double pivot = centre(order[(low + high) >>> 1], axis);
+            float pivot = middle((low + high) >>> 1, axis);
             int i = low;
             int j = high;
             while (i <= j) {
-                while (centre(order[i], axis) < pivot) {
+                while (middle(i, axis) < pivot) {
                     i++;
                 }
-                while (centre(order[j], axis) > pivot) {
+                while (middle(j, axis) > pivot) {
                     j--;
                 }
                 if (i <= j) {
-                    int swapped = order[i];
-                    order[i++] = order[j];
-                    order[j--] = swapped;
+                    swap(i++, j--);
                 }
             }
             if (k <= j) {
@@ -201,23 +289,24 @@ final class BoxTreeBuilder {
         }
     }
 
-    private double centre(int item, int axis) {
-        return 0.5 * boxes[6 * item + axis] + 0.5 * boxes[6 * item + axis + 3];
+    /** Twice the middle of an item's box. */
+    private float middle(int place, int axis) {
+        return boxes[6 * place + axis] + boxes[6 * place + 3 + axis];
     }
 
-    private static double area(double[] of) {
-        double x = of[3] - of[0];
-        double y = of[4] - of[1];
-        double z = of[5] - of[2];
+    private static float area(float[] of, int at) {
+        float x = of[at + 3] - of[at];
+        float y = of[at + 4] - of[at + 1];
+        float z = of[at + 5] - of[at + 2];
         return x * y + y * z + z * x;
     }
 
-    private static void empty(double[] of, int at) {
-        Arrays.fill(of, at, at + 3, Double.POSITIVE_INFINITY);
-        Arrays.fill(of, at + 3, at + 6, Double.NEGATIVE_INFINITY);
+    private static void empty(float[] of, int at) {
+        Arrays.fill(of, at, at + 3, Float.POSITIVE_INFINITY);
+        Arrays.fill(of, at + 3, at + 6, Float.NEGATIVE_INFINITY);
     }
 
-    private static void grow(double[] of, int at, double[] by, int from) {
+    private static void grow(float[] of, int at, float[] by, int from) {
         for (int i = 0; i < 3; i++) {
             of[at + i] = Math.min(of[at + i], by[from + i]);
             of[at + 3 + i] = Math.max(of[at + 3 + i], by[from + 3 + i]);

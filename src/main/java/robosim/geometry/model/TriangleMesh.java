@@ -22,6 +22,10 @@ public final class TriangleMesh {
     private final int[] faceOf;
 
     private volatile @Nullable BoxTree tree;
+
+    /** Nine coordinates a triangle, in the order of the tree's leaves; made with the tree. */
+    private double[] leafCorners = {};
+
     private int @Nullable [] seeds;
 
     /** Takes both arrays as its own. */
@@ -129,11 +133,46 @@ public final class TriangleMesh {
                 built = tree;
                 if (built == null) {
                     built = new BoxTree(boxes());
+                    leafCorners = leafCorners(built);
                     tree = built;
                 }
             }
         }
         return built;
+    }
+
+    /**
+     * The corners of all triangles in the own frame, nine coordinates each, beside each other in the order of the leaves
+     * of {@link #tree()}, which has to be asked before. The mesh's own array: read only.
+     */
+    public double[] leafCorners() {
+        return leafCorners;
+    }
+
+    /**
+     * Writes the corners of the triangle at a place of the leaves' order under a placement: the numbers of {@link
+     * #placed}.
+     */
+    public void placedAt(int leafPlace, double[] place, int at, double[] out, int to) {
+        for (int k = 0; k < 9; k += 3) {
+            double x = leafCorners[9 * leafPlace + k];
+            double y = leafCorners[9 * leafPlace + k + 1];
+            double z = leafCorners[9 * leafPlace + k + 2];
+            out[to + k] = place[at + 6] * x + place[at + 7] * y + place[at + 8] * z + place[at];
+            out[to + k + 1] = place[at + 9] * x + place[at + 10] * y + place[at + 11] * z + place[at + 1];
+            out[to + k + 2] = place[at + 12] * x + place[at + 13] * y + place[at + 14] * z + place[at + 2];
+        }
+    }
+
+    private double[] leafCorners(BoxTree built) {
+        double[] places = new double[9 * size()];
+        for (int k = 0; k < size(); k++) {
+            int t = built.item(k);
+            for (int corner = 0; corner < 3; corner++) {
+                System.arraycopy(coordinates, 3 * vertex(t, corner), places, 9 * k + 3 * corner, 3);
+            }
+        }
+        return places;
     }
 
     private double[] boxes() {

@@ -225,7 +225,7 @@ final class Branches {
     void box(long place, double[] out) {
         int part = part(place);
         if (part < 0) {
-            System.arraycopy(parts.bounds(), 6 * code(place), out, 0, 6);
+            partsBox(code(place), out);
         } else if (!Leaf.isMesh(column.kind(part))) {
             LeafBounds.of(column.kind(part), column.rows(), part * Leaf.STRIDE, out);
             widenRound(column.kind(part), out);
@@ -252,17 +252,26 @@ final class Branches {
         }
     }
 
+    private void partsBox(int node, double[] out) {
+        for (int axis = 0; axis < 3; axis++) {
+            double middle = parts.middle(node, axis);
+            double half = parts.half(node, axis);
+            double pad = WIDEN * (Math.abs(middle) + half) + MeshWalk.UNDERFLOW;
+            out[axis] = middle - half - pad;
+            out[3 + axis] = middle + half + pad;
+        }
+    }
+
     private void meshBox(int part, int node, double[] out) {
-        double[] bounds = column.mesh(part).tree().bounds();
-        int b = 6 * node;
+        BoxTree tree = column.mesh(part).tree();
         double[] frame = column.rows();
         int c = part * Leaf.STRIDE;
-        double middleX = bounds[b] / 2 + bounds[b + 3] / 2;
-        double middleY = bounds[b + 1] / 2 + bounds[b + 4] / 2;
-        double middleZ = bounds[b + 2] / 2 + bounds[b + 5] / 2;
-        double halfX = bounds[b + 3] / 2 - bounds[b] / 2;
-        double halfY = bounds[b + 4] / 2 - bounds[b + 1] / 2;
-        double halfZ = bounds[b + 5] / 2 - bounds[b + 2] / 2;
+        double middleX = tree.middle(node, 0);
+        double middleY = tree.middle(node, 1);
+        double middleZ = tree.middle(node, 2);
+        double halfX = tree.half(node, 0);
+        double halfY = tree.half(node, 1);
+        double halfZ = tree.half(node, 2);
         double reach = Math.abs(middleX) + Math.abs(middleY) + Math.abs(middleZ) + halfX + halfY + halfZ;
         for (int axis = 0; axis < 3; axis++) {
             int r = c + Leaf.ROTATION + 3 * axis;

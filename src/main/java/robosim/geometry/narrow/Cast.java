@@ -27,8 +27,11 @@ public final class Cast {
     /** Whether the start alone is too large for anything to be taken up, see {@link Magnified}. */
     private boolean isFarFromOrigin;
 
-    /** The triangle that gave the last answer of a mesh, else -1. */
+    /** The place, in the order of the tree's leaves, of the triangle that gave the last answer of a mesh, else -1. */
     private int triangle;
+
+    private double nearest;
+    private final MeshRay.Judge judge = this::judge;
 
     public Cast(Scratch scratch) {
         s = scratch;
@@ -86,25 +89,34 @@ public final class Cast {
         if (Overlap.hasInside(dimension, column, leaf) && Inside.holds(column, leaf, ox, oy, oz, s)) {
             return 0;
         }
+        nearest = Double.POSITIVE_INFINITY;
+        if (dimension == Dimension.SPATIAL && !cone) {
+            s.outer.open(column, leaf);
+            s.meshRay.start(column, leaf, ox, oy, oz, ux, uy, uz);
+            s.meshRay.find(column.mesh(leaf), limit, judge);
+            return nearest;
+        }
         if (!start(column, leaf)) {
             return Double.POSITIVE_INFINITY;
         }
-        double best = Double.POSITIVE_INFINITY;
-        double reach = limit;
-        for (int t = s.outer.next(reach); t >= 0; t = s.outer.next(reach)) {
-            s.outer.corners(t, s.triangleA, 0);
-            double distance = convex(Leaf.TRIANGLE, s.triangleA, 0);
-            if (distance < best || (distance == best && isLower(t))) {
-                best = distance;
-                triangle = t;
-                reach = Math.min(reach, best);
-            }
+        for (int t = s.outer.next(limit); t >= 0; t = s.outer.next(Math.min(limit, nearest))) {
+            judge(t);
         }
-        return best;
+        return nearest;
     }
 
-    private boolean isLower(int t) {
-        return triangle >= 0 && t < triangle;
+    private double judge(int place) {
+        s.outer.corners(place, s.triangleA, 0);
+        double distance = convex(Leaf.TRIANGLE, s.triangleA, 0);
+        if (distance < nearest || (distance == nearest && isLower(place))) {
+            nearest = distance;
+            triangle = place;
+        }
+        return nearest;
+    }
+
+    private boolean isLower(int place) {
+        return triangle >= 0 && s.outer.triangle(place) < s.outer.triangle(triangle);
     }
 
     private double convex(int kind, double[] row, int at) {
@@ -130,12 +142,13 @@ public final class Cast {
                 : SpatialRay.distance(x, y, z, dx, dy, dz, kind, row, at, s);
     }
 
+    /** The triangle that gave the last answer of a mesh; -1 where none did. */
+    int triangle() {
+        return triangle < 0 ? -1 : s.outer.triangle(triangle);
+    }
+
     /** Puts the beam to the mesh's tree; false where it misses all of the mesh. */
     private boolean start(LeafColumn column, int leaf) {
-        if (dimension == Dimension.SPATIAL && !cone) {
-            s.outer.startRay(column, leaf, ox, oy, oz, ux, uy, uz);
-            return true;
-        }
         column.bounds(leaf, s.meshBox);
         box[0] = ox;
         box[1] = dimension == Dimension.PLANAR ? s.meshBox[1] : oy;

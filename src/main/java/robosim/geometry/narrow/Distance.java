@@ -9,7 +9,7 @@ import robosim.geometry.model.Dimension;
 public final class Distance {
     private final Scratch s;
 
-    /** The triangles that gave the last answer, -1 where a leaf is no mesh or is met in its inside. */
+    /** The places, in the order of the leaves, of the triangles that gave the last answer; -1 where a leaf is no mesh or is met in its inside. */
     private int triangleA;
 
     private int triangleB;
@@ -70,12 +70,24 @@ public final class Distance {
         for (int t = s.outer.next(limit); t >= 0; t = s.outer.next(Math.min(limit, best))) {
             s.outer.corners(t, s.triangleA, 0);
             double distance = convex(dimension, Leaf.TRIANGLE, s.triangleA, 0, kind, row, at);
-            if (distance < best || (distance == best && t < triangleB)) {
+            if (distance < best || (distance == best && isLower(t))) {
                 best = distance;
                 triangleB = t;
             }
         }
         return best;
+    }
+
+    private boolean isLower(int t) {
+        return triangleB >= 0 && s.outer.triangle(t) < s.outer.triangle(triangleB);
+    }
+
+    private boolean areLower(int t, int u) {
+        if (triangleA < 0) {
+            return false;
+        }
+        int order = Integer.compare(s.outer.triangle(t), s.outer.triangle(triangleA));
+        return order < 0 || (order == 0 && s.inner.triangle(u) < s.inner.triangle(triangleB));
     }
 
     private double meshes(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, double limit) {
@@ -95,7 +107,7 @@ public final class Distance {
             for (int u = s.inner.next(Math.min(limit, best)); u >= 0; u = s.inner.next(Math.min(limit, best))) {
                 s.inner.corners(u, s.triangleB, 0);
                 double distance = convex(dimension, Leaf.TRIANGLE, s.triangleA, 0, Leaf.TRIANGLE, s.triangleB, 0);
-                if (distance < best || (distance == best && (t < triangleA || (t == triangleA && u < triangleB)))) {
+                if (distance < best || (distance == best && areLower(t, u))) {
                     best = distance;
                     triangleA = t;
                     triangleB = u;

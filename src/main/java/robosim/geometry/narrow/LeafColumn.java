@@ -118,7 +118,6 @@ public final class LeafColumn {
     private void meshBounds(int leaf, double[] out) {
         BoxTree tree = mesh(leaf).tree();
         double[] b = tree.bounds();
-        int r = 6 * tree.root();
         int at = leaf * Leaf.STRIDE;
         for (int k = 0; k < 3; k++) {
             double middle = rows[at + k];
@@ -126,9 +125,9 @@ public final class LeafColumn {
             double size = Math.abs(middle);
             for (int j = 0; j < 3; j++) {
                 double turn = rows[at + Leaf.ROTATION + 3 * k + j];
-                middle += turn * (b[r + j] / 2 + b[r + 3 + j] / 2);
-                half += Math.abs(turn) * (b[r + 3 + j] / 2 - b[r + j] / 2);
-                size += Math.abs(b[r + j]) + Math.abs(b[r + 3 + j]);
+                middle += turn * (b[j] / 2 + b[3 + j] / 2);
+                half += Math.abs(turn) * (b[3 + j] / 2 - b[j] / 2);
+                size += Math.abs(b[j]) + Math.abs(b[3 + j]);
             }
             double pad = MeshWalk.WIDEN * size + MeshWalk.UNDERFLOW;
             out[k] = middle - half - pad;

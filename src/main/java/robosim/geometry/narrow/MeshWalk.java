@@ -5,7 +5,7 @@ import robosim.geometry.index.BoxTree;
 import robosim.geometry.model.TriangleMesh;
 
 /**
- * Walks the triangles of a placed mesh that may matter for a region, a ray or a nearest distance, nearest first.
+ * Walks the triangles of a placed mesh that may matter for a region or a nearest distance, nearest first.
  *
  * <p>The tree stands in the mesh's own frame, so the question is taken there, widened by more than that rounding: a
  * triangle that matters is never left out. What is then decided is decided on the placed triangle.
@@ -22,15 +22,12 @@ final class MeshWalk {
 
     private final double[] low = new double[3];
     private final double[] high = new double[3];
-    private final double[] start = new double[3];
-    private final double[] inverse = new double[3];
     private final double[] box = new double[6];
 
     private TriangleMesh mesh;
     private BoxTree tree;
     private double[] place;
     private int at;
-    private boolean isRay;
     private double pad;
 
     /** How far the rotation, kept as it was given, is from one: a point taken back into the own frame misses by so much. */
@@ -88,7 +85,6 @@ final class MeshWalk {
             }
         }
         takeBox();
-        isRay = false;
         push(tree.root(), 0);
     }
 
@@ -97,48 +93,11 @@ final class MeshWalk {
         open(column, leaf);
         System.arraycopy(world, 0, box, 0, 6);
         takeBox();
-        isRay = false;
         push(tree.root(), key(tree.root()));
-    }
-
-    /** Begins with a ray in the world; the direction has length 1. Keys are distances along it, rounded down. */
-    void startRay(LeafColumn column, int leaf, double ox, double oy, double oz, double ux, double uy, double uz) {
-        open(column, leaf);
-        double x = ox - place[at];
-        double y = oy - place[at + 1];
-        double z = oz - place[at + 2];
-        for (int j = 0; j < 3; j++) {
-            int r = at + Leaf.ROTATION + j;
-            start[j] = place[r] * x + place[r + 3] * y + place[r + 6] * z;
-            inverse[j] = 1 / (place[r] * ux + place[r + 3] * uy + place[r + 6] * uz);
-        }
-        pad = WIDEN
-                        * (Math.abs(ox)
-                                + Math.abs(oy)
-                                + Math.abs(oz)
-                                + Math.abs(place[at])
-                                + Math.abs(place[at + 1])
-                                + Math.abs(place[at + 2])
-                                + reach())
-                + skew() * reach()
-                + UNDERFLOW;
-        isRay = true;
-        push(tree.root(), key(tree.root()));
-    }
-
-    private double reach() {
-        double[] b = tree.bounds();
-        int r = 6 * tree.root();
-        double size = 0;
-        for (int k = 0; k < 6; k++) {
-            size += Math.abs(b[r + k]);
-        }
-        return size;
     }
 
     /** At least three times any number of R'R - I, so at least the length of (R'R - I) p for a p of length 1. */
-    private double skew() {
-        int r = at + Leaf.ROTATION;
+    static double skew(double[] place, int r) {
         double most = 0;
         for (int i = 0; i < 3; i++) {
             for (int j = i; j < 3; j++) {
@@ -148,17 +107,17 @@ final class MeshWalk {
                 most = Math.max(most, Math.abs(product - (i == j ? 1 : 0)));
             }
         }
-        skew = 3 * most;
-        return skew;
+        return 3 * most;
     }
 
     /** Takes the world's box into the own frame as the box that holds it there. */
     private void takeBox() {
-        double size = reach();
+        double size = tree.reach();
         for (int k = 0; k < 3; k++) {
             size += Math.abs(box[k]) + Math.abs(box[3 + k]) + Math.abs(place[at + k]);
         }
-        pad = WIDEN * size + skew() * reach() + UNDERFLOW;
+        skew = skew(place, at + Leaf.ROTATION);
+        pad = WIDEN * size + skew * tree.reach() + UNDERFLOW;
         for (int j = 0; j < 3; j++) {
             double middle = 0;
             double half = 0;
@@ -184,16 +143,12 @@ final class MeshWalk {
         keys[depth++] = key;
     }
 
-    /** A lower bound of the answer below a node, +Infinity where there is none. */
+    /** A lower bound of the distance of what is below a node; 0 where it meets the box. */
     private double key(int node) {
-        return isRay ? rayKey(node) : boxKey(node);
-    }
-
-    private double boxKey(int node) {
-        double[] b = tree.bounds();
         double squared = 0;
         for (int k = 0; k < 3; k++) {
-            double gap = Math.max(b[6 * node + k] - high[k], low[k] - b[6 * node + 3 + k]);
+            double middle = tree.middle(node, k);
+            double gap = Math.max(middle - high[k], low[k] - middle) - tree.half(node, k);
             if (gap > 0) {
                 squared += gap * gap;
             }
@@ -202,31 +157,7 @@ final class MeshWalk {
         return squared < 0x1p-900 ? 0 : Math.sqrt(squared) * (1 - 0x1p-50 - skew);
     }
 
-    private double rayKey(int node) {
-        double[] b = tree.bounds();
-        double enter = 0;
-        double leave = Double.POSITIVE_INFINITY;
-        for (int k = 0; k < 3; k++) {
-            double least = b[6 * node + k] - pad - start[k];
-            double greatest = b[6 * node + 3 + k] + pad - start[k];
-            if (Double.isInfinite(inverse[k])) {
-                if (least > 0 || greatest < 0) {
-                    return Double.POSITIVE_INFINITY;
-                }
-            } else {
-                double a = least * inverse[k];
-                double c = greatest * inverse[k];
-                enter = Math.max(enter, Math.min(a, c));
-                leave = Math.min(leave, Math.max(a, c));
-            }
-        }
-        // Slopes are off by a few u each, so is what is divided by them.
-        return enter * (1 - WIDEN) - pad <= leave * (1 + WIDEN) + pad
-                ? Math.max(0, enter * (1 - WIDEN) - pad)
-                : Double.POSITIVE_INFINITY;
-    }
-
-    /** The next triangle whose key is at most the limit, or -1. A limit only ever shrinks. */
+    /** The place, in the order of the leaves, of the next triangle whose key is at most the limit, or -1. A limit only ever shrinks. */
     int next(double limit) {
         while (true) {
             while (item < end) {
@@ -234,7 +165,7 @@ final class MeshWalk {
                     item = end;
                     break;
                 }
-                return tree.item(item++);
+                return item++;
             }
             if (depth == 0) {
                 return -1;
@@ -270,18 +201,13 @@ final class MeshWalk {
         return key <= limit ? key : Double.POSITIVE_INFINITY;
     }
 
-    /** Writes the placed triangle as a leaf's row. */
-    void corners(int triangle, double[] row, int to) {
-        for (int corner = 0; corner < 3; corner++) {
-            int v = mesh.vertex(triangle, corner);
-            for (int axis = 0; axis < 3; axis++) {
-                row[to + 3 * corner + axis] = mesh.placed(v, axis, place, at);
-            }
-        }
+    /** Writes the placed triangle at a place of the leaves' order as a leaf's row. */
+    void corners(int leafPlace, double[] row, int to) {
+        mesh.placedAt(leafPlace, place, at, row, to);
     }
 
-    /** The face that a triangle is of. */
-    int face(int triangle) {
-        return mesh.face(triangle);
+    /** The triangle at a place of the leaves' order. */
+    int triangle(int leafPlace) {
+        return tree.item(leafPlace);
     }
 }

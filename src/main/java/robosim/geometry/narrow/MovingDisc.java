@@ -19,7 +19,7 @@ final class MovingDisc {
     private static final int BEYOND = 1;
     private static final int UNCERTAIN = 2;
 
-    /** Below this squares of coordinates would underflow. */
+    /** Below this squares of coordinates would underflow; so would those of a side's normal, however large the rest is. */
     private static final double MINUTE = 0x1p-200;
 
     /** Whether the last question found the two in contact at the start, for certain. */
@@ -81,6 +81,9 @@ final class MovingDisc {
             double nx = o.nx[k];
             double nz = o.nz[k];
             double l = Math.sqrt(nx * nx + nz * nz);
+            if (l < MINUTE && (nx != 0 || nz != 0)) {
+                return Double.NaN;
+            }
             double h = -(nx * o.x[k] + nz * o.z[k]);
             double g = h - radius * l;
             double e = ROUNDOFF * ((Math.abs(nx) + Math.abs(nz)) * o.size + radius * l) + TINY;

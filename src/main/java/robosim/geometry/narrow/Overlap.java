@@ -12,13 +12,22 @@ public final class Overlap {
         int kindB = b.kind(j);
         if (Leaf.isMesh(kindA)) {
             return Leaf.isMesh(kindB)
-                    ? s.pairs.touch(dimension, a, i, b, j)
+                    ? meshes(dimension, a, i, b, j, s)
                     : mesh(dimension, a, i, kindB, b.rows(), j * Leaf.STRIDE, s);
         }
         if (Leaf.isMesh(kindB)) {
             return mesh(dimension, b, j, kindA, a.rows(), i * Leaf.STRIDE, s);
         }
         return convex(dimension, kindA, a.rows(), i * Leaf.STRIDE, kindB, b.rows(), j * Leaf.STRIDE, s);
+    }
+
+    private static boolean meshes(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, Scratch s) {
+        if (dimension == Dimension.PLANAR) {
+            return s.pairs.touch(dimension, a, i, b, j);
+        }
+        return s.meshPairs.touch(a, i, b, j)
+                || (hasInside(dimension, a, i) && Inside.holdsMesh(a, i, b, j, s))
+                || (hasInside(dimension, b, j) && Inside.holdsMesh(b, j, a, i, s));
     }
 
     static boolean convex(Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {

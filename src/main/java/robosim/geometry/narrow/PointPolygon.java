@@ -2,6 +2,11 @@ package robosim.geometry.narrow;
 
 /** A point and a convex polygon that a {@link PlanarShape} holds. */
 final class PointPolygon {
+    /** Sides below this are measured by {@link #ENLARGED} times their length. */
+    private static final double SHORT = 0x1p-450;
+
+    private static final double ENLARGED = 0x1p500;
+
     private PointPolygon() {}
 
     /** Square of the least distance to a side, from inside too. */
@@ -20,12 +25,18 @@ final class PointPolygon {
         double ez = bz - az;
         double wx = px - ax;
         double wz = pz - az;
+        double unit = 1;
+        if (Math.abs(ex) + Math.abs(ez) < SHORT) { // else its square would lose bits
+            ex *= ENLARGED;
+            ez *= ENLARGED;
+            unit = ENLARGED;
+        }
         double along = ex * wx + ez * wz;
         if (along <= 0) {
             return wx * wx + wz * wz;
         }
         double length = ex * ex + ez * ez;
-        if (along >= length) {
+        if (along * unit >= length) {
             double vx = px - bx;
             double vz = pz - bz;
             return vx * vx + vz * vz;

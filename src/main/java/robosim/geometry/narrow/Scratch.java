@@ -18,7 +18,12 @@ public final class Scratch {
     final MeshWalk inner = new MeshWalk();
     final MeshWalk around = new MeshWalk();
 
-    /** Two meshes, descended at once. */
+    final MeshRay meshRay = new MeshRay();
+
+    /** Two meshes in space, descended at once. */
+    final MeshPairs meshPairs = new MeshPairs(this);
+
+    /** Two meshes seen from above, descended at once. */
     final ContactPairs pairs = new ContactPairs(this);
 
     /** A placed triangle of the first and of the second mesh, as leaf rows. */

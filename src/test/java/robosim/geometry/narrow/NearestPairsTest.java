@@ -98,7 +98,7 @@ class NearestPairsTest {
                 scratch.inner.open(b, 0);
                 scratch.inner.corners(u, q, 0);
                 if (SpatialOverlap.test(Leaf.TRIANGLE, p, 0, Leaf.TRIANGLE, q, 0, scratch)) {
-                    truth.add(t + " " + u);
+                    truth.add(scratch.outer.triangle(t) + " " + scratch.inner.triangle(u));
                 }
             }
         }

@@ -12,6 +12,7 @@ import robosim.geometry.model.Ray;
 import robosim.geometry.narrow.Leaf;
 import robosim.geometry.narrow.PlanarOverlap;
 import robosim.geometry.narrow.PlanarRay;
+import robosim.geometry.narrow.PlanarSweep;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.SpatialOverlap;
 import robosim.geometry.narrow.SpatialRay;
@@ -148,5 +149,33 @@ class FoundTest {
         double time = SpatialSweep.translation(
                 Leaf.SPHERE, point, 0, 6 * unit, 6 * unit, -6 * unit, Leaf.BOX, square, 0, new Scratch());
         assertThat(time).isEqualTo(0.5);
+    }
+
+    /** The square of 2^-1014, from corner to corner, is no number. */
+    @Test
+    void aDiscMeetsASideWhoseSquareUnderflows() {
+        double unit = 0x1p61;
+        double[] side = {0, -0.5 * unit, unit, 0, -0.5 * unit, unit, -0x1p-1014, -0.5 * unit, unit, 0, 0, 0, 0, 0, 0, 0
+        };
+        double[] disc = new double[16];
+        disc[0] = -1.5 * unit;
+        disc[2] = -1.5 * unit;
+        disc[3] = unit;
+        double time = PlanarSweep.translation(
+                Leaf.TRIANGLE, side, 0, -3 * unit, 0, -2.5 * unit, Leaf.SPHERE, disc, 0, new Scratch());
+        assertThat(time).isBetween(0.5, 1.0);
+    }
+
+    /** The foot is on a side whose square has two bits: the distance to it is the height above it all the same. */
+    @Test
+    void aDiscBesideASideWhoseSquareIsAllButLostIsApart() {
+        double[] side = {-0x1.4p-537, 0, 1, 0x1.5p-536, 0, 1, 0x1.5p-536, 0, 1, 0, 0, 0, 0, 0, 0, 0};
+        double[] disc = new double[16];
+        for (int k = 1; k < 16; k++) {
+            disc[3] = k / 8.0;
+            assertThat(PlanarOverlap.test(Leaf.SPHERE, disc, 0, Leaf.TRIANGLE, side, 0, new Scratch()))
+                    .as("a disc of radius " + disc[3] + " under a side at 1")
+                    .isEqualTo(disc[3] >= 1);
+        }
     }
 }

@@ -35,14 +35,22 @@ final class Mutations {
 
     static void flatten(Form form, double[] row, SplittableRandom random) {
         if (form != Form.TRIANGLE) {
-            row[3 + random.nextInt(3)] = random.nextInt(3) == 0 ? Double.MIN_VALUE : 0;
+            row[3 + random.nextInt(3)] = switch (random.nextInt(6)) {
+                case 0 -> Double.MIN_VALUE;
+                case 1 -> minute(random);
+                default -> 0;
+            };
             return;
         }
         int corner = 3 * random.nextInt(3);
         int other = (corner + 3) % 9;
         int third = (corner + 6) % 9;
-        int sort = random.nextInt(4);
+        int sort = random.nextInt(5);
         double share = random.nextInt(0, 9) / 8.0;
+        if (sort == 4) {
+            shrink(row, corner, other, third, random);
+            return;
+        }
         for (int k = 0; k < 3; k++) {
             switch (sort) {
                 case 0 -> row[corner + k] = row[other + k];
@@ -54,6 +62,27 @@ final class Mutations {
                 }
             }
         }
+    }
+
+    /** Makes a side so short that its square underflows, at a place where that is not lost. */
+    private static void shrink(double[] row, int corner, int other, int third, SplittableRandom random) {
+        int axis = random.nextInt(3);
+        boolean both = random.nextBoolean();
+        for (int k = 0; k < 3; k++) {
+            row[corner + k] = row[other + k];
+            if (both) {
+                row[third + k] = row[other + k];
+            }
+        }
+        row[other + axis] = random.nextBoolean() ? 0 : -minute(random);
+        row[corner + axis] = minute(random);
+        if (both) {
+            row[third + axis] = -minute(random);
+        }
+    }
+
+    private static double minute(SplittableRandom random) {
+        return Math.scalb(1 + random.nextDouble(), -random.nextInt(100, 1074));
     }
 
     /** Steps a number by an ulp or two, and moves or scales the pair. */

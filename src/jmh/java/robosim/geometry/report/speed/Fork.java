@@ -1,0 +1,83 @@
+package robosim.geometry.report.speed;
+
+import java.io.BufferedReader;
+import java.io.File;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.net.URISyntaxException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.dyn4j.world.World;
+import org.locationtech.jts.index.strtree.STRtree;
+import robosim.geometry.Geometry;
+import robosim.geometry.exact.Filter;
+
+/** Runs a study in a JVM of its own. */
+final class Fork {
+    private Fork() {}
+
+    /** Options of every JVM that measures: one collector that no core of its own is needed for. */
+    static final List<String> OPTIONS = List.of("-Xmx5g", "-XX:+UseSerialGC");
+
+    /**
+     * Runs a study with filters {@code on} or {@code alone}.
+     *
+     * @throws IOException with all that it said, where it failed
+     */
+    static void run(String study, String form, String filter, Results into, Study.Progress progress)
+            throws IOException {
+        List<String> command = new ArrayList<>(
+                List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString(), "-cp", classPath()));
+        command.addAll(OPTIONS);
+        command.add("-D" + Filter.PROPERTY + "=" + filter);
+        command.addAll(List.of(StudyRun.class.getName(), study, form));
+        Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
+        StringBuilder said = new StringBuilder();
+        try (BufferedReader lines =
+                new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8))) {
+            for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+                if (line.startsWith(StudyRun.PROGRESS)) {
+                    progress.at(Double.parseDouble(line.substring(1)));
+                } else if (line.startsWith(study + ",")) {
+                    into.add(Measure.of(line));
+                } else {
+                    said.append(line).append('\n');
+                }
+            }
+        } finally {
+            process.destroy();
+        }
+        try {
+            if (process.waitFor() != 0) {
+                throw new IOException(study + " must end well (said: " + said + ")");
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new IOException(study + " was interrupted", e);
+        }
+    }
+
+    /** Where the classes lie; the JVM's own class path is Maven's where Maven runs a program. */
+    static String classPath() {
+        return Stream.of(Fork.class, Geometry.class, STRtree.class, World.class)
+                .map(Fork::location)
+                .distinct()
+                .collect(Collectors.joining(File.pathSeparator));
+    }
+
+    private static String location(Class<?> type) {
+        try {
+            return Path.of(type.getProtectionDomain()
+                            .getCodeSource()
+                            .getLocation()
+                            .toURI())
+                    .toString();
+        } catch (URISyntaxException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+}

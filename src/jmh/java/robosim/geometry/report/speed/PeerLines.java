@@ -1,0 +1,42 @@
+package robosim.geometry.report.speed;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/** What native engines and this module printed when they were measured on shared inputs. */
+final class PeerLines {
+    static final String STUDY = "peers";
+
+    private PeerLines() {}
+
+    /**
+     * Figures of lines {@code peer workload size ns hits checksum build_ms}, parted by spaces or commas; other lines, such
+     * as a head or ratios, are passed over.
+     *
+     * @throws IOException where no line is one
+     */
+    static List<Measure> read(Path file) throws IOException {
+        List<Measure> measures = new ArrayList<>();
+        for (String line : Files.readAllLines(file)) {
+            String[] parts = line.strip().split("[\\s,]+");
+            if (parts.length == 7 && parts[1].startsWith("W") && parts[3].matches("[0-9.eE+]+")) {
+                Subject subject = new Subject(parts[0], "", "", "");
+                measures.add(measure(subject, parts, Results.NANOS, 3));
+                measures.add(measure(subject, parts, "hits", 4));
+                measures.add(measure(subject, parts, "build ms", 6));
+            }
+        }
+        if (measures.isEmpty()) {
+            throw new IOException(
+                    "lines must be: peer workload size ns hits checksum build_ms (got none in: " + file + ")");
+        }
+        return measures;
+    }
+
+    private static Measure measure(Subject subject, String[] parts, String metric, int at) {
+        return new Measure(STUDY, subject, parts[2], parts[1], metric, Double.parseDouble(parts[at]));
+    }
+}

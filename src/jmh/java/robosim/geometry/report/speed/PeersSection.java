@@ -1,0 +1,112 @@
+package robosim.geometry.report.speed;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import robosim.geometry.report.chart.Decades;
+import robosim.geometry.report.chart.Figure;
+import robosim.geometry.report.chart.LogAxis;
+import robosim.geometry.report.chart.Marker;
+import robosim.geometry.report.chart.Panel;
+import robosim.geometry.report.chart.Series;
+import robosim.geometry.report.chart.Series.Dot;
+import robosim.geometry.report.chart.Series.Line;
+
+/** Native engines on shared inputs, where a file of their figures was given. */
+final class PeersSection {
+    private static final Map<String, String> WORKS = Map.of(
+            "W1a", "ray among flat objects",
+            "W1b", "disc tested among them",
+            "W1c", "checked addition",
+            "W2", "pair of meshes",
+            "W3", "ray at a mesh",
+            "W4", "attempted move in a swarm");
+
+    private PeersSection() {}
+
+    static void add(Results results, Page page) {
+        if (results.of(PeerLines.STUDY).isEmpty()) {
+            return;
+        }
+        page.heading(2, "Native engines");
+        List<Panel> panels = new ArrayList<>();
+        for (String work : List.of("W1a", "W1b")) {
+            if (results.distinct(PeerLines.STUDY, Measure::query).contains(work)) {
+                panels.add(panel(results, work));
+            }
+        }
+        if (!panels.isEmpty()) {
+            page.picture(new Figure(
+                    "peers",
+                    "This module beside native engines on the same inputs, one run of `bench.Peers`",
+                    "Flat boxes and discs at constant density; one thread. A ray is answered with its closest hit, a disc"
+                            + " with whether it touches anything. All that is shown found the same hits.",
+                    panels,
+                    panels.size(),
+                    300));
+        }
+        table(results, page);
+    }
+
+    private static List<Subject> subjects(Results results) {
+        return results.distinct(PeerLines.STUDY, Measure::subject);
+    }
+
+    private static Panel panel(Results results, String work) {
+        List<Series> series = new ArrayList<>();
+        int colour = 0;
+        for (Subject subject : subjects(results)) {
+            List<Dot> dots = new ArrayList<>();
+            for (Measure measure : results.of(PeerLines.STUDY)) {
+                boolean isNumber = measure.scene().matches("[0-9]+");
+                if (isNumber
+                        && measure.subject().equals(subject)
+                        && measure.query().equals(work)
+                        && measure.metric().equals(Results.NANOS)) {
+                    dots.add(
+                            new Dot(Double.parseDouble(measure.scene()), measure.value(), Words.time(measure.value())));
+                }
+            }
+            int at = colour++;
+            Marker marker = Marker.values()[at % Marker.values().length];
+            if (!dots.isEmpty()) {
+                series.add(new Series(subject.engine(), at % 8, marker, Line.SOLID, false, dots));
+            }
+        }
+        double[] sizes = series.stream()
+                .flatMap(one -> one.dots().stream())
+                .mapToDouble(Dot::x)
+                .toArray();
+        double[] nanos = series.stream()
+                .flatMap(one -> one.dots().stream())
+                .mapToDouble(Dot::y)
+                .toArray();
+        return new Panel(
+                WORKS.get(work),
+                LogAxis.around("objects", sizes, Decades::plain),
+                LogAxis.roomy("time of one question", nanos, Decades::nanos),
+                series);
+    }
+
+    private static void table(Results results, Page page) {
+        Subject own = new Subject(Subject.MODULE, "", "", "");
+        List<List<String>> rows = new ArrayList<>();
+        for (Measure measure : results.of(PeerLines.STUDY)) {
+            if (measure.metric().equals(Results.NANOS)) {
+                OptionalDouble ours =
+                        results.value(PeerLines.STUDY, own, measure.scene(), measure.query(), Results.NANOS);
+                String what = WORKS.getOrDefault(measure.query(), "");
+                rows.add(List.of(
+                        measure.query() + (what.isEmpty() ? "" : ": " + what),
+                        measure.scene(),
+                        measure.subject().engine(),
+                        Words.nanos(measure.value()),
+                        ours.isEmpty() || measure.subject().isModule()
+                                ? Words.NONE
+                                : Words.ratio(ours.getAsDouble() / measure.value())));
+            }
+        }
+        page.table(List.of("workload", "size", "who", "ns a query", "this module takes"), rows);
+    }
+}

@@ -1,0 +1,88 @@
+package robosim.geometry.report.speed;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.function.Function;
+import java.util.function.Predicate;
+
+/** All figures of a run and what ran where, as one file of lines: the head behind number signs, then the figures. */
+final class Results {
+    /** A time: of several the least is kept, as what else runs on a machine only ever adds. */
+    static final String NANOS = "ns";
+
+    private final Map<String, String> head = new LinkedHashMap<>();
+    private final Map<String, Measure> measures = new LinkedHashMap<>();
+
+    /** Says what ran where. */
+    void head(String key, String value) {
+        head.put(key, value.replace('\n', ' '));
+    }
+
+    Map<String, String> head() {
+        return head;
+    }
+
+    String head(String key) {
+        return head.getOrDefault(key, "?");
+    }
+
+    void add(Measure measure) {
+        String line = measure.line();
+        measures.merge(
+                line.substring(0, line.lastIndexOf(',')),
+                measure,
+                (old, now) -> old.metric().equals(NANOS) && old.value() < now.value() ? old : now);
+    }
+
+    /** The figures of a study, in their order. */
+    List<Measure> of(String study) {
+        return where(measure -> measure.study().equals(study));
+    }
+
+    List<Measure> where(Predicate<Measure> condition) {
+        return measures.values().stream().filter(condition).toList();
+    }
+
+    /** One figure; empty where it was not measured. */
+    OptionalDouble value(String study, Subject subject, String scene, String query, String metric) {
+        Measure measure = measures.get(key(study, subject, scene, query, metric));
+        return measure == null ? OptionalDouble.empty() : OptionalDouble.of(measure.value());
+    }
+
+    private static String key(String study, Subject subject, String scene, String query, String metric) {
+        String line = new Measure(study, subject, scene, query, metric, 0).line();
+        return line.substring(0, line.lastIndexOf(','));
+    }
+
+    /** The different values of something in a study, in the order of their first appearance. */
+    <T> List<T> distinct(String study, Function<Measure, T> what) {
+        return of(study).stream().map(what).distinct().toList();
+    }
+
+    void write(Path file) throws IOException {
+        List<String> lines = new ArrayList<>();
+        head.forEach((key, value) -> lines.add("# " + key + ": " + value));
+        lines.add(Measure.HEAD);
+        measures.values().forEach(measure -> lines.add(measure.line()));
+        Files.writeString(file, String.join("\n", lines) + "\n");
+    }
+
+    static Results read(Path file) throws IOException {
+        Results results = new Results();
+        for (String line : Files.readAllLines(file)) {
+            int colon = line.indexOf(": ");
+            if (line.startsWith("# ") && colon > 0) {
+                results.head(line.substring(2, colon), line.substring(colon + 2));
+            } else if (!line.isEmpty() && !line.equals(Measure.HEAD)) {
+                results.add(Measure.of(line));
+            }
+        }
+        return results;
+    }
+}

@@ -1,0 +1,349 @@
+package robosim.geometry.narrow;
+
+import robosim.geometry.exact.Filter;
+import robosim.geometry.index.BoxTree;
+import robosim.geometry.model.TriangleMesh;
+
+/**
+ * A line of sight through the tree of a placed mesh, front to back: finds the triangles of which one is the nearest, and
+ * puts each of them to the exact kernel. Most others are passed by without it, by bounds that only ever let too many in.
+ *
+ * <p>The tree and the triangles stand in the mesh's own frame, where the line is taken; what is asked of the exact kernel
+ * is asked of the placed corners in the world. {@link #pad} is more than the two can differ by, see {@link MeshWalk}. An
+ * instance belongs to one owner of queries and allocates nothing.
+ */
+final class MeshRay {
+    /** Where the answers come from: the exact kernel. */
+    interface Judge {
+        /** Puts the triangle at a place of the leaves' order to the exact kernel and answers the nearest distance so far. */
+        double judge(int place);
+    }
+
+    /**
+     * How much the boxes are widened in the tree's units for what is reckoned in floats. All coordinates are below 1.1
+     * there: with u = 2^-24, the inverse is off by u of an offset of 2.2, the start times the inverse by u of 1.1, the
+     * two sums by u of 2.2 and 3.4, the half size times the inverse by 2u of 1.1: less than 12u, this is 16u.
+     */
+    private static final double FLOAT_PAD = 0x1p-19;
+
+    /** The least slope along an axis; what is flatter leaves its slab nowhere near the mesh. */
+    private static final double FLATTEST = 0x1p-60;
+
+    /** No line that meets the tree's box, which is widened by no more than 1, is farther from its middle where it does. */
+    private static final double FARTHEST = 4;
+
+    private static final int INFINITE = Float.floatToRawIntBits(Float.POSITIVE_INFINITY);
+
+    private final int[] stack = new int[BoxTree.MAX_DEPTH + 2];
+    private final int[] entries = new int[BoxTree.MAX_DEPTH + 2];
+
+    // The line in the own frame, the unit direction of which is a world unit's length long.
+    private double ox;
+    private double oy;
+    private double oz;
+    private double dx;
+    private double dy;
+    private double dz;
+
+    /** One over the direction. */
+    private double ix;
+
+    private double iy;
+    private double iz;
+
+    /** No coordinate of the line or of a placed corner, taken into the own frame, is off by more. */
+    private double pad;
+
+    // The line in the tree's units, from where it enters the root's box, at the distance `ahead`.
+    private double ahead;
+    private double startX;
+    private double startY;
+    private double startZ;
+
+    // Two directions across the line and the line's place along them.
+    private double px;
+    private double py;
+    private double pz;
+    private double pLine;
+    private double qx;
+    private double qy;
+    private double qz;
+    private double qLine;
+    private double dLine;
+
+    // The triangle that is surely met, and nearest so far, and has not been put to the exact kernel: between two
+    // bounds.
+    private int pending;
+    private double pendingFrom;
+
+    private double reach;
+
+    /**
+     * The line in the world; the direction has length 1.
+     */
+    void start(LeafColumn column, int leaf, double wx, double wy, double wz, double ux, double uy, double uz) {
+        double[] place = column.rows();
+        int at = leaf * Leaf.STRIDE;
+        int r = at + Leaf.ROTATION;
+        double x = wx - place[at];
+        double y = wy - place[at + 1];
+        double z = wz - place[at + 2];
+        double size = Math.abs(wx)
+                + Math.abs(wy)
+                + Math.abs(wz)
+                + Math.abs(place[at])
+                + Math.abs(place[at + 1])
+                + Math.abs(place[at + 2]);
+        double meshSize = column.mesh(leaf).tree().reach();
+        double skew = 0;
+        if (isUnturned(place, r)) {
+            ox = x;
+            oy = y;
+            oz = z;
+            dx = ux;
+            dy = uy;
+            dz = uz;
+        } else {
+            ox = place[r] * x + place[r + 3] * y + place[r + 6] * z;
+            oy = place[r + 1] * x + place[r + 4] * y + place[r + 7] * z;
+            oz = place[r + 2] * x + place[r + 5] * y + place[r + 8] * z;
+            dx = place[r] * ux + place[r + 3] * uy + place[r + 6] * uz;
+            dy = place[r + 1] * ux + place[r + 4] * uy + place[r + 7] * uz;
+            dz = place[r + 2] * ux + place[r + 5] * uy + place[r + 8] * uz;
+            skew = MeshWalk.skew(place, r);
+        }
+        pad = MeshWalk.WIDEN * (size + meshSize) + skew * (size + meshSize) + MeshWalk.UNDERFLOW;
+    }
+
+    private static boolean isUnturned(double[] place, int r) {
+        return place[r] == 1
+                && place[r + 4] == 1
+                && place[r + 8] == 1
+                && place[r + 1] == 0
+                && place[r + 2] == 0
+                && place[r + 3] == 0
+                && place[r + 5] == 0
+                && place[r + 6] == 0
+                && place[r + 7] == 0;
+    }
+
+    private void setAcross() {
+        double ax = Math.abs(dx);
+        double ay = Math.abs(dy);
+        double az = Math.abs(dz);
+        if (ax >= ay && ax >= az) {
+            px = -dy * ix;
+            py = 1;
+            pz = 0;
+            qx = -dz * ix;
+            qy = 0;
+            qz = 1;
+        } else if (ay >= az) {
+            px = 0;
+            py = -dz * iy;
+            pz = 1;
+            qx = 1;
+            qy = -dx * iy;
+            qz = 0;
+        } else {
+            px = 1;
+            py = 0;
+            pz = -dx * iz;
+            qx = 0;
+            qy = 1;
+            qz = -dy * iz;
+        }
+        pLine = px * ox + py * oy + pz * oz;
+        qLine = qx * ox + qy * oy + qz * oz;
+        dLine = dx * ox + dy * oy + dz * oz;
+    }
+
+    /** Puts the triangles that may be nearest within a limit, at least 0, to the judge; all of these that are. */
+    void find(TriangleMesh mesh, double limit, Judge judge) {
+        BoxTree tree = mesh.tree();
+        double scale = tree.scale();
+        reach = limit;
+        pending = -1;
+        if (!(pad * scale < 1)) { // the mesh is smaller than what rounding leaves of the question
+            for (int k = 0; k < tree.size(); k++) {
+                judge.judge(k);
+            }
+            return;
+        }
+        ix = inverse(dx);
+        iy = inverse(dy);
+        iz = inverse(dz);
+        enter(tree);
+        if (Math.max(Math.abs(startX), Math.max(Math.abs(startY), Math.abs(startZ))) > FARTHEST) {
+            return;
+        }
+        setAcross();
+        float widen = (float) ((pad * scale + FLOAT_PAD) * (1 + 0x1p-20));
+        float fx = (float) ix;
+        float fy = (float) iy;
+        float fz = (float) iz;
+        float gx = Math.abs(fx);
+        float gy = Math.abs(fy);
+        float gz = Math.abs(fz);
+        float wx = widen * gx;
+        float wy = widen * gy;
+        float wz = widen * gz;
+        float cx = (float) (-startX * ix);
+        float cy = (float) (-startY * iy);
+        float cz = (float) (-startZ * iz);
+        int within = within(scale);
+        float[] nodes = tree.numbers();
+        double[] corners = mesh.leafCorners();
+        int[] stack = this.stack;
+        int[] entries = this.entries;
+        int depth = 0;
+        int node = 0;
+        while (true) {
+            int at = BoxTree.STRIDE * node;
+            int link = Float.floatToRawIntBits(nodes[at + BoxTree.LINK]);
+            int count = Float.floatToRawIntBits(nodes[at + BoxTree.COUNT]);
+            if (count == 0) {
+                int a = BoxTree.STRIDE * link;
+                float tx = Math.fma(nodes[a], fx, cx);
+                float ty = Math.fma(nodes[a + 1], fy, cy);
+                float tz = Math.fma(nodes[a + 2], fz, cz);
+                float hx = Math.fma(nodes[a + 3], gx, wx);
+                float hy = Math.fma(nodes[a + 4], gy, wy);
+                float hz = Math.fma(nodes[a + 5], gz, wz);
+                int enterA = Math.max(
+                        Math.max(Float.floatToRawIntBits(tx - hx), Float.floatToRawIntBits(ty - hy)),
+                        Math.max(Float.floatToRawIntBits(tz - hz), 0));
+                int leaveA = Math.min(
+                        Math.min(Float.floatToRawIntBits(tx + hx), Float.floatToRawIntBits(ty + hy)),
+                        Math.min(Float.floatToRawIntBits(tz + hz), within));
+                float sx = Math.fma(nodes[a + 8], fx, cx);
+                float sy = Math.fma(nodes[a + 9], fy, cy);
+                float sz = Math.fma(nodes[a + 10], fz, cz);
+                float kx = Math.fma(nodes[a + 11], gx, wx);
+                float ky = Math.fma(nodes[a + 12], gy, wy);
+                float kz = Math.fma(nodes[a + 13], gz, wz);
+                int enterB = Math.max(
+                        Math.max(Float.floatToRawIntBits(sx - kx), Float.floatToRawIntBits(sy - ky)),
+                        Math.max(Float.floatToRawIntBits(sz - kz), 0));
+                int leaveB = Math.min(
+                        Math.min(Float.floatToRawIntBits(sx + kx), Float.floatToRawIntBits(sy + ky)),
+                        Math.min(Float.floatToRawIntBits(sz + kz), within));
+                boolean meetsA = enterA <= leaveA;
+                boolean meetsB = enterB <= leaveB;
+                if (meetsA && meetsB) {
+                    int swap = enterB < enterA ? 1 : 0;
+                    stack[depth] = link + 1 - swap;
+                    entries[depth++] = swap == 0 ? enterB : enterA;
+                    node = link + swap;
+                    continue;
+                }
+                if (meetsA || meetsB) {
+                    node = meetsA ? link : link + 1;
+                    continue;
+                }
+            } else {
+                double before = reach;
+                for (int k = link; k < link + count; k++) {
+                    tryTriangle(corners, k, judge);
+                }
+                if (reach < before) {
+                    within = within(scale);
+                }
+            }
+            do {
+                if (depth == 0) {
+                    if (pending >= 0) {
+                        judge.judge(pending);
+                    }
+                    return;
+                }
+                depth--;
+            } while (entries[depth] > within);
+            node = stack[depth];
+        }
+    }
+
+    private static double inverse(double slope) {
+        return Math.abs(slope) < FLATTEST ? Math.copySign(1 / FLATTEST, slope) : 1 / slope;
+    }
+
+    /** Goes ahead to the root's box, so that the floats are asked about what is near. */
+    private void enter(BoxTree tree) {
+        double[] b = tree.bounds();
+        double scale = tree.scale();
+        double far = Math.max(
+                wait(b[0] - ox, ox - b[3], ix),
+                Math.max(wait(b[1] - oy, oy - b[4], iy), wait(b[2] - oz, oz - b[5], iz)));
+        // Where the box is met at all, that is not before the line has come to each of its sides, and where it is then
+        // already past the place nearest to the middle, that is no farther from it than the corners.
+        double nearest = (tree.origin(0) - ox) * dx + (tree.origin(1) - oy) * dy + (tree.origin(2) - oz) * dz;
+        ahead = Math.max(0, Math.min(far, nearest));
+        startX = (ox + ahead * dx - tree.origin(0)) * scale;
+        startY = (oy + ahead * dy - tree.origin(1)) * scale;
+        startZ = (oz + ahead * dz - tree.origin(2)) * scale;
+    }
+
+    /** How far it is at least to the slab between two sides, seen from outside; 0 from within. */
+    private double wait(double before, double after, double inverse) {
+        double outside = (before > after ? before : after) - 2 * pad;
+        return outside > 0 ? outside * Math.abs(inverse) : 0;
+    }
+
+    /** The reach in the tree's units, rounded up, as the bits of a float that is at least 0; -1 where it ends before. */
+    private int within(double scale) {
+        double left = (reach - ahead + 4 * pad) * scale * (1 + 0x1p-20) + FLOAT_PAD;
+        return left >= 0 ? left < 0x1p100 ? Float.floatToRawIntBits((float) left) : INFINITE : -1;
+    }
+
+    private void tryTriangle(double[] c, int place, Judge judge) {
+        int k = 9 * place;
+        double ax = px * c[k] + py * c[k + 1] + pz * c[k + 2] - pLine;
+        double ay = qx * c[k] + qy * c[k + 1] + qz * c[k + 2] - qLine;
+        double bx = px * c[k + 3] + py * c[k + 4] + pz * c[k + 5] - pLine;
+        double by = qx * c[k + 3] + qy * c[k + 4] + qz * c[k + 5] - qLine;
+        double cx = px * c[k + 6] + py * c[k + 7] + pz * c[k + 8] - pLine;
+        double cy = qx * c[k + 6] + qy * c[k + 7] + qz * c[k + 8] - qLine;
+        double u = bx * cy - by * cx;
+        double v = cx * ay - cy * ax;
+        double w = ax * by - ay * bx;
+        double sum = Math.abs(ax) + Math.abs(ay) + Math.abs(bx) + Math.abs(by) + Math.abs(cx) + Math.abs(cy);
+        double doubt = Filter.bound(sum * (4 * pad + 0x1p-51 * sum) + 32 * pad * pad);
+        long below = sign(u + doubt) | sign(v + doubt) | sign(w + doubt); // some is surely below 0
+        long above = sign(doubt - u) | sign(doubt - v) | sign(doubt - w);
+        if ((below & above) < 0) {
+            return;
+        }
+        boolean isMet = (u > doubt && v > doubt && w > doubt) || (u < -doubt && v < -doubt && w < -doubt);
+        if (!isMet) {
+            reach = Math.min(reach, judge.judge(place));
+            return;
+        }
+        double a = dx * c[k] + dy * c[k + 1] + dz * c[k + 2] - dLine;
+        double b = dx * c[k + 3] + dy * c[k + 4] + dz * c[k + 5] - dLine;
+        double e = dx * c[k + 6] + dy * c[k + 7] + dz * c[k + 8] - dLine;
+        double whole = u + v + w;
+        double distance = (u * a + v * b + w * e) / whole;
+        double spread = Math.abs(a - b) + Math.abs(b - e) + Math.abs(e - a);
+        double error = Filter.bound(8 * pad + spread * (16 * doubt / Math.abs(whole)));
+        if (distance - error > reach || distance + error < 0) {
+            return;
+        }
+        if (!(distance - error >= 0)) { // the line may begin beyond it
+            reach = Math.min(reach, judge.judge(place));
+            return;
+        }
+        if (pending >= 0 && distance + error >= pendingFrom) {
+            judge.judge(pending);
+            pending = -1;
+            reach = Math.min(reach, judge.judge(place));
+            return;
+        }
+        pending = place;
+        pendingFrom = distance - error;
+        reach = Math.min(reach, distance + error);
+    }
+
+    private static long sign(double value) {
+        return Double.doubleToRawLongBits(value);
+    }
+}
