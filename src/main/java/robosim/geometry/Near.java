@@ -3,10 +3,12 @@ package robosim.geometry;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.index.OctTree;
+import robosim.geometry.index.SpaceKeys;
 
 /** The objects whose bounds meet a box: from the trees, and from the list of moveable ones where these are few. */
 final class Near {
     private final Bodies bodies;
+    private final SpaceKeys keys = new SpaceKeys();
     private int[] ids = new int[16];
     private int count;
 
@@ -33,7 +35,8 @@ final class Near {
         }
         OctTree.@Nullable Cursor stacked = level.stacks.cursor();
         if (stacked != null) {
-            stacked.startBox(level.bounds(), box);
+            keys.startBox(box);
+            stacked.start(level.bounds(), keys);
             for (int id = stacked.next(0); id >= 0; id = stacked.next(0)) {
                 add(id);
             }

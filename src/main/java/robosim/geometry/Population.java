@@ -135,7 +135,33 @@ final class Population {
     /** Whether an object would touch or overlap any in the world but one; any with -1. */
     boolean collides(Level at, GeometryObject object, int but) {
         at.placed(Arguments.present("object", object), candidate);
-        at.boundsOf(candidate, 0, candidate.size(), box, 0);
+        if (candidate.size() == 1) {
+            candidate.roughBounds(0, box);
+        } else {
+            at.boundsOf(candidate, 0, candidate.size(), box, 0);
+        }
+        if (at.stacks.cursor() != null || !at.cursor.startNear(box[0], box[2], box[3], box[5])) {
+            return collidesAnywhere(at, but);
+        }
+        return collidesNear(at, but);
+    }
+
+    private boolean collidesNear(Level at, int but) {
+        for (int id = at.cursor.nextNear(); id >= 0; id = at.cursor.nextNear()) {
+            if (id != but && (dimension == Dimension.PLANAR || at.meets(id, box)) && touches(at, id)) {
+                return true;
+            }
+        }
+        for (int k = 0; k < at.moversBesideTree(); k++) {
+            int id = bodies.mover(k);
+            if (id != but && at.meets(id, box) && touches(at, id)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean collidesAnywhere(Level at, int but) {
         near.find(at, box, but);
         for (int k = 0; k < near.count(); k++) {
             if (touches(at, near.id(k))) {

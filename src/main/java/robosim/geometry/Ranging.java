@@ -3,6 +3,7 @@ package robosim.geometry;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.index.OctTree;
+import robosim.geometry.index.QuadTree;
 import robosim.geometry.index.SpaceKeys;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Cast;
@@ -22,12 +23,17 @@ final class Ranging {
     private double oy;
     private double oz;
     private double ux;
-    private double uy;
     private double uz;
     private double width;
     private double halfCos;
     private double halfSin;
+
+    /** Where bounds begin along the beam, with their heights; among a few objects these are not worth a look. */
     private final SpaceKeys keys = new SpaceKeys();
+
+    private static final int FEW = 4;
+    private boolean hasHeights;
+    private double highest;
     private int hit;
     private int hitLeaf;
 
@@ -59,21 +65,21 @@ final class Ranging {
         ox = x;
         oy = y;
         oz = z;
-        ux = cast.unit(0);
-        uy = cast.unit(1);
-        uz = cast.unit(2);
         width = openingAngle;
         if (width > 0) {
+            takeUnit();
             double cos = Degrees.cos(width / 2);
             double sin = Degrees.sin(width / 2);
             cast.widen(cos, sin);
             setSides(sin);
             halfCos = cos;
             halfSin = sin;
-            keys.startCone(ox, oy, oz, ux, uy, uz, cos, sin);
-        } else if (dimension == Dimension.SPATIAL) {
-            keys.startRay(ox, oy, oz, ux, uy, uz);
         }
+    }
+
+    private void takeUnit() {
+        ux = cast.unit(0);
+        uz = cast.unit(2);
     }
 
     /**
@@ -112,26 +118,45 @@ final class Ranging {
     private double nearestOnLine(Level level, double limit, int but) {
         best = Double.POSITIVE_INFINITY;
         double reach = nearestInStacks(level, limit);
-        boolean vertical = ux == 0 && uz == 0;
-        if (vertical) {
-            level.cursor.startBox(ox, oz, ox, oz);
+        double dx = cast.way(0);
+        double dz = cast.way(2);
+        if (dx == 0 && dz == 0) {
+            reach = nearestAboveOrBelow(level, reach, but);
         } else {
-            level.cursor.startRay(ox, oz, ux, uz, loose(level, reach));
-        }
-        for (int id = next(level, vertical, reach); id >= 0; id = next(level, vertical, reach)) {
-            if (id != but && isAtHeight(level, id, reach)) {
-                tryBody(level, id, reach);
-                reach = Math.min(reach, best);
+            double slack = slack(level);
+            double inverse = 1 / cast.length();
+            QuadTree.Cursor cursor = level.cursor;
+            cursor.startRay(ox, oz, dx, dz, loose(reach, slack) * inverse);
+            for (int id = cursor.next(loose(reach, slack) * inverse);
+                    id >= 0;
+                    id = cursor.next(loose(reach, slack) * inverse)) {
+                if (id != but && isAtHeight(level, id, reach)) {
+                    reach = tryBody(level, id, reach);
+                }
             }
         }
-        for (int k = 0; k < level.moversBesideTree(); k++) {
+        int movers = level.moversBesideTree();
+        if (movers > 0) {
+            takeUnit();
+        }
+        for (int k = 0; k < movers; k++) {
             int id = bodies.mover(k);
             if (id != but && lineMeets(level, id, reach)) {
-                tryBody(level, id, reach);
-                reach = Math.min(reach, best);
+                reach = tryBody(level, id, reach);
             }
         }
         return best <= limit ? best : none();
+    }
+
+    private double nearestAboveOrBelow(Level level, double limit, int but) {
+        double reach = limit;
+        level.cursor.startBox(ox, oz, ox, oz);
+        for (int id = level.cursor.next(); id >= 0; id = level.cursor.next()) {
+            if (id != but) {
+                reach = tryBody(level, id, reach);
+            }
+        }
+        return reach;
     }
 
     /**
@@ -139,29 +164,28 @@ final class Ranging {
      * begin: by 2^-40 of itself in a cone, and for a turned cylinder by 2^-48 of its place and size, both of which the
      * world limits. What is answered at all is to be found again with its own distance as the limit.
      */
-    private double loose(Level level, double reach) {
-        return reach + (0x1p-38 * reach + 0x1p-44 * (level.extent + Math.abs(ox) + Math.abs(oz)));
+    private static double loose(double reach, double slack) {
+        return reach + (0x1p-38 * reach + slack);
     }
 
-    private int next(Level level, boolean vertical, double reach) {
-        return vertical ? level.cursor.next() : level.cursor.next(loose(level, reach));
+    private double slack(Level level) {
+        return 0x1p-44 * (level.extent + Math.abs(ox) + Math.abs(oz));
     }
 
     private double nearestInCone(Level level, double limit, int but) {
         best = Double.POSITIVE_INFINITY;
         double reach = nearestInStacks(level, limit);
-        level.cursor.startSector(ox, oz, leftX, leftZ, rightX, rightZ, loose(level, reach));
-        for (int id = level.cursor.next(loose(level, reach)); id >= 0; id = level.cursor.next(loose(level, reach))) {
-            if (id != but && coneMeets(level, id, loose(level, reach)) && isAtHeight(level, id, reach)) {
-                tryBody(level, id, reach);
-                reach = Math.min(reach, best);
+        double slack = slack(level);
+        level.cursor.startSector(ox, oz, leftX, leftZ, rightX, rightZ, loose(reach, slack));
+        for (int id = level.cursor.next(loose(reach, slack)); id >= 0; id = level.cursor.next(loose(reach, slack))) {
+            if (id != but && coneMeets(level, id, loose(reach, slack)) && isAtHeight(level, id, reach)) {
+                reach = tryBody(level, id, reach);
             }
         }
         for (int k = 0; k < level.moversBesideTree(); k++) {
             int id = bodies.mover(k);
-            if (id != but && coneMeets(level, id, loose(level, reach))) {
-                tryBody(level, id, reach);
-                reach = Math.min(reach, best);
+            if (id != but && coneMeets(level, id, loose(reach, slack))) {
+                reach = tryBody(level, id, reach);
             }
         }
         return best <= limit ? best : none();
@@ -170,16 +194,24 @@ final class Ranging {
     /** Tries what stands in an octree, which are no moveable objects; answers how far there is still to look. */
     private double nearestInStacks(Level level, double limit) {
         OctTree.@Nullable Cursor stacked = level.stacks.cursor();
+        hasHeights = level.dimension == Dimension.SPATIAL && (stacked != null || level.tree.size() > FEW);
+        if (!hasHeights) {
+            return limit;
+        }
+        takeUnit();
+        double uy = cast.unit(1);
+        highest = 0x1p-44 * (level.stacks.most() + Math.abs(oy));
+        if (width > 0) {
+            keys.startCone(ox, oy, oz, ux, uy, uz, halfCos, halfSin);
+        } else {
+            keys.startRay(ox, oy, oz, ux, uy, uz);
+        }
         double reach = limit;
         if (stacked != null) {
-            if (width > 0) {
-                stacked.startCone(level.bounds(), ox, oy, oz, ux, uy, uz, halfCos, halfSin);
-            } else {
-                stacked.startRay(level.bounds(), ox, oy, oz, ux, uy, uz);
-            }
-            for (int id = stacked.next(high(level, reach)); id >= 0; id = stacked.next(high(level, reach))) {
-                tryBody(level, id, reach);
-                reach = Math.min(reach, best);
+            double slack = slack(level) + highest;
+            stacked.start(level.bounds(), keys);
+            for (int id = stacked.next(loose(reach, slack)); id >= 0; id = stacked.next(loose(reach, slack))) {
+                reach = tryBody(level, id, reach);
             }
         }
         return reach;
@@ -187,12 +219,7 @@ final class Ranging {
 
     /** Whether the beam may meet an object's bounds, with its height, within reach. */
     private boolean isAtHeight(Level level, int id, double reach) {
-        return level.dimension == Dimension.PLANAR || keys.key(level.bounds(), 6 * id) <= high(level, reach);
-    }
-
-    /** As {@link #loose}, with heights. */
-    private double high(Level level, double reach) {
-        return loose(level, reach) + 0x1p-44 * (level.stacks.most() + Math.abs(oy));
+        return !hasHeights || keys.key(level.bounds(), 6 * id) <= loose(reach, slack(level) + highest);
     }
 
     private double none() {
@@ -200,15 +227,19 @@ final class Ranging {
         return Double.POSITIVE_INFINITY;
     }
 
-    private void tryBody(Level level, int id, double reach) {
-        for (int leaf = level.first(id); leaf < level.first(id) + level.count(id); leaf++) {
-            double found = cast.distance(level.leaves(), leaf, Math.min(reach, best));
+    /** Looks for something nearer on one object and answers how far to look from now on. */
+    private double tryBody(Level level, int id, double reach) {
+        int first = level.first(id);
+        int last = first + level.count(id);
+        for (int leaf = first; leaf < last; leaf++) {
+            double found = cast.distance(level.leaves(), leaf, best < reach ? best : reach);
             if (found < best || (found == best && hit >= 0 && bodies.isEarlier(id, hit))) {
                 best = found;
                 hit = id;
                 hitLeaf = leaf;
             }
         }
+        return best < reach ? best : reach;
     }
 
     /** Whether the line may meet an object's bounds within reach; never wrong where it says no. */
@@ -255,9 +286,9 @@ final class Ranging {
     /** A coordinate (0 to 2) of the point on the line at a distance. */
     double point(int axis, double at) {
         return switch (axis) {
-            case 0 -> ox + at * ux;
-            case 1 -> oy + at * uy;
-            default -> oz + at * uz;
+            case 0 -> ox + at * cast.unit(0);
+            case 1 -> oy + at * cast.unit(1);
+            default -> oz + at * cast.unit(2);
         };
     }
 
@@ -284,7 +315,8 @@ final class Ranging {
             double y = b[k + 1] / 2 + b[k + 4] / 2;
             double hy = Math.max(b[k + 4] - y, y - b[k + 1]);
             double all = Math.sqrt(hx * hx + hy * hy + hz * hz + UNDERFLOW) * (1 + 0x1p-50);
-            stacked.startPoint(b, x, y, z);
+            keys.startPoint(x, y, z);
+            stacked.start(b, keys);
             for (int other = stacked.next(reach + all); other >= 0; other = stacked.next(reach + all)) {
                 if (other != id) {
                     reach = tryPair(level, id, other, reach);

@@ -4,6 +4,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.index.OctTree;
 import robosim.geometry.index.QuadTree;
+import robosim.geometry.index.SpaceKeys;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Pose;
 import robosim.geometry.narrow.Border;
@@ -31,6 +32,7 @@ final class Stride {
     private static final double LEAST = 0x1p-140;
 
     private final Bodies bodies;
+    private final SpaceKeys keys = new SpaceKeys();
     private final Border border;
     private final Scratch s;
     private final Sweep sweep;
@@ -113,7 +115,8 @@ final class Stride {
         }
         OctTree.@Nullable Cursor stacked = level.stacks.cursor();
         if (stacked != null) {
-            stacked.startBox(level.bounds(), box);
+            keys.startBox(box);
+            stacked.start(level.bounds(), keys);
             for (int other = stacked.next(0); other >= 0; other = stacked.next(0)) {
                 if (!passesExactly(other)) {
                     return false;

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 import robosim.geometry.index.QuadTree;
+import robosim.geometry.index.SpaceKeys;
 
 class StacksTest {
     private static final int COUNT = 200;
@@ -58,7 +59,9 @@ class StacksTest {
             }
             assertThat(flat.size()).isEqualTo(levels == 1 ? COUNT / 2 : 0);
             if (stacks.cursor() != null) {
-                stacks.cursor().startPoint(bounds, 0, 0, 0);
+                SpaceKeys keys = new SpaceKeys();
+                keys.startPoint(0, 0, 0);
+                stacks.cursor().start(bounds, keys);
                 int left = 0;
                 for (int id = stacks.cursor().next(1e9);
                         id >= 0;

@@ -221,7 +221,7 @@ public final class OctTree {
      */
     public static final class Cursor {
         private final OctTree tree;
-        private final SpaceKeys keys = new SpaceKeys();
+        private SpaceKeys keys = new SpaceKeys();
         private double[] boxes = new double[0];
         private int[] items = new int[64];
         private double[] begins = new double[64];
@@ -237,41 +237,15 @@ public final class OctTree {
             return visited;
         }
 
-        /** Starts the query for all objects whose boxes meet a closed box of six numbers. */
-        public void startBox(double[] objects, double[] box) {
-            keys.startBox(box);
-            start(objects);
-        }
-
-        /** Starts the query for all objects whose boxes a ray may meet, parts of space that begin nearer first. */
-        public void startRay(double[] objects, double ox, double oy, double oz, double dx, double dy, double dz) {
-            keys.startRay(ox, oy, oz, dx, dy, dz);
-            start(objects);
-        }
-
-        /** Starts the query for all objects by their boxes' distances from a point, nearer parts of space first. */
-        public void startPoint(double[] objects, double x, double y, double z) {
-            keys.startPoint(x, y, z);
-            start(objects);
-        }
-
-        /** The same, without those that lie wholly beyond a cone about a unit vector. */
-        public void startCone(
-                double[] objects,
-                double x,
-                double y,
-                double z,
-                double ux,
-                double uy,
-                double uz,
-                double halfCos,
-                double halfSin) {
-            keys.startCone(x, y, z, ux, uy, uz, halfCos, halfSin);
-            start(objects);
-        }
-
-        private void start(double[] objects) {
+        /**
+         * Starts the query for all objects, parts of space that begin nearer first.
+         *
+         * @param objects the boxes
+         * @param by      where a box begins; of this query until it ends
+         */
+        public void start(double[] objects, SpaceKeys by) {
             boxes = objects;
+            keys = by;
             depth = 0;
             push(0, 0, 0, Double.POSITIVE_INFINITY);
         }

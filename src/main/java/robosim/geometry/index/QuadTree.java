@@ -277,10 +277,14 @@ public final class QuadTree {
      * the tree ends the query: start again.
      */
     public static final class Cursor {
+        /** A box on so many tiles meets few objects twice. */
+        private static final int FEW_TILES = 9;
+
         private final QuadTree tree;
         private final NearestFirst ordered = new NearestFirst();
         private final TileWalk walk;
         private final TileScan scan;
+        private final TileProbe probe;
         private final TileWalk.Line line = new TileWalk.Line();
         private final TileGathering gathering = new TileGathering();
         private boolean isOrdered;
@@ -298,11 +302,12 @@ public final class QuadTree {
             Tiles none = new Tiles(0, 0, 0, 0, 0, new Tiles.Entries(0));
             walk = new TileWalk(none, line);
             scan = new TileScan(none);
+            probe = new TileProbe(none);
         }
 
         /** How many regions this cursor has looked into since it was made. */
         public long visited() {
-            return ordered.visited() + walk.visited() + scan.visited();
+            return ordered.visited() + walk.visited() + scan.visited() + probe.visited();
         }
 
         /** Starts the query for all objects whose boxes meet this closed box; take them with {@link #next()}. */
@@ -328,6 +333,42 @@ public final class QuadTree {
                     return -1;
                 }
                 scan.start(tiles, x0, z0, x1, z1);
+            }
+        }
+
+        /**
+         * Starts the query for all objects whose boxes, rounded outward, meet this closed box, if it is small; take them
+         * with {@link #nextNear()}.
+         *
+         * @return whether it is small: else start a query that gives each object once
+         */
+        public boolean startNear(double minX, double minZ, double maxX, double maxZ) {
+            tree.settle();
+            x0 = minX;
+            z0 = minZ;
+            x1 = maxX;
+            z1 = maxZ;
+            layer = 0;
+            Tiles finest = nextLayer();
+            if (finest == null) {
+                probe.stop();
+                return true;
+            }
+            return probe.start(finest, minX, minZ, maxX, maxZ) <= FEW_TILES;
+        }
+
+        /** The next object near a small box, in no promised order, maybe again; -1 after the last. */
+        public int nextNear() {
+            while (true) {
+                int id = probe.next();
+                if (id != Tiles.NONE) {
+                    return id;
+                }
+                Tiles tiles = nextLayer();
+                if (tiles == null) {
+                    return -1;
+                }
+                probe.start(tiles, x0, z0, x1, z1);
             }
         }
 

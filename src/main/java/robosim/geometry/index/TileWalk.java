@@ -45,6 +45,9 @@ final class TileWalk {
     /** The next entry of the list that is read. */
     private int entry = Tiles.NONE;
 
+    /** What the next tile holds, read while the lists before it are: memory is slow. */
+    private int ahead = Tiles.NONE;
+
     private boolean isWithin;
     private @Nullable TileWalk inner;
     private long visited;
@@ -157,6 +160,7 @@ final class TileWalk {
         end = Math.max(Math.min(endX, endZ), Math.nextUp(begin));
         atX = over.spreadX(x);
         atZ = over.spreadZ(z);
+        ahead = over.heads[atX | atZ];
     }
 
     // Where the ray enters the window from outside; false where it passes by.
@@ -226,6 +230,7 @@ final class TileWalk {
         int x = atX;
         int z = atZ;
         int listed = entry;
+        int after = ahead;
         while (true) {
             while (listed >= 0) {
                 int at = 4 * listed;
@@ -245,6 +250,7 @@ final class TileWalk {
                     atX = x;
                     atZ = z;
                     entry = listed;
+                    ahead = after;
                     return id;
                 }
             }
@@ -258,7 +264,7 @@ final class TileWalk {
                 break;
             }
             visited++;
-            listed = heads[x | z];
+            listed = after;
             if (cx < cz) {
                 from = cx;
                 x = ((x | fillX) + countX) & tiles.maskX;
@@ -270,6 +276,7 @@ final class TileWalk {
                 farZ += stepZ;
                 cz = (farZ - gz) * inverseZ;
             }
+            after = heads[x | z];
         }
         begin = from;
         crossX = cx;
@@ -279,6 +286,7 @@ final class TileWalk {
         atX = x;
         atZ = z;
         entry = Tiles.NONE;
+        ahead = after;
         return Tiles.NONE;
     }
 

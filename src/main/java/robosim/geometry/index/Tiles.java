@@ -251,7 +251,7 @@ final class Tiles {
     }
 
     private static int clamp(double place, int count) {
-        return place <= 0 ? 0 : place >= count ? count - 1 : (int) place;
+        return Math.max(0, Math.min((int) place, count - 1));
     }
 
     boolean fits(double[] boxes, int at) {

@@ -20,6 +20,9 @@ public final class Pose {
 
     private static final double[] NOTHING_LOST = new double[3];
 
+    /** Facing +X, for all that do; never written to. */
+    private static final double[] FORWARD = forward();
+
     /** At the origin, facing +X. */
     public static final Pose ORIGIN = new Pose(new Point(), Attitude.identity());
 
@@ -40,8 +43,17 @@ public final class Pose {
         this.lost = lost;
     }
 
+    private static double[] forward() {
+        double[] attitude = Attitude.identity();
+        Attitude.setHeading(attitude, 0, 0, 0);
+        return attitude;
+    }
+
     /** Upright at a place with a heading in degrees. */
     public static Pose of(Point center, double heading) {
+        if (Double.doubleToRawLongBits(heading) == 0) {
+            return new Pose(Checks.present("center", center), FORWARD);
+        }
         double[] attitude = Attitude.identity();
         Attitude.setHeading(attitude, 0, Checks.angle("heading", heading), 0);
         return new Pose(Checks.present("center", center), attitude);

@@ -17,9 +17,11 @@ public final class Cast {
     private double dx;
     private double dy;
     private double dz;
+    private double length;
     private double ux;
     private double uy;
     private double uz;
+    private boolean hasUnit;
     private double halfCos;
     private double halfSin;
     private boolean cone;
@@ -59,17 +61,35 @@ public final class Cast {
         dx = ax * scale;
         dy = level * scale;
         dz = az * scale;
-        double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
-        ux = dx / length;
-        uy = dy / length;
-        uz = dz / length;
+        length = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        hasUnit = false;
         cone = false;
         isFarFromOrigin = RayMath.largest(x, y, z) >= Magnified.SMALL;
     }
 
+    /** A coordinate (0 to 2) of where the line goes; in PLANAR of its projection. */
+    public double way(int axis) {
+        return axis == 0 ? dx : axis == 1 ? dy : dz;
+    }
+
+    /** The length of {@link #way}. */
+    public double length() {
+        return length;
+    }
+
     /** A coordinate (0 to 2) of the line's unit direction; in PLANAR that of its projection. */
     public double unit(int axis) {
-        return axis == 0 ? ux : axis == 1 ? uy : uz;
+        return way(axis) / length;
+    }
+
+    /** Takes the unit direction, which lines that meet no mesh do without. */
+    private void takeUnit() {
+        if (!hasUnit) {
+            ux = unit(0);
+            uy = unit(1);
+            uz = unit(2);
+            hasUnit = true;
+        }
     }
 
     /** Makes the line the axis of a cone with a half angle of 0 to 90 degrees, both exclusive. */
@@ -77,6 +97,7 @@ public final class Cast {
         halfCos = cosine;
         halfSin = sine;
         cone = true;
+        takeUnit();
     }
 
     /** Distance from the start to the leaf; +Infinity where it is missed; what is beyond the limit may be too. */
@@ -86,6 +107,7 @@ public final class Cast {
         if (!Leaf.isMesh(kind)) {
             return convex(kind, column.rows(), leaf * Leaf.STRIDE);
         }
+        takeUnit();
         if (Overlap.hasInside(dimension, column, leaf) && Inside.holds(column, leaf, ox, oy, oz, s)) {
             return 0;
         }
@@ -208,6 +230,7 @@ public final class Cast {
 
     /** The unit normal of the leaf where the line of sight meets it at a distance, into three numbers. */
     public void normal(LeafColumn column, int leaf, double distance, double[] out) {
+        takeUnit();
         double px = ox + distance * ux;
         double py = oy + distance * uy;
         double pz = oz + distance * uz;

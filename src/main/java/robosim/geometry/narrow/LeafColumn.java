@@ -114,6 +114,26 @@ public final class LeafColumn {
         }
     }
 
+    /** Bounds of a leaf, least x, y and z and then greatest: as {@link #bounds} or, where that is quicker, wider. */
+    public void roughBounds(int leaf, double[] out) {
+        int kind = kind(leaf);
+        if (kind != Leaf.UPRIGHT_CYLINDER && kind != Leaf.SPHERE) {
+            bounds(leaf, out);
+            return;
+        }
+        int at = leaf * Leaf.STRIDE;
+        roughRange(rows[at], rows[at + 3], out, 0);
+        roughRange(rows[at + 1], kind == Leaf.SPHERE ? rows[at + 3] : rows[at + 4], out, 1);
+        roughRange(rows[at + 2], rows[at + 3], out, 2);
+    }
+
+    private static void roughRange(double middle, double half, double[] out, int axis) {
+        // More than the rounding of a sum of two.
+        double more = half + (0x1p-51 * (Math.abs(middle) + half) + Double.MIN_NORMAL);
+        out[axis] = middle - more;
+        out[3 + axis] = middle + more;
+    }
+
     /** Where the box of the mesh in its own frame comes to stand, widened as {@link MeshWalk} widens a question. */
     private void meshBounds(int leaf, double[] out) {
         BoxTree tree = mesh(leaf).tree();

@@ -7,6 +7,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
 
 /**
@@ -59,8 +60,13 @@ public final class OwnLeaves {
         row[0] = c.x();
         row[1] = c.y();
         row[2] = c.z();
-        object.pose().rotation(row, Leaf.ROTATION);
         int kind = size(object, row, 0);
+        Pose pose = object.pose();
+        if (kind == Leaf.SPHERE || (kind == Leaf.CYLINDER && pose.isUpright())) { // its rotation means nothing
+            leaves.setKind(leaf, kind == Leaf.SPHERE ? Leaf.SPHERE : Leaf.UPRIGHT_CYLINDER);
+            return;
+        }
+        pose.rotation(row, Leaf.ROTATION);
         leaves.setKind(leaf, Canonical.kind(kind, row, 0));
     }
 

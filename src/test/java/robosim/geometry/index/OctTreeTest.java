@@ -16,6 +16,7 @@ class OctTreeTest {
     private final double[] boxes = new double[6 * MOST];
     private final OctTree tree = new OctTree(new double[] {-1, -1, -1, 1, 1, 1});
     private final OctTree.Cursor cursor = tree.cursor();
+    private final SpaceKeys keys = new SpaceKeys();
     private final TreeSet<Integer> in = new TreeSet<>();
     private int coneLeftOut;
 
@@ -62,11 +63,13 @@ class OctTreeTest {
             for (int id = 0; id < 200; id++) {
                 change(id);
             }
-            cursor.startPoint(boxes, 0, 0, 0);
+            keys.startPoint(0, 0, 0);
+            cursor.start(boxes, keys);
             assertThat(take(INFINITE)).hasSize(k == 0 ? 200 : 0);
         }
         change(3);
-        cursor.startPoint(boxes, 0, 0, 0);
+        keys.startPoint(0, 0, 0);
+        cursor.start(boxes, keys);
         assertThat(take(INFINITE)).containsExactly(3);
     }
 
@@ -76,9 +79,8 @@ class OctTreeTest {
             box[axis] = random.nextDouble(-25, 20);
             box[3 + axis] = box[axis] + random.nextDouble(12);
         }
-        SpaceKeys keys = new SpaceKeys();
         keys.startBox(box);
-        cursor.startBox(boxes, box);
+        cursor.start(boxes, keys);
         List<Integer> truth = new ArrayList<>();
         for (int id : in) {
             boolean meets = true;
@@ -105,7 +107,8 @@ class OctTreeTest {
         double[] d = direction();
         double[] o = {5, random.nextDouble(-20, 20), random.nextDouble(-30, 0)};
         double limit = random.nextDouble(60);
-        cursor.startRay(boxes, o[0], o[1], o[2], d[0], d[1], d[2]);
+        keys.startRay(o[0], o[1], o[2], d[0], d[1], d[2]);
+        cursor.start(boxes, keys);
         List<Integer> taken = take(limit);
         for (int id : in) {
             if (!taken.contains(id)) {
@@ -132,7 +135,8 @@ class OctTreeTest {
     private int point() {
         double[] p = {random.nextDouble(-20, 20), random.nextDouble(-20, 20), random.nextDouble(-20, 20)};
         double limit = random.nextDouble(15);
-        cursor.startPoint(boxes, p[0], p[1], p[2]);
+        keys.startPoint(p[0], p[1], p[2]);
+        cursor.start(boxes, keys);
         List<Integer> taken = take(limit);
         for (int id : in) {
             double distance = distance(id, p);
@@ -162,7 +166,8 @@ class OctTreeTest {
         double[] o = {5, random.nextDouble(-20, 20), 5};
         double cos = StrictMath.cos(StrictMath.toRadians(half));
         double sin = StrictMath.sin(StrictMath.toRadians(half));
-        cursor.startCone(boxes, o[0], o[1], o[2], d[0], d[1], d[2], cos, sin);
+        keys.startCone(o[0], o[1], o[2], d[0], d[1], d[2], cos, sin);
+        cursor.start(boxes, keys);
         List<Integer> taken = take(limit);
         int leftOut = 0;
         for (int id : in) {
@@ -205,7 +210,8 @@ class OctTreeTest {
             tree.add(id, boxes);
         }
         long before = cursor.visited();
-        cursor.startBox(boxes, new double[] {0, 700.2, 0, 1, 700.4, 1});
+        keys.startBox(new double[] {0, 700.2, 0, 1, 700.4, 1});
+        cursor.start(boxes, keys);
         assertThat(take(0)).containsExactly(700);
         assertThat(cursor.visited() - before).isLessThan(20);
     }

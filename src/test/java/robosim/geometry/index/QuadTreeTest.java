@@ -416,8 +416,31 @@ class QuadTreeTest {
             ids.set(id);
         }
         assertThat(ids).isEqualTo(expected);
+        assertNear(cursor, boxes, query, expected);
         assertThat(tree.size()).isEqualTo(size);
         return ids.cardinality();
+    }
+
+    /** What is near a small box is all that meets it, and nothing that rounding to floats keeps away from it. */
+    private static void assertNear(QuadTree.Cursor cursor, double[][] boxes, double[] query, BitSet expected) {
+        if (!cursor.startNear(query[0], query[1], query[2], query[3])) {
+            return;
+        }
+        BitSet ids = new BitSet();
+        for (int id = cursor.nextNear(); id >= 0; id = cursor.nextNear()) {
+            ids.set(id);
+        }
+        BitSet missed = (BitSet) expected.clone();
+        missed.andNot(ids);
+        assertThat(missed.isEmpty()).as("missed: %s", missed).isTrue();
+        ids.andNot(expected);
+        ids.stream().forEach(id -> {
+            double[] box = boxes[id];
+            double gap = Math.max(
+                    Math.max(box[0] - query[2], query[0] - box[2]), Math.max(box[1] - query[3], query[1] - box[3]));
+            double most = Arrays.stream(box).map(Math::abs).max().orElseThrow();
+            assertThat(gap).as("box %d near", id).isLessThanOrEqualTo(0x1p-22 * most + Float.MIN_VALUE);
+        });
     }
 
     // Some at random, some along the axes, some exactly at corners or along borders.
