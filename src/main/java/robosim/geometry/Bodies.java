@@ -15,7 +15,11 @@ final class Bodies {
 
     private final Names names = new Names();
     private @Nullable GeometryObject[] values = new GeometryObject[16];
-    private long[] order = new long[16];
+
+    /** Which came when; none until an id is used again, as ids are in that order so long. */
+    private long[] order = new long[0];
+
+    private boolean isOrdered;
 
     /** Where a moveable object's place stands in the column of places, -1 for a static object. */
     private int[] slots = new int[16];
@@ -50,15 +54,19 @@ final class Bodies {
 
     /** Takes an object in and answers its id. */
     int add(GeometryObject object) {
-        int id = freeCount > 0 ? free[--freeCount] : capacityUsed++;
+        int id = freeCount > 0 ? reuse() : capacityUsed++;
         if (id == values.length) {
-            int capacity = id + (id >> 1) + 1;
+            int capacity = Growth.of(id);
             values = Arrays.copyOf(values, capacity);
-            order = Arrays.copyOf(order, capacity);
+            if (isOrdered) {
+                order = Arrays.copyOf(order, capacity);
+            }
             slots = Arrays.copyOf(slots, capacity);
         }
         values[id] = object;
-        order[id] = arrivals++;
+        if (isOrdered) {
+            order[id] = arrivals++;
+        }
         slots[id] = -1;
         String name = object.name();
         if (name != null) {
@@ -69,6 +77,19 @@ final class Bodies {
         }
         size++;
         return id;
+    }
+
+    /** From the first id on that is used again, everyone's arrival is kept. */
+    private int reuse() {
+        if (!isOrdered) {
+            isOrdered = true;
+            order = new long[values.length];
+            for (int id = 0; id < capacityUsed; id++) {
+                order[id] = id;
+            }
+            arrivals = capacityUsed;
+        }
+        return free[--freeCount];
     }
 
     private void addMover(int id, Pose pose) {
@@ -150,7 +171,7 @@ final class Bodies {
 
     /** Whether a came before b. */
     boolean isEarlier(int a, int b) {
-        return order[a] < order[b];
+        return isOrdered ? order[a] < order[b] : a < b;
     }
 
     int moverCount() {

@@ -38,8 +38,8 @@ final class Level {
     private int movers;
     private boolean hasMoversInTree;
 
-    /** How to place what moves; null for static objects. */
-    private @Nullable Form[] forms = new Form[16];
+    /** How to place what moves; null where nobody has asked. */
+    private @Nullable Form[] forms = new Form[0];
 
     /** What is known of each object beforehand. */
     private byte[] shapes = new byte[16];
@@ -53,8 +53,13 @@ final class Level {
     /** It is a disc as seen from above. */
     private static final byte DISC = 4;
 
+    /** It moves. */
+    private static final byte MOVER = 8;
+
+    private final Bodies bodies;
     private final LeafColumn incoming = new LeafColumn(1);
     private final double[] part = new double[6];
+    private final double[] box = new double[6];
     private final double[] attitude = new double[Attitude.STRIDE];
 
     /** An object in its own frame, ready to be placed at a level. */
@@ -72,17 +77,14 @@ final class Level {
             }
         }
 
-        private byte shape() {
-            return enclosure != null || own.hasMesh() ? 0 : own.isSingle() ? CONVEX | SINGLE : CONVEX;
-        }
-
         /** How many leaves stand for the object. */
         int size() {
             return enclosure == null ? own.size() : 1;
         }
     }
 
-    Level(Accuracy accuracy, Dimension dimension, double width, double length) {
+    Level(Bodies bodies, Accuracy accuracy, Dimension dimension, double width, double length) {
+        this.bodies = bodies;
         this.accuracy = accuracy;
         this.dimension = dimension;
         tree = new QuadTree(-width / 2, -length / 2, width / 2, length / 2);
@@ -122,24 +124,36 @@ final class Level {
 
     /** Takes an object in under an id that it has elsewhere; in a world of moveable and static ones. */
     void add(int id, GeometryObject object) {
+        placed(object, incoming);
+        boundsOf(incoming, 0, incoming.size(), box, 0);
+        add(id, object, incoming, box);
+    }
+
+    /** Takes an object in that has been placed, with the bounds of what stands for it. */
+    void add(int id, GeometryObject object, LeafColumn placed, double[] box) {
         reserve(id);
-        shapes[id] = 0;
+        int leaf = spans.claim(id, placed.size(), leaves);
+        leaves.copy(placed, leaf);
+        System.arraycopy(box, 0, bounds, 6 * id, 6);
+        shapes[id] = placed.size() == 1 && DiscWay.isDisc(leaves.kind(leaf)) ? DISC : 0;
         if (object.isMoveable()) {
-            Form form = new Form(object, accuracy);
-            forms[id] = form;
-            shapes[id] = form.shape();
-            placeForm(form, object, leaves, spans.claim(id, form.size(), leaves));
-        } else {
-            placed(object, incoming);
-            leaves.copy(incoming, spans.claim(id, incoming.size(), leaves));
-        }
-        measure(id);
-        if (object.isMoveable()) {
+            shapes[id] = (byte) (shapes[id] | MOVER | shape(id, object));
             movers++;
             countMovers(id);
         } else {
             stacks.add(id, bounds, tree);
         }
+    }
+
+    private byte shape(int id, GeometryObject object) {
+        if (accuracy != Accuracy.EXACT) {
+            return 0;
+        }
+        return switch (object.kind()) {
+            case BOX, CYLINDER, SPHERE -> CONVEX | SINGLE;
+            case MESH -> 0;
+            case GROUP -> form(id).own.hasMesh() ? 0 : CONVEX;
+        };
     }
 
     /** Takes all moveable objects into the quadtree when there are no longer few. */
@@ -148,8 +162,10 @@ final class Level {
             addToTree(last);
         } else if (movers > FEW_MOVERS) {
             hasMoversInTree = true;
-            for (int id = 0; id < forms.length; id++) {
-                if (forms[id] != null) {
+            for (int k = 0; k < bodies.moverCount(); k++) {
+                int id = bodies.mover(k);
+                if (id < shapes.length
+                        && (shapes[id] & MOVER) != 0) { // not all are here yet where a level is being made
                     addToTree(id);
                 }
             }
@@ -167,22 +183,24 @@ final class Level {
     }
 
     private void reserve(int id) {
-        if (id >= forms.length) {
-            int capacity = id + (id >> 1) + 1;
-            forms = Arrays.copyOf(forms, capacity);
+        if (id >= shapes.length) {
+            int capacity = Growth.of(id);
             shapes = Arrays.copyOf(shapes, capacity);
             bounds = Arrays.copyOf(bounds, 6 * capacity);
         }
     }
 
-    void remove(int id, Bodies bodies) {
+    void remove(int id) {
         if (!bodies.isMoveable(id)) {
             stacks.remove(id, bounds, tree);
         } else {
             movers--;
             tree.remove(id);
         }
-        forms[id] = null;
+        if (id < forms.length) {
+            forms[id] = null;
+        }
+        shapes[id] = 0;
         leaves = spans.release(id, leaves);
     }
 
@@ -241,6 +259,10 @@ final class Level {
 
     /** The outward bounds of some leaves, six numbers. */
     void boundsOf(LeafColumn column, int from, int number, double[] out, int at) {
+        if (number == 1 && at == 0) {
+            column.bounds(from, out);
+            return;
+        }
         for (int k = 0; k < 3; k++) {
             out[at + k] = Double.POSITIVE_INFINITY;
             out[at + 3 + k] = Double.NEGATIVE_INFINITY;
@@ -254,10 +276,15 @@ final class Level {
         }
     }
 
+    /** How to place a moveable object; made when it is first needed, as most only go straight on. */
     Form form(int id) {
-        Form form = forms[id];
+        Form form = id < forms.length ? forms[id] : null;
         if (form == null) {
-            throw new IllegalStateException("id must be that of a moveable object (got: " + id + ")");
+            if (id >= forms.length) {
+                forms = Arrays.copyOf(forms, shapes.length);
+            }
+            form = new Form(bodies.value(id), accuracy);
+            forms[id] = form;
         }
         return form;
     }

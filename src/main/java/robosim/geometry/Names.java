@@ -10,13 +10,14 @@ final class Names {
     private @Nullable String[] keys = new String[16];
 
     private int[] ids = new int[16];
+    private int shift = Integer.SIZE - 4;
     private int size;
 
     /** The id of a name, or -1. */
     int find(String name) {
         @Nullable String[] table = keys;
         int mask = table.length - 1;
-        int at = spread(name) & mask;
+        int at = home(name);
         while (true) {
             String key = table[at];
             if (key == null) {
@@ -39,7 +40,7 @@ final class Names {
 
     private void insert(String name, int id) {
         int mask = keys.length - 1;
-        int at = spread(name) & mask;
+        int at = home(name);
         while (keys[at] != null) {
             at = (at + 1) & mask;
         }
@@ -52,6 +53,7 @@ final class Names {
         int[] oldIds = ids;
         keys = new String[2 * oldKeys.length];
         ids = new int[keys.length];
+        shift--;
         for (int k = 0; k < oldKeys.length; k++) {
             String name = oldKeys[k];
             if (name != null) {
@@ -63,7 +65,7 @@ final class Names {
     /** Takes out a name that is here, and closes the gap: who stands behind it may have been meant to stand there. */
     void remove(String name) {
         int mask = keys.length - 1;
-        int gap = spread(name) & mask;
+        int gap = home(name);
         while (!name.equals(keys[gap])) {
             gap = (gap + 1) & mask;
         }
@@ -76,7 +78,7 @@ final class Names {
                 keys[gap] = null;
                 return;
             }
-            int home = spread(other) & mask;
+            int home = home(other);
             if (((at - home) & mask) >= ((at - gap) & mask)) {
                 keys[gap] = other;
                 ids[gap] = ids[at];
@@ -85,9 +87,8 @@ final class Names {
         }
     }
 
-    // Hash codes of names with a number at the end differ in their lower bits; the upper ones come from what is before.
-    private static int spread(String name) {
-        int hash = name.hashCode();
-        return hash ^ hash >>> 15;
+    // Names with a number at the end have hash codes in heaps: a multiple of the golden ratio scatters them evenly.
+    private int home(String name) {
+        return (name.hashCode() * 0x9E3779B9) >>> shift;
     }
 }

@@ -47,7 +47,7 @@ final class Population {
         this.dimension = dimension;
         s = scratch;
         border = new Border(width, height, length, dimension);
-        level = new Level(accuracy, dimension, width, length);
+        level = new Level(bodies, accuracy, dimension, width, length);
         levels = new Level[] {level};
         near = new Near(bodies);
     }
@@ -60,7 +60,7 @@ final class Population {
                 return each;
             }
         }
-        Level made = new Level(asked, dimension, width, length);
+        Level made = new Level(bodies, asked, dimension, width, length);
         IntStream.range(0, bodies.limit()).filter(bodies::isPresent).forEach(id -> made.add(id, bodies.present(id)));
         levels = Arrays.copyOf(levels, levels.length + 1);
         levels[levels.length - 1] = made;
@@ -73,14 +73,44 @@ final class Population {
         if (name != null && bodies.find(name) >= 0) {
             throw new IllegalArgumentException("name must be unique in its world (got: \"" + name + "\" again)");
         }
-        if (!fits(object) || (checked && collides(level, object, -1))) {
+        if (!fitsAsPlaced(object) || (checked && touchesAny(level, -1))) {
             return false;
         }
         int id = bodies.add(object);
-        for (Level each : levels) {
-            each.add(id, object);
+        level.add(id, object, candidate, box);
+        for (int k = 1; k < levels.length; k++) {
+            levels[k].add(id, object);
         }
         return true;
+    }
+
+    /** Places an object at the world's own level, with its bounds; false where the object itself is not in the world. */
+    private boolean fitsAsPlaced(GeometryObject object) {
+        boolean isExact = level.accuracy == Accuracy.EXACT;
+        if (!isExact && !fits(object)) {
+            return false;
+        }
+        level.placed(object, candidate);
+        level.boundsOf(candidate, 0, candidate.size(), box, 0);
+        return !isExact || border.clearlyHolds(box) || border.holds(candidate, 0, candidate.size());
+    }
+
+    /** Whether what has been placed touches or overlaps any object in the world but one. */
+    private boolean touchesAny(Level at, int but) {
+        int near = at.cursor.gather(box[0], box[2], box[3], box[5], but);
+        for (int k = 0; k < near; k++) {
+            int other = at.cursor.gathered(k);
+            if (at.meets(other, box) && touches(at, other)) {
+                return true;
+            }
+        }
+        for (int k = 0; k < at.moversBesideTree(); k++) {
+            int other = bodies.mover(k);
+            if (other != but && at.meets(other, box) && touches(at, other)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     boolean remove(String name) {
@@ -89,7 +119,7 @@ final class Population {
             return false;
         }
         for (Level each : levels) {
-            each.remove(id, bodies);
+            each.remove(id);
         }
         bodies.remove(id);
         return true;

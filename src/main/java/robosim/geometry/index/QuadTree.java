@@ -98,7 +98,9 @@ public final class QuadTree {
     }
 
     private void write(int id, double minX, double minZ, double maxX, double maxZ) {
-        most = Math.max(most, Math.max(Math.max(-minX, maxX), Math.max(-minZ, maxZ)));
+        if (-minX > most || maxX > most || -minZ > most || maxZ > most) {
+            most = Math.max(Math.max(-minX, maxX), Math.max(-minZ, maxZ));
+        }
         int at = 4 * id;
         boxes[at] = minX;
         boxes[at + 1] = minZ;
@@ -217,10 +219,10 @@ public final class QuadTree {
         double maxZ = Double.NEGATIVE_INFINITY;
         for (int k = 0; k < count; k++) {
             int at = 4 * ids[k];
-            minX = Math.min(minX, boxes[at]);
-            minZ = Math.min(minZ, boxes[at + 1]);
-            maxX = Math.max(maxX, boxes[at + 2]);
-            maxZ = Math.max(maxZ, boxes[at + 3]);
+            minX = boxes[at] < minX ? boxes[at] : minX;
+            minZ = boxes[at + 1] < minZ ? boxes[at + 1] : minZ;
+            maxX = boxes[at + 2] > maxX ? boxes[at + 2] : maxX;
+            maxZ = boxes[at + 3] > maxZ ? boxes[at + 3] : maxZ;
         }
         double roomX = growing ? (maxX - minX) / 8 : 0;
         double roomZ = growing ? (maxZ - minZ) / 8 : 0;

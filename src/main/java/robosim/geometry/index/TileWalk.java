@@ -62,6 +62,9 @@ final class TileWalk {
         private double dx;
         private double dz;
 
+        /** The square of the direction; infinite where that might under- or overflow, so that all is within reach. */
+        private double square;
+
         /** What rounding may do to how far a box is aside. */
         private double aside;
 
@@ -78,6 +81,8 @@ final class TileWalk {
             dz = wayZ;
             // Sums of four numbers up to the most, times a direction: six roundings of 2^-53.
             aside = 0x1p-47 * (most + (Math.abs(x) + Math.abs(z))) * (Math.abs(wayX) + Math.abs(wayZ));
+            double sum = wayX * wayX + wayZ * wayZ;
+            square = sum > 0x1p-900 && sum < 0x1p900 ? sum : Double.POSITIVE_INFINITY;
             query += 1L << Integer.SIZE;
         }
 
@@ -219,6 +224,11 @@ final class TileWalk {
         double fromX = 2 * l.ox;
         double fromZ = 2 * l.oz;
         double most = l.aside;
+        // The middle of the way to the reach, twice and times the direction, as the offsets are; wide of what this
+        // rounds.
+        double half = reach * l.square;
+        half = half < Double.POSITIVE_INFINITY ? half : Double.POSITIVE_INFINITY;
+        double margin = half * (1 + 0x1p-48) + most;
         int[] heads = tiles.heads;
         int[] entries = tiles.store.data;
         float[] bounds = tiles.store.bounds;
@@ -240,8 +250,13 @@ final class TileWalk {
                 double minZ = bounds[at + 1];
                 double maxX = bounds[at + 2];
                 double maxZ = bounds[at + 3];
-                double off = Math.abs((minX + maxX - fromX) * dz - (minZ + maxZ - fromZ) * dx);
-                if (off <= (maxX - minX) * wayZ + (maxZ - minZ) * wayX + most && l.isNew(id)) {
+                double offX = minX + maxX - fromX;
+                double offZ = minZ + maxZ - fromZ;
+                double wide = maxX - minX;
+                double deep = maxZ - minZ;
+                if (Math.abs(offX * dz - offZ * dx) <= wide * wayZ + deep * wayX + most
+                        && !(Math.abs(offX * dx + offZ * dz - half) > wide * wayX + deep * wayZ + margin)
+                        && l.isNew(id)) {
                     begin = from;
                     crossX = cx;
                     crossZ = cz;

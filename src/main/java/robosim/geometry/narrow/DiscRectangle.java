@@ -44,9 +44,6 @@ final class DiscRectangle {
 
     /** Whether they touch or overlap; exact. */
     static boolean touch(double px, double pz, double r, double[] row, int at, FineOverlap fine) {
-        if (!isSquare(row, at)) {
-            return exactTouch(px, pz, r, row, at);
-        }
         double c = row[at + 6];
         double s = row[at + 8];
         double dx = px - row[at];

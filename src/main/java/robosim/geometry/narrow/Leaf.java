@@ -44,9 +44,6 @@ public final class Leaf {
     /** Where the nine numbers of the rotation begin. */
     public static final int ROTATION = 6;
 
-    /** Where a column has the kind, beside what a kernel reads with it. */
-    static final int KIND = 15;
-
     private Leaf() {}
 
     /** Whether the kind is made of triangles. */

@@ -57,7 +57,7 @@ public final class LeafBounds {
             return product;
         }
         // Below this the tail of the product may itself be rounded away.
-        return product < 0x1p-960 || Math.fma(a, b, -product) > 0 ? Math.nextUp(product) : product;
+        return Upright.up(product, product < 0x1p-960 ? 1 : Math.fma(a, b, -product));
     }
 
     private static void cylinder(double[] rows, int at, double[] out6) {

@@ -5,12 +5,15 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.index.BoxTree;
 import robosim.geometry.model.TriangleMesh;
 
-/** Leaves beside each other: a row of {@link Leaf#STRIDE} doubles, its kind among them, and for meshes the triangles. */
+/** Leaves beside each other: a kind, a row of {@link Leaf#STRIDE} doubles and, for meshes, the triangles of each. */
 public final class LeafColumn {
-    private static final int VACANT = -1;
+    private static final byte VACANT = -1;
+
+    /** Columns with fewer leaves grow by as many again. */
+    private static final int SMALL = 1 << 15;
 
     private int size;
-    private int capacity;
+    private byte[] kinds;
     private double[] rows;
 
     /** None until the first mesh comes. */
@@ -18,8 +21,8 @@ public final class LeafColumn {
 
     /** An empty column with room for so many leaves. */
     public LeafColumn(int capacity) {
-        this.capacity = Math.max(1, capacity);
-        rows = new double[this.capacity * Leaf.STRIDE];
+        kinds = new byte[Math.max(1, capacity)];
+        rows = new double[kinds.length * Leaf.STRIDE];
     }
 
     /** How many leaves there are. */
@@ -31,8 +34,10 @@ public final class LeafColumn {
     public int append(int count) {
         int first = size;
         size += count;
-        if (size > capacity) {
-            capacity = Math.max(size, capacity + (capacity >> 1) + 1);
+        if (size > kinds.length) {
+            int more = kinds.length < SMALL ? kinds.length : kinds.length >> 1;
+            int capacity = Math.max(size, kinds.length + more + 1);
+            kinds = Arrays.copyOf(kinds, capacity);
             rows = Arrays.copyOf(rows, capacity * Leaf.STRIDE);
             if (meshes != null) {
                 meshes = Arrays.copyOf(meshes, capacity);
@@ -54,6 +59,7 @@ public final class LeafColumn {
     }
 
     private void copy(LeafColumn other, int first, int count, int at) {
+        System.arraycopy(other.kinds, first, kinds, at, count);
         System.arraycopy(other.rows, first * Leaf.STRIDE, rows, at * Leaf.STRIDE, count * Leaf.STRIDE);
         for (int k = 0; k < count; k++) {
             if (Leaf.isMesh(kind(at + k))) {
@@ -64,7 +70,7 @@ public final class LeafColumn {
 
     /** Leaves nothing at a leaf's place. */
     public void vacate(int leaf) {
-        setKind(leaf, VACANT);
+        kinds[leaf] = VACANT;
         if (meshes != null) {
             meshes[leaf] = null;
         }
@@ -82,11 +88,11 @@ public final class LeafColumn {
     }
 
     public int kind(int leaf) {
-        return (int) rows[leaf * Leaf.STRIDE + Leaf.KIND];
+        return kinds[leaf];
     }
 
     public void setKind(int leaf, int kind) {
-        rows[leaf * Leaf.STRIDE + Leaf.KIND] = kind;
+        kinds[leaf] = (byte) kind;
     }
 
     /** The numbers of all leaves; leaf k begins at {@code k * Leaf.STRIDE}. Valid until the next append. */
@@ -157,7 +163,7 @@ public final class LeafColumn {
 
     void setMesh(int leaf, TriangleMesh mesh) {
         if (meshes == null) {
-            meshes = new TriangleMesh[capacity];
+            meshes = new TriangleMesh[kinds.length];
         }
         meshes[leaf] = mesh;
     }

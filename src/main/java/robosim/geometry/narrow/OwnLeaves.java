@@ -102,12 +102,6 @@ public final class OwnLeaves {
         return false;
     }
 
-    /** Whether there is one leaf, with its centre in the own frame's origin. */
-    public boolean isSingle() {
-        double[] row = own.rows();
-        return own.size() == 1 && row[0] == 0 && row[1] == 0 && row[2] == 0;
-    }
-
     /** The leaves in the own frame. */
     LeafColumn own() {
         return own;

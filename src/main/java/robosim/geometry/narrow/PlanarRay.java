@@ -31,7 +31,7 @@ public final class PlanarRay {
     /** The same for a direction of ordinary length. */
     static double scaled(double ox, double oz, double ux, double uz, int kind, double[] b, int j, Scratch s) {
         return switch (kind) {
-            case Leaf.UPRIGHT_BOX -> RayRectangle.distance(ox, oz, ux, uz, b, j, s);
+            case Leaf.UPRIGHT_BOX -> RayRectangle.distance(ox, oz, ux, uz, b, j);
             case Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE ->
                 RayDisc.distance(ox, oz, ux, uz, b[j], b[j + 2], b[j + Leaf.SIZE]);
             case Leaf.CYLINDER -> RayOval.distance(ox, oz, ux, uz, b, j, s.planarB);

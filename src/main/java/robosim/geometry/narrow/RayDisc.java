@@ -41,7 +41,7 @@ final class RayDisc {
         double length = ux * ux + uz * uz;
         double aside = Math.abs(ux * mz - uz * mx);
         double slack = PRODUCT * (Math.abs(ux * mz) + Math.abs(uz * mx)) + UNDERFLOW;
-        double least = Math.max(0, aside - slack);
+        double least = atLeastZero(aside - slack);
         double reach = rr * length;
         if (least * least > reach + (REACH * reach + UNDERFLOW)) {
             return Double.POSITIVE_INFINITY;
@@ -76,13 +76,13 @@ final class RayDisc {
      * the half chord are both made of tails too, so that a disc that is grazed from afar is as good as a near one.
      */
     static double entry(double ox, double oz, double ux, double uz, double cx, double cz, double r) {
-        double power = Math.max(0, DiscDisc.squareGap(ox, oz, cx, cz, r, 0));
+        double power = atLeastZero(DiscDisc.squareGap(ox, oz, cx, cz, r, 0));
         double mx = cx - ox;
         double mxTail = DoubleDouble.differenceTail(cx, ox, mx);
         double mz = cz - oz;
         double mzTail = DoubleDouble.differenceTail(cz, oz, mz);
         double length = Math.sqrt(ux * ux + uz * uz);
-        double ahead = Math.max(0, (mx * ux + mz * uz) / length);
+        double ahead = atLeastZero((mx * ux + mz * uz) / length);
         double p = ux * mz;
         double q = uz * mx;
         double aside = p - q;
@@ -91,8 +91,13 @@ final class RayDisc {
                 - DoubleDouble.productTail(uz, mx, q)
                 + (ux * mzTail - uz * mxTail);
         double chord = halfChordSquare(aside, asideTail, ux, uz, r) / (length * length);
-        double way = ahead + Math.sqrt(Math.max(0, chord));
+        double way = ahead + Math.sqrt(atLeastZero(chord));
         return way > 0 ? power / way : 0;
+    }
+
+    /** What is hardly ever below zero: guessed right, where {@code Math.max} would be waited for. */
+    private static double atLeastZero(double number) {
+        return number > 0 ? number : 0;
     }
 
     // r^2 |u|^2 - aside^2 as (r |u| - |aside|)(r |u| + |aside|), with the length of the direction to twice the digits.

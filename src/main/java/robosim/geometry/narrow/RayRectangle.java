@@ -21,11 +21,11 @@ final class RayRectangle {
 
     private RayRectangle() {}
 
-    /** Distance in world units; whether it is a hit at all is exact. */
-    static double distance(double ox, double oz, double ux, double uz, double[] row, int at, Scratch s) {
-        if (!DiscRectangle.isSquare(row, at)) {
-            return RayPolygon.distance(ox, oz, ux, uz, Leaf.UPRIGHT_BOX, row, at, s);
-        }
+    /**
+     * Distance in world units; whether it is a hit at all is exact. Of the rotation only the first own axis is read, which
+     * tells the other: rows of many objects are far apart in memory.
+     */
+    static double distance(double ox, double oz, double ux, double uz, double[] row, int at) {
         double cos = row[at + 6];
         double sin = row[at + 8];
         double hx = row[at + 3];
@@ -76,7 +76,7 @@ final class RayRectangle {
      */
     private static double entry(double ox, double oz, double ux, double uz, double[] row, int at, int side) {
         double nx = row[at + Leaf.ROTATION + side];
-        double nz = row[at + Leaf.ROTATION + 6 + side];
+        double nz = side == 0 ? -row[at + Leaf.ROTATION + 2] : row[at + Leaf.ROTATION];
         double way = Math.abs(DoubleDouble.sumOfProducts(ux, nx, uz, nz));
         double far = gap(ox, oz, row, at, nx, nz, row[at + Leaf.SIZE + side]) / way * Math.sqrt(ux * ux + uz * uz);
         double dx = ox - row[at];

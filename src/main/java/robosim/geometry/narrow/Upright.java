@@ -55,10 +55,14 @@ public final class Upright {
     /** {@code a + b}, rounded up. */
     static double sumUp(double a, double b) {
         double sum = a + b;
-        // The next double up, or not, without a branch that would be guessed wrong half of the time.
-        long isUp = Double.doubleToLongBits(0.0 - DoubleDouble.sumTail(a, b, sum)) >> (Long.SIZE - 1);
-        long from = Double.doubleToRawLongBits(sum + 0.0);
+        return up(sum, DoubleDouble.sumTail(a, b, sum));
+    }
+
+    /** The next double above a number where its tail is above 0, without a branch: it would be guessed wrong half the time. */
+    static double up(double number, double tail) {
+        long isUp = Double.doubleToLongBits(0.0 - tail) >> (Long.SIZE - 1);
+        long from = Double.doubleToRawLongBits(number + 0.0);
         long next = from + ((from >> (Long.SIZE - 1)) | 1);
-        return Double.longBitsToDouble((Double.doubleToRawLongBits(sum) & ~isUp) | (next & isUp));
+        return Double.longBitsToDouble((Double.doubleToRawLongBits(number) & ~isUp) | (next & isUp));
     }
 }

@@ -105,6 +105,61 @@ class QuadTreeTest {
 
     @ParameterizedTest
     @EnumSource
+    void gathersAllThatIsNear(Scene scene) {
+        SplittableRandom random = new SplittableRandom(61 + scene.ordinal());
+        double[][] boxes = new double[300][];
+        QuadTree tree = new QuadTree(-WORLD, -WORLD, WORLD, WORLD);
+        QuadTree.Cursor cursor = tree.cursor();
+        int found = 0;
+        int asked = 0;
+        for (int step = 0; step < 3000; step++) {
+            int id = random.nextInt(boxes.length);
+            churn(tree, boxes, id, scene, random, step);
+            if (step % 4 == 0) {
+                double[] query = random.nextInt(3) == 0 ? touching(boxes, random) : scene.box(random);
+                found += assertGathered(tree, cursor, boxes, query, random.nextInt(-1, boxes.length));
+                asked += tree.size();
+            }
+        }
+        assertThat(found).isBetween(1, asked - (scene == Scene.ONE_PLACE ? 0 : 1));
+    }
+
+    private static boolean meet(double[] a, double[] b) {
+        return a[0] <= b[2] && b[0] <= a[2] && a[1] <= b[3] && b[1] <= a[3];
+    }
+
+    /** What meets the box is there, but for one; and all that is there is listed by bounds that are just a little wider. */
+    private static int assertGathered(
+            QuadTree tree, QuadTree.Cursor cursor, double[][] boxes, double[] query, int but) {
+        BitSet expected = new BitSet();
+        for (int id = 0; id < boxes.length; id++) {
+            if (boxes[id] != null && id != but && meet(boxes[id], query)) {
+                expected.set(id);
+            }
+        }
+        BitSet gathered = new BitSet();
+        int count = cursor.gather(query[0], query[1], query[2], query[3], but);
+        float[] listed = cursor.gatheredBoxes();
+        for (int k = 0; k < count; k++) {
+            int id = cursor.gathered(k);
+            gathered.set(id);
+            for (int side = 0; side < 4; side++) {
+                double wider =
+                        side < 2 ? boxes[id][side] - listed[4 * k + side] : listed[4 * k + side] - boxes[id][side];
+                assertThat(wider).isBetween(0.0, Math.abs(boxes[id][side]) * 0x1p-22 + Float.MIN_VALUE * 2);
+            }
+        }
+        assertThat(gathered.get(but < 0 ? boxes.length : but)).isFalse();
+        BitSet missed = (BitSet) expected.clone();
+        missed.andNot(gathered);
+        assertThat(missed.isEmpty())
+                .as("%s of %s misses %s", Arrays.toString(query), tree.size(), missed)
+                .isTrue();
+        return expected.cardinality();
+    }
+
+    @ParameterizedTest
+    @EnumSource
     void raysFindWhatTheListFinds(Scene scene) {
         SplittableRandom random = new SplittableRandom(71 + scene.ordinal());
         double[][] boxes = new double[150][];
@@ -259,6 +314,21 @@ class QuadTreeTest {
         for (double[] ray : rays) {
             assertThat(collectRay(cursor, ray, Double.POSITIVE_INFINITY).cardinality())
                     .as(Arrays.toString(ray))
+                    .isEqualTo(1);
+        }
+    }
+
+    @Test
+    void aReachBeyondTheObjectsIsNoneWhateverTheSpeed() {
+        QuadTree tree = new QuadTree(-10, -10, 10, 10);
+        tree.add(0, 1, 1, 2, 2);
+        QuadTree.Cursor cursor = tree.cursor();
+        for (int power = -1020; power <= 1000; power += 20) {
+            double speed = Math.scalb(1.0, power);
+            double[] ray = {0, 0, speed, speed};
+            double reach = Math.min(Double.MAX_VALUE, Math.scalb(3.0, -power));
+            assertThat(collectRay(cursor, ray, reach).cardinality())
+                    .as("speed " + speed)
                     .isEqualTo(1);
         }
     }

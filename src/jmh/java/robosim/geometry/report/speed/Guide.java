@@ -133,7 +133,9 @@ final class Guide {
                     + Words.percent(results.value(WorldsSection.STUDY, subject, world, query, "added share")
                             .orElse(0));
         }
-        return ", short by " + Words.size(WorldsSection.error(results, subject, world, query)) + " m";
+        return ", short by "
+                + Words.size(results.value(WorldsSection.STUDY, subject, world, query, "error q0.9")) + " / "
+                + Words.size(WorldsSection.error(results, subject, world, query)) + " m";
     }
 
     /** What heights take, and what they tell. */

@@ -27,7 +27,7 @@ final class Html {
                 --ground: #14191f; --ink: #dfe6ee; --faint: #93a1b0; --line: #2f3944; --band: #1b222a; --link: #8ab8ff;
               }
             }
-            body { margin: 0 auto; max-width: 62rem; padding: 1.5rem; background: var(--ground); color: var(--ink);
+            body { margin: 0 auto; max-width: 72rem; padding: 1.5rem; background: var(--ground); color: var(--ink);
               font: 0.97rem/1.5 system-ui, sans-serif; }
             h1 { margin: 0 0 0.5rem; font-size: 1.7rem; }
             h2 { margin: 2.6rem 0 0.6rem; font-size: 1.25rem; }
@@ -37,8 +37,8 @@ final class Html {
             figure { margin: 1rem 0; border: 1px solid var(--line); border-radius: 0.5rem; overflow-x: auto; }
             figure svg { display: block; width: 100%; height: auto; min-width: 44rem; }
             .wide { overflow-x: auto; margin: 1rem 0; }
-            table { border-collapse: collapse; font-size: 0.88rem; }
-            th, td { padding: 0.3rem 0.75rem; border-bottom: 1px solid var(--line); text-align: left;
+            table { border-collapse: collapse; font-size: 0.84rem; }
+            th, td { padding: 0.3rem 0.6rem; border-bottom: 1px solid var(--line); text-align: left;
               vertical-align: top; }
             th { border-bottom: 2px solid var(--line); color: var(--faint); font-weight: 600; }
             .number { text-align: right; font-variant-numeric: tabular-nums; }

@@ -54,7 +54,10 @@ final class MovesSection {
                 List<Dot> dots = new ArrayList<>();
                 for (double share : Ecdf.SHARES) {
                     results.value(STUDY, subject, family.text, "move", what + " q" + share)
-                            .ifPresent(off -> dots.add(new Dot(off < LEAST ? 0 : off, share, "")));
+                            .ifPresent(off -> dots.add(new Dot(
+                                    off < LEAST ? 0 : off,
+                                    share,
+                                    share == 0.99 && !subject.isModule() ? family.text : "")));
                 }
                 if (!dots.isEmpty()) {
                     Look look = Look.of(subject);

@@ -13,8 +13,8 @@ final class PeerLines {
     private PeerLines() {}
 
     /**
-     * Figures of lines {@code peer workload size ns hits checksum build_ms}, parted by spaces or commas; other lines, such
-     * as a head or ratios, are passed over.
+     * Figures of lines {@code peer workload size ns hits checksum build_ms}, parted by spaces or commas and perhaps with
+     * more behind them; other lines, such as a head or ratios, are passed over.
      *
      * @throws IOException where no line is one
      */
@@ -22,7 +22,7 @@ final class PeerLines {
         List<Measure> measures = new ArrayList<>();
         for (String line : Files.readAllLines(file)) {
             String[] parts = line.strip().split("[\\s,]+");
-            if (parts.length == 7 && parts[1].startsWith("W") && parts[3].matches("[0-9.eE+]+")) {
+            if (parts.length >= 7 && parts[1].startsWith("W") && parts[3].matches("[0-9.eE+]+")) {
                 Subject subject = new Subject(parts[0], "", "", "");
                 measures.add(measure(subject, parts, Results.NANOS, 3));
                 measures.add(measure(subject, parts, "hits", 4));

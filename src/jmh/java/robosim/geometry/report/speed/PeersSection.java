@@ -39,9 +39,9 @@ final class PeersSection {
         if (!panels.isEmpty()) {
             page.picture(new Figure(
                     "peers",
-                    "This module beside native engines on the same inputs, one run of `bench.Peers`",
+                    "This module beside native engines on the same inputs, one run of bench.Peers",
                     "Flat boxes and discs at constant density; one thread. A ray is answered with its closest hit, a disc"
-                            + " with whether it touches anything. All that is shown found the same hits.",
+                            + " with whether it touches anything. What each found is in the table.",
                     panels,
                     panels.size(),
                     300));
@@ -64,8 +64,10 @@ final class PeersSection {
                         && measure.subject().equals(subject)
                         && measure.query().equals(work)
                         && measure.metric().equals(Results.NANOS)) {
-                    dots.add(
-                            new Dot(Double.parseDouble(measure.scene()), measure.value(), Words.time(measure.value())));
+                    dots.add(new Dot(
+                            Double.parseDouble(measure.scene()),
+                            measure.value(),
+                            subject.isModule() ? Words.time(measure.value()) : ""));
                 }
             }
             int at = colour++;
@@ -102,11 +104,17 @@ final class PeersSection {
                         measure.scene(),
                         measure.subject().engine(),
                         Words.nanos(measure.value()),
+                        results
+                                .value(PeerLines.STUDY, measure.subject(), measure.scene(), measure.query(), "hits")
+                                .stream()
+                                .mapToObj(Words::count)
+                                .findFirst()
+                                .orElse(Words.NONE),
                         ours.isEmpty() || measure.subject().isModule()
                                 ? Words.NONE
                                 : Words.ratio(ours.getAsDouble() / measure.value())));
             }
         }
-        page.table(List.of("workload", "size", "who", "ns a query", "this module takes"), rows);
+        page.table(List.of("workload", "size", "who", "ns a query", "hits", "this module takes"), rows);
     }
 }

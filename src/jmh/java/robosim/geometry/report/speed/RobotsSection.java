@@ -41,7 +41,7 @@ final class RobotsSection {
     }
 
     private static OptionalDouble steps(Results results, Subject subject, String scene, String way) {
-        OptionalDouble nanos = results.value(STUDY, subject, scene, way, "ns median");
+        OptionalDouble nanos = results.value(STUDY, subject, scene, way, Results.NANOS);
         return nanos.isPresent() ? OptionalDouble.of(1e9 / nanos.getAsDouble()) : nanos;
     }
 
@@ -94,7 +94,8 @@ final class RobotsSection {
                 rows.add(row);
             }
         }
-        page.paragraph("Steps a second, the median of the rounds; a cone's time holds its share of the moves.");
+        page.paragraph(
+                "Steps a second, the best of the rounds in which all took turns; a cone's time holds its share of the moves.");
         page.table(head, rows);
     }
 }

@@ -33,6 +33,10 @@ public final class SpeedAgainstError {
     public static void main(String[] args) throws IOException {
         boolean isPublished = System.getProperty("publish") != null;
         Path folder = Path.of(System.getProperty("report", isPublished ? "docs/report" : "target/report"));
+        if (isPublished && !System.getProperty("studies", "").isEmpty()) {
+            throw new IllegalArgumentException(
+                    "only a whole run is published (got: " + System.getProperty("studies") + ")");
+        }
         String earlier = System.getProperty("csv", "");
         Results results = earlier.isEmpty() ? measure() : Results.read(Path.of(earlier));
         String peers = System.getProperty("peers.csv", "");

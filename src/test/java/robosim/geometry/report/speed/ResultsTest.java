@@ -60,7 +60,7 @@ class ResultsTest {
         Path file = folder.resolve("peers.csv");
         Files.writeString(file, """
                 peer,workload,size,ns,hits,checksum,build_ms
-                embree W1a 100 113.5 143820 2114168.307223 0.41
+                embree W1a 100 113.5 143820 2114168.307223 0.41 mem_mb=0.01 reps=1
                 fcl,W2,knot4k,12000.0,1342,1342.0,8.5
 
                 ratio W1a 100 1.010 x embree
