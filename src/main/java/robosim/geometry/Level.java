@@ -23,6 +23,7 @@ final class Level {
     final Dimension dimension;
     final QuadTree tree;
     final QuadTree.Cursor cursor;
+    final Stacks stacks;
 
     /** More than any place or size in the plane. */
     final double extent;
@@ -88,6 +89,7 @@ final class Level {
         this.dimension = dimension;
         tree = new QuadTree(-width / 2, -length / 2, width / 2, length / 2);
         cursor = tree.cursor();
+        stacks = new Stacks(dimension == Dimension.SPATIAL);
         extent = width + length;
     }
 
@@ -139,7 +141,7 @@ final class Level {
             movers++;
             countMovers(id);
         } else {
-            addToTree(id);
+            stacks.add(id, bounds, tree);
         }
     }
 
@@ -189,10 +191,10 @@ final class Level {
     }
 
     void remove(int id) {
-        if (bodies.isMoveable(id)) {
+        if (!bodies.isMoveable(id)) {
+            stacks.remove(id, bounds, tree);
+        } else {
             movers--;
-        }
-        if (tree.contains(id)) {
             tree.remove(id);
         }
         if (id < forms.length) {

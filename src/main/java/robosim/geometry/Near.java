@@ -1,10 +1,14 @@
 package robosim.geometry;
 
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.index.OctTree;
+import robosim.geometry.index.SpaceKeys;
 
-/** The objects whose bounds meet a box: from the quadtree, and from the list of moveable ones where these are few. */
+/** The objects whose bounds meet a box: from the trees, and from the list of moveable ones where these are few. */
 final class Near {
     private final Bodies bodies;
+    private final SpaceKeys keys = new SpaceKeys();
     private int[] ids = new int[16];
     private int count;
 
@@ -26,6 +30,14 @@ final class Near {
         level.cursor.startBox(box[0], box[2], box[3], box[5]);
         for (int id = level.cursor.next(); id >= 0; id = level.cursor.next()) {
             if (id != but && level.meets(id, box)) {
+                add(id);
+            }
+        }
+        OctTree.@Nullable Cursor stacked = level.stacks.cursor();
+        if (stacked != null) {
+            keys.startBox(box);
+            stacked.start(level.bounds(), keys);
+            for (int id = stacked.next(0); id >= 0; id = stacked.next(0)) {
                 add(id);
             }
         }

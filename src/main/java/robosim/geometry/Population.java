@@ -170,7 +170,10 @@ final class Population {
         } else {
             at.boundsOf(candidate, 0, candidate.size(), box, 0);
         }
-        return at.cursor.startNear(box[0], box[2], box[3], box[5]) ? collidesNear(at, but) : collidesAnywhere(at, but);
+        if (at.stacks.cursor() != null || !at.cursor.startNear(box[0], box[2], box[3], box[5])) {
+            return collidesAnywhere(at, but);
+        }
+        return collidesNear(at, but);
     }
 
     private boolean collidesNear(Level at, int but) {

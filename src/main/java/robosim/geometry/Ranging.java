@@ -1,7 +1,10 @@
 package robosim.geometry;
 
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Degrees;
+import robosim.geometry.index.OctTree;
 import robosim.geometry.index.QuadTree;
+import robosim.geometry.index.SpaceKeys;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Cast;
 import robosim.geometry.narrow.Distance;
@@ -22,6 +25,15 @@ final class Ranging {
     private double ux;
     private double uz;
     private double width;
+    private double halfCos;
+    private double halfSin;
+
+    /** Where bounds begin along the beam, with their heights; among a few objects these are not worth a look. */
+    private final SpaceKeys keys = new SpaceKeys();
+
+    private static final int FEW = 4;
+    private boolean hasHeights;
+    private double highest;
     private int hit;
     private int hitLeaf;
 
@@ -60,6 +72,8 @@ final class Ranging {
             double sin = Degrees.sin(width / 2);
             cast.widen(cos, sin);
             setSides(sin);
+            halfCos = cos;
+            halfSin = sin;
         }
     }
 
@@ -103,20 +117,20 @@ final class Ranging {
 
     private double nearestOnLine(Level level, double limit, int but) {
         best = Double.POSITIVE_INFINITY;
+        double reach = nearestInStacks(level, limit);
         double dx = cast.way(0);
         double dz = cast.way(2);
-        double reach = limit;
         if (dx == 0 && dz == 0) {
-            reach = nearestAboveOrBelow(level, limit, but);
+            reach = nearestAboveOrBelow(level, reach, but);
         } else {
             double slack = slack(level);
             double inverse = 1 / cast.length();
             QuadTree.Cursor cursor = level.cursor;
-            cursor.startRay(ox, oz, dx, dz, loose(limit, slack) * inverse);
+            cursor.startRay(ox, oz, dx, dz, loose(reach, slack) * inverse);
             for (int id = cursor.next(loose(reach, slack) * inverse);
                     id >= 0;
                     id = cursor.next(loose(reach, slack) * inverse)) {
-                if (id != but) {
+                if (id != but && isAtHeight(level, id, reach)) {
                     reach = tryBody(level, id, reach);
                 }
             }
@@ -160,11 +174,11 @@ final class Ranging {
 
     private double nearestInCone(Level level, double limit, int but) {
         best = Double.POSITIVE_INFINITY;
-        double reach = limit;
+        double reach = nearestInStacks(level, limit);
         double slack = slack(level);
-        level.cursor.startSector(ox, oz, leftX, leftZ, rightX, rightZ, loose(limit, slack));
+        level.cursor.startSector(ox, oz, leftX, leftZ, rightX, rightZ, loose(reach, slack));
         for (int id = level.cursor.next(loose(reach, slack)); id >= 0; id = level.cursor.next(loose(reach, slack))) {
-            if (id != but && coneMeets(level, id, loose(reach, slack))) {
+            if (id != but && coneMeets(level, id, loose(reach, slack)) && isAtHeight(level, id, reach)) {
                 reach = tryBody(level, id, reach);
             }
         }
@@ -175,6 +189,37 @@ final class Ranging {
             }
         }
         return best <= limit ? best : none();
+    }
+
+    /** Tries what stands in an octree, which are no moveable objects; answers how far there is still to look. */
+    private double nearestInStacks(Level level, double limit) {
+        OctTree.@Nullable Cursor stacked = level.stacks.cursor();
+        hasHeights = level.dimension == Dimension.SPATIAL && (stacked != null || level.tree.size() > FEW);
+        if (!hasHeights) {
+            return limit;
+        }
+        takeUnit();
+        double uy = cast.unit(1);
+        highest = 0x1p-44 * (level.stacks.most() + Math.abs(oy));
+        if (width > 0) {
+            keys.startCone(ox, oy, oz, ux, uy, uz, halfCos, halfSin);
+        } else {
+            keys.startRay(ox, oy, oz, ux, uy, uz);
+        }
+        double reach = limit;
+        if (stacked != null) {
+            double slack = slack(level) + highest;
+            stacked.start(level.bounds(), keys);
+            for (int id = stacked.next(loose(reach, slack)); id >= 0; id = stacked.next(loose(reach, slack))) {
+                reach = tryBody(level, id, reach);
+            }
+        }
+        return reach;
+    }
+
+    /** Whether the beam may meet an object's bounds, with its height, within reach. */
+    private boolean isAtHeight(Level level, int id, double reach) {
+        return !hasHeights || keys.key(level.bounds(), 6 * id) <= loose(reach, slack(level) + highest);
     }
 
     private double none() {
@@ -263,6 +308,19 @@ final class Ranging {
         for (int other = level.cursor.next(reach + radius); other >= 0; other = level.cursor.next(reach + radius)) {
             if (other != id) {
                 reach = tryPair(level, id, other, reach);
+            }
+        }
+        OctTree.@Nullable Cursor stacked = level.stacks.cursor();
+        if (stacked != null) {
+            double y = b[k + 1] / 2 + b[k + 4] / 2;
+            double hy = Math.max(b[k + 4] - y, y - b[k + 1]);
+            double all = Math.sqrt(hx * hx + hy * hy + hz * hz + UNDERFLOW) * (1 + 0x1p-50);
+            keys.startPoint(x, y, z);
+            stacked.start(b, keys);
+            for (int other = stacked.next(reach + all); other >= 0; other = stacked.next(reach + all)) {
+                if (other != id) {
+                    reach = tryPair(level, id, other, reach);
+                }
             }
         }
         for (int m = 0; m < level.moversBesideTree(); m++) {

@@ -1,7 +1,10 @@
 package robosim.geometry;
 
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.DoubleDouble;
+import robosim.geometry.index.OctTree;
 import robosim.geometry.index.QuadTree;
+import robosim.geometry.index.SpaceKeys;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Pose;
 import robosim.geometry.narrow.Border;
@@ -29,6 +32,7 @@ final class Stride {
     private static final double LEAST = 0x1p-140;
 
     private final Bodies bodies;
+    private final SpaceKeys keys = new SpaceKeys();
     private final Border border;
     private final Scratch s;
     private final Sweep sweep;
@@ -107,6 +111,16 @@ final class Stride {
             int b = 4 * k;
             if (!passes(other, quickly(other, boxes[b], boxes[b + 1], boxes[b + 2], boxes[b + 3]))) {
                 return false;
+            }
+        }
+        OctTree.@Nullable Cursor stacked = level.stacks.cursor();
+        if (stacked != null) {
+            keys.startBox(box);
+            stacked.start(level.bounds(), keys);
+            for (int other = stacked.next(0); other >= 0; other = stacked.next(0)) {
+                if (!passesExactly(other)) {
+                    return false;
+                }
             }
         }
         for (int k = 0; k < level.moversBesideTree(); k++) {

@@ -28,9 +28,16 @@ final class RandomObjects {
 
     private final SplittableRandom random;
     private final double spread;
+    private final double rise;
 
     /** Objects of sizes about 1 with centres up to {@code spread} from the origin. */
     RandomObjects(SplittableRandom random, double spread) {
+        this(random, spread, 0.25);
+    }
+
+    /** The same, with centres up to {@code rise * spread} above and below the origin. */
+    RandomObjects(SplittableRandom random, double spread, double rise) {
+        this.rise = rise;
         this.random = random;
         this.spread = spread;
     }
@@ -150,7 +157,7 @@ final class RandomObjects {
     }
 
     private Point place(double within) {
-        return new Point(coordinate(within), coordinate(within / 4), coordinate(within));
+        return new Point(coordinate(within), coordinate(rise * within), coordinate(within));
     }
 
     private double coordinate(double within) {

@@ -31,12 +31,16 @@ class WorldAgainstListTest {
 
     @ParameterizedTest
     @CsvSource({
-        "PLANAR, EXACT, 300, 14", "SPATIAL, EXACT, 300, 10", "PLANAR, EXACT, 50, 5", "SPATIAL, EXACT, 50, 4",
-        "PLANAR, DOP, 100, 8", "SPATIAL, OBB, 100, 7", "PLANAR, SPHERE, 80, 10", "SPATIAL, AABB, 100, 8"
+        "PLANAR, EXACT, 300, 14, 0.25", "SPATIAL, EXACT, 300, 10, 0.25",
+        "PLANAR, EXACT, 50, 5, 0.25", "SPATIAL, EXACT, 50, 4, 0.25",
+        "PLANAR, DOP, 100, 8, 0.25", "SPATIAL, OBB, 100, 7, 0.25",
+        "PLANAR, SPHERE, 80, 10, 0.25", "SPATIAL, AABB, 100, 8, 0.25",
+        // Stacked: they stand in an octree.
+        "SPATIAL, EXACT, 250, 3, 4", "SPATIAL, DOP, 160, 3, 4"
     })
-    void asksItsObjectsAsAPlainListDoes(Dimension dimension, Accuracy accuracy, int count, double spread) {
+    void asksItsObjectsAsAPlainListDoes(Dimension dimension, Accuracy accuracy, int count, double spread, double rise) {
         SplittableRandom random = new SplittableRandom(count + 31L * accuracy.ordinal() + dimension.ordinal());
-        RandomObjects objects = new RandomObjects(random, spread);
+        RandomObjects objects = new RandomObjects(random, spread, rise);
         PlainList list = new PlainList(SIZE, dimension, accuracy);
         Geometry world = new Geometry(SIZE, SIZE, SIZE, dimension, accuracy);
         fill(world, list, objects, random, count);
