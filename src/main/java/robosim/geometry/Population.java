@@ -97,6 +97,9 @@ final class Population {
 
     /** Whether what has been placed touches or overlaps any object in the world but one. */
     private boolean touchesAny(Level at, int but) {
+        if (at.stacks.cursor() != null) {
+            return collidesAnywhere(at, but);
+        }
         int near = at.cursor.gather(box[0], box[2], box[3], box[5], but);
         for (int k = 0; k < near; k++) {
             int other = at.cursor.gathered(k);

@@ -7,7 +7,7 @@ import robosim.geometry.collision.CollisionDetection;
 import robosim.geometry.model.MeshObject;
 
 /**
- * Whether two meshes of 4,000 triangles touch, at random places of which about half collide; both trees fit the second
+ * Whether two meshes of 4,000 triangles touch, at random places of which four in five collide; both trees fit the second
  * cache. JTS and dyn4j know no meshes; {@link Peers} asks FCL and Parry.
  */
 @State(Scope.Thread)
