@@ -8,7 +8,6 @@ import robosim.geometry.model.Dimension;
  */
 public final class Cast {
     private final Scratch s;
-    private final double[] box = new double[6];
 
     private Dimension dimension = Dimension.SPATIAL;
     private double ox;
@@ -112,18 +111,20 @@ public final class Cast {
             return 0;
         }
         nearest = Double.POSITIVE_INFINITY;
+        s.outer.open(column, leaf);
         if (dimension == Dimension.SPATIAL && !cone) {
-            s.outer.open(column, leaf);
             s.meshRay.start(column, leaf, ox, oy, oz, ux, uy, uz);
             s.meshRay.find(column.mesh(leaf), limit, judge);
             return nearest;
         }
-        if (!start(column, leaf)) {
-            return Double.POSITIVE_INFINITY;
+        if (dimension == Dimension.SPATIAL) {
+            s.meshSight.startCone(column, leaf, ox, oy, oz, ux, uy, uz, halfCos);
+        } else if (cone) {
+            s.meshSight.startSector(column, leaf, ox, oz, ux, uz, halfCos);
+        } else {
+            s.meshSight.startLine(column, leaf, ox, oz, ux, uz);
         }
-        for (int t = s.outer.next(limit); t >= 0; t = s.outer.next(Math.min(limit, nearest))) {
-            judge(t);
-        }
+        s.meshSight.find(column.mesh(leaf), limit, judge);
         return nearest;
     }
 
@@ -167,65 +168,6 @@ public final class Cast {
     /** The triangle that gave the last answer of a mesh; -1 where none did. */
     int triangle() {
         return triangle < 0 ? -1 : s.outer.triangle(triangle);
-    }
-
-    /** Puts the beam to the mesh's tree; false where it misses all of the mesh. */
-    private boolean start(LeafColumn column, int leaf) {
-        column.bounds(leaf, s.meshBox);
-        box[0] = ox;
-        box[1] = dimension == Dimension.PLANAR ? s.meshBox[1] : oy;
-        box[2] = oz;
-        box[3] = ox;
-        box[4] = dimension == Dimension.PLANAR ? s.meshBox[4] : oy;
-        box[5] = oz;
-        if (cone) {
-            s.outer.startNearest(column, leaf, box);
-            return true;
-        }
-        if (!clip()) {
-            return false;
-        }
-        s.outer.startBox(column, leaf, box);
-        return true;
-    }
-
-    /** The part of a planar ray above the mesh's box, as a box; false where it passes by. */
-    private boolean clip() {
-        double[] b = s.meshBox;
-        double enter = 0;
-        double leave = Double.POSITIVE_INFINITY;
-        for (int axis = 0; axis < 3; axis += 2) {
-            double o = axis == 0 ? ox : oz;
-            double u = axis == 0 ? ux : uz;
-            if (u == 0) {
-                if (o < b[axis] || o > b[3 + axis]) {
-                    return false;
-                }
-            } else {
-                double p = (b[axis] - o) / u;
-                double q = (b[3 + axis] - o) / u;
-                enter = Math.max(enter, Math.min(p, q));
-                leave = Math.min(leave, Math.max(p, q));
-            }
-        }
-        // The box is wider than rounding anyway; a ray that just touches it must stay.
-        double slack = 0x1p-46 * (Math.abs(ox) + Math.abs(oz) + Math.abs(enter) + size(b));
-        if (enter > leave + slack) {
-            return false;
-        }
-        for (int axis = 0; axis < 3; axis += 2) {
-            double o = axis == 0 ? ox : oz;
-            double u = axis == 0 ? ux : uz;
-            double p = o + enter * u;
-            double q = o + leave * u;
-            box[axis] = Math.min(p, q) - slack;
-            box[3 + axis] = Math.max(p, q) + slack;
-        }
-        return true;
-    }
-
-    private static double size(double[] b) {
-        return Math.abs(b[0]) + Math.abs(b[2]) + Math.abs(b[3]) + Math.abs(b[5]);
     }
 
     /** The unit normal of the leaf where the line of sight meets it at a distance, into three numbers. */

@@ -19,6 +19,7 @@ public final class Scratch {
     final MeshWalk around = new MeshWalk();
 
     final MeshRay meshRay = new MeshRay();
+    final MeshSight meshSight = new MeshSight();
 
     /** Two meshes in space, descended at once. */
     final MeshPairs meshPairs = new MeshPairs(this);

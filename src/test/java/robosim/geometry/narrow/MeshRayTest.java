@@ -74,7 +74,7 @@ class MeshRayTest {
         }
     }
 
-    private static MeshObject placed(MeshObject mesh, int way, double size, SplittableRandom random) {
+    static MeshObject placed(MeshObject mesh, int way, double size, SplittableRandom random) {
         Point far = new Point(
                 random.nextDouble(-100, 100) * size,
                 random.nextDouble(-100, 100) * size,
@@ -158,7 +158,7 @@ class MeshRayTest {
     }
 
     /** Some aimed at corners, at points of edges, along axes, from a corner, in a triangle's plane; some anywhere. */
-    private static double[] ray(double[][] rows, int way, double size, SplittableRandom random) {
+    static double[] ray(double[][] rows, int way, double size, SplittableRandom random) {
         double[] t = rows[random.nextInt(rows.length)];
         double[] u = rows[random.nextInt(rows.length)];
         int corner = 3 * random.nextInt(3);
