@@ -26,13 +26,14 @@ class MeshRayTest {
         COPLANAR,
         DOUBLED,
         SINGLE,
+        DOTS,
         FAR_FROM_ITS_ORIGIN,
         HUGE_AND_TINY,
         TINY,
         HUGE;
 
         MeshObject mesh(SplittableRandom random) {
-            int faces = this == SINGLE ? 1 : 120;
+            int faces = this == SINGLE ? 1 : this == DOTS ? 3 : 120;
             List<Point> vertices = new ArrayList<>();
             int[][] given = new int[faces][];
             for (int f = 0; f < faces; f++) {
@@ -41,7 +42,7 @@ class MeshRayTest {
                     given[f] = new int[] {last[1], last[2], last[0]};
                     continue;
                 }
-                double size = this == HUGE_AND_TINY ? (f % 10 == 0 ? 20 : 0x1p-12) : 2;
+                double size = this == HUGE_AND_TINY ? (f % 10 == 0 ? 20 : 0x1p-12) : this == DOTS ? 0x1p-44 : 2;
                 double[] at = {coordinate(random, 8), coordinate(random, 8), coordinate(random, 8)};
                 given[f] = new int[] {vertices.size(), vertices.size() + 1, vertices.size() + 2};
                 for (int corner = 0; corner < 3; corner++) {

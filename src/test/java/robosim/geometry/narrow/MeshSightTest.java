@@ -48,7 +48,7 @@ class MeshSightTest {
                 cast.line(dimension, ray[0], ray[1], ray[2], ray[3], ray[4], ray[5]);
                 double half = StrictMath.toRadians(half(k, random));
                 if (isCone) {
-                    if (k % 3 == 0) {
+                    if (random.nextBoolean()) {
                         tilt(ray, half, dimension);
                         cast.line(dimension, ray[0], ray[1], ray[2], ray[3], ray[4], ray[5]);
                     }
