@@ -14,6 +14,9 @@ final class ConeCorners {
     private static final int[] TRIANGLE_EDGES = {0, 1, 1, 2, 2, 0};
     private static final int[][] TRIANGLE_FACES = {TRIANGLE_EDGES};
     private static final int[] BOX_EDGES = {0, 1, 2, 3, 4, 5, 6, 7, 0, 2, 1, 3, 4, 6, 5, 7, 0, 4, 1, 5, 2, 6, 3, 7};
+    /** Of a box without height, whose corners are there twice: its sides once, and its corners. */
+    private static final int[] FLAT_EDGES = {0, 1, 4, 5, 0, 4, 1, 5, 0, 2, 1, 3, 4, 6, 5, 7};
+
     private static final int[][] BOX_FACES = {
         {0, 1, 1, 3, 3, 2, 2, 0},
         {4, 5, 5, 7, 7, 6, 6, 4},
@@ -68,6 +71,11 @@ final class ConeCorners {
         return kind == Leaf.TRIANGLE ? TRIANGLE_EDGES : kind == Leaf.PRISM ? PRISM_EDGES : BOX_EDGES;
     }
 
+    /** The edges of a leaf that was laid flat. */
+    int[] flatEdges() {
+        return kind == Leaf.UPRIGHT_BOX ? FLAT_EDGES : edges();
+    }
+
     int[][] faces() {
         return kind == Leaf.TRIANGLE ? TRIANGLE_FACES : kind == Leaf.PRISM ? PRISM_FACES : BOX_FACES;
     }
@@ -104,19 +112,31 @@ final class ConeCorners {
 
     private void box(Cone cone, double[] row, int j) {
         extent = Math.max(RayMath.largest(row[j], row[j + 1], row[j + 2]), row[j + 3] + row[j + 4] + row[j + 5]);
-        for (int corner = 0; corner < 8; corner++) {
-            for (int axis = 0; axis < 3; axis++) {
-                double apex = axis == 0 ? cone.ox : axis == 1 ? cone.oy : cone.oz;
-                DoubleDouble.sum(row[j + axis], -apex, pair, 0);
-                for (int i = 0; i < 3; i++) {
-                    double half = (corner >> i & 1) == 0 ? -row[j + 3 + i] : row[j + 3 + i];
-                    DoubleDouble.product(half, row[j + Leaf.ROTATION + 3 * axis + i], pair, 2);
-                    DoubleDouble.add(pair[0], pair[1], pair[2], pair[3], pair, 0);
+        // Corner by corner the same sums would be taken many times over.
+        for (int axis = 0; axis < 3; axis++) {
+            double apex = axis == 0 ? cone.ox : axis == 1 ? cone.oy : cone.oz;
+            DoubleDouble.sum(row[j + axis], -apex, pair, 0);
+            hi[axis] = pair[0];
+            lo[axis] = pair[1];
+            for (int i = 0; i < 3; i++) {
+                DoubleDouble.product(row[j + 3 + i], row[j + Leaf.ROTATION + 3 * axis + i], pair, 2);
+                for (int corner = 0; corner < 1 << i; corner++) {
+                    spread(3 * corner + axis, 3 << i);
                 }
-                hi[3 * corner + axis] = pair[0];
-                lo[3 * corner + axis] = pair[1];
             }
         }
+    }
+
+    /** Puts the second pair on a number of a corner: added for the corner so much further on, taken away in place. */
+    private void spread(int at, int further) {
+        double high = hi[at];
+        double low = lo[at];
+        DoubleDouble.add(high, low, pair[2], pair[3], pair, 0);
+        hi[at + further] = pair[0];
+        lo[at + further] = pair[1];
+        DoubleDouble.add(high, low, -pair[2], -pair[3], pair, 0);
+        hi[at] = pair[0];
+        lo[at] = pair[1];
     }
 
     private void prism(Cone cone, double[] row, int j) {

@@ -47,20 +47,30 @@ final class ConePolytope {
     /** The distance, where the axis itself meets the leaf at {@code axis} (+Infinity where it does not). */
     double distance(Cone cone, double axis, int kind, double[] row, int j) {
         corners.set(cone, kind, row, j);
-        extent = Math.max(corners.extent, RayMath.largest(cone.ox, cone.oy, cone.oz));
-        double best = axis;
-        int[] edges = corners.edges();
-        for (int i = 0; i < edges.length; i += 2) {
-            if (corners.isThere(edges[i])) {
-                best = Math.min(best, edge(cone, edges[i], edges[i + 1], kind, row, j));
-            }
-        }
+        double best = edges(cone, corners.edges(), axis, kind, row, j);
         if (best == Double.POSITIVE_INFINITY) {
             return best;
         }
         for (int[] face : corners.faces()) {
             if (corners.isFaceThere(face)) {
                 best = Math.min(best, face(cone, face));
+            }
+        }
+        return best;
+    }
+
+    /** The same for a leaf that lies flat in a plane through the apex and the axis: seen edge on, no face counts. */
+    double flat(Cone cone, double axis, int kind, double[] row, int j) {
+        corners.set(cone, kind, row, j);
+        return edges(cone, corners.flatEdges(), axis, kind, row, j);
+    }
+
+    private double edges(Cone cone, int[] edges, double axis, int kind, double[] row, int j) {
+        extent = Math.max(corners.extent, RayMath.largest(cone.ox, cone.oy, cone.oz));
+        double best = axis;
+        for (int i = 0; i < edges.length; i += 2) {
+            if (corners.isThere(edges[i])) {
+                best = Math.min(best, edge(cone, edges[i], edges[i + 1], kind, row, j));
             }
         }
         return best;

@@ -106,7 +106,7 @@ public final class PlanarCone {
         }
         flatten(kind, b, j, s.flat);
         s.cone.set(ox, 0, oz, ux, 0, uz, halfCos);
-        return s.conePolytope.distance(s.cone, axis, kind, s.flat, 0);
+        return s.conePolytope.flat(s.cone, axis, kind, s.flat, 0);
     }
 
     /** The projection as a leaf of no height in the plane y = 0. */
