@@ -25,8 +25,7 @@ public final class Radians {
     private static final double C14 = -0x1.8fae9be8838d4p-37;
 
     // pi / 2 in pieces of 33 bits, whose products with a number of quarters below 2^20 are exact, and the double
-    // nearest
-    // to what each leaves.
+    // nearest to what each leaves.
     private static final double QUARTER_1 = 0x1.921fb544p0;
     private static final double REST_1 = 0x1.0b4611a626331p-34;
     private static final double QUARTER_2 = 0x1.0b4611a6p-34;
@@ -72,8 +71,7 @@ public final class Radians {
         double less = quarters * REST_1;
         double x = left - less;
         // Where the two cancelled, the next piece tells more. Not by value alone: below 32 quarters StrictMath looks
-        // for
-        // it only where the upper halves of the words agree.
+        // for it only where the upper halves of the words agree.
         boolean isNear = quarters >= 32 || cut(size) == cut(quarters * (Math.PI / 2));
         if (isNear && Math.getExponent(size) - Math.getExponent(x) > 16) {
             double before = left;

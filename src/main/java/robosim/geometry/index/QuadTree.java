@@ -18,14 +18,6 @@ public final class QuadTree {
     /** Greatest id: four numbers for each must fit one array. */
     public static final int MAX_ID = (1 << 28) - 2;
 
-    private static final int MOST_LAYERS = 8;
-
-    /** A layer of so few objects is one tile. */
-    private static final int FEW = 6;
-
-    /** Fewer than two to the power of this tiles are not worth their while. */
-    private static final int LEAST_BITS = 3;
-
     private final Cells cells;
 
     // By id: the box; the first number is NaN where there is none.
@@ -35,21 +27,7 @@ public final class QuadTree {
     /** No coordinate of a box was ever of a greater magnitude. */
     private double most;
 
-    /** Finer tiles first; the last layer takes everything. */
-    private final Tiles[] layers = new Tiles[MOST_LAYERS];
-
-    private int layerCount;
-
-    /** How many objects there were when the tiles were laid out. */
-    private int laid;
-
-    /** How many objects the last layer may come to hold before all is laid out anew. */
-    private int mostBeside;
-
-    /** Whether the tiles were laid out in the midst of growing, with room for more. */
-    private boolean growing;
-
-    private boolean isStale = true;
+    private final TileLayers tiles = new TileLayers();
     private final double[] before = new double[4];
     private RegionTree regions;
     private boolean hasRegions;
@@ -91,7 +69,7 @@ public final class QuadTree {
         ensureId(id);
         write(id, minX, minZ, maxX, maxZ);
         size++;
-        list(id);
+        tiles.add(id, boxes, size);
         if (hasRegions) {
             regions.add(id, boxes);
         }
@@ -120,31 +98,12 @@ public final class QuadTree {
         }
     }
 
-    private void list(int id) {
-        if (!isStale) {
-            layerOf(id).add(id, boxes, 4 * id);
-            isStale = size > 4 * laid + FEW || layers[layerCount - 1].objects() > mostBeside;
-        }
-    }
-
-    /** The finest layer that a box fits. */
-    private Tiles layerOf(int id) {
-        for (int k = 0; k < layerCount - 1; k++) {
-            if (layers[k].fits(boxes, 4 * id)) {
-                return layers[k];
-            }
-        }
-        return layers[layerCount - 1];
-    }
-
     /** Takes an object out; false where it is not in the tree. */
     public boolean remove(int id) {
         if (!contains(id)) {
             return false;
         }
-        if (!isStale) {
-            layerOf(id).remove(id, boxes, 4 * id);
-        }
+        tiles.remove(id, boxes);
         if (hasRegions) {
             regions.remove(id, boxes);
         }
@@ -168,14 +127,8 @@ public final class QuadTree {
         for (int k = 0; k < 4; k++) {
             before[k] = boxes[4 * id + k];
         }
-        Tiles old = isStale ? null : layerOf(id);
         write(id, minX, minZ, maxX, maxZ);
-        if (old != null && old == layerOf(id)) {
-            old.move(id, before, 0, boxes, 4 * id);
-        } else if (old != null) {
-            old.remove(id, before, 0);
-            list(id);
-        }
+        tiles.move(id, before, boxes, size);
         if (hasRegions) {
             regions.add(id, boxes);
         }
@@ -183,71 +136,9 @@ public final class QuadTree {
 
     /** Lays the tiles out where they are stale. */
     private void settle() {
-        if (!isStale) {
-            return;
+        if (tiles.isStale()) {
+            tiles.layOut(boxes, size);
         }
-        growing = laid > 0 && size > laid;
-        laid = size;
-        int[] left = new int[size];
-        int count = 0;
-        for (int id = 0; count < size; id++) {
-            if (contains(id)) {
-                left[count++] = id;
-            }
-        }
-        layerCount = 0;
-        int coarser = 0;
-        while (layerCount < MOST_LAYERS - 1 && count > FEW && bits(count) - coarser > LEAST_BITS) {
-            int rest = lay(left, count, coarser);
-            coarser += 2 * rest > count ? 2 : 0;
-            count = rest;
-        }
-        Tiles rest = new Tiles(0, 0, 0, 0, 0, new Tiles.Entries(count));
-        for (int k = 0; k < count; k++) {
-            rest.add(left[k], boxes, 4 * left[k]);
-        }
-        layers[layerCount++] = rest;
-        mostBeside = 2 * (count + FEW) + laid / 16;
-        isStale = false;
-    }
-
-    /** Makes a layer of those objects that fit its tiles; the others are moved to the front and counted. */
-    private int lay(int[] ids, int count, int coarser) {
-        double minX = Double.POSITIVE_INFINITY;
-        double minZ = Double.POSITIVE_INFINITY;
-        double maxX = Double.NEGATIVE_INFINITY;
-        double maxZ = Double.NEGATIVE_INFINITY;
-        for (int k = 0; k < count; k++) {
-            int at = 4 * ids[k];
-            minX = boxes[at] < minX ? boxes[at] : minX;
-            minZ = boxes[at + 1] < minZ ? boxes[at + 1] : minZ;
-            maxX = boxes[at + 2] > maxX ? boxes[at + 2] : maxX;
-            maxZ = boxes[at + 3] > maxZ ? boxes[at + 3] : maxZ;
-        }
-        double roomX = growing ? (maxX - minX) / 8 : 0;
-        double roomZ = growing ? (maxZ - minZ) / 8 : 0;
-        int bits = bits(growing ? 3L * count : 2L * count) - coarser;
-        Tiles tiles =
-                new Tiles(minX - roomX, minZ - roomZ, maxX + roomX, maxZ + roomZ, bits, new Tiles.Entries(3 * count));
-        int left = 0;
-        for (int k = 0; k < count; k++) {
-            if (tiles.fits(boxes, 4 * ids[k])) {
-                tiles.add(ids[k], boxes, 4 * ids[k]);
-            } else {
-                ids[left++] = ids[k];
-            }
-        }
-        if (left < count) {
-            tiles.divideCrowded(boxes);
-            tiles.arrange();
-            layers[layerCount++] = tiles;
-        }
-        return left;
-    }
-
-    /** For about one tile an object. */
-    private static int bits(long objects) {
-        return 64 - Long.numberOfLeadingZeros(objects + objects / 2) - 1;
     }
 
     private void growRegions() {
@@ -283,6 +174,7 @@ public final class QuadTree {
         private static final int FEW_TILES = 9;
 
         private final QuadTree tree;
+        private final TileLayers layers;
         private final NearestFirst ordered = new NearestFirst();
         private final TileWalk walk;
         private final TileScan scan;
@@ -301,7 +193,8 @@ public final class QuadTree {
 
         private Cursor(QuadTree tree) {
             this.tree = tree;
-            Tiles none = new Tiles(0, 0, 0, 0, 0, new Tiles.Entries(0));
+            layers = tree.tiles;
+            Tiles none = Tiles.single(0);
             walk = new TileWalk(none, line);
             scan = new TileScan(none);
             probe = new TileProbe(none);
@@ -381,9 +274,9 @@ public final class QuadTree {
         public int gather(double minX, double minZ, double maxX, double maxZ, int but) {
             tree.settle();
             gathering.start(minX, minZ, maxX, maxZ, but);
-            for (int k = 0; k < tree.layerCount; k++) {
-                if (!tree.layers[k].isEmpty()) {
-                    gathering.gather(tree.layers[k]);
+            for (int k = 0; k < layers.count(); k++) {
+                if (!layers.get(k).isEmpty()) {
+                    gathering.gather(layers.get(k));
                 }
             }
             return gathering.count();
@@ -400,8 +293,8 @@ public final class QuadTree {
         }
 
         private @Nullable Tiles nextLayer() {
-            while (layer < tree.layerCount) {
-                Tiles tiles = tree.layers[layer++];
+            while (layer < layers.count()) {
+                Tiles tiles = layers.get(layer++);
                 if (!tiles.isEmpty()) {
                     return tiles;
                 }
@@ -429,9 +322,9 @@ public final class QuadTree {
             walk.stop();
             layer = 0;
             isOrdered = false;
-            for (int k = 0; k < tree.layerCount; k++) {
+            for (int k = 0; k < layers.count(); k++) {
                 // Far from one of them: all in order then.
-                isOrdered |= !TileWalk.isNear(tree.layers[k], ox, oz, dx, dz);
+                isOrdered |= !TileWalk.isNear(layers.get(k), ox, oz, dx, dz);
             }
             if (isOrdered) {
                 tree.growRegions();

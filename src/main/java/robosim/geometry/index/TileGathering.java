@@ -105,13 +105,13 @@ final class TileGathering {
         }
     }
 
-    private void readOne(Tiles.Entries store, int head) {
+    private void readOne(TileEntries store, int head) {
         heads[0] = head;
         read(store, 1);
     }
 
     /** Adds what counts of so many lists that are not empty. */
-    private void read(Tiles.Entries store, int lists) {
+    private void read(TileEntries store, int lists) {
         int[] entries = store.data;
         float[] bounds = store.bounds;
         double lowX = minX;

@@ -43,114 +43,7 @@ final class Tiles {
     /** The first entry of what is too large for the tiles within the outer tile that these divide. */
     int rest = NONE;
 
-    final Entries store;
-
-    /** The lists of all tiles, also of those within others. */
-    static final class Entries {
-        /** By entry, two numbers: the object's id and the next entry of the same list. */
-        int[] data;
-
-        /** By entry, four numbers: the object's box, rounded outward. A query reads them one after the other. */
-        float[] bounds;
-
-        private int used;
-        private int free = NONE;
-
-        Entries(int capacity) {
-            data = new int[2 * Math.max(8, capacity)];
-            bounds = new float[2 * data.length];
-        }
-
-        /** A list with one more object in front; answers its first entry. */
-        private int push(int head, int id, double[] boxes, int at) {
-            int entry = free;
-            if (entry == NONE) {
-                entry = append();
-            } else {
-                free = data[2 * entry + 1];
-            }
-            data[2 * entry] = id;
-            data[2 * entry + 1] = head;
-            write(entry, boxes, at);
-            return entry;
-        }
-
-        private void write(int entry, double[] boxes, int at) {
-            bounds[4 * entry] = down(boxes[at]);
-            bounds[4 * entry + 1] = down(boxes[at + 1]);
-            bounds[4 * entry + 2] = up(boxes[at + 2]);
-            bounds[4 * entry + 3] = up(boxes[at + 3]);
-        }
-
-        /** The entry of an object that is in a list. */
-        private int find(int head, int id) {
-            int entry = head;
-            while (data[2 * entry] != id) {
-                entry = data[2 * entry + 1];
-            }
-            return entry;
-        }
-
-        private int append() {
-            if (2 * used == data.length) {
-                data = Arrays.copyOf(data, 2 * (used + (used >> 1) + 4));
-                bounds = Arrays.copyOf(bounds, 2 * data.length);
-            }
-            return used++;
-        }
-
-        // A float is within 2^-24 of a double, or within 2^-150: this is below it by more, and by at most 2^-22 of it.
-        private static float down(double number) {
-            float below = (float) (number - (Math.abs(number) * 0x1p-23 + Float.MIN_VALUE));
-            return below == Float.POSITIVE_INFINITY ? Float.MAX_VALUE : below;
-        }
-
-        private static float up(double number) {
-            return -down(-number);
-        }
-
-        /** A list without an object that is in it; answers its first entry. */
-        private int strike(int head, int id) {
-            int before = NONE;
-            int entry = head;
-            while (data[2 * entry] != id) {
-                before = entry;
-                entry = data[2 * entry + 1];
-            }
-            int after = data[2 * entry + 1];
-            data[2 * entry + 1] = free;
-            free = entry;
-            if (before == NONE) {
-                return after;
-            }
-            data[2 * before + 1] = after;
-            return head;
-        }
-
-        private int length(int head) {
-            int length = 0;
-            for (int entry = head; entry != NONE; entry = data[2 * entry + 1]) {
-                length++;
-            }
-            return length;
-        }
-
-        /** Copies a list to the end of another store; answers its first entry there. */
-        private int copy(int head, Entries to) {
-            int first = to.used;
-            for (int entry = head; entry != NONE; entry = data[2 * entry + 1]) {
-                int copy = to.append();
-                to.data[2 * copy] = data[2 * entry];
-                to.data[2 * copy + 1] = copy + 1;
-                System.arraycopy(bounds, 4 * entry, to.bounds, 4 * copy, 4);
-            }
-            if (to.used == first) {
-                return NONE;
-            }
-            to.data[2 * to.used - 1] = NONE;
-            return first;
-        }
-    }
+    final TileEntries store;
 
     final double originX;
     final double originZ;
@@ -177,7 +70,7 @@ final class Tiles {
     private int objects;
 
     /** Some {@code 2^bits} tiles over a window, or a single one, without limits, where it cannot be divided. */
-    Tiles(double minX, double minZ, double maxX, double maxZ, int bits, Entries store) {
+    Tiles(double minX, double minZ, double maxX, double maxZ, int bits, TileEntries store) {
         this.store = store;
         double width = maxX - minX;
         double length = maxZ - minZ;
@@ -199,6 +92,11 @@ final class Tiles {
         maskZ = spreadZ(countZ - 1);
         heads = new int[1 << most];
         Arrays.fill(heads, NONE);
+    }
+
+    /** One tile, which everything fits, with room for so many objects. */
+    static Tiles single(int capacity) {
+        return new Tiles(0, 0, 0, 0, 0, new TileEntries(capacity));
     }
 
     private static boolean isOrdinary(double size) {
@@ -406,7 +304,7 @@ final class Tiles {
         double x = originX + gather(tile, maskX) / scaleX;
         double z = originZ + gather(tile, maskZ) / scaleZ;
         Tiles parts = new Tiles(x, z, x + 1 / scaleX, z + 1 / scaleZ, bits, store);
-        if (parts.isSingle() || parts.holdsFew(store, heads[tile], length, boxes)) {
+        if (parts.isSingle() || parts.holdsFew(heads[tile], length, boxes)) {
             return;
         }
         for (int entry = heads[tile]; entry != NONE; entry = heads[tile]) {
@@ -425,10 +323,10 @@ final class Tiles {
     }
 
     /** Whether most of a list would be too large for these tiles. */
-    private boolean holdsFew(Entries of, int head, int length, double[] boxes) {
+    private boolean holdsFew(int head, int length, double[] boxes) {
         int small = 0;
-        for (int entry = head; entry != NONE; entry = of.data[2 * entry + 1]) {
-            small += isSmall(boxes, 4 * of.data[2 * entry]) ? 1 : 0;
+        for (int entry = head; entry != NONE; entry = store.data[2 * entry + 1]) {
+            small += isSmall(boxes, 4 * store.data[2 * entry]) ? 1 : 0;
         }
         return 2 * small < length;
     }
@@ -446,15 +344,12 @@ final class Tiles {
 
     /** Puts the entries of each tile beside each other, tile after tile, each tile's in its own order. */
     void arrange() {
-        Entries arranged = new Entries(store.used);
+        TileEntries arranged = new TileEntries(store.used());
         arrange(arranged);
-        store.data = arranged.data;
-        store.bounds = arranged.bounds;
-        store.used = arranged.used;
-        store.free = NONE;
+        store.take(arranged);
     }
 
-    private void arrange(Entries to) {
+    private void arrange(TileEntries to) {
         rest = store.copy(rest, to);
         for (int tile = 0; tile < heads.length; tile++) {
             if (heads[tile] < NONE) {

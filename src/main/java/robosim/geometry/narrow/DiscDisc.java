@@ -8,16 +8,14 @@ import robosim.geometry.exact.Stages;
 /** Two discs on the plane. */
 final class DiscDisc {
     // Differences and the sum of the radii are rounded once, which counts twice in their squares, these once, the sum
-    // of
-    // squares once more: either side is off by 4 roundings of 2^-53, and the comparison adds one.
+    // of squares once more: either side is off by 4 roundings of 2^-53, and the comparison adds one.
     private static final double FILTER = Filter.bound(5.01 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
 
     // With u = 2^-53 and M for the sum of the three squares: the tails that the gap of squares adds are at most 5u M
     // (of the sum u, of the difference u, of the squares u, of the coordinates 2u), so that five additions lose 25u^2
-    // M;
-    // what is made of the coordinates' tails is off by 6u^2 M, and their squares left out are u^2 M. The last addition
-    // keeps the sign.
+    // M; what is made of the coordinates' tails is off by 6u^2 M, and their squares left out are u^2 M. The last
+    // addition keeps the sign.
     private static final double FINE = Filter.bound(33 * 0x1p-106);
 
     private static final Stages.Counter FINER = Stages.counter("DiscDisc fine");

@@ -6,9 +6,9 @@ import robosim.geometry.exact.Stages;
 
 /** A disc and the rectangle that an upright box throws on the plane. */
 final class DiscRectangle {
-    // With u = 2^-53: a coordinate in the rectangle's frame is off by 3u of |dx| + |dz|, the half size times the
-    // squared
-    // length by 3u, their difference and its with this bound by 1u each; a direction is no longer than 1 + 1e-9.
+    // With u = 2^-53: a coordinate in the rectangle's frame is off by 3u of |dx| + |dz|, the half size times
+    // the squared length by 3u, their difference and its with this bound by 1u each; a direction is no longer
+    // than 1 + 1e-9.
     private static final double OFFSET = Filter.bound(5.01 * 0x1p-53);
 
     // The radius's square times the squared length is off by 4u, the sum of the two others by 2u; what is added 1u.

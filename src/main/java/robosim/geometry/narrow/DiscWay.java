@@ -18,10 +18,8 @@ public final class DiscWay {
 
     // With u = 2^-53: the offset q is off by u of itself, and the place p on the way d by u of itself, so q - p by
     // u(|q| + |d| + |q - p|), and its square by that doubled times |q - p| and 2u of itself: 7u q.q + u d.d, as q - p
-    // is
-    // not longer than q. That p is not quite the foot counts squared. The stored end is off the way by u|d|, which
-    // makes
-    // u q.q + u d.d more; the square of the radii is off by 3u of itself, and the comparison adds 2u.
+    // is not longer than q. That p is not quite the foot counts squared. The stored end is off the way by u|d|, which
+    // makes u q.q + u d.d more; the square of the radii is off by 3u of itself, and the comparison adds 2u.
     private static final double FILTER = Filter.bound(12 * 0x1p-53);
 
     // Each product of q and d is off by 2u of itself, their sum by u.

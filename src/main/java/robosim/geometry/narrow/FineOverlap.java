@@ -13,9 +13,8 @@ import robosim.geometry.exact.Filter;
  */
 final class FineOverlap {
     // The offset's cross product: two products 3u^2, the sum 4u^2. A half size times a cross product: the cross
-    // product's
-    // sum 4u^2, the product 3u^2. Up to six of these are added, with 4u^2 of all each: 31u^2. A direction is no longer
-    // than 1 + 1e-9, so that all is less than the direction's length times the offset and the half sizes.
+    // product's sum 4u^2, the product 3u^2. Up to six of these are added, with 4u^2 of all each: 31u^2. A direction is
+    // no longer than 1 + 1e-9, so that all is less than the direction's length times the offset and the half sizes.
     private static final double ALONG = Filter.bound(32 * 0x1p-106);
 
     // How far the centre is beyond a side: the cross product 7u^2 of the offset; the half size times the squared length

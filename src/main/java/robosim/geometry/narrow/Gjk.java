@@ -290,8 +290,7 @@ final class Gjk {
         double margins = first.margin + second.margin;
         double near = upper;
         // A tetrahedron that seems to hold the origin may be too thin to tell; the point that its weights give is one
-        // of
-        // the leaves' in any case.
+        // of the leaves' in any case.
         double sure = simplex.depth() > 0 ? simplex.residual() : near;
         deep = sure + error < margins || simplex.depth() > DEEP * cube(first.extent + second.extent);
         coreReach = lower * unscale;

@@ -280,10 +280,9 @@ final class MeshPairs {
         take(meshB.leafCorners(), 9 * firstB, 9 * countB, corners[k], corners[k + 1], corners[k + 2]);
         // No two corners of the two leaves, whose boxes meet, are farther apart than both boxes are long.
         double d = 4 * reach + pad;
-        // A volume is a normal's dot product with an offset. Each coordinate is off by a quarter of a pad, a side and
-        // an
-        // offset by twice that; so the normal by 2 pads d, the volume by 3 pads d^2, and by less than 30u d^3 of
-        // rounding.
+        // A volume is a normal's dot product with an offset. Each coordinate is off by a quarter of a pad, a
+        // side and an offset by twice that; so the normal by 2 pads d, the volume by 3 pads d^2, and by less
+        // than 30u d^3 of rounding.
         doubt = Filter.bound((16 * pad + 0x1p-46 * d) * d * d + MeshWalk.UNDERFLOW);
         for (int p = firstA; p < firstA + countA; p++) {
             for (int c = 0; c < 9; c += 3) {

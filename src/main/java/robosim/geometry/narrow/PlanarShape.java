@@ -23,8 +23,7 @@ final class PlanarShape {
     private static final double ROUNDING = 9 * 0x1p-53;
 
     // A box's corner: of the half axes' magnitudes their products 1u, the sum of three 2u, twice what is taken from it
-    // 2u;
-    // the centre 1u; the corner 1u of all; and a little, as the sum of the magnitudes is itself rounded.
+    // 2u; the centre 1u; the corner 1u of all; and a little, as the sum of the magnitudes is itself rounded.
     private static final double BOX_ROUNDING = 6.01 * 0x1p-53;
 
     // A triangle's corner is one difference: off by 1u of itself.
@@ -279,8 +278,7 @@ final class PlanarShape {
     }
 
     // Keeps the spans in the order of their directions, and those of one direction as one. Compared exactly: a long
-    // span
-    // that is taken for parallel to one that is all but nothing would come out of order among the others.
+    // span that is taken for parallel to one that is all but nothing would come out of order among the others.
     private int insert(int spans, double gx, double gz) {
         int to = 0;
         while (to < spans && turn(to, gx, gz) > 0) {

@@ -6,9 +6,9 @@ import robosim.geometry.exact.Stages;
 
 /** A ray and a convex polygon on the plane: what a box, a triangle or an octagon throws. */
 final class RayPolygon {
-    // Corners are seen from the start, and off by the shape's error; a product with the direction and the sum of two
-    // add
-    // 2u of the size. A side is the difference of two corners, off by twice the error; it, a product and a sum add 3u.
+    // Corners are seen from the start, and off by the shape's error; a product with the direction and the sum of
+    // two add 2u of the size. A side is the difference of two corners, off by twice the error; it, a product and
+    // a sum add 3u.
     private static final double ROUNDING = 1.01;
     private static final double FILTER = Filter.bound(ROUNDING);
     private static final double PRODUCT = 2 * 0x1p-53;

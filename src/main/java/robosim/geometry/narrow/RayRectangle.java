@@ -7,9 +7,8 @@ import robosim.geometry.exact.Stages;
 /** A ray and the rectangle that an upright box throws on the plane. */
 final class RayRectangle {
     // With u = 2^-53: a coordinate of the start in the rectangle's frame is off by 3u of |dx| + |dz|, of the direction
-    // by
-    // 2u; the half size times the squared length by 3u, times such a direction and added to another by 4u; differences
-    // keep their sign. Directions of the rectangle are no longer than 1 + 1e-9.
+    // by 2u; the half size times the squared length by 3u, times such a direction and added to another by 4u;
+    // differences keep their sign. Directions of the rectangle are no longer than 1 + 1e-9.
     private static final double FILTER = Filter.bound(4.01 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
 

@@ -7,11 +7,10 @@ import robosim.geometry.exact.Stages;
 /** The rectangles that two upright boxes throw on the plane. */
 final class RectangleRectangle {
     // With u = 2^-53 and n a stored direction, no longer than 1 + 1e-9 (Cauchy's inequality bounds the sums of
-    // products):
-    // the offset along n is rounded three times, so off by 3u (|dx| + |dz|); a cross product twice, so off by 2u, its
-    // product with a half size once, and the sum of three of these twice: 5u of the half sizes. The last difference
-    // does
-    // not change its sign. The 2^-26 cover squares of u, the directions' lengths and the bound's own rounding.
+    // products): the offset along n is rounded three times, so off by 3u (|dx| + |dz|); a cross product twice,
+    // so off by 2u, its product with a half size once, and the sum of three of these twice: 5u of the half
+    // sizes. The last difference does not change its sign. The 2^-26 cover squares of u, the directions' lengths
+    // and the bound's own rounding.
     private static final double SLACK = 1 + 0x1p-26;
     private static final double OFFSET = Filter.bound(SLACK * 3 * 0x1p-53);
     private static final double HALVES = Filter.bound(SLACK * 5 * 0x1p-53);

@@ -6,8 +6,7 @@ import robosim.geometry.exact.Stages;
 /** What two boxes at any attitude throw on the plane: each the sum of the segments that its own axes throw. */
 final class ZonogonZonogon {
     // As for two rectangles, times the length of the axis, as an own axis may be almost upright: 3u of the offset; a
-    // cross
-    // product 2u, its product with a half size 1u, the sums within and of the two 3u, so 6u of the half sizes.
+    // cross product 2u, its product with a half size 1u, the sums within and of the two 3u, so 6u of the half sizes.
     private static final double SLACK = 1 + 0x1p-26;
     private static final double OFFSET = Filter.bound(SLACK * 3 * 0x1p-53);
     private static final double HALVES = Filter.bound(SLACK * 6 * 0x1p-53);

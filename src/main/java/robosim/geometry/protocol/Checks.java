@@ -46,7 +46,10 @@ final class Checks {
     static <T> List<T> copy(String argument, List<T> items) {
         int k = 0;
         for (T item : present(argument, items)) {
-            present(argument + "[" + k++ + "]", item);
+            if (item == null) {
+                throw new IllegalArgumentException(argument + "[" + k + "] must be given (got: null)");
+            }
+            k++;
         }
         return List.copyOf(items);
     }

@@ -310,9 +310,9 @@ class HardMovesTest {
         }
         long bytes = threads.getCurrentThreadAllocatedBytes() - before;
         assertThat(sum).isPositive();
-        // A few in ten thousand graze so closely that they are decided exactly. From JDK 21 on StrictMath itself, which
-        // is
-        // written in Java there, makes an array of two doubles a call; a turn asks for a dozen sines and angles.
+        // A few in ten thousand graze so closely that they are decided exactly. From JDK 21 on StrictMath
+        // itself, which is written in Java there, makes an array of two doubles a call; a turn asks for a
+        // dozen sines and angles.
         assertThat(bytes / 150_000.0).isLessThan(Runtime.version().feature() < 21 ? 4 : 512);
     }
 }

@@ -1,0 +1,157 @@
+package robosim.geometry.index;
+
+/**
+ * The {@link Tiles} of a {@link QuadTree}: finer ones for the many, coarser ones for what is too large for them, and one
+ * that takes everything else. Stale at first, and again when the number of objects has outgrown them.
+ *
+ * <p>An object is given by its id and its box, four numbers from four times the id on.
+ */
+final class TileLayers {
+    private static final int MOST_LAYERS = 8;
+
+    /** A layer of so few objects is one tile. */
+    private static final int FEW = 6;
+
+    /** Fewer than two to the power of this tiles are not worth their while. */
+    private static final int LEAST_BITS = 3;
+
+    /** Finer tiles first; the last layer takes everything. */
+    private final Tiles[] layers = new Tiles[MOST_LAYERS];
+
+    private int count;
+
+    /** How many objects there were when the tiles were laid out. */
+    private int laid;
+
+    /** How many objects the last layer may come to hold before all is laid out anew. */
+    private int mostBeside;
+
+    /** Whether the tiles were laid out in the midst of growing, with room for more. */
+    private boolean isGrowing;
+
+    private boolean isStale = true;
+
+    /** Whether the tiles must be laid out before they are asked. */
+    boolean isStale() {
+        return isStale;
+    }
+
+    int count() {
+        return count;
+    }
+
+    /** The k-th layer, the finest first. */
+    Tiles get(int k) {
+        return layers[k];
+    }
+
+    /** Lists an object, the last of so many, unless the tiles are stale. */
+    void add(int id, double[] boxes, int size) {
+        if (!isStale) {
+            layerOf(boxes, 4 * id).add(id, boxes, 4 * id);
+            isStale = size > 4 * laid + FEW || layers[count - 1].objects() > mostBeside;
+        }
+    }
+
+    /** Strikes an object, unless the tiles are stale. */
+    void remove(int id, double[] boxes) {
+        if (!isStale) {
+            layerOf(boxes, 4 * id).remove(id, boxes, 4 * id);
+        }
+    }
+
+    /** Lists an object, one of so many, by its box in place of the one before, unless the tiles are stale. */
+    void move(int id, double[] before, double[] boxes, int size) {
+        if (isStale) {
+            return;
+        }
+        Tiles old = layerOf(before, 0);
+        if (old == layerOf(boxes, 4 * id)) {
+            old.move(id, before, 0, boxes, 4 * id);
+        } else {
+            old.remove(id, before, 0);
+            add(id, boxes, size);
+        }
+    }
+
+    /** The finest layer that a box fits. */
+    private Tiles layerOf(double[] boxes, int at) {
+        for (int k = 0; k < count - 1; k++) {
+            if (layers[k].fits(boxes, at)) {
+                return layers[k];
+            }
+        }
+        return layers[count - 1];
+    }
+
+    /** Lays all objects out anew, so many; where there is none, the first number of the box is NaN. */
+    void layOut(double[] boxes, int size) {
+        isGrowing = laid > 0 && size > laid;
+        laid = size;
+        int[] left = new int[size];
+        int remaining = 0;
+        for (int id = 0; remaining < size; id++) {
+            if (!Double.isNaN(boxes[4 * id])) {
+                left[remaining++] = id;
+            }
+        }
+        count = 0;
+        int coarser = 0;
+        while (count < MOST_LAYERS - 1 && remaining > FEW && bits(remaining) - coarser > LEAST_BITS) {
+            int rest = lay(left, remaining, boxes, coarser);
+            coarser += 2 * rest > remaining ? 2 : 0;
+            remaining = rest;
+        }
+        Tiles rest = Tiles.single(remaining);
+        for (int k = 0; k < remaining; k++) {
+            rest.add(left[k], boxes, 4 * left[k]);
+        }
+        layers[count++] = rest;
+        mostBeside = 2 * (remaining + FEW) + laid / 16;
+        isStale = false;
+    }
+
+    /** Makes a layer of those of the objects that fit its tiles; the others are moved to the front and counted. */
+    private int lay(int[] ids, int objects, double[] boxes, int coarser) {
+        Tiles tiles = tilesFor(ids, objects, boxes, coarser);
+        int left = 0;
+        for (int k = 0; k < objects; k++) {
+            if (tiles.fits(boxes, 4 * ids[k])) {
+                tiles.add(ids[k], boxes, 4 * ids[k]);
+            } else {
+                ids[left++] = ids[k];
+            }
+        }
+        if (left < objects) {
+            tiles.divideCrowded(boxes);
+            tiles.arrange();
+            layers[count++] = tiles;
+        }
+        return left;
+    }
+
+    /** Empty tiles over the objects, and over an eighth more on all sides where their number grows. */
+    private Tiles tilesFor(int[] ids, int objects, double[] boxes, int coarser) {
+        double minX = Double.POSITIVE_INFINITY;
+        double minZ = Double.POSITIVE_INFINITY;
+        double maxX = Double.NEGATIVE_INFINITY;
+        double maxZ = Double.NEGATIVE_INFINITY;
+        for (int k = 0; k < objects; k++) {
+            int at = 4 * ids[k];
+            minX = boxes[at] < minX ? boxes[at] : minX;
+            minZ = boxes[at + 1] < minZ ? boxes[at + 1] : minZ;
+            maxX = boxes[at + 2] > maxX ? boxes[at + 2] : maxX;
+            maxZ = boxes[at + 3] > maxZ ? boxes[at + 3] : maxZ;
+        }
+        double roomX = isGrowing ? (maxX - minX) / 8 : 0;
+        double roomZ = isGrowing ? (maxZ - minZ) / 8 : 0;
+        int bits = bits(isGrowing ? 3L * objects : 2L * objects) - coarser;
+        TileEntries entries = new TileEntries(3 * objects);
+        return new Tiles(minX - roomX, minZ - roomZ, maxX + roomX, maxZ + roomZ, bits, entries);
+    }
+
+    /** For about one tile an object. */
+    private static int bits(long objects) {
+        return 64 - Long.numberOfLeadingZeros(objects + objects / 2) - 1;
+    }
+}
