@@ -46,7 +46,8 @@ class MeshPairsTest {
             hits += truth ? 1 : 0;
             pairs++;
         }
-        assertThat(hits).isBetween(pairs / 10, pairs * 9 / 10);
+        // Dots meet by a corner at best.
+        assertThat(hits).isBetween(family == MeshRayTest.Family.DOTS ? pairs / 20 : pairs / 10, pairs * 9 / 10);
     }
 
     private boolean meet(double[] p, double[] q) {
