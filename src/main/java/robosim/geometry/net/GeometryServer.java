@@ -7,6 +7,7 @@ import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 
@@ -23,6 +24,10 @@ public final class GeometryServer implements AutoCloseable {
     private final ServerSocket listening;
     private final NetOptions options;
     private final Map<Connection, Thread> connections = new ConcurrentHashMap<>();
+
+    /** Threads whose connection is no more, in their last steps. */
+    private final Set<Thread> ending = ConcurrentHashMap.newKeySet();
+
     private final Thread acceptor;
     private volatile boolean closed;
 
@@ -111,10 +116,12 @@ public final class GeometryServer implements AutoCloseable {
                     try {
                         connection.run();
                     } finally {
+                        ending.add(Thread.currentThread());
                         connections.remove(connection);
                     }
                 },
                 "geometry-session-" + port() + "-" + socket.getPort());
+        ending.removeIf(each -> !each.isAlive());
         connections.put(connection, thread);
         try {
             thread.start();
@@ -160,6 +167,9 @@ public final class GeometryServer implements AutoCloseable {
     private void joinAll() throws InterruptedException {
         long deadline = System.nanoTime() + GRACE_NANOS;
         for (Thread thread : connections.values()) {
+            join(thread, deadline);
+        }
+        for (Thread thread : ending) {
             join(thread, deadline);
         }
     }
