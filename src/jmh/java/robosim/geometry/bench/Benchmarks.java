@@ -1,12 +1,7 @@
 package robosim.geometry.bench;
 
-import java.io.File;
-import java.net.URISyntaxException;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import joptsimple.OptionParser;
 import org.apache.commons.math3.stat.StatUtils;
 import org.dyn4j.world.World;
@@ -74,28 +69,14 @@ public final class Benchmarks {
     }
 
     private static String classPath() {
-        return Stream.of(
-                        Benchmarks.class,
-                        Geometry.class,
-                        Runner.class,
-                        OptionParser.class,
-                        StatUtils.class,
-                        STRtree.class,
-                        World.class,
-                        Nullable.class)
-                .map(Benchmarks::place)
-                .collect(Collectors.joining(File.pathSeparator));
-    }
-
-    private static String place(Class<?> type) {
-        try {
-            return Path.of(type.getProtectionDomain()
-                            .getCodeSource()
-                            .getLocation()
-                            .toURI())
-                    .toString();
-        } catch (URISyntaxException e) {
-            throw new IllegalStateException(e);
-        }
+        return ClassPath.of(
+                Benchmarks.class,
+                Geometry.class,
+                Runner.class,
+                OptionParser.class,
+                StatUtils.class,
+                STRtree.class,
+                World.class,
+                Nullable.class);
     }
 }

@@ -1,19 +1,16 @@
 package robosim.geometry.report.speed;
 
 import java.io.BufferedReader;
-import java.io.File;
 import java.io.IOException;
 import java.io.InputStreamReader;
-import java.net.URISyntaxException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import org.dyn4j.world.World;
 import org.locationtech.jts.index.strtree.STRtree;
 import robosim.geometry.Geometry;
+import robosim.geometry.bench.ClassPath;
 import robosim.geometry.exact.Filter;
 
 /** Runs a study in a JVM of its own. */
@@ -61,23 +58,7 @@ final class Fork {
         }
     }
 
-    /** Where the classes lie; the JVM's own class path is Maven's where Maven runs a program. */
     static String classPath() {
-        return Stream.of(Fork.class, Geometry.class, STRtree.class, World.class)
-                .map(Fork::location)
-                .distinct()
-                .collect(Collectors.joining(File.pathSeparator));
-    }
-
-    private static String location(Class<?> type) {
-        try {
-            return Path.of(type.getProtectionDomain()
-                            .getCodeSource()
-                            .getLocation()
-                            .toURI())
-                    .toString();
-        } catch (URISyntaxException e) {
-            throw new IllegalStateException(e);
-        }
+        return ClassPath.of(Fork.class, Geometry.class, STRtree.class, World.class);
     }
 }
