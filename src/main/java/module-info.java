@@ -3,6 +3,7 @@ module robosim.geometry {
     requires java.xml;
     requires static info.picocli;
     requires static java.desktop;
+    requires static java.management;
     requires static org.jspecify;
 
     exports robosim.geometry;

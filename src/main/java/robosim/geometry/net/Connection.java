@@ -2,12 +2,16 @@ package robosim.geometry.net;
 
 import java.io.IOException;
 import java.net.Socket;
+import javax.net.ssl.SSLSocket;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
+import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageWriter;
+import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.ProtocolException;
+import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.Text;
 
 /** One socket and its session, whoever dialled. Whatever comes over it ends here. */
@@ -16,61 +20,148 @@ final class Connection implements Runnable {
 
     private final Socket socket;
     private final String name;
+    private final Surroundings around;
     private final NetOptions options;
+    private final @Nullable Cipher cipher;
+    private final Watchdog.Guard guard;
+
+    /** The message that is being read or carried out, from 1. */
+    private long message;
+
+    private long answers;
     private volatile boolean stopping;
 
-    Connection(Socket socket, String name, NetOptions options) {
+    /** Puts TLS over a connected socket. */
+    @FunctionalInterface
+    interface Cipher {
+        SSLSocket over(Socket plain) throws IOException;
+    }
+
+    /**
+     * Over that socket.
+     *
+     * @param cipher null for none
+     */
+    Connection(Socket socket, String name, Surroundings around, @Nullable Cipher cipher) {
         this.socket = socket;
         this.name = name;
-        this.options = options;
+        this.around = around;
+        this.options = around.options();
+        this.cipher = cipher;
+        this.guard = around.watchdog().guard(this::abort);
     }
 
     /** Answers until the peer ends, errs or is told to stop; then the socket is closed. Nothing is thrown. */
     @Override
     public void run() {
+        around.figures().opened();
         LOG.log(System.Logger.Level.DEBUG, name + ": open");
         try {
             converse();
-            LOG.log(System.Logger.Level.DEBUG, name + ": closed, at its end");
         } catch (ProtocolException e) {
             closed(String.valueOf(e.getMessage()), e);
         } catch (IOException e) {
             closed("the answer could not be sent: " + e.getMessage(), e);
         } catch (RuntimeException | Error e) {
-            LOG.log(System.Logger.Level.ERROR, name + ": closed, after an error of the module itself", e);
+            around.figures().failed();
+            LOG.log(
+                    System.Logger.Level.ERROR,
+                    name + ": closed at message " + message + ", after an error of the module itself",
+                    e);
         } finally {
             abort();
+            around.figures().closed();
         }
     }
 
     private void converse() throws IOException {
-        socket.setTcpNoDelay(true); // answers are small and waited for
-        socket.setKeepAlive(true); // an idle peer that is gone is noticed in the end
-        PacedInput in = new PacedInput(socket, options.stallTime(), options.messageTime());
-        // Our header goes out before theirs is waited for: two ends that both wait first wait for ever.
-        MessageWriter writer = new MessageWriter(socket.getOutputStream(), options.translator());
-        MessageReader reader = new MessageReader(in, options.translator(), in);
-        Session session = new Session(options.session(), options.listeners().apply(name), name);
-        for (Bundle request = reader.read(); request != null; request = reader.read()) {
-            Bundle answer = answer(session, request);
-            if (answer != null) {
-                writer.write(answer);
-            }
+        SocketSettings.apply(socket);
+        if (cipher == null) {
+            converse(socket);
+            return;
+        }
+        SSLSocket secured = shakeHands(cipher);
+        converse(secured);
+        guard.begin(System.nanoTime() + options.patience().stall().toNanos());
+        secured.close(); // says so to the peer, and may wait for him
+        guard.end();
+    }
+
+    private SSLSocket shakeHands(Cipher made) throws ProtocolException {
+        guard.begin(System.nanoTime() + options.patience().message().toNanos());
+        try {
+            socket.setSoTimeout(Math.toIntExact(options.patience().stall().toMillis()));
+            SSLSocket secured = made.over(socket);
+            secured.startHandshake();
+            LOG.log(
+                    System.Logger.Level.DEBUG,
+                    name + ": is " + secured.getSession().getPeerPrincipal());
+            return secured;
+        } catch (IOException e) {
+            throw new ProtocolException("TLS was not agreed on: " + e.getMessage(), e);
+        } finally {
+            guard.end();
         }
     }
 
-    private static @Nullable Bundle answer(Session session, Bundle request) throws ProtocolException {
-        if (request instanceof DistanceBundle) {
+    private void converse(Socket talk) throws IOException {
+        PacedInput in = new PacedInput(socket, talk.getInputStream(), guard, options.patience(), () -> stopping);
+        PacedOutput out = new PacedOutput(talk.getOutputStream(), guard, options.patience());
+        // Our header goes out before theirs is waited for: two ends that both wait first wait for ever.
+        MessageWriter writer = new MessageWriter(out, options.translator());
+        MessageReader reader = new MessageReader(in, options.translator(), in);
+        Session session = new Session(options.session(), options.listeners().apply(name), name);
+        message = 1;
+        for (Bundle request = reader.read(); request != null; request = reader.read()) {
+            long start = System.nanoTime();
+            check(request);
+            Bundle answer = session.answer(request);
+            around.figures().carriedOut(request, answer);
+            if (answer != null) {
+                out.begun();
+                writer.write(answer);
+                answers++;
+                around.figures().answered(System.nanoTime() - start);
+            }
+            message++;
+        }
+        LOG.log(
+                in.idledOut() ? System.Logger.Level.WARNING : System.Logger.Level.DEBUG,
+                name + ": closed at message " + message
+                        + (in.idledOut() ? ", idle for " + options.patience().idle() : ", its end"));
+    }
+
+    private void check(Bundle request) throws ProtocolException {
+        Allowance allowance = options.allowance();
+        if (request instanceof InitBundle init) {
+            atMost("a world", "objects", init.objects().size(), allowance.objects());
+        } else if (request instanceof MoveBundle moves) {
+            atMost("a bundle", "requests", moves.moves().size(), allowance.requests());
+        } else if (request instanceof SonarRequestBundle sonars) {
+            atMost("a bundle", "requests", sonars.requests().size(), allowance.requests());
+        } else if (request instanceof DistanceBundle) {
             throw new ProtocolException("a request must be an InitBundle, a MoveBundle or a SonarRequestBundle (got: "
                     + request.getClass().getSimpleName() + ")");
         }
-        return session.answer(request);
+    }
+
+    private static void atMost(String whole, String items, int count, int most) throws ProtocolException {
+        if (count > most) {
+            throw new ProtocolException(whole + " must have at most " + most + " " + items + " (got: " + count + ")");
+        }
     }
 
     private void closed(String reason, Exception e) {
-        System.Logger.Level level = stopping ? System.Logger.Level.DEBUG : System.Logger.Level.WARNING;
-        LOG.log(level, name + ": closed, " + Text.line(reason));
+        if (!stopping || guard.isBroken()) {
+            around.figures().failed();
+            LOG.log(System.Logger.Level.WARNING, name + ": closed at message " + message + ", " + Text.line(reason));
+        }
         LOG.log(System.Logger.Level.DEBUG, name + ": in detail", e);
+    }
+
+    /** Whether any request was answered. */
+    boolean hasAnswered() {
+        return answers > 0;
     }
 
     /** No more is read; what has been read is still answered. */
@@ -86,6 +177,7 @@ final class Connection implements Runnable {
     /** Ends at once. */
     void abort() {
         stopping = true;
+        guard.close();
         try {
             socket.close();
         } catch (IOException e) {

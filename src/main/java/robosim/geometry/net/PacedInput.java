@@ -5,22 +5,37 @@ import java.io.InputStream;
 import java.net.Socket;
 import java.net.SocketTimeoutException;
 import java.time.Duration;
+import java.util.function.BooleanSupplier;
 import robosim.geometry.protocol.MessagePace;
 
-/** A socket's bytes: patient between messages, impatient inside one. */
+/** A peer's bytes: patient between messages, impatient inside one. */
 final class PacedInput extends InputStream implements MessagePace {
     private final Socket socket;
     private final InputStream in;
+    private final Watchdog.Guard guard;
     private final long stallNanos;
     private final long messageNanos;
+    private final int idleMillis;
+    private final BooleanSupplier stopping;
     private boolean inside;
+    private boolean idledOut;
     private long deadline;
 
-    PacedInput(Socket socket, Duration stallTime, Duration messageTime) throws IOException {
+    /**
+     * Reads.
+     *
+     * @param socket   whose time-outs are set
+     * @param in       its bytes, deciphered where they are ciphered
+     * @param stopping from when on a failure is the end
+     */
+    PacedInput(Socket socket, InputStream in, Watchdog.Guard guard, Patience patience, BooleanSupplier stopping) {
         this.socket = socket;
-        this.in = socket.getInputStream();
-        this.stallNanos = stallTime.toNanos();
-        this.messageNanos = messageTime.toNanos();
+        this.in = in;
+        this.guard = guard;
+        this.stallNanos = patience.stall().toNanos();
+        this.messageNanos = patience.message().toNanos();
+        this.idleMillis = millis(patience.idle().toNanos());
+        this.stopping = stopping;
     }
 
     @Override
@@ -34,6 +49,11 @@ final class PacedInput extends InputStream implements MessagePace {
         deadline = System.nanoTime() + messageNanos;
     }
 
+    /** Whether the stream ended because its peer said nothing for too long. */
+    boolean idledOut() {
+        return idledOut;
+    }
+
     @Override
     public int read() throws IOException {
         byte[] one = new byte[1];
@@ -42,16 +62,44 @@ final class PacedInput extends InputStream implements MessagePace {
 
     @Override
     public int read(byte[] into, int at, int length) throws IOException {
-        socket.setSoTimeout(inside ? patience() : 0);
-        return in.read(into, at, length);
+        try {
+            return inside ? readInside(into, at, length) : readIdle(into, at, length);
+        } catch (IOException e) {
+            if (stopping.getAsBoolean() && !guard.isBroken()) {
+                return -1;
+            }
+            throw e;
+        }
     }
 
-    /** Milliseconds, at least 1 because 0 would be for ever. */
-    private int patience() throws SocketTimeoutException {
+    private int readIdle(byte[] into, int at, int length) throws IOException {
+        socket.setSoTimeout(idleMillis);
+        try {
+            return in.read(into, at, length);
+        } catch (SocketTimeoutException e) {
+            idledOut = true;
+            return -1;
+        }
+    }
+
+    private int readInside(byte[] into, int at, int length) throws IOException {
         long left = deadline - System.nanoTime();
         if (left <= 0) {
             throw new SocketTimeoutException();
         }
-        return (int) Math.max(1, Math.min(left, stallNanos) / 1_000_000);
+        socket.setSoTimeout(millis(Math.min(left, stallNanos)));
+        guard.begin(deadline); // one read of a cipher is several of the socket, each with that time-out
+        try {
+            return in.read(into, at, length);
+        } catch (IOException e) {
+            throw guard.isBroken() ? new SocketTimeoutException() : e;
+        } finally {
+            guard.end();
+        }
+    }
+
+    /** At least 1 because 0 would be for ever. */
+    private static int millis(long nanos) {
+        return (int) Math.max(1, Duration.ofNanos(nanos).toMillis());
     }
 }
