@@ -18,6 +18,11 @@ import robosim.geometry.protocol.Text;
 final class Connection implements Runnable {
     private static final System.Logger LOG = System.getLogger(Connection.class.getPackageName());
 
+    /** How long, and how far, a peer is listened to that has erred. */
+    private static final long PARTING_NANOS = 500_000_000;
+
+    private static final int PARTING_BYTES = 1 << 20;
+
     private final Socket socket;
     private final String name;
     private final Surroundings around;
@@ -60,6 +65,7 @@ final class Connection implements Runnable {
             converse();
         } catch (ProtocolException e) {
             closed(String.valueOf(e.getMessage()), e);
+            partGently();
         } catch (IOException e) {
             closed("the answer could not be sent: " + e.getMessage(), e);
         } catch (RuntimeException | Error e) {
@@ -157,6 +163,22 @@ final class Connection implements Runnable {
             LOG.log(System.Logger.Level.WARNING, name + ": closed at message " + message + ", " + Text.line(reason));
         }
         LOG.log(System.Logger.Level.DEBUG, name + ": in detail", e);
+    }
+
+    /** Lets answers arrive that are on their way: closing a socket that has unread bytes takes them back. */
+    private void partGently() {
+        byte[] rest = new byte[1 << 13];
+        long end = System.nanoTime() + PARTING_NANOS;
+        try {
+            socket.shutdownOutput();
+            socket.setSoTimeout((int) (PARTING_NANOS / 1_000_000));
+            int got = 0;
+            for (int left = PARTING_BYTES; got >= 0 && left > 0 && System.nanoTime() < end; left -= got) {
+                got = socket.getInputStream().read(rest);
+            }
+        } catch (IOException e) {
+            LOG.log(System.Logger.Level.DEBUG, name + ": parted from at once", e);
+        }
     }
 
     /** Whether any request was answered. */
