@@ -128,7 +128,7 @@ class DirectionsTest {
                         || target.startsWith("org.jspecify.annotations.")
                         || target.startsWith(ROOT)
                         || (target.startsWith("com.fasterxml.jackson.core.")
-                                && type.getSimpleName().startsWith("Json"))
+                                && type.getName().startsWith(ROOT + ".protocol.Json"))
                         || (target.startsWith("picocli.") && room(type).equals("cli"));
                 if (!known) {
                     wrong.add(type.getName() + " -> " + target);
