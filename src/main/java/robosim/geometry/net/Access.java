@@ -28,6 +28,11 @@ public record Access(@Nullable Tls tls, @Nullable Secret secret) {
         }
     }
 
+    /** Whether a peer that speaks JSON and shows that secret, or null for none, may go on. */
+    boolean admitsJson(@Nullable String offered) {
+        return secret == null || secret.matches(offered);
+    }
+
     /** Whether a peer may speak Java serialization. */
     boolean admitsJava() {
         return tls != null || secret == null;

@@ -5,12 +5,11 @@ import java.net.Socket;
 import javax.net.ssl.SSLSocket;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.protocol.Bundle;
-import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.MessageReader;
-import robosim.geometry.protocol.MessageWriter;
+import robosim.geometry.protocol.MessageChannel;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.ProtocolException;
+import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.Text;
 
@@ -113,48 +112,48 @@ final class Connection implements Runnable {
     private void converse(Socket talk) throws IOException {
         PacedInput in = new PacedInput(socket, talk.getInputStream(), guard, options.patience(), () -> stopping);
         PacedOutput out = new PacedOutput(talk.getOutputStream(), guard, options.patience());
-        // Our header goes out before theirs is waited for: two ends that both wait first wait for ever.
-        MessageWriter writer = new MessageWriter(out, options.translator());
-        MessageReader reader = new MessageReader(in, options.translator(), in);
+        Porter porter = new Porter(options.access(), in, options.patience());
+        MessageChannel channel = new MessageChannel(in, out, options.translator(), in, porter);
+        porter.watch(channel);
         Session session = new Session(options.session(), options.listeners().apply(name), name);
         message = 1;
-        for (Bundle request = reader.read(); request != null; request = reader.read()) {
+        for (Bundle request = channel.read(); request != null; request = channel.read()) {
             long start = System.nanoTime();
-            check(request);
-            Bundle answer = session.answer(request);
-            around.figures().carriedOut(request, answer);
-            if (answer != null) {
-                out.begun();
-                writer.write(answer);
+            String refusal = refusal(request);
+            if (refusal != null) {
+                channel.refuse(refusal);
+                throw new ProtocolException(refusal);
+            }
+            Reply reply = session.reply(request);
+            around.figures().carriedOut(request, reply);
+            if (reply != null) {
+                channel.write(reply);
                 answers++;
                 around.figures().answered(System.nanoTime() - start);
             }
             message++;
         }
-        LOG.log(
-                in.idledOut() ? System.Logger.Level.WARNING : System.Logger.Level.DEBUG,
-                name + ": closed at message " + message
-                        + (in.idledOut() ? ", idle for " + options.patience().idle() : ", its end"));
+        LOG.log(System.Logger.Level.DEBUG, name + ": closed at message " + message + ", its end");
     }
 
-    private void check(Bundle request) throws ProtocolException {
+    /** Why this cannot be asked here; null where it can. */
+    private @Nullable String refusal(Bundle request) {
         Allowance allowance = options.allowance();
         if (request instanceof InitBundle init) {
-            atMost("a world", "objects", init.objects().size(), allowance.objects());
-        } else if (request instanceof MoveBundle moves) {
-            atMost("a bundle", "requests", moves.moves().size(), allowance.requests());
-        } else if (request instanceof SonarRequestBundle sonars) {
-            atMost("a bundle", "requests", sonars.requests().size(), allowance.requests());
-        } else if (request instanceof DistanceBundle) {
-            throw new ProtocolException("a request must be an InitBundle, a MoveBundle or a SonarRequestBundle (got: "
-                    + request.getClass().getSimpleName() + ")");
+            return tooMany("a world", "objects", init.objects().size(), allowance.objects());
         }
+        if (request instanceof MoveBundle moves) {
+            return tooMany("a bundle", "requests", moves.moves().size(), allowance.requests());
+        }
+        if (request instanceof SonarRequestBundle sonars) {
+            return tooMany("a bundle", "requests", sonars.requests().size(), allowance.requests());
+        }
+        return "a request must be an InitBundle, a MoveBundle or a SonarRequestBundle (got: "
+                + request.getClass().getSimpleName() + ")";
     }
 
-    private static void atMost(String whole, String items, int count, int most) throws ProtocolException {
-        if (count > most) {
-            throw new ProtocolException(whole + " must have at most " + most + " " + items + " (got: " + count + ")");
-        }
+    private static @Nullable String tooMany(String whole, String items, int count, int most) {
+        return count <= most ? null : whole + " must have at most " + most + " " + items + " (got: " + count + ")";
     }
 
     private void closed(String reason, Exception e) {

@@ -6,6 +6,7 @@ import java.util.concurrent.atomic.LongAdder;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequestBundle;
 
 /** Counts what the connections of one end do. */
@@ -37,11 +38,11 @@ final class Figures implements FiguresMXBean {
     }
 
     /** A request was carried out. */
-    void carriedOut(Bundle request, @Nullable Bundle answer) {
+    void carriedOut(Bundle request, @Nullable Reply reply) {
         bundles.increment();
         if (request instanceof MoveBundle moves) {
             requests.add(moves.moves().size());
-            if (answer instanceof MoveBundle made) {
+            if (reply != null && reply.bundle() instanceof MoveBundle made) {
                 refusedMoves.add(moves.moves().size() - made.moves().size());
             }
         } else if (request instanceof SonarRequestBundle sonars) {

@@ -7,18 +7,22 @@ import java.net.SocketTimeoutException;
 import java.time.Duration;
 import java.util.function.BooleanSupplier;
 import robosim.geometry.protocol.MessagePace;
+import robosim.geometry.protocol.ProtocolException;
 
 /** A peer's bytes: patient between messages, impatient inside one. */
 final class PacedInput extends InputStream implements MessagePace {
+    /** How long a peer may be silent before it gets our stream header, for which it may be waiting. */
+    private static final int SILENCE_MILLIS = 300;
+
     private final Socket socket;
     private final InputStream in;
     private final Watchdog.Guard guard;
     private final long stallNanos;
     private final long messageNanos;
-    private final int idleMillis;
     private final BooleanSupplier stopping;
+    private Duration idleTime;
+    private boolean opening;
     private boolean inside;
-    private boolean idledOut;
     private long deadline;
 
     /**
@@ -34,24 +38,32 @@ final class PacedInput extends InputStream implements MessagePace {
         this.guard = guard;
         this.stallNanos = patience.stall().toNanos();
         this.messageNanos = patience.message().toNanos();
-        this.idleMillis = millis(patience.idle().toNanos());
+        this.idleTime = patience.idle();
         this.stopping = stopping;
     }
 
     @Override
+    public void opening() {
+        opening = true;
+        inside = false;
+    }
+
+    @Override
     public void idle() {
+        opening = false;
         inside = false;
     }
 
     @Override
     public void begun() {
+        opening = false;
         inside = true;
         deadline = System.nanoTime() + messageNanos;
     }
 
-    /** Whether the stream ended because its peer said nothing for too long. */
-    boolean idledOut() {
-        return idledOut;
+    /** From now on the peer may be idle for so long between two messages. */
+    void mayIdle(Duration time) {
+        idleTime = time;
     }
 
     @Override
@@ -73,12 +85,14 @@ final class PacedInput extends InputStream implements MessagePace {
     }
 
     private int readIdle(byte[] into, int at, int length) throws IOException {
-        socket.setSoTimeout(idleMillis);
+        socket.setSoTimeout(opening ? SILENCE_MILLIS : millis(idleTime.toNanos()));
         try {
             return in.read(into, at, length);
         } catch (SocketTimeoutException e) {
-            idledOut = true;
-            return -1;
+            if (opening) {
+                throw e;
+            }
+            throw new ProtocolException("a peer must say something now and then (got: silence for " + idleTime + ")");
         }
     }
 

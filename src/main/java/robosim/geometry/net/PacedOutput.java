@@ -16,16 +16,13 @@ final class PacedOutput extends OutputStream {
     private final Patience patience;
     private long messageDue;
 
+    /** What is written next begins a message; each ends with a flush. */
+    private boolean between = true;
+
     PacedOutput(OutputStream out, Watchdog.Guard guard, Patience patience) {
         this.out = out;
         this.guard = guard;
         this.patience = patience;
-        begun();
-    }
-
-    /** A message begins, which must be gone in time. */
-    void begun() {
-        messageDue = System.nanoTime() + patience.message().toNanos();
     }
 
     @Override
@@ -35,6 +32,10 @@ final class PacedOutput extends OutputStream {
 
     @Override
     public void write(byte[] bytes, int at, int length) throws IOException {
+        if (between) {
+            between = false;
+            messageDue = System.nanoTime() + patience.message().toNanos();
+        }
         int end = at + length;
         for (int from = at; from < end; from += STEP_BYTES) {
             step(bytes, from, Math.min(STEP_BYTES, end - from));
@@ -62,5 +63,6 @@ final class PacedOutput extends OutputStream {
     @Override
     public void flush() throws IOException {
         out.flush();
+        between = true;
     }
 }

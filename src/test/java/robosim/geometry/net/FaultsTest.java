@@ -68,17 +68,15 @@ class FaultsTest {
                 .flatMap(bundle -> ((DistanceBundle) bundle).distances().stream())
                 .toList();
         assertThat(distances).hasSizeGreaterThan(500);
-        assertThat(distances.stream().filter(distance -> distance.isNaN()).count()).isBetween(1L, 100L);
+        assertThat(distances.stream().filter(distance -> distance.isNaN()).count())
+                .isBetween(1L, 100L);
         assertThat(distances.stream().distinct().count()).isGreaterThan(distances.size() / 2);
         long asked = 0;
         long made = 0;
         for (int k = 0; k < 200; k++) {
             if (conversation.requests().get(k) instanceof MoveBundle moves) {
                 asked += moves.moves().size();
-                made += ((MoveBundle)
-                                conversation.answers().get(k))
-                        .moves()
-                        .size();
+                made += ((MoveBundle) conversation.answers().get(k)).moves().size();
             }
         }
         assertThat((double) made / asked).as("share of moves made").isBetween(0.3, 0.95);

@@ -76,10 +76,9 @@ class FiguresTest {
                 GeometryServer server = new GeometryServer(InetAddress.getLoopbackAddress(), 0, two)) {
             try (Peer peer = Peer.dial(server.port());
                     Peer rude = Peer.dial(server.port())) {
-                peer.send(new InitBundle(
-                        List.of(
-                                new CylinderObject(new Point(), 1, 1).moveable("robot"),
-                                new CylinderObject(new Point(3, 0, 0), 1, 1))));
+                peer.send(new InitBundle(List.of(
+                        new CylinderObject(new Point(), 1, 1).moveable("robot"),
+                        new CylinderObject(new Point(3, 0, 0), 1, 1))));
                 assertThat(peer.move(
                                 new MoveRequest("robot", 0.5, 0, 0, 0, 0),
                                 new MoveRequest("robot", 5, 0, 0, 0, 0),
@@ -123,7 +122,8 @@ class FiguresTest {
         assertThat(median).isPositive();
         assertThat((double) BEANS.getAttribute(name, "AnswerMicrosecondsP99")).isGreaterThanOrEqualTo(median);
         assertThat((String) BEANS.invoke(name, "line", null, null))
-                .startsWith("connections 1 open, 2 in all, 1 refused; 4 bundles, 5 requests, 2 moves refused; 1 errors;")
+                .startsWith(
+                        "connections 1 open, 2 in all, 1 refused; 4 bundles, 5 requests, 2 moves refused; 1 errors;")
                 .isEqualTo(server.figures().line());
     }
 }

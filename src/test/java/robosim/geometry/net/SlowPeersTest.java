@@ -120,7 +120,7 @@ class SlowPeersTest {
             }
             assertThat(silent.isClosedByTheOtherEnd()).isTrue();
             assertThat(asking.move(NOBODY)).isEmpty();
-            assertThat(log.linesWith("idle for PT0.4S"))
+            assertThat(log.linesWith("silence for PT0.4S"))
                     .singleElement()
                     .satisfies(line -> assertThat(line).contains("closed at message 2, "));
         }
