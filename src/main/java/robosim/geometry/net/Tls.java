@@ -51,11 +51,10 @@ public final class Tls {
     }
 
     @SuppressWarnings("NullAway") // KeyStore takes null for no password
-    private static KeyStore store(String argument, Path file, char @Nullable [] password)
-            throws GeneralSecurityException {
+    private static KeyStore store(String argument, Path file, char @Nullable [] password) {
         try {
             return KeyStore.getInstance(Arguments.present(argument, file).toFile(), password);
-        } catch (IOException | IllegalArgumentException e) {
+        } catch (IOException | GeneralSecurityException | IllegalArgumentException e) {
             throw new IllegalArgumentException(
                     argument + " must be a key store that its password opens (got: " + file + ", " + e.getMessage()
                             + ")",
