@@ -68,11 +68,7 @@ class KillTest {
         if (heard.size() < 90 || heard.size() >= 3000) {
             return "the server must be killed at some 100 answers (got: " + heard.size() + ")";
         }
-        String prefix = new Conversation(
-                        conversation.world(),
-                        conversation.requests(),
-                        conversation.answers().subList(0, heard.size()))
-                .difference(heard);
+        String prefix = conversation.first(heard.size()).difference(heard);
         if (!prefix.isEmpty()) {
             return prefix;
         }
@@ -90,8 +86,8 @@ class KillTest {
         }
         Redial redial = new Redial(Duration.ofMillis(20), Duration.ofMillis(200));
         try (LogCapture log = new LogCapture();
-                GeometryClient client =
-                        new GeometryClient("127.0.0.1", port, NetOptions.defaults().withRedial(redial))) {
+                GeometryClient client = new GeometryClient(
+                        "127.0.0.1", port, NetOptions.defaults().withRedial(redial))) {
             Thread thread = new Thread(client, "geometry-client-of-a-test");
             thread.start();
             talkAndDie(port);
