@@ -127,9 +127,10 @@ class SerialClassesTest {
     /** A class description that is referred to where an item should be: generics would let it through. */
     @Test
     void aListHoldsItemsOfItsType() throws IOException {
-        byte[] bytes = MessageTest.write(new MoveBundle(List.of(
-                new MoveRequest("robot", 1, 0, 0, 0, 0), new MoveRequest("robot", 2, 0, 0, 0, 0))));
-        // The second item: TC_OBJECT, then a reference to the first one's class. Without TC_OBJECT it is the class itself.
+        byte[] bytes = MessageTest.write(new MoveBundle(
+                List.of(new MoveRequest("robot", 1, 0, 0, 0, 0), new MoveRequest("robot", 2, 0, 0, 0, 0))));
+        // The second item: TC_OBJECT, then a reference to the first one's class. Without TC_OBJECT it is the class
+        // itself.
         int item = -1;
         for (int k = 0; k + 5 < bytes.length; k++) {
             if (bytes[k] == ObjectStreamConstants.TC_OBJECT && bytes[k + 1] == ObjectStreamConstants.TC_REFERENCE) {
