@@ -290,7 +290,7 @@ final class JsonInput implements Closeable {
         if (discreet) {
             return refused(what);
         }
-        String told = Text.line(words.replaceFirst("(?s)(: | \\()?(was expecting|enable `).*", ""));
+        String told = Text.line(words.replaceFirst("(?s)(: | \\()?(was expecting|enable `|maybe a ).*", ""));
         String remedy = words.matches("(?s).*'[-+]?(?i:nan|inf).*")
                 ? "; a number is finite, and no echo or no end of a beam is null"
                 : "";

@@ -36,6 +36,9 @@ final class JsonObjects {
     private final JsonInput in;
     private long parts;
 
+    /** Parts of the object or list that was read last. */
+    private long weight;
+
     JsonObjects(JsonInput in) {
         this.in = in;
     }
@@ -43,12 +46,14 @@ final class JsonObjects {
     /** The list of objects that is the current value. */
     List<GeometryObject> list() throws IOException {
         List<GeometryObject> objects = new ArrayList<>();
+        long sum = 0;
         in.list();
         while (in.more(objects.size(), Limits.MAX_LIST_LENGTH)) {
-            long before = parts;
             objects.add(object());
-            add(Math.max(1, parts - before)); // once in this list, as in each list around it
+            sum += weight;
+            add(weight);
         }
+        weight = sum;
         return objects;
     }
 
@@ -67,6 +72,7 @@ final class JsonObjects {
             read(draft, field);
         }
         checkFields(draft, members);
+        weight = draft.weight;
         return in.make(draft::make);
     }
 
@@ -83,10 +89,16 @@ final class JsonObjects {
             case 8 -> draft.length = in.number();
             case 9 -> draft.radius = in.number();
             case 10 -> draft.vertices = vertices();
-            case 11 -> draft.faces = faces();
+            case 11 -> {
+                draft.faces = faces();
+                draft.weight = weight;
+            }
             case 12 -> draft.solid = in.flag();
             case 13 -> draft.boundingVolume = object();
-            default -> draft.members = list();
+            default -> {
+                draft.members = list();
+                draft.weight = weight;
+            }
         }
     }
 
@@ -120,11 +132,15 @@ final class JsonObjects {
 
     private int[][] faces() throws IOException {
         List<int[]> faces = new ArrayList<>();
+        long triangles = 0;
         in.list();
         while (in.more(faces.size(), Limits.MAX_LIST_LENGTH)) {
-            faces.add(face());
-            add(faces.get(faces.size() - 1).length - 2);
+            int[] face = face();
+            faces.add(face);
+            triangles += face.length - 2;
         }
+        weight = triangles;
+        add(triangles);
         return faces.toArray(int[][]::new);
     }
 
@@ -163,6 +179,7 @@ final class JsonObjects {
     /** What has been read of an object. */
     private static final class Draft {
         private Form form = FORMS.get(0);
+        private long weight = 1;
         private @Nullable String name;
         private boolean moveable;
         private Point center = new Point();

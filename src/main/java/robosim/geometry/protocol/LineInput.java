@@ -92,6 +92,12 @@ final class LineInput {
 
     /** Jackson would take other encodings than UTF-8 for JSON, all of which hold zeros, and overlong forms. */
     static void checkText(byte[] bytes, int start, int length) throws ProtocolException {
+        if (length >= 3
+                && bytes[start] == (byte) 0xEF
+                && bytes[start + 1] == (byte) 0xBB
+                && bytes[start + 2] == (byte) 0xBF) {
+            throw new ProtocolException("a line must not begin with a byte order mark (got: one)");
+        }
         boolean plain = true;
         for (int k = start; k < start + length; k++) {
             byte b = bytes[k];
