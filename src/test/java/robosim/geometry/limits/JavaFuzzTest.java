@@ -17,7 +17,7 @@ class JavaFuzzTest {
     }
 
     @MethodSource("seeds")
-    @FuzzTest(maxDuration = "2h", maxExecutions = 1_100_000)
+    @FuzzTest(maxDuration = "2h", maxExecutions = 1_010_000)
     void anyBytes(byte[] bytes) {
         DECODER.accepts(bytes);
     }

@@ -84,7 +84,7 @@ class MutationTest {
         int accepted = 0;
         for (int k = 0; k < INPUTS; k++) {
             byte[] bytes = seeds.get(random.nextInt(seeds.size()));
-            for (int changes = random.nextInt(4); changes >= 0; changes--) {
+            for (int changes = random.nextInt(3); changes >= 0; changes--) {
                 bytes = change(bytes, seeds, words, random);
             }
             accepted += decoder.accepts(bytes) ? 1 : 0;
@@ -100,13 +100,20 @@ class MutationTest {
         byte[] changed = bytes.clone();
         int at = random.nextInt(bytes.length);
         int to = Math.min(bytes.length, at + 1 + random.nextInt(40));
-        return switch (random.nextInt(8)) {
+        return switch (random.nextInt(9)) {
             case 0, 1 -> {
                 changed[at] = (byte) random.nextInt(256);
                 yield changed;
             }
             case 2 -> {
                 changed[at] ^= (byte) (1 << random.nextInt(8));
+                yield changed;
+            }
+            case 7 -> {
+                while (at < bytes.length - 1 && !Character.isDigit(bytes[at])) {
+                    at++;
+                }
+                changed[at] = (byte) ('0' + random.nextInt(10));
                 yield changed;
             }
             case 3 -> splice(bytes, at, words.get(random.nextInt(words.size())), at);
