@@ -16,6 +16,7 @@ import java.lang.reflect.Field;
 import java.lang.reflect.Modifier;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Objects;
@@ -144,6 +145,24 @@ class SerialClassesTest {
         assertThatThrownBy(() -> MessageTest.readAll(forged.toByteArray()))
                 .isInstanceOf(ProtocolException.class)
                 .hasMessageContaining("moves[1] must be a MoveRequest (got: java.io.ObjectStreamClass)");
+    }
+
+    /** The form of the JDK's immutable lists is that of its maps too, for which it throws an error where a value lacks. */
+    @Test
+    void aListThatClaimsToBeAMapIsRefused() throws IOException {
+        byte[] bytes = MessageTest.write(new DistanceBundle(List.of(1.0)));
+        byte[] list = {0, 0, 0, 1, 0x77, 4, 0, 0, 0, 1};
+        int forged = 0;
+        for (int k = 0; k + list.length < bytes.length; k++) {
+            if (Arrays.equals(bytes, k, k + list.length, list, 0, list.length)) {
+                bytes[k + 3] = 3;
+                forged++;
+            }
+        }
+        assertThat(forged).isEqualTo(1);
+        assertThatThrownBy(() -> MessageTest.readAll(bytes))
+                .isInstanceOf(ProtocolException.class)
+                .hasMessageContaining("bytes that are no message");
     }
 
     /** Sets in sets, whose hash takes time that doubles with each level, are refused with the first class's name. */
