@@ -16,6 +16,7 @@ import java.lang.reflect.Field;
 import java.lang.reflect.Modifier;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Objects;
@@ -31,13 +32,15 @@ import robosim.geometry.model.Ray;
 class SerialClassesTest {
     private static final Set<Class<?>> ENDS = Set.of(Bundle.class, GeometryObject.class);
 
-    private static List<Class<?>> serializable() throws ClassNotFoundException {
+    private static final List<Class<?>> SERIALIZABLE = serializable();
+
+    private static List<Class<?>> serializable() {
         List<Class<?>> found = new ArrayList<>();
         for (JavaClass type : new ClassFileImporter()
                 .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
                 .importPackages("robosim.geometry")) {
             if (type.isAssignableTo(Serializable.class) && !type.isInterface()) {
-                found.add(Class.forName(type.getName(), false, SerialClassesTest.class.getClassLoader()));
+                found.add(type.reflect());
             }
         }
         return found;
@@ -47,7 +50,7 @@ class SerialClassesTest {
     void everySerializableClassSaysWhichVersionItIs() throws Exception {
         int records = 0;
         List<String> without = new ArrayList<>();
-        for (Class<?> type : serializable()) {
+        for (Class<?> type : SERIALIZABLE) {
             if (type.isEnum() || Enum.class.isAssignableFrom(type)) {
                 continue; // goes by its name; its number is always 0
             }
@@ -70,7 +73,7 @@ class SerialClassesTest {
     void onlyRecordsAndEnumsOfTheModuleCrossTheWire() throws Exception {
         AllowedClasses allowed = new AllowedClasses(Set.of());
         int crossing = 0;
-        for (Class<?> type : serializable()) {
+        for (Class<?> type : SERIALIZABLE) {
             if (allowed.byName(type.getName()) != null) {
                 assertThat(type.isRecord() || type.isEnum()).as(type.getName()).isTrue();
                 crossing++;
@@ -116,7 +119,7 @@ class SerialClassesTest {
         }
         AllowedClasses allowed = new AllowedClasses(Set.of());
         Set<String> missing = new TreeSet<>();
-        for (Class<?> type : serializable()) {
+        for (Class<?> type : SERIALIZABLE) {
             if (allowed.byName(type.getName()) != null && !stored.contains(type.getName())) {
                 missing.add(type.getName());
             }
@@ -144,6 +147,24 @@ class SerialClassesTest {
         assertThatThrownBy(() -> MessageTest.readAll(forged.toByteArray()))
                 .isInstanceOf(ProtocolException.class)
                 .hasMessageContaining("moves[1] must be a MoveRequest (got: java.io.ObjectStreamClass)");
+    }
+
+    /** The form of the JDK's immutable lists is that of its maps too, for which it throws an error where a value lacks. */
+    @Test
+    void aListThatClaimsToBeAMapIsRefused() throws IOException {
+        byte[] bytes = MessageTest.write(new DistanceBundle(List.of(1.0)));
+        byte[] list = {0, 0, 0, 1, 0x77, 4, 0, 0, 0, 1};
+        int forged = 0;
+        for (int k = 0; k + list.length < bytes.length; k++) {
+            if (Arrays.equals(bytes, k, k + list.length, list, 0, list.length)) {
+                bytes[k + 3] = 3;
+                forged++;
+            }
+        }
+        assertThat(forged).isEqualTo(1);
+        assertThatThrownBy(() -> MessageTest.readAll(bytes))
+                .isInstanceOf(ProtocolException.class)
+                .hasMessageContaining("bytes that are no message");
     }
 
     /** Sets in sets, whose hash takes time that doubles with each level, are refused with the first class's name. */
