@@ -121,7 +121,10 @@ class SoakTest {
         while (!isOver()) {
             Thread.sleep(LONG ? 2000 : 300);
             System.gc();
-            heap.add(runtime.totalMemory() - runtime.freeMemory());
+            long used = runtime.totalMemory() - runtime.freeMemory();
+            if (!isOver()) { // else the environments may have left already
+                heap.add(used);
+            }
         }
     }
 
