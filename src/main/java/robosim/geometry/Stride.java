@@ -105,9 +105,10 @@ final class Stride {
     private boolean passesAll() {
         QuadTree.Cursor cursor = level.cursor;
         int near = cursor.gather(box[0], box[2], box[3], box[5], id);
+        double[] boxes = cursor.boxes();
         for (int k = 0; k < near; k++) {
             int other = cursor.gathered(k);
-            if (!passes(other, quickly(other))) {
+            if (!passes(other, quickly(other, boxes))) {
                 return false;
             }
         }
@@ -152,13 +153,11 @@ final class Stride {
      * What doubles can tell, as seen from above, of the discs around the object and around the bounds of another: a disc's
      * own, or that through the corners.
      */
-    private int quickly(int other) {
-        double[] b = level.bounds();
-        int at = 6 * other;
-        double minX = b[at];
-        double minZ = b[at + 2];
-        double maxX = b[at + 3];
-        double maxZ = b[at + 5];
+    private int quickly(int other, double[] boxes) {
+        double minX = boxes[4 * other];
+        double minZ = boxes[4 * other + 1];
+        double maxX = boxes[4 * other + 2];
+        double maxZ = boxes[4 * other + 3];
         double halfX = 0.5 * maxX - 0.5 * minX;
         double halfZ = 0.5 * maxZ - 0.5 * minZ;
         boolean isDisc = level.isDisc(other);

@@ -22,8 +22,8 @@ final class NearGrid {
     /** So many objects a question may pass by, on average of many. */
     private static final int USUAL = 16;
 
-    /** Cells an object when the grid is made; there may come to be twice as many objects. */
-    private static final double ROOM = 1.25;
+    /** Cells an object when the grid is made; there may come to be three times as many objects. */
+    private static final double ROOM = 3;
 
     private static final int MOST_CELLS = 1 << 24;
 
@@ -105,7 +105,7 @@ final class NearGrid {
         scaleZ = length == 0 ? 0 : countZ / length;
         mostX = 2 * side;
         mostZ = 2 * side;
-        mostObjects = 2 * size + MOST_LARGE;
+        mostObjects = 3 * size + MOST_LARGE;
         leftBeside = size / 16 + MOST_LARGE;
         credit = (long) USUAL * (size + USUAL);
         boolean isOrdinary = isOrdinary(width, scaleX) && isOrdinary(length, scaleZ);

@@ -18,6 +18,9 @@ public final class QuadTree {
     /** Greatest id: four numbers for each must fit one array. */
     public static final int MAX_ID = (1 << 28) - 2;
 
+    /** Shorter columns grow by as much again. */
+    private static final int SMALL = 1 << 17;
+
     private final Cells cells;
 
     // By id: the box; the first number is NaN where there is none.
@@ -107,7 +110,8 @@ public final class QuadTree {
     private void ensureId(int id) {
         if (4 * id >= boxes.length) {
             int before = boxes.length;
-            boxes = Arrays.copyOf(boxes, 4 * Math.min(MAX_ID + 1, Math.max(id + 1, before / 4 + before / 8)));
+            boxes = Arrays.copyOf(
+                    boxes, 4 * Math.min(MAX_ID + 1, Math.max(id + 1, before / 4 + before / (before < SMALL ? 4 : 8))));
             Arrays.fill(boxes, before, boxes.length, Double.NaN);
         }
     }
@@ -347,6 +351,11 @@ public final class QuadTree {
         /** The k-th object that was gathered. */
         public int gathered(int k) {
             return gathering.id(k);
+        }
+
+        /** The boxes of all objects: least x and z, greatest x and z of each from four times its id on. */
+        public double[] boxes() {
+            return tree.boxes;
         }
 
         private @Nullable Tiles nextLayer() {

@@ -214,26 +214,24 @@ final class TileGathering {
         double highX = maxX;
         double highZ = maxZ;
         int to = count;
-        int list = 0;
-        int id = heads[0];
         int passed = 0;
-        while (list < lists) {
-            if (to == ids.length) {
-                grow();
-            }
-            int at = 4 * id;
-            ids[to] = id;
-            long apart = Double.doubleToRawLongBits(highX - boxes[at])
-                    | Double.doubleToRawLongBits(highZ - boxes[at + 1])
-                    | Double.doubleToRawLongBits(boxes[at + 2] - lowX)
-                    | Double.doubleToRawLongBits(boxes[at + 3] - lowZ);
-            int isOther = (id - but | but - id) >>> SIGN;
-            to += isOther & (int) (~apart >>> (Long.SIZE - 1));
-            int following = next[id];
-            int isLast = following >> SIGN;
-            list -= isLast;
-            id = (following & ~isLast) | (heads[list] & isLast);
-            passed++;
+        for (int list = 0; list < lists; list++) {
+            int id = heads[list];
+            do {
+                if (to == ids.length) {
+                    grow();
+                }
+                int at = 4 * id;
+                ids[to] = id;
+                long apart = Double.doubleToRawLongBits(highX - boxes[at])
+                        | Double.doubleToRawLongBits(highZ - boxes[at + 1])
+                        | Double.doubleToRawLongBits(boxes[at + 2] - lowX)
+                        | Double.doubleToRawLongBits(boxes[at + 3] - lowZ);
+                int isOther = (id - but | but - id) >>> SIGN;
+                to += isOther & (int) (~apart >>> (Long.SIZE - 1));
+                passed++;
+                id = next[id];
+            } while (id >= 0);
         }
         count = to;
         return passed;
