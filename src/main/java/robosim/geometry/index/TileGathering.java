@@ -106,8 +106,7 @@ final class TileGathering {
 
     /** Adds what counts of so many lists that are not empty. */
     private void read(TileEntries store, int lists) {
-        int[] entries = store.data;
-        float[] bounds = store.bounds;
+        float[] entries = store.data;
         double lowX = minX;
         double lowZ = minZ;
         double highX = maxX;
@@ -119,12 +118,12 @@ final class TileGathering {
             if (to == ids.length) {
                 grow();
             }
-            int at = 4 * listed;
-            int id = entries[2 * listed];
-            float x0 = bounds[at];
-            float z0 = bounds[at + 1];
-            float x1 = bounds[at + 2];
-            float z1 = bounds[at + 3];
+            int at = listed;
+            int id = Float.floatToRawIntBits(entries[at + TileEntries.ID]);
+            float x0 = entries[at];
+            float z0 = entries[at + 1];
+            float x1 = entries[at + 2];
+            float z1 = entries[at + 3];
             ids[to] = id;
             // A difference has the sign of an order, and +0 where the two are equal.
             long apart = Double.doubleToRawLongBits(highX - x0)
@@ -134,7 +133,7 @@ final class TileGathering {
             int isOther = (id - but | but - id) >>> SIGN;
             to += isOther & (int) (~apart >>> (Long.SIZE - 1));
             // The next of this list, or the first of the next one.
-            int next = entries[2 * listed + 1];
+            int next = Float.floatToRawIntBits(entries[at + TileEntries.NEXT]);
             int isLast = next >> SIGN;
             list -= isLast;
             listed = (next & ~isLast) | (heads[list] & isLast);

@@ -230,8 +230,7 @@ final class TileWalk {
         half = half < Double.POSITIVE_INFINITY ? half : Double.POSITIVE_INFINITY;
         double margin = half * (1 + 0x1p-48) + most;
         int[] heads = tiles.heads;
-        int[] entries = tiles.store.data;
-        float[] bounds = tiles.store.bounds;
+        float[] entries = tiles.store.data;
         double from = begin;
         double cx = crossX;
         double cz = crossZ;
@@ -243,13 +242,12 @@ final class TileWalk {
         int after = ahead;
         while (true) {
             while (listed >= 0) {
-                int at = 4 * listed;
-                int id = entries[2 * listed];
-                listed = entries[2 * listed + 1];
-                double minX = bounds[at];
-                double minZ = bounds[at + 1];
-                double maxX = bounds[at + 2];
-                double maxZ = bounds[at + 3];
+                double minX = entries[listed];
+                double minZ = entries[listed + 1];
+                double maxX = entries[listed + 2];
+                double maxZ = entries[listed + 3];
+                int id = Float.floatToRawIntBits(entries[listed + TileEntries.ID]);
+                listed = Float.floatToRawIntBits(entries[listed + TileEntries.NEXT]);
                 double offX = minX + maxX - fromX;
                 double offZ = minZ + maxZ - fromZ;
                 double wide = maxX - minX;

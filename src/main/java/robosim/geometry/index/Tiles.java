@@ -308,7 +308,7 @@ final class Tiles {
             return;
         }
         for (int entry = heads[tile]; entry != NONE; entry = heads[tile]) {
-            int id = store.data[2 * entry];
+            int id = store.id(entry);
             heads[tile] = store.strike(entry, id);
             parts.addPart(id, boxes, 4 * id);
         }
@@ -325,8 +325,8 @@ final class Tiles {
     /** Whether most of a list would be too large for these tiles. */
     private boolean holdsFew(int head, int length, double[] boxes) {
         int small = 0;
-        for (int entry = head; entry != NONE; entry = store.data[2 * entry + 1]) {
-            small += isSmall(boxes, 4 * store.data[2 * entry]) ? 1 : 0;
+        for (int entry = head; entry != NONE; entry = store.next(entry)) {
+            small += isSmall(boxes, 4 * store.id(entry)) ? 1 : 0;
         }
         return 2 * small < length;
     }
