@@ -125,8 +125,20 @@ final class Level {
     /** Takes an object in under an id that it has elsewhere; in a world of moveable and static ones. */
     void add(int id, GeometryObject object) {
         placed(object, incoming);
-        boundsOf(incoming, 0, incoming.size(), box, 0);
+        outline(incoming, box);
         add(id, object, incoming, box);
+    }
+
+    /**
+     * Bounds of what stands for an object, which is all that a column holds; where they only pass over what cannot meet,
+     * quick ones.
+     */
+    void outline(LeafColumn column, double[] out) {
+        if (column.size() == 1 && accuracy == Accuracy.EXACT) {
+            column.roughBounds(0, out);
+        } else {
+            boundsOf(column, 0, column.size(), out, 0);
+        }
     }
 
     /** Takes an object in that has been placed, with the bounds of what stands for it. */
@@ -240,7 +252,11 @@ final class Level {
             shapes[id] = (byte) (shapes[id] & ~DISC);
             return;
         }
-        leaves.bounds(first(id), part);
+        if (accuracy == Accuracy.EXACT) {
+            leaves.roughBounds(first(id), part);
+        } else {
+            leaves.bounds(first(id), part);
+        }
         for (int k = 0; k < 6; k++) {
             bounds[6 * id + k] = part[k];
         }

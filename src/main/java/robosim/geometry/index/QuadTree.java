@@ -18,6 +18,9 @@ public final class QuadTree {
     /** Greatest id: four numbers for each must fit one array. */
     public static final int MAX_ID = (1 << 28) - 2;
 
+    /** Shorter columns grow by as much again. */
+    private static final int SMALL = 1 << 17;
+
     private final Cells cells;
 
     // By id: the box; the first number is NaN where there is none.
@@ -31,6 +34,17 @@ public final class QuadTree {
     private final double[] before = new double[4];
     private RegionTree regions;
     private boolean hasRegions;
+
+    /** Who is near whom while tiles are out of date; none where it would not do. */
+    private @Nullable NearGrid grid;
+
+    /** A grid is for so many objects at least. */
+    private int leastForGrid;
+
+    private boolean hasMoved;
+
+    /** Who has moved since the tiles were up to date. */
+    private final Moved moved = new Moved();
 
     /** An empty tree over a world of this extent. Objects may lie outside of it; the tree is merely coarser there. */
     public QuadTree(double minX, double minZ, double maxX, double maxZ) {
@@ -70,6 +84,9 @@ public final class QuadTree {
         write(id, minX, minZ, maxX, maxZ);
         size++;
         tiles.add(id, boxes, size);
+        if (grid != null) {
+            grid.add(id, boxes);
+        }
         if (hasRegions) {
             regions.add(id, boxes);
         }
@@ -93,7 +110,8 @@ public final class QuadTree {
     private void ensureId(int id) {
         if (4 * id >= boxes.length) {
             int before = boxes.length;
-            boxes = Arrays.copyOf(boxes, 4 * Math.min(MAX_ID + 1, Math.max(id + 1, before / 4 + before / 8)));
+            boxes = Arrays.copyOf(
+                    boxes, 4 * Math.min(MAX_ID + 1, Math.max(id + 1, before / 4 + before / (before < SMALL ? 4 : 8))));
             Arrays.fill(boxes, before, boxes.length, Double.NaN);
         }
     }
@@ -103,7 +121,11 @@ public final class QuadTree {
         if (!contains(id)) {
             return false;
         }
+        catchUp();
         tiles.remove(id, boxes);
+        if (grid != null) {
+            grid.remove(id);
+        }
         if (hasRegions) {
             regions.remove(id, boxes);
         }
@@ -124,21 +146,61 @@ public final class QuadTree {
         if (hasRegions) {
             regions.remove(id, boxes);
         }
-        for (int k = 0; k < 4; k++) {
-            before[k] = boxes[4 * id + k];
+        NearGrid near = grid;
+        if (near == null) {
+            System.arraycopy(boxes, 4 * id, before, 0, 4);
+            write(id, minX, minZ, maxX, maxZ);
+            tiles.move(id, before, boxes, size);
+        } else {
+            hasMoved = true;
+            if (!tiles.isStale()) {
+                moved.note(id, boxes);
+            }
+            write(id, minX, minZ, maxX, maxZ);
+            near.move(id, boxes);
         }
-        write(id, minX, minZ, maxX, maxZ);
-        tiles.move(id, before, boxes, size);
         if (hasRegions) {
             regions.add(id, boxes);
         }
     }
 
-    /** Lays the tiles out where they are stale. */
+    /** Brings the tiles up to date. */
     private void settle() {
+        if (!moved.isEmpty()) {
+            catchUp();
+        }
         if (tiles.isStale()) {
             tiles.layOut(boxes, size);
+            if (!hasMoved) { // a world that stands still needs nothing more
+                grid = null;
+            }
         }
+    }
+
+    private void catchUp() {
+        for (int k = 0; k < moved.count(); k++) {
+            int id = moved.id(k);
+            moved.before(k, before);
+            tiles.move(id, before, boxes, size);
+        }
+        moved.clear();
+    }
+
+    /** The grid, or null where the tiles are to be asked, which are up to date then. */
+    private @Nullable NearGrid near() {
+        NearGrid near = grid;
+        if (near == null ? tiles.isStale() && size >= leastForGrid : near.isUnfit() || near.isOutgrown(size)) {
+            near = new NearGrid(boxes, size);
+            if (near.isUnfit()) {
+                near = null;
+                leastForGrid = 4 * size;
+            }
+            grid = near;
+        }
+        if (near == null) {
+            settle();
+        }
+        return near;
     }
 
     private void growRegions() {
@@ -268,12 +330,16 @@ public final class QuadTree {
         }
 
         /**
-         * Gathers all objects but one whose boxes, rounded outward to floats, meet this closed box, and answers how many
-         * there are; take them with {@link #gathered}. One that lies across regions may be there again.
+         * Gathers all objects but one whose boxes, maybe rounded outward to floats, meet this closed box, and answers how
+         * many there are; take them with {@link #gathered}. One that lies across regions may be there again.
          */
         public int gather(double minX, double minZ, double maxX, double maxZ, int but) {
-            tree.settle();
+            NearGrid near = tree.near();
             gathering.start(minX, minZ, maxX, maxZ, but);
+            if (near != null) {
+                gathering.gather(near, tree.boxes);
+                return gathering.count();
+            }
             for (int k = 0; k < layers.count(); k++) {
                 if (!layers.get(k).isEmpty()) {
                     gathering.gather(layers.get(k));
@@ -287,9 +353,9 @@ public final class QuadTree {
             return gathering.id(k);
         }
 
-        /** The bounds of all that was gathered, rounded outward: least x and z, greatest x and z of the k-th from 4k on. */
-        public float[] gatheredBoxes() {
-            return gathering.boxes();
+        /** The boxes of all objects: least x and z, greatest x and z of each from four times its id on. */
+        public double[] boxes() {
+            return tree.boxes;
         }
 
         private @Nullable Tiles nextLayer() {
