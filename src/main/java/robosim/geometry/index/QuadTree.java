@@ -18,9 +18,6 @@ public final class QuadTree {
     /** Greatest id: four numbers for each must fit one array. */
     public static final int MAX_ID = (1 << 28) - 2;
 
-    /** Shorter columns grow by as much again. */
-    private static final int SMALL = 1 << 17;
-
     private final Cells cells;
 
     // By id: the box; the first number is NaN where there is none.
@@ -111,7 +108,7 @@ public final class QuadTree {
         if (4 * id >= boxes.length) {
             int before = boxes.length;
             boxes = Arrays.copyOf(
-                    boxes, 4 * Math.min(MAX_ID + 1, Math.max(id + 1, before / 4 + before / (before < SMALL ? 4 : 8))));
+                    boxes, 4 * Math.min(MAX_ID + 1, Math.max(id + 1, before / 4 + before / 8)));
             Arrays.fill(boxes, before, boxes.length, Double.NaN);
         }
     }
