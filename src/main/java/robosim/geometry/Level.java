@@ -144,7 +144,7 @@ final class Level {
     /** Takes an object in that has been placed, with the bounds of what stands for it. */
     void add(int id, GeometryObject object, LeafColumn placed, double[] box) {
         reserve(id);
-        int leaf = spans.claim(id, placed.size(), leaves);
+        int leaf = spans.claim(id, placed.size(), leaves, !object.isMoveable() && placed.fitsUpright());
         leaves.copy(placed, leaf);
         System.arraycopy(box, 0, bounds, 6 * id, 6);
         shapes[id] = placed.size() == 1 && DiscWay.isDisc(leaves.kind(leaf)) ? DISC : 0;

@@ -107,8 +107,7 @@ public final class QuadTree {
     private void ensureId(int id) {
         if (4 * id >= boxes.length) {
             int before = boxes.length;
-            boxes = Arrays.copyOf(
-                    boxes, 4 * Math.min(MAX_ID + 1, Math.max(id + 1, before / 4 + before / 8)));
+            boxes = Arrays.copyOf(boxes, 4 * Math.min(MAX_ID + 1, Math.max(id + 1, before / 4 + before / 8)));
             Arrays.fill(boxes, before, boxes.length, Double.NaN);
         }
     }

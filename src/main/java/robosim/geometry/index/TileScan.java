@@ -117,8 +117,10 @@ final class TileScan {
             int at = listed;
             int id = Float.floatToRawIntBits(entries[at + TileEntries.ID]);
             listed = Float.floatToRawIntBits(entries[at + TileEntries.NEXT]);
-            boolean isNear =
-                    entries[at] <= highX && lowX <= entries[at + 2] && entries[at + 1] <= highZ && lowZ <= entries[at + 3];
+            boolean isNear = entries[at] <= highX
+                    && lowX <= entries[at + 2]
+                    && entries[at + 1] <= highZ
+                    && lowZ <= entries[at + 3];
             if (isNear && meets(boxes, 4 * id) && (isRest || isFirst(boxes, 4 * id))) {
                 entry = listed;
                 return id;

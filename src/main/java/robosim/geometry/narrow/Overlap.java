@@ -13,12 +13,12 @@ public final class Overlap {
         if (Leaf.isMesh(kindA)) {
             return Leaf.isMesh(kindB)
                     ? meshes(dimension, a, i, b, j, s)
-                    : mesh(dimension, a, i, kindB, b.rows(), j * Leaf.STRIDE, s);
+                    : mesh(dimension, a, i, kindB, b.rows(j), b.at(j), s);
         }
         if (Leaf.isMesh(kindB)) {
-            return mesh(dimension, b, j, kindA, a.rows(), i * Leaf.STRIDE, s);
+            return mesh(dimension, b, j, kindA, a.rows(i), a.at(i), s);
         }
-        return convex(dimension, kindA, a.rows(), i * Leaf.STRIDE, kindB, b.rows(), j * Leaf.STRIDE, s);
+        return convex(dimension, kindA, a.rows(i), a.at(i), kindB, b.rows(j), b.at(j), s);
     }
 
     private static boolean meshes(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, Scratch s) {
