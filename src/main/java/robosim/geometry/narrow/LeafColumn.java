@@ -72,11 +72,7 @@ public final class LeafColumn {
         if (size > kinds.length) {
             int more = kinds.length < SMALL ? kinds.length : kinds.length >> 2;
             int capacity = Math.max(size, kinds.length + more + 1);
-            kinds = Arrays.copyOf(kinds, capacity);
-            rows = Arrays.copyOf(rows, capacity * Leaf.STRIDE);
-            if (meshes != null) {
-                meshes = Arrays.copyOf(meshes, capacity);
-            }
+            resize(capacity);
         }
         return first;
     }
@@ -119,6 +115,22 @@ public final class LeafColumn {
             if (Leaf.isMesh(kind(at + k))) {
                 setMesh(at + k, other.mesh(first + k));
             }
+        }
+    }
+
+    /** Gives up room that there is for more. */
+    public void trim() {
+        if (kinds.length - size > size >> 6) {
+            resize(size);
+        }
+        upright.trim();
+    }
+
+    private void resize(int capacity) {
+        kinds = Arrays.copyOf(kinds, capacity);
+        rows = Arrays.copyOf(rows, capacity * Leaf.STRIDE);
+        if (meshes != null) {
+            meshes = Arrays.copyOf(meshes, capacity);
         }
     }
 

@@ -68,11 +68,22 @@ final class UprightRows {
     int append() {
         if (size == kinds.length) {
             int more = size < SMALL ? size + 16 : size >> 2;
-            kinds = Arrays.copyOf(kinds, size + more);
-            rows = Arrays.copyOf(rows, STRIDE * kinds.length + Leaf.STRIDE);
+            resize(size + more);
         }
         kinds[size] = VACANT;
         return size++;
+    }
+
+    /** Gives up room that there is for more. */
+    void trim() {
+        if (kinds.length - size > size >> 6) {
+            resize(size);
+        }
+    }
+
+    private void resize(int capacity) {
+        kinds = Arrays.copyOf(kinds, capacity);
+        rows = Arrays.copyOf(rows, STRIDE * capacity + Leaf.STRIDE);
     }
 
     void write(int place, int kind, double[] row, int at) {
