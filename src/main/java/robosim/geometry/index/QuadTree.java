@@ -407,7 +407,7 @@ public final class QuadTree {
             line.start(ox, oz, dx, dz, tree.most);
             walk.stop();
             layer = 0;
-            isOrdered = false;
+            isOrdered = !line.isOrdinary();
             for (int k = 0; k < layers.count(); k++) {
                 // Far from one of them: all in order then.
                 isOrdered |= !TileWalk.isNear(layers.get(k), ox, oz, dx, dz);

@@ -86,6 +86,11 @@ final class TileWalk {
             query += 1L << Integer.SIZE;
         }
 
+        /** Whether no product of a place and the direction can overflow. */
+        boolean isOrdinary() {
+            return aside < 0x1p960;
+        }
+
         private boolean isNew(int id) {
             long mark = query | id;
             int place = id & (RECENT - 1);
@@ -227,8 +232,9 @@ final class TileWalk {
         // The middle of the way to the reach, twice and times the direction, as the offsets are; wide of what this
         // rounds.
         double half = reach * l.square;
-        half = half < Double.POSITIVE_INFINITY ? half : Double.POSITIVE_INFINITY;
-        double margin = half * (1 + 0x1p-48) + most;
+        boolean isNarrow = half < Double.POSITIVE_INFINITY;
+        double margin = isNarrow ? half * (1 + 0x1p-48) + most : Double.POSITIVE_INFINITY;
+        half = isNarrow ? half : 0;
         int[] heads = tiles.heads;
         float[] entries = tiles.store.data;
         double from = begin;
@@ -252,9 +258,11 @@ final class TileWalk {
                 double offZ = minZ + maxZ - fromZ;
                 double wide = maxX - minX;
                 double deep = maxZ - minZ;
-                if (Math.abs(offX * dz - offZ * dx) <= wide * wayZ + deep * wayX + most
-                        && !(Math.abs(offX * dx + offZ * dz - half) > wide * wayX + deep * wayZ + margin)
-                        && l.isNew(id)) {
+                double across = (wide * wayZ + deep * wayX + most) - Math.abs(offX * dz - offZ * dx);
+                double along = (wide * wayX + deep * wayZ + margin) - Math.abs(offX * dx + offZ * dz - half);
+                // Two comparisons in one branch: a negative difference is a gap.
+                long gaps = Double.doubleToRawLongBits(across) | Double.doubleToRawLongBits(along);
+                if (gaps >= 0 && l.isNew(id)) {
                     begin = from;
                     crossX = cx;
                     crossZ = cz;
