@@ -22,7 +22,7 @@ final class Bodies {
     private boolean isOrdered;
 
     /** Where a moveable object's place stands in the column of places, -1 for a static object. */
-    private int[] slots = new int[16];
+    private int[] slots = new int[0];
 
     private double[] places = new double[0];
     private int[] movers = new int[4];
@@ -61,7 +61,7 @@ final class Bodies {
             return movers[found];
         }
         int id = names.find(name);
-        if (id >= 0 && slots[id] >= 0) {
+        if (id >= 0 && isMoveable(id)) {
             found = slots[id];
         }
         return id;
@@ -86,13 +86,17 @@ final class Bodies {
             if (isOrdered) {
                 order = Arrays.copyOf(order, capacity);
             }
-            slots = Arrays.copyOf(slots, capacity);
+            if (moverCount > 0) {
+                growSlots();
+            }
         }
         values[id] = object;
         if (isOrdered) {
             order[id] = arrivals++;
         }
-        slots[id] = -1;
+        if (id < slots.length) {
+            slots[id] = -1;
+        }
         String name = object.name();
         if (name != null) {
             names.put(name, id);
@@ -117,6 +121,12 @@ final class Bodies {
         return free[--freeCount];
     }
 
+    private void growSlots() {
+        int from = slots.length;
+        slots = Arrays.copyOf(slots, values.length);
+        Arrays.fill(slots, from, slots.length, -1);
+    }
+
     private void addMover(int id, @Nullable String name, Pose pose) {
         if (moverCount == movers.length) {
             movers = Arrays.copyOf(movers, 2 * moverCount);
@@ -124,6 +134,9 @@ final class Bodies {
         }
         if ((moverCount + 1) * PLACE > places.length) {
             places = Arrays.copyOf(places, 2 * (moverCount + 1) * PLACE);
+        }
+        if (id >= slots.length) {
+            growSlots();
         }
         slots[id] = moverCount;
         movers[moverCount] = id;
@@ -156,7 +169,7 @@ final class Bodies {
         if (name != null) {
             names.remove(name);
         }
-        if (slots[id] >= 0) {
+        if (isMoveable(id)) {
             removeMover(slots[id]);
         }
         values[id] = null;
@@ -195,7 +208,7 @@ final class Bodies {
     }
 
     boolean isMoveable(int id) {
-        return slots[id] >= 0;
+        return id < slots.length && slots[id] >= 0;
     }
 
     /** Whether a came before b. */

@@ -87,7 +87,7 @@ final class Level {
         this.bodies = bodies;
         this.accuracy = accuracy;
         this.dimension = dimension;
-        tree = new QuadTree(-width / 2, -length / 2, width / 2, length / 2);
+        tree = new QuadTree(-width / 2, -length / 2, width / 2, length / 2, this::trim);
         cursor = tree.cursor();
         stacks = new Stacks(dimension == Dimension.SPATIAL);
         extent = width + length;
@@ -192,6 +192,16 @@ final class Level {
     /** How many moveable objects are not in the quadtree: all or none. */
     int moversBesideTree() {
         return hasMoversInTree ? 0 : movers;
+    }
+
+    /** Gives up room that there is for more objects. */
+    private void trim() {
+        int limit = bodies.limit();
+        if (Growth.isWasteful(limit, shapes.length)) {
+            shapes = Arrays.copyOf(shapes, limit);
+            bounds = Arrays.copyOf(bounds, 6 * limit);
+        }
+        leaves.trim();
     }
 
     private void reserve(int id) {

@@ -18,11 +18,16 @@ public final class QuadTree {
     /** Greatest id: four numbers for each must fit one array. */
     public static final int MAX_ID = (1 << 28) - 2;
 
+    /** Room for so many more is not worth giving up. */
+    private static final int FEW = 1024;
+
     private final Cells cells;
 
     // By id: the box; the first number is NaN where there is none.
     private double[] boxes = new double[4 * 64];
     private int size;
+
+    private final Runnable laidOut;
 
     /** No coordinate of a box was ever of a greater magnitude. */
     private double most;
@@ -45,6 +50,12 @@ public final class QuadTree {
 
     /** An empty tree over a world of this extent. Objects may lie outside of it; the tree is merely coarser there. */
     public QuadTree(double minX, double minZ, double maxX, double maxZ) {
+        this(minX, minZ, maxX, maxZ, () -> {});
+    }
+
+    /** The same, with what to do whenever the tree has been laid out anew: its owner may do likewise. */
+    public QuadTree(double minX, double minZ, double maxX, double maxZ, Runnable whenLaidOut) {
+        laidOut = whenLaidOut;
         cells = new Cells(minX, minZ, maxX, maxZ);
         regions = new RegionTree(cells);
         Arrays.fill(boxes, Double.NaN);
@@ -167,9 +178,22 @@ public final class QuadTree {
         }
         if (tiles.isStale()) {
             tiles.layOut(boxes, size);
+            trim();
+            laidOut.run();
             if (!hasMoved) { // a world that stands still needs nothing more
                 grid = null;
             }
+        }
+    }
+
+    /** Gives up room that there is for more. */
+    private void trim() {
+        int limit = boxes.length / 4;
+        while (limit > 1 && Double.isNaN(boxes[4 * limit - 4])) {
+            limit--;
+        }
+        if (boxes.length / 4 - limit > FEW + (limit >> 6)) {
+            boxes = Arrays.copyOf(boxes, 4 * limit);
         }
     }
 

@@ -16,11 +16,11 @@ public final class LeafColumn {
     /** Columns with fewer leaves grow by as many again. */
     private static final int SMALL = 1 << 15;
 
-    // Two products and their sum, and this one, each rounded by 2^-53 of itself.
-    private static final double OUTWARD = 1 + 0x1p-50;
-
     /** The bit in the number of a leaf of half a row. */
     public static final int UPRIGHT = 1 << 30;
+
+    // Two products and their sum, and this one, each rounded by 2^-53 of itself.
+    private static final double OUTWARD = 1 + 0x1p-50;
 
     private int size;
     private byte[] kinds;
@@ -72,11 +72,7 @@ public final class LeafColumn {
         if (size > kinds.length) {
             int more = kinds.length < SMALL ? kinds.length : kinds.length >> 2;
             int capacity = Math.max(size, kinds.length + more + 1);
-            kinds = Arrays.copyOf(kinds, capacity);
-            rows = Arrays.copyOf(rows, capacity * Leaf.STRIDE);
-            if (meshes != null) {
-                meshes = Arrays.copyOf(meshes, capacity);
-            }
+            resize(capacity);
         }
         return first;
     }
@@ -119,6 +115,22 @@ public final class LeafColumn {
             if (Leaf.isMesh(kind(at + k))) {
                 setMesh(at + k, other.mesh(first + k));
             }
+        }
+    }
+
+    /** Gives up room that there is for more. */
+    public void trim() {
+        if (kinds.length - size > size >> 6) {
+            resize(size);
+        }
+        upright.trim();
+    }
+
+    private void resize(int capacity) {
+        kinds = Arrays.copyOf(kinds, capacity);
+        rows = Arrays.copyOf(rows, capacity * Leaf.STRIDE);
+        if (meshes != null) {
+            meshes = Arrays.copyOf(meshes, capacity);
         }
     }
 
@@ -202,9 +214,8 @@ public final class LeafColumn {
      * less than 2<sup>-48</sup> of the coordinates and sizes.
      */
     public void roughBounds(int leaf, double[] out) {
-        int kind = kind(leaf);
         int at = leaf * Leaf.STRIDE;
-        switch (kind) {
+        switch (isUpright(leaf) ? VACANT : kinds[leaf]) {
             case Leaf.UPRIGHT_CYLINDER -> roughBounds(at, rows[at + 3], rows[at + 4], rows[at + 3], out);
             case Leaf.SPHERE -> roughBounds(at, rows[at + 3], rows[at + 3], rows[at + 3], out);
             case Leaf.UPRIGHT_BOX -> {

@@ -69,11 +69,22 @@ final class UprightRows {
     /** Makes room for one more and answers its place. */
     int append() {
         if (size == kinds.length) {
-            kinds = Arrays.copyOf(kinds, size == 0 ? LEAST : size < SMALL ? 2 * size + 2 : size + (size >> 2));
-            rows = Arrays.copyOf(rows, STRIDE * kinds.length + Leaf.STRIDE);
+            resize(size == 0 ? LEAST : size < SMALL ? 2 * size + 2 : size + (size >> 2));
         }
         kinds[size] = VACANT;
         return size++;
+    }
+
+    /** Gives up room that there is for more. */
+    void trim() {
+        if (kinds.length - size > size >> 6) {
+            resize(size);
+        }
+    }
+
+    private void resize(int capacity) {
+        kinds = Arrays.copyOf(kinds, capacity);
+        rows = Arrays.copyOf(rows, STRIDE * capacity + Leaf.STRIDE);
     }
 
     void write(int place, int kind, double[] row, int at) {
