@@ -9,8 +9,9 @@ import org.jspecify.annotations.Nullable;
  * <p>A region is cut in four at its centre, again and again. Where a ray or a box asks, all regions of one depth are taken
  * at once as {@link Tiles}, about as many as there are objects: a ray steps from tile to tile, front to back, until no
  * later tile can hold anything nearer than what it has met. Objects that are too large for the tiles stand on coarser ones.
- * Where a point asks for what is nearest, the regions are a tree that is descended nearest first. Both are made when first
- * asked, and laid out anew when the number of objects has outgrown them.
+ * Where a point asks for what is nearest, the regions are a tree that is descended nearest first. Who is near a small box
+ * while objects are being added or move is asked of a {@link NearGrid}, and the tiles catch up when they are asked again.
+ * Each is made when first asked, and laid out anew when the number of objects has outgrown it.
  *
  * <p>Belongs to one thread at a time. Arrays have one place for every id up to the greatest.
  */

@@ -19,6 +19,8 @@ final class UprightRows {
 
     private static final byte VACANT = -1;
 
+    private static final int LEAST = 16;
+
     /** Fewer than these grow by as many again. */
     private static final int SMALL = 1 << 15;
 
@@ -67,8 +69,7 @@ final class UprightRows {
     /** Makes room for one more and answers its place. */
     int append() {
         if (size == kinds.length) {
-            int more = size < SMALL ? size + 16 : size >> 2;
-            resize(size + more);
+            resize(size == 0 ? LEAST : size < SMALL ? 2 * size + 2 : size + (size >> 2));
         }
         kinds[size] = VACANT;
         return size++;
