@@ -1,6 +1,7 @@
 /** Collision, motion and range queries for robot simulators: what may be where, how far it may move, what is next. */
 module robosim.geometry {
     requires java.xml;
+    requires static com.fasterxml.jackson.core;
     requires static info.picocli;
     requires static java.desktop;
     requires static org.jspecify;

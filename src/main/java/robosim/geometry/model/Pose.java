@@ -72,6 +72,28 @@ public final class Pose {
                 Arrays.copyOfRange(places, at + LOST, at + PLACE));
     }
 
+    /**
+     * As a stream tells it: a rotation, kept as given, and the heading with the rounding that it lost, in degrees, which
+     * count where they make that very rotation.
+     */
+    public static Pose of(Point center, double[] rotation, double heading, double rest) {
+        Pose given = of(center, 0).oriented(rotation);
+        if (given.isUpright() && Math.abs(heading) <= 180 && Math.abs(rest) <= 1e-12) {
+            double[] entry = Attitude.identity();
+            Attitude.setHeading(entry, 0, heading, rest);
+            Pose made = of(center, entry, 0);
+            if (made.equals(given)) {
+                return made;
+            }
+        }
+        return given;
+    }
+
+    /** The rounding that the heading has lost, in degrees: {@code heading() + lostHeading()} is the angle that is kept. */
+    public double lostHeading() {
+        return attitude[Attitude.STRIDE - 1];
+    }
+
     /** The place. */
     public Point center() {
         return center;

@@ -6,7 +6,6 @@ import java.io.Serializable;
 import java.util.List;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Attitude;
 
 /**
  * What objects are on the wire: records that make the object again through its constructor, so that none can come into
@@ -43,15 +42,14 @@ public final class SerialForms {
         private static final long serialVersionUID = 1;
 
         static Place of(GeometryObject object) {
-            double[] entry = new double[Attitude.STRIDE];
-            object.pose().attitude(entry, 0);
+            Pose pose = object.pose();
             return new Place(
                     object.name(),
                     object.isMoveable(),
-                    object.pose().center(),
-                    object.pose().rotation(),
-                    entry[9],
-                    entry[10]);
+                    pose.center(),
+                    pose.rotation(),
+                    pose.heading(),
+                    pose.lostHeading());
         }
 
         Tag tag() {
@@ -59,16 +57,7 @@ public final class SerialForms {
         }
 
         Pose pose() {
-            Pose given = Pose.of(Checks.present("center", center), 0).oriented(rotation);
-            if (given.isUpright() && Double.isFinite(heading) && Math.abs(heading) <= 180 && Math.abs(rest) <= 1e-12) {
-                double[] entry = Attitude.identity();
-                Attitude.setHeading(entry, 0, heading, rest);
-                Pose made = Pose.of(center, entry, 0);
-                if (made.equals(given)) {
-                    return made;
-                }
-            }
-            return given;
+            return Pose.of(Checks.present("center", center), rotation, heading, rest);
         }
     }
 

@@ -5,9 +5,10 @@ import java.net.Socket;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
-import robosim.geometry.protocol.MessageReader;
-import robosim.geometry.protocol.MessageWriter;
+import robosim.geometry.protocol.Gate;
+import robosim.geometry.protocol.MessageChannel;
 import robosim.geometry.protocol.ProtocolException;
+import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.Text;
 
 /** One socket and its session, whoever dialled. Whatever comes over it ends here. */
@@ -47,24 +48,22 @@ final class Connection implements Runnable {
         socket.setTcpNoDelay(true); // answers are small and waited for
         socket.setKeepAlive(true); // an idle peer that is gone is noticed in the end
         PacedInput in = new PacedInput(socket, options.stallTime(), options.messageTime());
-        // Our header goes out before theirs is waited for: two ends that both wait first wait for ever.
-        MessageWriter writer = new MessageWriter(socket.getOutputStream(), options.translator());
-        MessageReader reader = new MessageReader(in, options.translator(), in);
+        MessageChannel channel = new MessageChannel(in, socket.getOutputStream(), options.translator(), in, Gate.OPEN);
         Session session = new Session(options.session(), options.listeners().apply(name), name);
-        for (Bundle request = reader.read(); request != null; request = reader.read()) {
-            Bundle answer = answer(session, request);
-            if (answer != null) {
-                writer.write(answer);
+        for (Bundle request = channel.read(); request != null; request = channel.read()) {
+            Reply reply = reply(session, request);
+            if (reply != null) {
+                channel.write(reply);
             }
         }
     }
 
-    private static @Nullable Bundle answer(Session session, Bundle request) throws ProtocolException {
+    private static @Nullable Reply reply(Session session, Bundle request) throws ProtocolException {
         if (request instanceof DistanceBundle) {
             throw new ProtocolException("a request must be an InitBundle, a MoveBundle or a SonarRequestBundle (got: "
                     + request.getClass().getSimpleName() + ")");
         }
-        return session.answer(request);
+        return session.reply(request);
     }
 
     private void closed(String reason, Exception e) {

@@ -9,10 +9,14 @@ import robosim.geometry.protocol.MessagePace;
 
 /** A socket's bytes: patient between messages, impatient inside one. */
 final class PacedInput extends InputStream implements MessagePace {
+    /** How long a peer may be silent before it gets our stream header, for which it may be waiting. */
+    private static final int SILENCE_MILLIS = 300;
+
     private final Socket socket;
     private final InputStream in;
     private final long stallNanos;
     private final long messageNanos;
+    private boolean opening;
     private boolean inside;
     private long deadline;
 
@@ -24,12 +28,20 @@ final class PacedInput extends InputStream implements MessagePace {
     }
 
     @Override
+    public void opening() {
+        opening = true;
+        inside = false;
+    }
+
+    @Override
     public void idle() {
+        opening = false;
         inside = false;
     }
 
     @Override
     public void begun() {
+        opening = false;
         inside = true;
         deadline = System.nanoTime() + messageNanos;
     }
@@ -42,7 +54,7 @@ final class PacedInput extends InputStream implements MessagePace {
 
     @Override
     public int read(byte[] into, int at, int length) throws IOException {
-        socket.setSoTimeout(inside ? patience() : 0);
+        socket.setSoTimeout(opening ? SILENCE_MILLIS : inside ? patience() : 0);
         return in.read(into, at, length);
     }
 

@@ -15,6 +15,8 @@ import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
+import robosim.geometry.protocol.Problem;
+import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.Text;
@@ -72,28 +74,40 @@ public final class Session {
     }
 
     /**
-     * Carries a request out.
+     * Carries a request out; the short form of {@link #reply}.
      *
      * @return the answer; null after an {@link InitBundle}
      * @throws IllegalArgumentException where it is a {@link DistanceBundle}, which is an answer and no request
      */
     public @Nullable Bundle answer(Bundle request) {
+        Reply reply = reply(request);
+        return reply == null ? null : reply.bundle();
+    }
+
+    /**
+     * Carries a request out, and tells what was refused and why.
+     *
+     * @return the answer, with a problem for each move that is left out and each distance that is NaN; null after an
+     *     {@link InitBundle}
+     * @throws IllegalArgumentException where it is a {@link DistanceBundle}, which is an answer and no request
+     */
+    public @Nullable Reply reply(Bundle request) {
         long start = System.nanoTime();
-        Bundle answer;
+        Reply reply;
         if (request instanceof InitBundle init) {
             replaceWorld(init);
-            answer = null;
+            reply = null;
         } else if (request instanceof MoveBundle moves) {
-            answer = move(moves);
+            reply = move(moves);
         } else if (request instanceof SonarRequestBundle sonars) {
-            answer = measure(sonars);
+            reply = measure(sonars);
         } else {
             throw new IllegalArgumentException(
                     "request must be an InitBundle, a MoveBundle or a SonarRequestBundle (got: "
                             + (request == null ? "null" : request.getClass().getSimpleName()) + ")");
         }
-        listener.answered(request, answer, System.nanoTime() - start);
-        return answer;
+        listener.replied(request, reply, System.nanoTime() - start);
+        return reply;
     }
 
     private void replaceWorld(InitBundle init) {
@@ -147,64 +161,73 @@ public final class Session {
         return true;
     }
 
-    private MoveBundle move(MoveBundle bundle) {
+    private Reply move(MoveBundle bundle) {
         List<MoveRequest> made = new ArrayList<>();
+        List<Problem> problems = new ArrayList<>();
+        int index = 0;
         for (MoveRequest request : bundle.moves()) {
-            World asked = worldOf(request.objectName(), "its moves are left out");
-            if (asked != null && move(asked, request)) {
+            Problem problem = move(request, index++);
+            if (problem == null) {
                 made.add(request);
+            } else {
+                problems.add(problem);
             }
         }
-        return new MoveBundle(made);
+        return new Reply(new MoveBundle(made), problems);
     }
 
-    private boolean move(World asked, MoveRequest request) {
+    /** Null where the move was made. */
+    private @Nullable Problem move(MoveRequest request, int index) {
+        String name = request.objectName();
+        if (world == null || !moveable.contains(name)) {
+            return unknown(name, index, "its moves are left out");
+        }
         MoveResult result;
         try {
             double rx = Degrees.toDegrees(request.rx());
             double ry = Degrees.toDegrees(request.ry());
-            result = asked.move(request.objectName(), new Move(request.x(), request.y(), request.z(), rx, ry));
+            result = world.move(name, new Move(request.x(), request.y(), request.z(), rx, ry));
         } catch (IllegalArgumentException e) {
-            complaints.warn("a move of object " + Text.quoted(request.objectName()) + " is left out: " + reason(e));
-            return false;
+            String reason = reason(e);
+            complaints.warn("a move of object " + Text.quoted(name) + " is left out: " + reason);
+            return Problem.of(index, reason);
         }
         listener.tried(request, result);
-        return result.allowed();
+        return result.allowed() ? null : Problem.of(index, () -> Reasons.of(result));
     }
 
-    private DistanceBundle measure(SonarRequestBundle bundle) {
+    private Reply measure(SonarRequestBundle bundle) {
         List<Double> distances = new ArrayList<>(bundle.requests().size());
+        List<Problem> problems = new ArrayList<>();
         for (SonarRequest request : bundle.requests()) {
-            World asked = worldOf(request.objectName(), "its distances are NaN");
-            distances.add(asked == null ? Double.NaN : measure(asked, request));
+            distances.add(measure(request, distances.size(), problems));
         }
-        return new DistanceBundle(distances);
+        return new Reply(new DistanceBundle(distances), problems);
     }
 
-    private double measure(World asked, SonarRequest request) {
+    private double measure(SonarRequest request, int index, List<Problem> problems) {
+        String name = request.objectName();
+        if (world == null || !moveable.contains(name)) {
+            problems.add(unknown(name, index, "its distances are NaN"));
+            return Double.NaN;
+        }
         Beam beam = request.beam() == null ? options.beam() : request.beam();
         try {
-            return asked.sonar(
-                    request.objectName(),
-                    request.xOffset(),
-                    request.zOffset(),
-                    beam.min(),
-                    beam.max(),
-                    Degrees.toDegrees(beam.width()));
+            double width = Degrees.toDegrees(beam.width());
+            return world.sonar(name, request.xOffset(), request.zOffset(), beam.min(), beam.max(), width);
         } catch (IllegalArgumentException e) {
-            complaints.warn("a distance of object " + Text.quoted(request.objectName()) + " is NaN: " + reason(e));
+            String reason = reason(e);
+            complaints.warn("a distance of object " + Text.quoted(name) + " is NaN: " + reason);
+            problems.add(Problem.of(index, reason));
             return Double.NaN;
         }
     }
 
-    /** The world where it has a moveable object of that name; else null, and a line in the log. */
-    private @Nullable World worldOf(String name, String consequence) {
-        if (moveable.contains(name)) {
-            return world;
-        }
-        complaints.warn("no moveable object " + Text.quoted(name) + (world == null ? ", there is no world yet" : "")
-                + ": " + consequence);
-        return null;
+    /** Logged, and told to who asks. */
+    private Problem unknown(String name, int index, String consequence) {
+        String reason = "no moveable object " + Text.quoted(name) + (world == null ? ", there is no world yet" : "");
+        complaints.warn(reason + ": " + consequence);
+        return Problem.of(index, reason);
     }
 
     private static String reason(IllegalArgumentException e) {

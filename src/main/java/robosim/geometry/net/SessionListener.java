@@ -4,6 +4,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.MoveResult;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.MoveRequest;
+import robosim.geometry.protocol.Reply;
 
 /**
  * Sees what a session does, on the thread that does it, before the answer is sent. What a listener throws ends the
@@ -24,4 +25,15 @@ public interface SessionListener {
      * @param nanoseconds the time between, without reading and writing
      */
     default void answered(Bundle request, @Nullable Bundle answer, long nanoseconds) {}
+
+    /**
+     * A request was carried out; tells {@link #answered} unless it is overridden.
+     *
+     * @param request     what came
+     * @param reply       what will be sent, with what was refused and why; null after an InitBundle
+     * @param nanoseconds the time between, without reading and writing
+     */
+    default void replied(Bundle request, @Nullable Reply reply, long nanoseconds) {
+        answered(request, reply == null ? null : reply.bundle(), nanoseconds);
+    }
 }

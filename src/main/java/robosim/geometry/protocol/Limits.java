@@ -43,4 +43,7 @@ public final class Limits {
      * Longest text in bytes of modified UTF-8: what the short form of a Java stream can hold. A name is of some 10 letters.
      */
     public static final int MAX_TEXT_BYTES = 65_535;
+
+    /** Most bytes of the hello with which a peer that speaks JSON begins: nobody has admitted it yet. A secret has some 50. */
+    public static final int MAX_HELLO_BYTES = 8192;
 }

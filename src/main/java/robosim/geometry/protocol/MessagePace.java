@@ -16,4 +16,13 @@ public interface MessagePace {
 
     /** A message has begun: its other bytes are due. */
     void begun();
+
+    /**
+     * The first byte of a connection is awaited. A stream with a clock ends this wait once, when it has taken too long
+     * for a peer that may itself be waiting for our stream header, by an {@link java.io.InterruptedIOException}, after
+     * which it can be read on; {@link #idle} follows.
+     */
+    default void opening() {
+        idle();
+    }
 }

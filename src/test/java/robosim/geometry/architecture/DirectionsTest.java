@@ -39,6 +39,7 @@ class DirectionsTest {
             "org.xml.", Set.of("world", "viewer"),
             "java.awt.", Set.of("viewer"),
             "javax.swing.", Set.of("viewer"),
+            "com.fasterxml.jackson.", Set.of("protocol"),
             "picocli.", Set.of("cli"));
 
     private static final JavaClasses CLASSES = new ClassFileImporter()
@@ -126,6 +127,8 @@ class DirectionsTest {
                         || target.startsWith("org.w3c.dom.")
                         || target.startsWith("org.jspecify.annotations.")
                         || target.startsWith(ROOT)
+                        || (target.startsWith("com.fasterxml.jackson.core.")
+                                && type.getName().startsWith(ROOT + ".protocol.Json"))
                         || (target.startsWith("picocli.") && room(type).equals("cli"));
                 if (!known) {
                     wrong.add(type.getName() + " -> " + target);

@@ -1,0 +1,39 @@
+package robosim.geometry.net;
+
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.MoveResult;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.protocol.Text;
+
+/** Why a move was refused, in words. */
+final class Reasons {
+    private Reasons() {}
+
+    /** As in {@code blocked by "wall 3" after 0.25 of the way}. */
+    static String of(MoveResult result) {
+        return "blocked by " + obstacle(result.obstacle()) + " after " + way(result);
+    }
+
+    private static String obstacle(@Nullable GeometryObject obstacle) {
+        if (obstacle == null) {
+            return "the border of the world";
+        }
+        String name = obstacle.name();
+        return name == null ? "a " + Text.line(obstacle.toString()) : Text.quoted(name);
+    }
+
+    private static String way(MoveResult result) {
+        return result.fraction() < 1
+                ? share(result.fraction()) + " of the way"
+                : share(result.turnFraction()) + " of the turn";
+    }
+
+    /** Rounded down to a thousandth, without a zero at its end; the same text on every JVM. */
+    private static String share(double fraction) {
+        int thousandths = (int) (1000 * fraction);
+        if (thousandths % 1000 == 0) {
+            return String.valueOf(thousandths / 1000);
+        }
+        return "0." + String.valueOf(1000 + thousandths).substring(1).replaceAll("0+$", "");
+    }
+}

@@ -1,0 +1,62 @@
+package robosim.geometry.protocol;
+
+import java.util.Objects;
+import java.util.function.Supplier;
+
+/**
+ * Why one request of a bundle was refused, in words for people. The words are made when they are asked for: an encoding
+ * that does not show them does not pay for them.
+ */
+public final class Problem {
+    private final int index;
+    private final Supplier<String> words;
+
+    private Problem(int index, Supplier<String> words) {
+        if (index < 0) {
+            throw new IllegalArgumentException("index must be at least 0 (got: " + index + ")");
+        }
+        this.index = index;
+        this.words = words;
+    }
+
+    /** With its words. */
+    public static Problem of(int index, String reason) {
+        Checks.present("reason", reason);
+        return new Problem(index, () -> reason);
+    }
+
+    /**
+     * With words to come.
+     *
+     * @param index  of the request in its bundle
+     * @param reason the same each time, on any thread
+     */
+    public static Problem of(int index, Supplier<String> reason) {
+        return new Problem(index, Checks.present("reason", reason));
+    }
+
+    /** Which request of the bundle was refused, from 0. */
+    public int index() {
+        return index;
+    }
+
+    /** Why, as in {@code blocked by "wall 3" after 0.25 of the way}. */
+    public String reason() {
+        return words.get();
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof Problem that && index == that.index && reason().equals(that.reason());
+    }
+
+    @Override
+    public int hashCode() {
+        return Objects.hash(index, reason());
+    }
+
+    @Override
+    public String toString() {
+        return index + ": " + reason();
+    }
+}

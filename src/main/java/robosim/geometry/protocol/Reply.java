@@ -1,0 +1,26 @@
+package robosim.geometry.protocol;
+
+import java.util.List;
+
+/**
+ * What a session answers: the bundle, and what it does not tell. Java serialization sends the bundle alone, JSON lines
+ * both.
+ *
+ * @param bundle   a {@link MoveBundle} of the moves that were made or a {@link DistanceBundle}
+ * @param problems why requests were refused, in their order: the moves that are left out, the distances that are NaN
+ */
+public record Reply(Bundle bundle, List<Problem> problems) {
+    /** Refuses null, and a bundle that is no answer. */
+    public Reply {
+        if (!(bundle instanceof MoveBundle || bundle instanceof DistanceBundle)) {
+            throw new IllegalArgumentException("bundle must be a MoveBundle or a DistanceBundle (got: "
+                    + (bundle == null ? "null" : bundle.getClass().getSimpleName()) + ")");
+        }
+        problems = Checks.copy("problems", problems, Problem.class);
+    }
+
+    /** Without a word about problems. */
+    public Reply(Bundle bundle) {
+        this(bundle, List.of());
+    }
+}
