@@ -93,6 +93,7 @@ public final class Session {
      */
     public @Nullable Reply reply(Bundle request) {
         long start = System.nanoTime();
+        complaints.next();
         Reply reply;
         if (request instanceof InitBundle init) {
             replaceWorld(init);
