@@ -4,6 +4,7 @@ module robosim.geometry {
     requires static com.fasterxml.jackson.core;
     requires static info.picocli;
     requires static java.desktop;
+    requires static java.management;
     requires static org.jspecify;
 
     exports robosim.geometry;

@@ -2,15 +2,20 @@ package robosim.geometry.cli;
 
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import robosim.geometry.net.Allowance;
 import robosim.geometry.net.GeometryClient;
+import robosim.geometry.net.NetOptions;
+import robosim.geometry.net.Redial;
 
 /** Dials an environment and answers it. */
 @Command(
         name = "connect",
-        description = "Dials RoboSim's environment module and answers it until it hangs up.",
+        description = "Dials RoboSim's environment module and answers it; dials again when it is gone.",
         mixinStandardHelpOptions = true)
 final class ConnectCommand implements Callable<Integer> {
     @Spec
@@ -23,12 +28,23 @@ final class ConnectCommand implements Callable<Integer> {
     @Parameters(index = "1", paramLabel = "PORT", description = "1 to 65535")
     private int port;
 
+    @Option(names = "--once", description = "dial once and end when the environment hangs up")
+    private boolean once;
+
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private ConnectionOptions common;
+
     private ConnectCommand() {}
 
     @Override
     public Integer call() {
         Ports.check(spec, port, 1);
-        new GeometryClient(host, port).run();
+        NetOptions options = common.options(Allowance.DEFAULT.connections()).withRedial(once ? null : Redial.DEFAULT);
+        int seconds = common.figuresSeconds();
+        GeometryClient client = new GeometryClient(host, port, options);
+        FiguresPrinter.start(spec.commandLine().getOut(), client.figures(), seconds, client::close);
+        client.run();
         return 0;
     }
 }

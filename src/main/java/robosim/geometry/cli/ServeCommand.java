@@ -1,8 +1,10 @@
 package robosim.geometry.cli;
 
+import java.io.PrintWriter;
 import java.net.InetAddress;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -28,16 +30,33 @@ final class ServeCommand implements Callable<Integer> {
             paramLabel = "ADDRESS",
             defaultValue = "localhost",
             description =
-                    "where to listen; 0.0.0.0 for everywhere (default: ${DEFAULT-VALUE}). Nobody is asked who he is.")
+                    "where to listen; 0.0.0.0 for everywhere (default: ${DEFAULT-VALUE}). Off this machine only with TLS"
+                            + " or a secret.")
     private String host = "localhost";
+
+    @Option(
+            names = "--connections",
+            paramLabel = "N",
+            defaultValue = "256",
+            description = "most connections at a time (default: ${DEFAULT-VALUE})")
+    private int connections;
+
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private ConnectionOptions common;
 
     private ServeCommand() {}
 
     @Override
     public Integer call() throws Exception {
         Ports.check(spec, port, 0);
-        GeometryServer server = new GeometryServer(InetAddress.getByName(host), port, NetOptions.defaults());
-        spec.commandLine().getOut().println("Listening on " + server.address());
+        NetOptions options = common.options(connections);
+        int seconds = common.figuresSeconds();
+        GeometryServer server = new GeometryServer(InetAddress.getByName(host), port, options);
+        PrintWriter out = spec.commandLine().getOut();
+        out.println("Listening on " + server.address());
+        out.flush();
+        FiguresPrinter.start(out, server.figures(), seconds, server::close);
         return 0;
     }
 }

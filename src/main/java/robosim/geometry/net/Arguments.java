@@ -1,5 +1,7 @@
 package robosim.geometry.net;
 
+import java.time.Duration;
+
 /** The rules for this package's own arguments. */
 final class Arguments {
     private Arguments() {}
@@ -16,5 +18,18 @@ final class Arguments {
             throw new IllegalArgumentException("port must be " + least + " to 65535 (got: " + port + ")");
         }
         return port;
+    }
+
+    static void time(String argument, Duration time, Duration longest) {
+        present(argument, time);
+        if (time.compareTo(Duration.ofMillis(1)) < 0 || time.compareTo(longest) > 0) {
+            throw new IllegalArgumentException(argument + " must be from a millisecond to a day (got: " + time + ")");
+        }
+    }
+
+    static void atLeastOne(String argument, int number) {
+        if (number < 1) {
+            throw new IllegalArgumentException(argument + " must be at least 1 (got: " + number + ")");
+        }
     }
 }

@@ -4,29 +4,44 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.InetSocketAddress;
 import java.net.Socket;
+import java.time.Duration;
+import java.util.SplittableRandom;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.random.RandomGenerator;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Dials RoboSim's environment module and answers it until it ends the connection.
+ * Dials RoboSim's environment module and answers it until it ends the connection; with {@link Redial} again and again,
+ * until it is closed. Every connection begins without a world.
  *
  * <pre>{@code
  * new Thread(new GeometryClient("localhost", 5555)).start();
  * }</pre>
  */
 public final class GeometryClient implements Runnable, AutoCloseable {
+    private static final System.Logger LOG = System.getLogger(GeometryClient.class.getPackageName());
     private static final int GRACE_SECONDS = 2;
 
     private final String host;
     private final int port;
     private final NetOptions options;
+    private final Figures figures = new Figures();
+    private final RandomGenerator random;
+    private final Pause pause;
 
     private final Object lock = new Object();
+    private final CountDownLatch closing = new CountDownLatch(1);
     private final CountDownLatch ended = new CountDownLatch(1);
     private boolean started;
-    private boolean closed;
     private @Nullable Connection connection;
+
+    /** Waits before a client dials again. */
+    @FunctionalInterface
+    interface Pause {
+        /** Returns early where the latch opens. */
+        void await(CountDownLatch closing, Duration time) throws InterruptedException;
+    }
 
     /** Dials nobody yet. */
     public GeometryClient(String host, int port) {
@@ -41,58 +56,142 @@ public final class GeometryClient implements Runnable, AutoCloseable {
      * @param options how to treat the connection
      */
     public GeometryClient(String host, int port, NetOptions options) {
+        this(
+                host,
+                port,
+                options,
+                new SplittableRandom(),
+                (closing, time) -> closing.await(time.toNanos(), TimeUnit.NANOSECONDS));
+    }
+
+    GeometryClient(String host, int port, NetOptions options, RandomGenerator random, Pause pause) {
         this.host = Arguments.present("host", host);
         this.port = Arguments.port(port, 1);
         this.options = Arguments.present("options", options);
+        this.random = random;
+        this.pause = pause;
+    }
+
+    /** What it has done so far; goes on counting. */
+    public FiguresMXBean figures() {
+        return figures;
     }
 
     /**
-     * Dials and answers until the environment or {@link #close} ends it; once. What goes wrong on the connection is
-     * logged.
+     * Dials and answers until the environment or {@link #close} ends it; once, or where the options redial until
+     * {@link #close} ends it. What goes wrong on a connection is logged.
      *
-     * @throws UncheckedIOException  where the environment cannot be reached
+     * @throws UncheckedIOException  where the environment cannot be reached and the options do not redial
      * @throws IllegalStateException where it was run before
      */
     @Override
     public void run() {
-        Socket socket = new Socket();
-        Connection own = new Connection(socket, "client of " + host + ":" + port, options);
         synchronized (lock) {
             if (started) {
                 throw new IllegalStateException("a client runs once; make another");
             }
             started = true;
-            if (closed) {
-                ended.countDown();
-                return;
-            }
-            connection = own;
         }
-        try {
-            dial(socket);
-            own.run();
+        String place = host + ":" + port;
+        Management management = Management.show(figures, "GeometryClient", place);
+        try (Watchdog watchdog =
+                new Watchdog("geometry-watch-" + place, options.patience().stall())) {
+            Surroundings around = new Surroundings(options, figures, watchdog);
+            Redial redial = options.redial();
+            if (redial == null) {
+                dialOnce(around);
+            } else {
+                dialAgain(around, redial);
+            }
         } finally {
-            own.abort();
+            management.close();
             ended.countDown();
         }
     }
 
-    private void dial(Socket socket) {
+    private void dialOnce(Surroundings around) {
         try {
-            socket.connect(
-                    new InetSocketAddress(host, port), (int) options.stallTime().toMillis());
+            converse(around, "client of " + host + ":" + port);
         } catch (IOException e) {
+            throw new UncheckedIOException(cannotReach(e), e);
+        }
+    }
+
+    private void dialAgain(Surroundings around, Redial redial) {
+        int failures = 0;
+        for (int dialled = 1; !isClosed(); dialled++) {
+            String complaint = "the connection is over";
+            try {
+                boolean answered = converse(around, "client of " + host + ":" + port + ", connection " + dialled);
+                failures = answered ? 0 : failures + 1;
+            } catch (IOException e) {
+                failures++;
+                complaint = cannotReach(e);
+            }
             if (!isClosed()) {
-                throw new UncheckedIOException(
-                        "cannot reach an environment at " + host + ":" + port + ": " + e.getMessage(), e);
+                Duration time = redial.pause(Math.max(0, failures - 1), random);
+                LOG.log(System.Logger.Level.INFO, complaint + "; dialling again in " + time.toMillis() + " ms");
+                await(time);
             }
         }
     }
 
-    private boolean isClosed() {
-        synchronized (lock) {
-            return closed;
+    private void await(Duration time) {
+        try {
+            pause.await(closing, time);
+        } catch (InterruptedException e) {
+            closing.countDown();
+            Thread.currentThread().interrupt();
         }
+    }
+
+    /**
+     * Dials and answers until the connection ends.
+     *
+     * @return whether any request was answered
+     * @throws IOException where nobody answers the call
+     */
+    private boolean converse(Surroundings around, String name) throws IOException {
+        Socket socket = new Socket();
+        Tls tls = options.access().tls();
+        Connection own =
+                new Connection(socket, name, around, tls == null ? null : plain -> tls.dial(plain, host, port));
+        try {
+            synchronized (lock) {
+                if (isClosed()) {
+                    return false;
+                }
+                connection = own;
+            }
+            if (dial(socket)) {
+                own.run();
+            }
+            return own.hasAnswered();
+        } finally {
+            own.abort();
+        }
+    }
+
+    /** Whether it may go on; not where it was closed meanwhile. */
+    private boolean dial(Socket socket) throws IOException {
+        try {
+            socket.connect(new InetSocketAddress(host, port), (int)
+                    options.patience().stall().toMillis());
+            return true;
+        } catch (IOException e) {
+            if (isClosed()) {
+                return false;
+            }
+            throw e;
+        }
+    }
+
+    private String cannotReach(IOException e) {
+        return "cannot reach an environment at " + host + ":" + port + ": " + e.getMessage();
+    }
+
+    private boolean isClosed() {
+        return closing.getCount() == 0;
     }
 
     /**
@@ -103,10 +202,10 @@ public final class GeometryClient implements Runnable, AutoCloseable {
     public void close() {
         Connection own;
         synchronized (lock) {
-            if (closed) {
+            if (isClosed()) {
                 return;
             }
-            closed = true;
+            closing.countDown();
             own = connection;
         }
         if (own == null) {

@@ -14,8 +14,8 @@ import java.util.concurrent.TimeUnit;
 /**
  * Waits for environments that dial in, and holds a session of its own with each, on a thread of its own.
  *
- * <p>It listens from the moment that it is made until it is closed; its threads keep the process alive. Nobody is asked
- * who he is: listen on the loopback address, or where only friends can dial.
+ * <p>It listens from the moment that it is made until it is closed; its threads keep the process alive. On the
+ * loopback address nobody is asked who he is; elsewhere it wants {@link Access}.
  */
 public final class GeometryServer implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(GeometryServer.class.getPackageName());
@@ -23,6 +23,10 @@ public final class GeometryServer implements AutoCloseable {
 
     private final ServerSocket listening;
     private final NetOptions options;
+    private final Figures figures = new Figures();
+    private final Watchdog watchdog;
+    private final Surroundings around;
+    private final Management management;
     private final Map<Connection, Thread> connections = new ConcurrentHashMap<>();
 
     /** Threads whose connection is no more, in their last steps. */
@@ -47,13 +51,19 @@ public final class GeometryServer implements AutoCloseable {
      * @param address where; the wildcard address for everywhere
      * @param port    1 to 65535, or 0 for any that is free
      * @param options how to treat connections
-     * @throws UncheckedIOException where it cannot listen there
+     * @throws UncheckedIOException     where it cannot listen there
+     * @throws IllegalArgumentException where strangers could dial in, and the options know neither TLS nor a secret
      */
     public GeometryServer(InetAddress address, int port, NetOptions options) {
         Arguments.present("address", address);
         Arguments.port(port, 0);
         this.options = Arguments.present("options", options);
-        this.listening = listen(address, port, options.connections());
+        options.access().check(address);
+        this.listening = listen(address, port, options.allowance().connections());
+        this.watchdog =
+                new Watchdog("geometry-watch-" + port(), options.patience().stall());
+        this.around = new Surroundings(options, figures, watchdog);
+        this.management = Management.show(figures, "GeometryServer", address().toString());
         this.acceptor = new Thread(this::accept, "geometry-server-" + listening.getLocalPort());
         acceptor.start();
     }
@@ -81,18 +91,24 @@ public final class GeometryServer implements AutoCloseable {
         return connections.size();
     }
 
+    /** What it has done so far; goes on counting. */
+    public FiguresMXBean figures() {
+        return figures;
+    }
+
     private void accept() {
         boolean full = false;
         while (!closed) {
             try {
                 Socket socket = listening.accept();
-                boolean refused = connections.size() >= options.connections();
+                boolean refused = connections.size() >= options.allowance().connections();
                 if (refused) {
+                    figures.refused();
                     // Said before it is done: who sees the connection end finds the reason in the log.
                     if (!full) {
                         LOG.log(
                                 System.Logger.Level.WARNING,
-                                "server " + port() + ": connections are refused, there are " + options.connections());
+                                "server " + port() + ": connections are refused, there are " + connections.size());
                     }
                     socket.close();
                 } else {
@@ -110,7 +126,8 @@ public final class GeometryServer implements AutoCloseable {
 
     private void serve(Socket socket) throws IOException {
         String name = "server " + port() + ", peer " + socket.getRemoteSocketAddress();
-        Connection connection = new Connection(socket, name, options);
+        Tls tls = options.access().tls();
+        Connection connection = new Connection(socket, name, around, tls == null ? null : tls::accept);
         Thread thread = new Thread(
                 () -> {
                     try {
@@ -127,7 +144,7 @@ public final class GeometryServer implements AutoCloseable {
             thread.start();
         } catch (OutOfMemoryError e) {
             connections.remove(connection);
-            socket.close();
+            connection.abort();
             throw e;
         }
     }
@@ -161,6 +178,9 @@ public final class GeometryServer implements AutoCloseable {
         } catch (InterruptedException e) {
             connections.keySet().forEach(Connection::abort);
             Thread.currentThread().interrupt();
+        } finally {
+            watchdog.close();
+            management.close();
         }
     }
 

@@ -5,26 +5,41 @@ import java.io.InputStream;
 import java.net.Socket;
 import java.net.SocketTimeoutException;
 import java.time.Duration;
+import java.util.function.BooleanSupplier;
 import robosim.geometry.protocol.MessagePace;
+import robosim.geometry.protocol.ProtocolException;
 
-/** A socket's bytes: patient between messages, impatient inside one. */
+/** A peer's bytes: patient between messages, impatient inside one. */
 final class PacedInput extends InputStream implements MessagePace {
     /** How long a peer may be silent before it gets our stream header, for which it may be waiting. */
     private static final int SILENCE_MILLIS = 300;
 
     private final Socket socket;
     private final InputStream in;
+    private final Watchdog.Guard guard;
     private final long stallNanos;
     private final long messageNanos;
+    private final BooleanSupplier stopping;
+    private Duration idleTime;
     private boolean opening;
     private boolean inside;
     private long deadline;
 
-    PacedInput(Socket socket, Duration stallTime, Duration messageTime) throws IOException {
+    /**
+     * Reads.
+     *
+     * @param socket   whose time-outs are set
+     * @param in       its bytes, deciphered where they are ciphered
+     * @param stopping from when on a failure is the end
+     */
+    PacedInput(Socket socket, InputStream in, Watchdog.Guard guard, Patience patience, BooleanSupplier stopping) {
         this.socket = socket;
-        this.in = socket.getInputStream();
-        this.stallNanos = stallTime.toNanos();
-        this.messageNanos = messageTime.toNanos();
+        this.in = in;
+        this.guard = guard;
+        this.stallNanos = patience.stall().toNanos();
+        this.messageNanos = patience.message().toNanos();
+        this.idleTime = patience.idle();
+        this.stopping = stopping;
     }
 
     @Override
@@ -46,6 +61,11 @@ final class PacedInput extends InputStream implements MessagePace {
         deadline = System.nanoTime() + messageNanos;
     }
 
+    /** From now on the peer may be idle for so long between two messages. */
+    void mayIdle(Duration time) {
+        idleTime = time;
+    }
+
     @Override
     public int read() throws IOException {
         byte[] one = new byte[1];
@@ -54,16 +74,46 @@ final class PacedInput extends InputStream implements MessagePace {
 
     @Override
     public int read(byte[] into, int at, int length) throws IOException {
-        socket.setSoTimeout(opening ? SILENCE_MILLIS : inside ? patience() : 0);
-        return in.read(into, at, length);
+        try {
+            return inside ? readInside(into, at, length) : readIdle(into, at, length);
+        } catch (IOException e) {
+            if (stopping.getAsBoolean() && !guard.isBroken()) {
+                return -1;
+            }
+            throw e;
+        }
     }
 
-    /** Milliseconds, at least 1 because 0 would be for ever. */
-    private int patience() throws SocketTimeoutException {
+    private int readIdle(byte[] into, int at, int length) throws IOException {
+        socket.setSoTimeout(opening ? SILENCE_MILLIS : millis(idleTime.toNanos()));
+        try {
+            return in.read(into, at, length);
+        } catch (SocketTimeoutException e) {
+            if (opening) {
+                throw e;
+            }
+            throw new ProtocolException("a peer must say something now and then (got: silence for " + idleTime + ")");
+        }
+    }
+
+    private int readInside(byte[] into, int at, int length) throws IOException {
         long left = deadline - System.nanoTime();
         if (left <= 0) {
             throw new SocketTimeoutException();
         }
-        return (int) Math.max(1, Math.min(left, stallNanos) / 1_000_000);
+        socket.setSoTimeout(millis(Math.min(left, stallNanos)));
+        guard.begin(deadline); // one read of a cipher is several of the socket, each with that time-out
+        try {
+            return in.read(into, at, length);
+        } catch (IOException e) {
+            throw guard.isBroken() ? new SocketTimeoutException() : e;
+        } finally {
+            guard.end();
+        }
+    }
+
+    /** At least 1 because 0 would be for ever. */
+    private static int millis(long nanos) {
+        return (int) Math.max(1, Duration.ofNanos(nanos).toMillis());
     }
 }

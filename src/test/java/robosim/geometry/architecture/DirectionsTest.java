@@ -35,6 +35,9 @@ class DirectionsTest {
     /** Rooms whose use of a library or of a part of the JDK is theirs alone. */
     private static final Map<String, Set<String>> ONLY_IN = Map.of(
             "java.net.", Set.of("net", "cli"),
+            "javax.net.", Set.of("net"),
+            "java.lang.management.", Set.of("net"),
+            "javax.management.", Set.of("net"),
             "javax.xml.", Set.of("world", "viewer"),
             "org.xml.", Set.of("world", "viewer"),
             "java.awt.", Set.of("viewer"),

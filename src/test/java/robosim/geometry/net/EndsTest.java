@@ -122,7 +122,7 @@ class EndsTest {
                 assertThat(peer.move(NOBODY)).isEmpty();
             }
             peers.get(0).send(new byte[] {0x73}); // half a message
-            assertThat(ownThreads()).hasSize(before.size() + 21);
+            assertThat(ownThreads()).hasSize(before.size() + 22);
             long start = System.nanoTime();
             server.close();
             server.close();

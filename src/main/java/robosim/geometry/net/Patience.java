@@ -1,0 +1,24 @@
+package robosim.geometry.net;
+
+import java.time.Duration;
+
+/**
+ * How long a connection is waited for; each from a millisecond to a day.
+ *
+ * @param stall   how long a message that has begun may pause, on its way in or out, and how long dialling may take
+ * @param message how long a message may take from its first byte to its last, either way
+ * @param idle    how long a peer may say nothing between two messages
+ */
+public record Patience(Duration stall, Duration message, Duration idle) {
+    private static final Duration LONGEST = Duration.ofDays(1);
+
+    /** 10 seconds for a pause, 60 for a message, a day between two: a simulation may be halted over night. */
+    public static final Patience DEFAULT = new Patience(Duration.ofSeconds(10), Duration.ofSeconds(60), LONGEST);
+
+    /** Refuses null and times out of range. */
+    public Patience {
+        Arguments.time("stall", stall, LONGEST);
+        Arguments.time("message", message, LONGEST);
+        Arguments.time("idle", idle, LONGEST);
+    }
+}

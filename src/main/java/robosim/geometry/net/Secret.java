@@ -1,0 +1,53 @@
+package robosim.geometry.net;
+
+import java.nio.CharBuffer;
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import org.jspecify.annotations.Nullable;
+
+/** A secret that peers must know. Only its digest is kept, and nothing of it is ever printed. */
+public final class Secret {
+    /** Fewer letters than this can be tried out. */
+    private static final int SHORTEST = 16;
+
+    private final byte[] digest;
+
+    private Secret(byte[] digest) {
+        this.digest = digest;
+    }
+
+    /**
+     * Keeps the secret's digest.
+     *
+     * @param letters at least 16; the caller may overwrite them afterwards
+     */
+    public static Secret of(char[] letters) {
+        Arguments.present("letters", letters);
+        if (letters.length < SHORTEST) {
+            throw new IllegalArgumentException(
+                    "a secret must have at least " + SHORTEST + " letters (got: " + letters.length + ")");
+        }
+        return new Secret(digest(CharBuffer.wrap(letters)));
+    }
+
+    /** Whether this is the secret; takes the same time wherever the two differ. */
+    boolean matches(@Nullable String offered) {
+        return MessageDigest.isEqual(digest, digest(CharBuffer.wrap(offered == null ? "" : offered)));
+    }
+
+    private static byte[] digest(CharBuffer letters) {
+        try {
+            MessageDigest sha = MessageDigest.getInstance("SHA-256");
+            sha.update(StandardCharsets.UTF_8.encode(letters));
+            return sha.digest();
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("every Java has SHA-256", e);
+        }
+    }
+
+    @Override
+    public String toString() {
+        return "a secret";
+    }
+}

@@ -1,0 +1,89 @@
+package robosim.geometry.net;
+
+import java.io.IOException;
+import java.net.Socket;
+import java.nio.file.Path;
+import java.security.GeneralSecurityException;
+import java.security.KeyStore;
+import javax.net.ssl.KeyManagerFactory;
+import javax.net.ssl.SSLContext;
+import javax.net.ssl.SSLParameters;
+import javax.net.ssl.SSLSocket;
+import javax.net.ssl.TrustManagerFactory;
+import org.jspecify.annotations.Nullable;
+
+/** TLS 1.3 or 1.2 in which both ends show a certificate. */
+public final class Tls {
+    private static final String[] VERSIONS = {"TLSv1.3", "TLSv1.2"};
+
+    private final SSLContext context;
+
+    private Tls(SSLContext context) {
+        this.context = context;
+    }
+
+    /** With keys and trust of its maker's own. */
+    public static Tls of(SSLContext context) {
+        return new Tls(Arguments.present("context", context));
+    }
+
+    /**
+     * With a key and a certificate of one store and the trust in another; PKCS #12 or JKS. The caller may overwrite the
+     * passwords afterwards.
+     *
+     * @param keyStore      holds the own key with its certificate
+     * @param trustStore    holds the certificates of the peers, or of who signs them, and no others
+     * @param trustPassword null to trust a store whose integrity is not checked
+     * @throws IllegalArgumentException where a store cannot be read with its password
+     */
+    public static Tls load(Path keyStore, char[] keyPassword, Path trustStore, char @Nullable [] trustPassword) {
+        try {
+            KeyManagerFactory keys = KeyManagerFactory.getInstance(KeyManagerFactory.getDefaultAlgorithm());
+            keys.init(store("keyStore", keyStore, keyPassword), keyPassword);
+            TrustManagerFactory trust = TrustManagerFactory.getInstance(TrustManagerFactory.getDefaultAlgorithm());
+            trust.init(store("trustStore", trustStore, trustPassword));
+            SSLContext context = SSLContext.getInstance("TLS");
+            context.init(keys.getKeyManagers(), trust.getTrustManagers(), null);
+            return new Tls(context);
+        } catch (GeneralSecurityException e) {
+            throw new IllegalArgumentException("the key of " + keyStore + " cannot be used: " + e.getMessage(), e);
+        }
+    }
+
+    @SuppressWarnings("NullAway") // KeyStore takes null for no password
+    private static KeyStore store(String argument, Path file, char @Nullable [] password) {
+        try {
+            return KeyStore.getInstance(Arguments.present(argument, file).toFile(), password);
+        } catch (IOException | GeneralSecurityException | IllegalArgumentException e) {
+            throw new IllegalArgumentException(
+                    argument + " must be a key store that its password opens (got: " + file + ", " + e.getMessage()
+                            + ")",
+                    e);
+        }
+    }
+
+    /** The listening end's half, over a connected socket. */
+    SSLSocket accept(Socket plain) throws IOException {
+        SSLSocket socket = (SSLSocket) context.getSocketFactory().createSocket(plain, null, true);
+        SSLParameters parameters = parameters();
+        parameters.setNeedClientAuth(true);
+        socket.setUseClientMode(false);
+        socket.setSSLParameters(parameters);
+        return socket;
+    }
+
+    /** The dialling end's half, which expects a certificate for that very host. */
+    SSLSocket dial(Socket plain, String host, int port) throws IOException {
+        SSLSocket socket = (SSLSocket) context.getSocketFactory().createSocket(plain, host, port, true);
+        SSLParameters parameters = parameters();
+        parameters.setEndpointIdentificationAlgorithm("HTTPS");
+        socket.setSSLParameters(parameters);
+        return socket;
+    }
+
+    private static SSLParameters parameters() {
+        SSLParameters parameters = new SSLParameters();
+        parameters.setProtocols(VERSIONS.clone());
+        return parameters;
+    }
+}

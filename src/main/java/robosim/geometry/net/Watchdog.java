@@ -1,0 +1,112 @@
+package robosim.geometry.net;
+
+import java.time.Duration;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicLong;
+
+/** Breaks off what takes too long and has no time-out of its own: writing to a socket, a handshake, a TLS end. */
+final class Watchdog implements AutoCloseable {
+    private static final long MOST_TICK_MILLIS = 1000;
+
+    private final Set<Guard> guards = ConcurrentHashMap.newKeySet();
+    private final Thread thread;
+    private final long tickMillis;
+
+    /**
+     * Watches from now on, on a thread of its own.
+     *
+     * @param name   the thread's
+     * @param finest the shortest time that will be watched; the watchdog is late by at most a quarter of it
+     */
+    Watchdog(String name, Duration finest) {
+        tickMillis = Math.max(1, Math.min(MOST_TICK_MILLIS, finest.toMillis() / 4));
+        thread = new Thread(this::watch, name);
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    @SuppressWarnings("BusyWait") // it looks again and again, that is its task
+    private void watch() {
+        try {
+            while (true) {
+                Thread.sleep(tickMillis);
+                long now = System.nanoTime();
+                guards.forEach(guard -> guard.check(now));
+            }
+        } catch (InterruptedException e) {
+            return; // closed
+        }
+    }
+
+    /** A guard over one thing at a time; {@code breakOff} must make it fail at once. */
+    Guard guard(Runnable breakOff) {
+        Guard guard = new Guard(breakOff);
+        guards.add(guard);
+        return guard;
+    }
+
+    /** Ends the thread and waits for it. */
+    @Override
+    public void close() {
+        thread.interrupt();
+        if (thread == Thread.currentThread()) {
+            return;
+        }
+        try {
+            thread.join();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Of one connection. */
+    final class Guard implements AutoCloseable {
+        private static final long NOTHING = 0;
+        private static final long BROKEN = -1;
+
+        private final Runnable breakOff;
+
+        /** When it must be done, odd and positive on a clock that begins with the guard; or one of the above. */
+        private final AtomicLong due = new AtomicLong(NOTHING);
+
+        private final long origin = System.nanoTime();
+
+        private Guard(Runnable breakOff) {
+            this.breakOff = breakOff;
+        }
+
+        /** What begins now must be done by then, a {@link System#nanoTime}. */
+        void begin(long deadline) {
+            long last = due.get();
+            if (last != BROKEN) {
+                due.compareAndSet(last, Math.max(0, deadline - origin) | 1);
+            }
+        }
+
+        /** It is done. */
+        void end() {
+            long last = due.get();
+            if (last != BROKEN) {
+                due.compareAndSet(last, NOTHING);
+            }
+        }
+
+        /** Whether something was broken off. */
+        boolean isBroken() {
+            return due.get() == BROKEN;
+        }
+
+        private void check(long now) {
+            long then = due.get();
+            if (then > NOTHING && now - origin > then && due.compareAndSet(then, BROKEN)) {
+                breakOff.run();
+            }
+        }
+
+        @Override
+        public void close() {
+            guards.remove(this);
+        }
+    }
+}

@@ -1,0 +1,107 @@
+package robosim.geometry.net;
+
+import java.io.BufferedOutputStream;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Semaphore;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.MessageReader;
+import robosim.geometry.protocol.MessageWriter;
+import robosim.geometry.protocol.ProtocolException;
+
+/** An environment that asks a whole conversation, several requests ahead of their answers, and keeps what it hears. */
+final class Talker {
+    private static final int PATIENCE_MILLIS = 60_000;
+
+    private final int port;
+    private final int ahead;
+    private final Conversation conversation;
+
+    /** Before each answer is read. */
+    private Pace beforeReading = k -> {};
+
+    private int receiveBuffer;
+
+    /** What is done before the k-th answer is read. */
+    @FunctionalInterface
+    interface Pace {
+        void before(int k) throws InterruptedException;
+    }
+
+    /**
+     * Over that port of this machine.
+     *
+     * @param ahead how many requests may be without an answer
+     */
+    Talker(int port, int ahead, Conversation conversation) {
+        this.port = port;
+        this.ahead = ahead;
+        this.conversation = conversation;
+    }
+
+    /** Reads slowly, out of a small buffer. */
+    Talker reading(Pace pace) {
+        beforeReading = pace;
+        receiveBuffer = 1 << 13;
+        return this;
+    }
+
+    /** What came, in order, until all was answered or the connection ended, however it did. */
+    List<Bundle> talk() throws InterruptedException {
+        List<Bundle> heard = new ArrayList<>();
+        Semaphore free = new Semaphore(ahead);
+        try (Socket socket = new Socket()) {
+            if (receiveBuffer > 0) {
+                socket.setReceiveBufferSize(receiveBuffer);
+            }
+            socket.connect(new InetSocketAddress(InetAddress.getLoopbackAddress(), port), PATIENCE_MILLIS);
+            socket.setTcpNoDelay(true);
+            socket.setSoTimeout(PATIENCE_MILLIS);
+            Thread sender = new Thread(() -> send(socket, free), "talker");
+            sender.start();
+            try {
+                listen(socket, free, heard);
+            } catch (IOException e) {
+                heard = List.copyOf(heard); // the end, as ends go on a bad network
+            }
+            free.release(1 << 20);
+            socket.close();
+            sender.join();
+        } catch (IOException e) {
+            return heard; // it was not even reached
+        }
+        return heard;
+    }
+
+    private void send(Socket socket, Semaphore free) {
+        try {
+            MessageWriter writer = new MessageWriter(new BufferedOutputStream(socket.getOutputStream(), 1 << 14));
+            writer.write(conversation.world());
+            for (Bundle request : conversation.requests()) {
+                free.acquire();
+                writer.write(request);
+            }
+            socket.shutdownOutput();
+        } catch (IOException | InterruptedException e) {
+            return; // the listening half sees it too
+        }
+    }
+
+    private void listen(Socket socket, Semaphore free, List<Bundle> heard)
+            throws ProtocolException, IOException, InterruptedException {
+        MessageReader reader = new MessageReader(socket.getInputStream());
+        beforeReading.before(0);
+        @Nullable Bundle answer = reader.read();
+        while (answer != null) {
+            heard.add(answer);
+            free.release();
+            beforeReading.before(heard.size());
+            answer = reader.read();
+        }
+    }
+}
