@@ -1,0 +1,163 @@
+package robosim.geometry.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.net.InetAddress;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import robosim.geometry.net.GeometryClient;
+import robosim.geometry.net.GeometryServer;
+import robosim.geometry.net.NetOptions;
+import robosim.geometry.net.SessionListener;
+import robosim.geometry.protocol.Bundle;
+
+/** examples/environment.py, a process of its own, against the module in this one. */
+@Timeout(120)
+class PythonEnvironmentTest {
+    private static final Pattern SUMMARY =
+            Pattern.compile("environment +([\\d,]+) steps of (\\d+) robots: ([\\d,]+) moves asked, ([\\d,]+) made;"
+                    + " ([\\d,]+) distances, ([\\d,]+) of them echoes");
+
+    private final AtomicInteger carriedOut = new AtomicInteger();
+    private final NetOptions options = NetOptions.defaults().withListeners(connection -> new SessionListener() {
+        @Override
+        public void answered(Bundle request, @Nullable Bundle answer, long nanoseconds) {
+            carriedOut.incrementAndGet();
+        }
+    });
+
+    @BeforeAll
+    static void pythonIsThere() {
+        boolean found;
+        try {
+            Process process =
+                    new ProcessBuilder("python3", "-c", "import sys; sys.exit(sys.version_info < (3, 8))").start();
+            found = process.waitFor(30, TimeUnit.SECONDS) && process.exitValue() == 0;
+        } catch (IOException | InterruptedException e) {
+            found = false;
+        }
+        assumeTrue(found, "python3 of at least 3.8 must be on the path to try examples/environment.py");
+    }
+
+    private static Process start(String... arguments) throws IOException {
+        List<String> command = new ArrayList<>(
+                List.of("python3", Examples.FOLDER.resolve("environment.py").toString()));
+        command.addAll(List.of(arguments));
+        return new ProcessBuilder(command).redirectErrorStream(true).start();
+    }
+
+    private static String rest(BufferedReader output) {
+        return String.join("\n", output.lines().toList());
+    }
+
+    private static BufferedReader output(Process process) {
+        return new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8));
+    }
+
+    private void checkSummary(String text, int steps, int robots) {
+        Matcher summary = SUMMARY.matcher(text);
+        assertThat(summary.find()).as(text).isTrue();
+        int asked = number(summary, 3);
+        assertThat(number(summary, 1)).isEqualTo(steps);
+        assertThat(number(summary, 2)).isEqualTo(robots);
+        assertThat(asked).isEqualTo(steps * robots);
+        // A walk that meets nothing, or goes nowhere, would prove nothing.
+        assertThat(number(summary, 4)).isBetween(asked / 2, asked - 1);
+        assertThat(number(summary, 6)).isBetween(number(summary, 5) / 10, number(summary, 5) - 1);
+        assertThat(text).contains("every answer kept to the protocol", "times blocked by");
+        assertThat(carriedOut).hasValue(1 + 2 * steps + 1);
+    }
+
+    private static int number(Matcher summary, int group) {
+        return Integer.parseInt(summary.group(group).replace(",", ""));
+    }
+
+    @Test
+    void dialsAModuleThatListens() throws Exception {
+        try (GeometryServer server = new GeometryServer(InetAddress.getLoopbackAddress(), 0, options)) {
+            String place = InetAddress.getLoopbackAddress().getHostAddress() + ":" + server.port();
+            Process process =
+                    start("--world", "worlds/rooms.xml", "--connect", place, "--steps", "150", "--speed", "0.1");
+            String text = rest(output(process));
+            assertThat(process.waitFor()).as(text).isZero();
+            checkSummary(text, 150, 8);
+        }
+    }
+
+    @Test
+    void listensForAModuleThatDials() throws Exception {
+        Process process = start("--world", "worlds/hard.xml", "--listen", "0", "--steps", "150", "--speed", "0.1");
+        BufferedReader output = output(process);
+        String line = output.readLine();
+        assertThat(line).matches("Listening on port \\d+");
+        try (GeometryClient client =
+                new GeometryClient("127.0.0.1", Integer.parseInt(line.replaceAll("\\D", "")), options)) {
+            Thread thread = new Thread(client);
+            thread.start();
+            String text = rest(output);
+            assertThat(process.waitFor()).as(text).isZero();
+            checkSummary(text, 150, 5);
+            thread.join(10_000);
+            assertThat(thread.isAlive()).isFalse();
+        }
+    }
+
+    /** Objects of every kind from a world file are what the module takes them for. */
+    @Test
+    void understandsTheWorldFormat(@TempDir Path folder) throws Exception {
+        Path world = folder.resolve("all.xml");
+        Files.writeString(folder.resolve("tent.obj"), """
+                v 0 0 0
+                v 1 0 0
+                v 1 1 0.5
+                v 0 1 0.5
+                f 1/1 2/2 3/3 4/4
+                f -4 -3 -2
+                """);
+        Files.writeString(world, """
+                <world xmlns="urn:robosim:world:1" width="20" height="4" length="20" unit="m">
+                  <box center="0 0 -3" width="3" height="1" length="20cm" turned="30 40"/>
+                  <mesh center="3 0 0" heading="90" solid="true">
+                    <bounds><sphere radius="3"/></bounds>
+                    <vertices>0 0 0 1 0 0 0 1 0 0 0 1</vertices>
+                    <triangles>0 1 2 0 2 3 0 3 1 1 3 2</triangles>
+                  </mesh>
+                  <mesh center="-3 0 0" file="tent.obj" scale="0.5"/>
+                  <group center="0 0 3" rotation="0 0 1 0 1 0 -1 0 0">
+                    <sphere center="0 0 0" radius="0.5"/><cylinder center="1 0 0" radius="0.2" height="1"/>
+                  </group>
+                  <cylinder name="robot" moveable="true" radius="0.3" height="1"><sonar count="12" max="5" width="20"/></cylinder>
+                </world>
+                """);
+        try (GeometryServer server = new GeometryServer(InetAddress.getLoopbackAddress(), 0, options)) {
+            Process process = start(
+                    "--world",
+                    world.toString(),
+                    "--connect",
+                    "127.0.0.1:" + server.port(),
+                    "--steps",
+                    "200",
+                    "--speed",
+                    "0.2");
+            String text = rest(output(process));
+            assertThat(process.waitFor()).as(text).isZero();
+            checkSummary(text, 200, 1);
+        }
+    }
+}

@@ -1,0 +1,49 @@
+package robosim.geometry.protocol;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.OutputStream;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import robosim.geometry.net.GeometryServer;
+
+/** docs/protocol.md shows a conversation as it is. */
+class ProtocolPageTest {
+    private static final String TO = "--> ";
+    private static final String FROM = "<-- ";
+
+    @Test
+    @Timeout(60)
+    void theConversationOnThePageIsHeldToTheLetter() throws IOException {
+        List<String> page = Files.readAllLines(Path.of("docs", "protocol.md"));
+        int asked = 0;
+        int answered = 0;
+        try (GeometryServer server = new GeometryServer(0);
+                Socket socket = new Socket(InetAddress.getLoopbackAddress(), server.port())) {
+            OutputStream out = socket.getOutputStream();
+            BufferedReader in =
+                    new BufferedReader(new InputStreamReader(socket.getInputStream(), StandardCharsets.UTF_8));
+            for (String line : page) {
+                if (line.startsWith(TO)) {
+                    out.write((line.substring(TO.length()) + "\n").getBytes(StandardCharsets.UTF_8));
+                    asked++;
+                } else if (line.startsWith(FROM)) {
+                    assertThat(in.readLine()).isEqualTo(line.substring(FROM.length()));
+                    answered++;
+                }
+            }
+            assertThat(in.readLine()).as("after the error").isNull();
+        }
+        assertThat(asked).isEqualTo(6);
+        assertThat(answered).isEqualTo(5);
+    }
+}
