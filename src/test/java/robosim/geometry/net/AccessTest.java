@@ -54,8 +54,7 @@ class AccessTest {
     @Test
     void offLoopbackItDoesNotStartWithoutKnowingWhoComes() throws Exception {
         for (String address : List.of("0.0.0.0", "::", "192.0.2.1")) {
-            assertThatThrownBy(() ->
-                            new GeometryServer(InetAddress.getByName(address), 0, NetOptions.defaults()))
+            assertThatThrownBy(() -> new GeometryServer(InetAddress.getByName(address), 0, NetOptions.defaults()))
                     .isInstanceOf(IllegalArgumentException.class)
                     .hasMessageContaining("TLS")
                     .hasMessageContaining("secret")
@@ -129,8 +128,8 @@ class AccessTest {
         }
         try (LogCapture log = new LogCapture();
                 ServerSocket impostor = Peer.listen();
-                GeometryClient client = new GeometryClient(
-                        "localhost", impostor.getLocalPort(), options(stores.of("module"), null))) {
+                GeometryClient client =
+                        new GeometryClient("localhost", impostor.getLocalPort(), options(stores.of("module"), null))) {
             Thread thread = new Thread(client, "geometry-client-of-a-test");
             thread.start();
             try (Peer peer = new Peer(stores.of("stranger").accept(impostor.accept()))) {
@@ -145,7 +144,9 @@ class AccessTest {
     void aSecretLetsJsonPeersInWhoKnowItAndNoJavaPeer() throws Exception {
         try (LogCapture log = new LogCapture();
                 GeometryServer server = new GeometryServer(everywhere(), 0, options(null, SECRET))) {
-            assertThat(hello(server, ",\"secret\":\"" + WORD + "\"")).contains("\"hello\"").doesNotContain(WORD);
+            assertThat(hello(server, ",\"secret\":\"" + WORD + "\""))
+                    .contains("\"hello\"")
+                    .doesNotContain(WORD);
             for (String wrong : List.of("", ",\"secret\":\"\"", ",\"secret\":\"correct horse battery stapl\"")) {
                 assertThat(hello(server, wrong)).contains("\"error\"", "secret");
             }

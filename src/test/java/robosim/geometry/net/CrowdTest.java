@@ -57,8 +57,10 @@ class CrowdTest {
     private static String one(int port, int number, Conversation conversation)
             throws InterruptedException, IOException {
         return switch (number % 10) {
-            case 3 -> conversation.difference(
-                    new Talker(port, BUNDLES, conversation).reading(k -> Thread.sleep(20)).talk());
+            case 3 ->
+                conversation.difference(new Talker(port, BUNDLES, conversation)
+                        .reading(k -> Thread.sleep(20))
+                        .talk());
             case 5 -> through(port, Fault.SINGLE_BYTES, conversation);
             case 7 -> through(port, Fault.DELAY, conversation);
             default -> conversation.difference(new Talker(port, 1 + number % 5, conversation).talk());

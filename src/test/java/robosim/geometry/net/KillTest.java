@@ -90,8 +90,8 @@ class KillTest {
         }
         Redial redial = new Redial(Duration.ofMillis(20), Duration.ofMillis(200));
         try (LogCapture log = new LogCapture();
-                GeometryClient client =
-                        new GeometryClient("127.0.0.1", port, NetOptions.defaults().withRedial(redial))) {
+                GeometryClient client = new GeometryClient(
+                        "127.0.0.1", port, NetOptions.defaults().withRedial(redial))) {
             Thread thread = new Thread(client, "geometry-client-of-a-test");
             thread.start();
             talkAndDie(port);

@@ -61,7 +61,8 @@ class LeftoversTest {
                 peer.socket.shutdownOutput();
                 assertThat(peer.isClosedByTheOtherEnd()).isTrue();
             }
-            case 4 -> peer.send("{\"type\":\"hello\",\"version\":1}\n{".getBytes(java.nio.charset.StandardCharsets.UTF_8));
+            case 4 ->
+                peer.send("{\"type\":\"hello\",\"version\":1}\n{".getBytes(java.nio.charset.StandardCharsets.UTF_8));
             default -> {} // says nothing
         }
     }

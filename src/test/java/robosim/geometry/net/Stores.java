@@ -17,9 +17,28 @@ final class Stores {
     Stores(Path folder) throws IOException, InterruptedException {
         this.folder = folder;
         for (String who : List.of("module", "environment", "stranger")) {
-            keytool(who + ".p12", "-genkeypair", "-alias", who, "-keyalg", "EC", "-groupname", "secp256r1", "-validity", "2",
-                    "-dname", "CN=" + who, "-ext", "SAN=ip:127.0.0.1,dns:localhost");
-            keytool(who + ".p12", "-exportcert", "-alias", who, "-file", folder.resolve(who + ".cer").toString());
+            keytool(
+                    who + ".p12",
+                    "-genkeypair",
+                    "-alias",
+                    who,
+                    "-keyalg",
+                    "EC",
+                    "-groupname",
+                    "secp256r1",
+                    "-validity",
+                    "2",
+                    "-dname",
+                    "CN=" + who,
+                    "-ext",
+                    "SAN=ip:127.0.0.1,dns:localhost");
+            keytool(
+                    who + ".p12",
+                    "-exportcert",
+                    "-alias",
+                    who,
+                    "-file",
+                    folder.resolve(who + ".cer").toString());
         }
         trust("module", "environment");
         trust("environment", "module");
@@ -27,7 +46,13 @@ final class Stores {
     }
 
     private void trust(String who, String whom) throws IOException, InterruptedException {
-        keytool(who + "-trusts.p12", "-importcert", "-noprompt", "-alias", whom, "-file",
+        keytool(
+                who + "-trusts.p12",
+                "-importcert",
+                "-noprompt",
+                "-alias",
+                whom,
+                "-file",
                 folder.resolve(whom + ".cer").toString());
     }
 
@@ -35,7 +60,13 @@ final class Stores {
         List<String> command = new ArrayList<>();
         command.add(Path.of(System.getProperty("java.home"), "bin", "keytool").toString());
         command.addAll(List.of(arguments));
-        command.addAll(List.of("-storetype", "PKCS12", "-storepass", PASSWORD, "-keystore", path(store).toString()));
+        command.addAll(List.of(
+                "-storetype",
+                "PKCS12",
+                "-storepass",
+                PASSWORD,
+                "-keystore",
+                path(store).toString()));
         Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
         process.getOutputStream().close();
         String said = new String(process.getInputStream().readAllBytes(), java.nio.charset.StandardCharsets.UTF_8);
