@@ -98,7 +98,7 @@ public record Mismatch(long step, long line, int index, String request, String e
                 others++;
             }
         }
-        if (first < 0) {
+        if (nextWanted < wanted.size()) {
             MoveRequest stray = wanted.get(nextWanted);
             return whole(number, step, "among those made a " + words(stray), "no such request in its place");
         }

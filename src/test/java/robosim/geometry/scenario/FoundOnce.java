@@ -14,7 +14,10 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.protocol.MoveRequest;
 
-/** What stress runs have found wrong once, as conversations. */
+/**
+ * What stress runs have found wrong once, as conversations. Each is answered otherwise by the module as it was before that
+ * was mended; a wrong verdict about an overlap alone cannot be asked for over the wire.
+ */
 final class FoundOnce {
     private static final double LEAST = Double.MIN_VALUE;
 
@@ -27,7 +30,6 @@ final class FoundOnce {
         Map<String, Conversation> all = new LinkedHashMap<>();
         all.put("found-flat-box", flatBox());
         all.put("found-shadow-of-a-flat-box", shadow());
-        all.put("found-long-cylinder", longCylinder());
         all.put("found-least-direction", leastDirection());
         all.put("found-below-a-disc", belowADisc());
         all.put("found-subnormal-mesh", subnormalMesh());
@@ -78,35 +80,6 @@ final class FoundOnce {
                         probe(0, 0, -1))
                 .sonars(sonar("probe", 1, 0), sonar("probe", 0, 1))
                 .moves(move("probe", 0, -0.25), move("probe", -0.25, 0), move("probe", 0, 1));
-    }
-
-    private static Conversation longCylinder() {
-        return new Conversation("A sphere of 6e-9 beside a turned cylinder 15,000 long, apart from it")
-                .world(
-                        Dimension.SPATIAL,
-                        0x1p15,
-                        new CylinderObject(
-                                        new Point(
-                                                -0x1.11347dae68de8p1, -0x1.940e9ce853dacp-2, 0x1.e01b33b6f318ap-2),
-                                        0x1.52848a91f4daep-1,
-                                        0x1.e13ae11b04c4dp13)
-                                .oriented(new double[] {
-                                    0x1.c1c7da6c05fecp-2,
-                                    0x1.1c499c6659306p-1,
-                                    0x1.3341c66af8ee5p-1,
-                                    -0x1.26d175661a555p-1,
-                                    0x1.9a5e1a2eacdfp-1,
-                                    -0x1.24520f720cc18p-1,
-                                    0x1.6c39099f822e5p-3,
-                                    -0x1.c6b7d7ea583fcp-3,
-                                    -0x1.1edaeab97674p-1
-                                }),
-                        new SphereObject(
-                                        new Point(-0x1.b5b16c9ef1d66p0, -0x1.1d8a666c1e1p-6, 0x1.b2cc850e3b4fp-1),
-                                        0x1.94e61dcf6c384p-28)
-                                .moveable("probe"))
-                .moves(new MoveRequest("probe", -0x1p-30, 0, -0x1p-30, 0, 0))
-                .moves(new MoveRequest("probe", -1, 0, -1, 0, 0), new MoveRequest("probe", 1, 1, 1, 0, 0));
     }
 
     private static Conversation leastDirection() {

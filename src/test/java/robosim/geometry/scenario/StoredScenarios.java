@@ -68,17 +68,17 @@ final class StoredScenarios {
                 robots.add(object.object().name());
             }
         });
-        Conversation talk = new Conversation("Eight robots wander through rooms.xml for ten rounds");
+        Conversation talk = new Conversation("Eight robots wander through rooms.xml for eight rounds");
         talk.ask(new InitBundle(
                 objects,
                 new WorldSettings(world.width(), world.height(), world.length(), world.dimension(), world.accuracy())));
         SplittableRandom random = new SplittableRandom(1);
-        for (int round = 0; round < 10; round++) {
+        for (int round = 0; round < 8; round++) {
             List<SonarRequest> sonars = new ArrayList<>();
             List<MoveRequest> moves = new ArrayList<>();
             for (String robot : robots) {
                 sonars.add(sonar(robot, 1, 0, 0.05, 4, 0.25));
-                sonars.add(sonar(robot, 1, round - 5));
+                sonars.add(sonar(robot, 1, round - 4));
                 double turn = random.nextDouble() - 0.5;
                 moves.add(new MoveRequest(robot, 3 * random.nextDouble(), 0, 0, 0, turn));
             }
