@@ -174,7 +174,7 @@ class ScenarioReaderTest {
                     + (ended && bytes[length - 1] != '\n' ? 1 : 0);
             assertThat(steps).as("cut after %s bytes", length).isEqualTo(lines < 2 ? 0 : lines < 6 ? 1 : 2);
         }
-        assertThat(torn).isGreaterThan(300);
+        assertThat(torn).isGreaterThan(250);
     }
 
     @Test
@@ -241,7 +241,7 @@ class ScenarioReaderTest {
     /** A recording of a day is read step by step: no more of it is in memory than a step and a buffer. */
     @Test
     void aHugeFileIsStreamed() throws IOException {
-        int count = 200_000;
+        int count = 20_000;
         byte[] step = (SONARS + DISTANCES + TIME).getBytes(StandardCharsets.UTF_8);
         long[] taken = {0};
         Enumeration<InputStream> steps = new Enumeration<>() {
