@@ -174,6 +174,9 @@ public final class JsonLines {
 
     /** A name of a Java peer may hold half a surrogate pair, which UTF-8 cannot; it is escaped, and no line is broken. */
     static String wellFormed(String text) {
+        if (text.chars().noneMatch(c -> Character.isSurrogate((char) c))) {
+            return text;
+        }
         StringBuilder formed = new StringBuilder(text.length());
         for (int k = 0; k < text.length(); k++) {
             char c = text.charAt(k);

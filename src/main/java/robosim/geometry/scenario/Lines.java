@@ -1,6 +1,5 @@
 package robosim.geometry.scenario;
 
-import java.io.BufferedInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.Closeable;
 import java.io.IOException;
@@ -17,12 +16,15 @@ final class Lines implements Closeable {
 
     private final InputStream in;
     private final String source;
+    private final byte[] buffer = new byte[BUFFER];
+    private int from;
+    private int to;
     private ByteArrayOutputStream line = new ByteArrayOutputStream();
     private long number;
     private long torn;
 
     Lines(InputStream in, String source) {
-        this.in = new BufferedInputStream(in, BUFFER);
+        this.in = in;
         this.source = source;
     }
 
@@ -54,16 +56,27 @@ final class Lines implements Closeable {
     private boolean fill() throws ScenarioException {
         line.reset();
         try {
-            for (int b = in.read(); b >= 0; b = in.read()) {
-                if (b == '\n') {
-                    return true;
+            while (true) {
+                if (from == to) {
+                    from = 0;
+                    to = Math.max(0, in.read(buffer));
+                    if (to == 0) {
+                        return false;
+                    }
                 }
-                if (line.size() == Limits.MAX_MESSAGE_BYTES) {
+                int end = from;
+                while (end < to && buffer[end] != '\n') {
+                    end++;
+                }
+                if (line.size() + (end - from) > Limits.MAX_MESSAGE_BYTES) {
                     throw refused("a line must have at most " + Limits.MAX_MESSAGE_BYTES + " bytes (got: more)", null);
                 }
-                line.write(b);
+                line.write(buffer, from, end - from);
+                from = Math.min(end + 1, to);
+                if (end < to) {
+                    return true;
+                }
             }
-            return false;
         } catch (ScenarioException e) {
             throw e;
         } catch (IOException e) {
