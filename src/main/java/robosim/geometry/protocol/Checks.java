@@ -42,12 +42,19 @@ final class Checks {
         return value;
     }
 
-    /** An immutable copy; a null list or item is refused by its place. */
-    static <T> List<T> copy(String argument, List<T> items) {
+    /**
+     * An immutable copy; a null list or item is refused by its place, and so is an item of another type, which a stream
+     * can put into a list of any.
+     */
+    static <T> List<T> copy(String argument, List<T> items, Class<T> type) {
         int k = 0;
-        for (T item : present(argument, items)) {
-            if (item == null) {
-                throw new IllegalArgumentException(argument + "[" + k + "] must be given (got: null)");
+        for (Object item : present(argument, items)) {
+            if (!type.isInstance(item)) {
+                throw new IllegalArgumentException(argument + "[" + k + "] must be "
+                        + (item == null
+                                ? "given (got: null)"
+                                : "a " + type.getSimpleName() + " (got: "
+                                        + item.getClass().getName() + ")"));
             }
             k++;
         }

@@ -15,7 +15,7 @@ public record DistanceBundle(List<Double> distances) implements Bundle {
 
     /** Refuses a list or a distance that is null, and a distance that is negative. */
     public DistanceBundle {
-        distances = Checks.copy("distances", distances);
+        distances = Checks.copy("distances", distances, Double.class);
         for (int k = 0; k < distances.size(); k++) {
             if (distances.get(k) < 0) {
                 throw new IllegalArgumentException(

@@ -18,7 +18,7 @@ public record InitBundle(
 
     /** Refuses a list or an object that is null. */
     public InitBundle {
-        objects = Checks.copy("objects", objects);
+        objects = Checks.copy("objects", objects, GeometryObject.class);
     }
 
     /** A world as the session's options have it. */

@@ -24,6 +24,9 @@ final class JsonInput implements Closeable {
     /** Longest number: the exact digits of the longest double are some 1,080. */
     static final int MAX_NUMBER_LENGTH = 1_100;
 
+    /** Longest whole number with a point or an exponent in it. */
+    private static final int MAX_WHOLE_LENGTH = 40;
+
     static final JsonFactory FACTORY = JsonFactory.builder()
             .streamReadConstraints(StreamReadConstraints.builder()
                     .maxNestingDepth(Limits.MAX_DEPTH)
@@ -226,10 +229,11 @@ final class JsonInput implements Closeable {
         return (long) value;
     }
 
-    // 1.0 and 1e0 are whole numbers too, as in the schema; what only rounds to one is not.
+    // 1.0 and 1e0 are whole numbers too, as in the schema; what only rounds to one is not, nor what takes long to tell.
     private boolean isWhole() throws IOException {
         return parser.currentToken() == JsonToken.VALUE_NUMBER_INT
-                || new BigDecimal(scalar()).stripTrailingZeros().scale() <= 0;
+                || (parser.getTextLength() <= MAX_WHOLE_LENGTH
+                        && new BigDecimal(scalar()).stripTrailingZeros().scale() <= 0);
     }
 
     /** That many numbers in a list, which is the current value. */

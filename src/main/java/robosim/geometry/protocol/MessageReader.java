@@ -45,7 +45,12 @@ public final class MessageReader {
             return open && input.awaitMessage() >= 0 ? decode() : null;
         } catch (ProtocolException e) {
             throw e;
-        } catch (IOException | ClassNotFoundException | RuntimeException | StackOverflowError | OutOfMemoryError e) {
+        } catch (IOException
+                | ClassNotFoundException
+                | RuntimeException
+                | StackOverflowError
+                | OutOfMemoryError
+                | InternalError e) { // the last is what the JDK makes of a map with an odd number of keys and values
             throw new ProtocolException(reason(e), e);
         }
     }

@@ -14,6 +14,6 @@ public record MoveBundle(List<MoveRequest> moves) implements Bundle {
 
     /** Refuses a list or a move that is null. */
     public MoveBundle {
-        moves = Checks.copy("moves", moves);
+        moves = Checks.copy("moves", moves, MoveRequest.class);
     }
 }

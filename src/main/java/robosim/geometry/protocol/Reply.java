@@ -16,7 +16,7 @@ public record Reply(Bundle bundle, List<Problem> problems) {
             throw new IllegalArgumentException("bundle must be a MoveBundle or a DistanceBundle (got: "
                     + (bundle == null ? "null" : bundle.getClass().getSimpleName()) + ")");
         }
-        problems = Checks.copy("problems", problems);
+        problems = Checks.copy("problems", problems, Problem.class);
     }
 
     /** Without a word about problems. */

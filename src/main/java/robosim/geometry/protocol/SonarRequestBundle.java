@@ -14,6 +14,6 @@ public record SonarRequestBundle(List<SonarRequest> requests) implements Bundle 
 
     /** Refuses a list or a request that is null. */
     public SonarRequestBundle {
-        requests = Checks.copy("requests", requests);
+        requests = Checks.copy("requests", requests, SonarRequest.class);
     }
 }

@@ -24,6 +24,8 @@ import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
+import robosim.geometry.protocol.Problem;
+import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.WorldSettings;
@@ -204,6 +206,34 @@ class SessionTest {
                 .containsExactly(Double.NaN, 2.0);
         assertThat(log.linesWith("\"robot\"")).hasSize(2);
         assertThat(log.linesWith("(got: 13)")).hasSize(2);
+    }
+
+    @Test
+    void repliesTellWhatWasRefusedAndWhy() {
+        assertThat(session.reply(new InitBundle(List.of(ROBOT, WALL)))).isNull();
+        MoveRequest forth = new MoveRequest("robot", 1, 0, 0, 0, 0);
+        Reply moved = session.reply(new MoveBundle(List.of(
+                new MoveRequest("nobody", 1, 0, 0, 0, 0),
+                forth,
+                new MoveRequest("robot", -1, 0, 0, 0, 0),
+                new MoveRequest("robot", 0, 13, 0, 0, 0))));
+        assertThat(moved)
+                .isEqualTo(new Reply(
+                        new MoveBundle(List.of(forth)),
+                        List.of(
+                                Problem.of(0, "no moveable object \"nobody\""),
+                                Problem.of(2, "blocked by the border of the world after 1 of the turn"),
+                                Problem.of(3, "y must be lucky (got: 13)"))));
+        Reply seen = session.reply(new SonarRequestBundle(List.of(
+                new SonarRequest("robot", 1, 0), new SonarRequest("wall", 1, 0), new SonarRequest("robot", 0, 13))));
+        assertThat(seen)
+                .isEqualTo(new Reply(
+                        new DistanceBundle(List.of(1.0, Double.NaN, Double.NaN)),
+                        List.of(
+                                Problem.of(1, "no moveable object \"wall\""),
+                                Problem.of(2, "direction must not be vertical (got: 13)"))));
+        assertThatThrownBy(() -> session.reply(new DistanceBundle(List.of())))
+                .isInstanceOf(IllegalArgumentException.class);
     }
 
     @Test

@@ -76,6 +76,17 @@ class BundleTest {
                 .hasMessageContaining("accuracy");
     }
 
+    /** Generics are no guard against a stream. */
+    @Test
+    @SuppressWarnings({"unchecked", "rawtypes"})
+    void itemsAreOfTheirType() {
+        List other = List.of("text");
+        assertThatThrownBy(() -> new MoveBundle(other)).hasMessageContaining("moves[0] must be a MoveRequest");
+        assertThatThrownBy(() -> new SonarRequestBundle(other)).hasMessageContaining("(got: java.lang.String)");
+        assertThatThrownBy(() -> new InitBundle(other)).hasMessageContaining("objects[0] must be a GeometryObject");
+        assertThatThrownBy(() -> new DistanceBundle(other)).hasMessageContaining("distances[0] must be a Double");
+    }
+
     @Test
     void listsAreOfTheirOwn() {
         List<Double> given = new ArrayList<>(List.of(1.0));

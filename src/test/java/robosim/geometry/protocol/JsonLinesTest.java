@@ -191,6 +191,9 @@ class JsonLinesTest {
                 Arguments.of(mesh.formatted("\"faces\":[[0,1,-1]]"), "/faces/0/2: must be a whole number"),
                 Arguments.of(mesh.formatted("\"faces\":[[0,1,0.5]]"), "/faces/0/2: must be a whole number"),
                 Arguments.of(mesh.formatted("\"faces\":[[0,1,1.00000000000000000001]]"), "must be a whole number"),
+                Arguments.of(
+                        mesh.formatted("\"faces\":[[0,1,1" + "0".repeat(900) + ".0e-900]]"),
+                        "/faces/0/2: must be a whole number"),
                 Arguments.of(mesh.formatted("\"faces\":[[0,1,2]],\"solid\":true"), "must be closed"),
                 Arguments.of(sonar.formatted("\"xOffset\":0,\"zOffset\":-0.0"), "must not both be zero"),
                 Arguments.of(

@@ -1,0 +1,195 @@
+package robosim.geometry.protocol;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.core.importer.ImportOption;
+import java.io.ByteArrayOutputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.ObjectStreamConstants;
+import java.io.Serializable;
+import java.lang.reflect.Field;
+import java.lang.reflect.Modifier;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Objects;
+import java.util.Set;
+import java.util.TreeSet;
+import org.junit.jupiter.api.Test;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Move;
+import robosim.geometry.model.Ray;
+
+/** What is serializable at all, what of it may cross the wire, and in which form. */
+class SerialClassesTest {
+    private static final Set<Class<?>> ENDS = Set.of(Bundle.class, GeometryObject.class);
+
+    private static List<Class<?>> serializable() throws ClassNotFoundException {
+        List<Class<?>> found = new ArrayList<>();
+        for (JavaClass type : new ClassFileImporter()
+                .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
+                .importPackages("robosim.geometry")) {
+            if (type.isAssignableTo(Serializable.class) && !type.isInterface()) {
+                found.add(Class.forName(type.getName(), false, SerialClassesTest.class.getClassLoader()));
+            }
+        }
+        return found;
+    }
+
+    @Test
+    void everySerializableClassSaysWhichVersionItIs() throws Exception {
+        int records = 0;
+        List<String> without = new ArrayList<>();
+        for (Class<?> type : serializable()) {
+            if (type.isEnum() || Enum.class.isAssignableFrom(type)) {
+                continue; // goes by its name; its number is always 0
+            }
+            records += type.isRecord() ? 1 : 0;
+            try {
+                Field version = type.getDeclaredField("serialVersionUID");
+                version.setAccessible(true);
+                assertThat(Modifier.isStatic(version.getModifiers()) && Modifier.isFinal(version.getModifiers()))
+                        .isTrue();
+                assertThat(version.getLong(null)).as(type.getName()).isEqualTo(1);
+            } catch (NoSuchFieldException e) {
+                without.add(type.getName());
+            }
+        }
+        assertThat(without).isEmpty();
+        assertThat(records).as("records seen").isGreaterThanOrEqualTo(17);
+    }
+
+    @Test
+    void onlyRecordsAndEnumsOfTheModuleCrossTheWire() throws Exception {
+        AllowedClasses allowed = new AllowedClasses(Set.of());
+        int crossing = 0;
+        for (Class<?> type : serializable()) {
+            if (allowed.byName(type.getName()) != null) {
+                assertThat(type.isRecord() || type.isEnum()).as(type.getName()).isTrue();
+                crossing++;
+            } else {
+                assertThat(Throwable.class.isAssignableFrom(type)
+                                || ENDS.stream().anyMatch(end -> end.isAssignableFrom(type))
+                                || type.getEnclosingClass() != null
+                                || type.isEnum())
+                        .as(type.getName() + " crosses as itself or as a form, or never")
+                        .isTrue();
+            }
+        }
+        assertThat(crossing).isEqualTo(19);
+    }
+
+    /** An object under its own class's name, as no writer makes it. */
+    @Test
+    void anObjectMustComeAsItsForm() throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        DataOutputStream out = new DataOutputStream(bytes);
+        out.writeShort(ObjectStreamConstants.STREAM_MAGIC);
+        out.writeShort(ObjectStreamConstants.STREAM_VERSION);
+        out.writeByte(ObjectStreamConstants.TC_OBJECT);
+        out.writeByte(ObjectStreamConstants.TC_CLASSDESC);
+        out.writeUTF(BoxObject.class.getName());
+        out.writeLong(1);
+        out.writeByte(ObjectStreamConstants.SC_SERIALIZABLE);
+        out.writeShort(0);
+        out.writeByte(ObjectStreamConstants.TC_ENDBLOCKDATA);
+        out.writeByte(ObjectStreamConstants.TC_NULL);
+        assertThatThrownBy(() -> MessageTest.readAll(bytes.toByteArray()))
+                .isInstanceOf(ProtocolException.class)
+                .hasMessageContaining("class \"robosim.geometry.model.BoxObject\" is not on the list");
+    }
+
+    /** Every class that may cross is in the bytes that the first release wrote; two are for messages to come. */
+    @Test
+    void theStoredBytesHoldEveryClass() throws Exception {
+        String stored;
+        try (InputStream in =
+                Objects.requireNonNull(SerialClassesTest.class.getResourceAsStream("first-release.ser"))) {
+            stored = new String(in.readAllBytes(), StandardCharsets.ISO_8859_1);
+        }
+        AllowedClasses allowed = new AllowedClasses(Set.of());
+        Set<String> missing = new TreeSet<>();
+        for (Class<?> type : serializable()) {
+            if (allowed.byName(type.getName()) != null && !stored.contains(type.getName())) {
+                missing.add(type.getName());
+            }
+        }
+        assertThat(missing).isEqualTo(new TreeSet<>(Set.of(Ray.class.getName(), Move.class.getName())));
+    }
+
+    /** A class description that is referred to where an item should be: generics would let it through. */
+    @Test
+    void aListHoldsItemsOfItsType() throws IOException {
+        byte[] bytes = MessageTest.write(new MoveBundle(
+                List.of(new MoveRequest("robot", 1, 0, 0, 0, 0), new MoveRequest("robot", 2, 0, 0, 0, 0))));
+        // The second item: TC_OBJECT, then a reference to the first one's class. Without TC_OBJECT it is the class
+        // itself.
+        int item = -1;
+        for (int k = 0; k + 5 < bytes.length; k++) {
+            if (bytes[k] == ObjectStreamConstants.TC_OBJECT && bytes[k + 1] == ObjectStreamConstants.TC_REFERENCE) {
+                item = k;
+            }
+        }
+        ByteArrayOutputStream forged = new ByteArrayOutputStream();
+        forged.write(bytes, 0, item);
+        forged.write(bytes, item + 1, 5);
+        forged.writeBytes(new byte[] {ObjectStreamConstants.TC_ENDBLOCKDATA});
+        assertThatThrownBy(() -> MessageTest.readAll(forged.toByteArray()))
+                .isInstanceOf(ProtocolException.class)
+                .hasMessageContaining("moves[1] must be a MoveRequest (got: java.io.ObjectStreamClass)");
+    }
+
+    /** The form of the JDK's immutable lists is that of its maps too, for which it throws an error where a value lacks. */
+    @Test
+    void aListThatClaimsToBeAMapIsRefused() throws IOException {
+        byte[] bytes = MessageTest.write(new DistanceBundle(List.of(1.0)));
+        byte[] list = {0, 0, 0, 1, 0x77, 4, 0, 0, 0, 1};
+        int forged = 0;
+        for (int k = 0; k + list.length < bytes.length; k++) {
+            if (Arrays.equals(bytes, k, k + list.length, list, 0, list.length)) {
+                bytes[k + 3] = 3;
+                forged++;
+            }
+        }
+        assertThat(forged).isEqualTo(1);
+        assertThatThrownBy(() -> MessageTest.readAll(bytes))
+                .isInstanceOf(ProtocolException.class)
+                .hasMessageContaining("bytes that are no message");
+    }
+
+    /** Sets in sets, whose hash takes time that doubles with each level, are refused with the first class's name. */
+    @Test
+    void nestedHashSetsAreRefusedAtOnce() throws IOException {
+        Set<Object> root = new HashSet<>();
+        Set<Object> one = root;
+        Set<Object> two = new HashSet<>();
+        for (int k = 0; k < 100; k++) {
+            Set<Object> left = new HashSet<>();
+            Set<Object> right = new HashSet<>();
+            left.add("x");
+            one.add(left);
+            one.add(right);
+            two.add(left);
+            two.add(right);
+            one = left;
+            two = right;
+        }
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (java.io.ObjectOutputStream out = new java.io.ObjectOutputStream(bytes)) {
+            out.writeObject(root);
+        }
+        long start = System.nanoTime();
+        assertThatThrownBy(() -> MessageTest.readAll(bytes.toByteArray()))
+                .isInstanceOf(ProtocolException.class)
+                .hasMessageContaining("class \"java.util.HashSet\" is not on the list");
+        assertThat(System.nanoTime() - start).isLessThan(2_000_000_000L);
+    }
+}
