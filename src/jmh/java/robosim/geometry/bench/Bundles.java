@@ -28,8 +28,10 @@ import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.JsonLines;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageWriter;
+import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.WorldSettings;
@@ -59,6 +61,7 @@ public class Bundles {
     private Socket socket;
     private MessageWriter writer;
     private MessageReader reader;
+    private JsonEnvironment json;
 
     /** Opens the world three times: by itself, in a session and behind a server; all must answer the same. */
     @Setup
@@ -81,13 +84,15 @@ public class Bundles {
         writer = new MessageWriter(new BufferedOutputStream(socket.getOutputStream(), 1 << 16));
         reader = new MessageReader(socket.getInputStream());
         writer.write(init);
+        json = new JsonEnvironment(server.port());
+        json.say(init);
         singleCalls();
         for (int k = 0; k < REQUESTS; k++) {
             if (distances[k] != truth.distances().get(k)) {
                 throw new IllegalStateException("request " + k + " must be answered alike by a bundle");
             }
         }
-        if (!loopback().equals(truth)) {
+        if (!loopback().equals(truth) || !json().equals(truth)) {
             throw new IllegalStateException("both must hear the same");
         }
     }
@@ -96,6 +101,7 @@ public class Bundles {
     @TearDown(Level.Trial)
     public void close() throws IOException {
         socket.close();
+        json.close();
         server.close();
     }
 
@@ -141,6 +147,24 @@ public class Bundles {
     public Bundle loopback() throws IOException {
         writer.write(bundle);
         return reader.read();
+    }
+
+    /** The same in JSON lines. */
+    @Benchmark
+    @OperationsPerInvocation(REQUESTS)
+    public Bundle json() throws IOException {
+        return json.ask(bundle);
+    }
+
+    /** Request and answer to JSON lines and back. */
+    @Benchmark
+    @OperationsPerInvocation(REQUESTS)
+    public int jsonBytes() throws IOException {
+        String request = JsonLines.write(bundle);
+        String answer = JsonLines.write(new Reply(truth));
+        JsonLines.readRequest(request);
+        JsonLines.readReply(answer);
+        return request.length() + answer.length();
     }
 
     /** Request and answer to bytes and back. */

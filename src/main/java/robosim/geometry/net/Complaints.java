@@ -10,10 +10,16 @@ final class Complaints {
     private final System.Logger log;
     private final String session;
     private final Set<String> said = new HashSet<>();
+    private long message;
 
     Complaints(System.Logger log, String session) {
         this.log = log;
         this.session = session;
+    }
+
+    /** The next message: what is said from now on is about that one. */
+    void next() {
+        message++;
     }
 
     /** A new world: what was said about the last one may be said again. */
@@ -23,11 +29,12 @@ final class Complaints {
 
     void warn(String complaint) {
         if (said.size() < MOST && said.add(complaint)) {
-            log.log(System.Logger.Level.WARNING, session + ": " + complaint);
+            log.log(System.Logger.Level.WARNING, session + ", message " + message + ": " + complaint);
             if (said.size() == MOST) {
                 log.log(
                         System.Logger.Level.WARNING,
-                        session + ": " + MOST + " warnings about this world; more are not logged");
+                        session + ", message " + message + ": " + MOST
+                                + " warnings about this world; more are not logged");
             }
         }
     }

@@ -95,7 +95,7 @@ public final class GeometryClient implements Runnable, AutoCloseable {
         String place = host + ":" + port;
         Management management = Management.show(figures, "GeometryClient", place);
         try (Watchdog watchdog =
-                new Watchdog("geometry-watch-" + place, options.patience().stall())) {
+                new Watchdog("geometry-watch-" + place, options.patience().finest())) {
             Surroundings around = new Surroundings(options, figures, watchdog);
             Redial redial = options.redial();
             if (redial == null) {

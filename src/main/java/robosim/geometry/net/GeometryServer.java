@@ -61,7 +61,7 @@ public final class GeometryServer implements AutoCloseable {
         options.access().check(address);
         this.listening = listen(address, port, options.allowance().connections());
         this.watchdog =
-                new Watchdog("geometry-watch-" + port(), options.patience().stall());
+                new Watchdog("geometry-watch-" + port(), options.patience().finest());
         this.around = new Surroundings(options, figures, watchdog);
         this.management = Management.show(figures, "GeometryServer", address().toString());
         this.acceptor = new Thread(this::accept, "geometry-server-" + listening.getLocalPort());

@@ -21,4 +21,9 @@ public record Patience(Duration stall, Duration message, Duration idle) {
         Arguments.time("message", message, LONGEST);
         Arguments.time("idle", idle, LONGEST);
     }
+
+    /** The shortest time within a message. */
+    Duration finest() {
+        return stall.compareTo(message) < 0 ? stall : message;
+    }
 }

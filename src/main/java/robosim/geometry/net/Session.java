@@ -111,6 +111,7 @@ public final class Session {
                     "request must be an InitBundle, a MoveBundle or a SonarRequestBundle (got: "
                             + (request == null ? "null" : request.getClass().getSimpleName()) + ")");
         }
+        complaints.next();
         listener.asked(request);
         long start = System.nanoTime();
         Reply reply = carryOut(request);

@@ -192,6 +192,7 @@ class AccessTest {
         try (LogCapture log = new LogCapture();
                 GeometryServer server = new GeometryServer(everywhere(), 0, options(stores.of("module"), SECRET))) {
             try (Peer java = secured(server.port(), stores.of("environment"))) {
+                Thread.sleep(400); // so long that it gets our stream header first
                 assertThat(java.move(NOBODY)).isEmpty();
             }
             try (Peer json = secured(server.port(), stores.of("environment"))) {

@@ -7,6 +7,7 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.protocol.Bundle;
 
@@ -23,19 +24,18 @@ final class Child implements AutoCloseable {
     /**
      * Starts one.
      *
-     * @param role {@code serve}, {@code dial} or {@code listen}
+     * @param role  {@code serve}, {@code dial} or {@code listen}
+     * @param flags of its Java
      */
-    static Child start(String role, int port, long seed) throws IOException {
-        Process process = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-Xshare:auto",
-                        "-XX:TieredStopAtLevel=1",
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        Child.class.getName(),
-                        role,
-                        "" + port,
-                        "" + seed)
+    static Child start(String role, int port, long seed, String... flags) throws IOException {
+        List<String> command = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:TieredStopAtLevel=1",
+                "-cp",
+                System.getProperty("java.class.path")));
+        command.addAll(List.of(flags));
+        command.addAll(List.of(Child.class.getName(), role, "" + port, "" + seed));
+        Process process = new ProcessBuilder(command)
                 .redirectError(ProcessBuilder.Redirect.DISCARD)
                 .start();
         process.getOutputStream().close();
@@ -95,7 +95,7 @@ final class Child implements AutoCloseable {
 
     private static String talk(Peer peer, Conversation conversation) throws IOException {
         peer.send(conversation.world());
-        List<Bundle> heard = new java.util.ArrayList<>();
+        List<Bundle> heard = new ArrayList<>();
         for (Bundle request : conversation.requests()) {
             peer.send(request);
             heard.add(peer.receive());

@@ -1,8 +1,8 @@
 package robosim.geometry.net;
 
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import robosim.geometry.model.BoxObject;
@@ -12,9 +12,9 @@ import robosim.geometry.model.Point;
 import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.MessageWriter;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
+import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 
@@ -22,22 +22,22 @@ import robosim.geometry.protocol.SonarRequestBundle;
  * A world and what is asked about it, both drawn from a seed, with the answers of an undisturbed run: those of a session
  * in process, without bytes and sockets. Robots move, so that an answer depends on every move before it.
  */
-record Conversation(InitBundle world, List<Bundle> requests, List<Bundle> answers) {
+record Conversation(InitBundle world, List<Bundle> requests, List<Reply> replies) {
     private static final int ROBOTS = 6;
 
     static Conversation of(long seed, int bundles) {
         SplittableRandom random = new SplittableRandom(seed);
         InitBundle world = new InitBundle(objects(random));
         List<Bundle> requests = new ArrayList<>();
-        List<Bundle> answers = new ArrayList<>();
+        List<Reply> replies = new ArrayList<>();
         Session session = new Session();
         session.answer(world);
         for (int k = 0; k < bundles; k++) {
             Bundle request = random.nextInt(3) == 0 ? sonars(random) : moves(random);
             requests.add(request);
-            answers.add(session.answer(request));
+            replies.add(session.reply(request));
         }
-        return new Conversation(world, requests, answers);
+        return new Conversation(world, requests, replies);
     }
 
     private static List<GeometryObject> objects(SplittableRandom random) {
@@ -83,6 +83,7 @@ record Conversation(InitBundle world, List<Bundle> requests, List<Bundle> answer
 
     /** Empty where the same was heard, to the bit and in order; else the first difference. */
     String difference(List<Bundle> heard) {
+        List<Bundle> answers = answers();
         for (int k = 0; k < Math.min(heard.size(), answers.size()); k++) {
             if (!answers.get(k).equals(heard.get(k))) {
                 return "answer " + k + " must be " + answers.get(k) + " (got: " + heard.get(k) + ")";
@@ -93,27 +94,26 @@ record Conversation(InitBundle world, List<Bundle> requests, List<Bundle> answer
                 : "there must be " + answers.size() + " answers (got: " + heard.size() + ")";
     }
 
-    /** Where each request ends in the environment's stream of Java serialization, after its world. */
-    long[] requestEnds() throws IOException {
+    /** Without what was refused and why. */
+    List<Bundle> answers() {
+        return replies.stream().map(Reply::bundle).toList();
+    }
+
+    /** Its first so many requests. */
+    Conversation first(int count) {
+        return new Conversation(world, requests.subList(0, count), replies.subList(0, count));
+    }
+
+    /** Where each request ends in the environment's stream, after its world. */
+    long[] requestEnds(Tongue tongue) throws IOException {
         List<Bundle> all = new ArrayList<>(requests);
         all.add(0, world);
-        long[] ends = ends(all);
-        return java.util.Arrays.copyOfRange(ends, 1, ends.length);
+        long[] ends = Tongue.ends(tongue, all);
+        return Arrays.copyOfRange(ends, 1, ends.length);
     }
 
     /** Where each answer ends in the module's stream. */
-    long[] answerEnds() throws IOException {
-        return ends(answers);
-    }
-
-    private static long[] ends(List<Bundle> messages) throws IOException {
-        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-        MessageWriter writer = new MessageWriter(bytes);
-        long[] ends = new long[messages.size()];
-        for (int k = 0; k < ends.length; k++) {
-            writer.write(messages.get(k));
-            ends[k] = bytes.size();
-        }
-        return ends;
+    long[] answerEnds(Tongue tongue) throws IOException {
+        return tongue.answerEnds(replies);
     }
 }

@@ -63,7 +63,10 @@ class CrowdTest {
                         .talk());
             case 5 -> through(port, Fault.SINGLE_BYTES, conversation);
             case 7 -> through(port, Fault.DELAY, conversation);
-            default -> conversation.difference(new Talker(port, 1 + number % 5, conversation).talk());
+            default ->
+                conversation.difference(new Talker(port, 1 + number % 5, conversation)
+                        .in(number % 2 == 0 ? Tongue.JAVA : Tongue.JSON)
+                        .talk());
         };
     }
 

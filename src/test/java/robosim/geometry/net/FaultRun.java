@@ -2,6 +2,7 @@ package robosim.geometry.net;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.Locale;
 import java.util.SplittableRandom;
 import robosim.geometry.net.FaultProxy.Fault;
 import robosim.geometry.net.FaultProxy.Plan;
@@ -17,25 +18,33 @@ final class FaultRun {
         this.table = table;
     }
 
-    /** Each fault in each direction, at a place drawn from the seed. */
+    /** Each fault in each direction, at a place drawn from the seed; JSON lines where that is odd. */
     void all(long seed, int bundles) throws IOException, InterruptedException {
         SplittableRandom random = new SplittableRandom(seed);
         for (Fault fault : Fault.values()) {
             for (boolean ofAnswers : new boolean[] {false, true}) {
                 Conversation conversation = Conversation.of(random.nextLong(), bundles);
-                long[] ends = ofAnswers ? conversation.answerEnds() : conversation.requestEnds();
-                one(conversation, new Plan(fault, ofAnswers, random.nextLong(ends[ends.length - 1]), seed), ends);
+                Tongue tongue = seed % 2 == 0 ? Tongue.JAVA : Tongue.JSON;
+                long[] ends = ofAnswers ? conversation.answerEnds(tongue) : conversation.requestEnds(tongue);
+                one(
+                        tongue,
+                        conversation,
+                        new Plan(fault, ofAnswers, random.nextLong(ends[ends.length - 1]), seed),
+                        ends);
             }
         }
     }
 
-    private void one(Conversation conversation, Plan plan, long[] ends) throws IOException, InterruptedException {
+    private void one(Tongue tongue, Conversation conversation, Plan plan, long[] ends)
+            throws IOException, InterruptedException {
         List<Bundle> heard;
         try (FaultProxy proxy = new FaultProxy(port, plan)) {
-            heard = new Talker(proxy.port(), 1 + (int) (plan.at() % 8), conversation).talk();
+            heard = new Talker(proxy.port(), 1 + (int) (plan.at() % 8), conversation)
+                    .in(tongue)
+                    .talk();
         }
         table.enter(
-                plan.fault().name().toLowerCase(java.util.Locale.ROOT).replace('_', ' ')
+                tongue + ": " + plan.fault().name().toLowerCase(Locale.ROOT).replace('_', ' ')
                         + (plan.ofAnswers() ? ", of answers" : ", of requests"),
                 verdict(conversation.answers(), heard, plan, whole(ends, plan.at())));
     }

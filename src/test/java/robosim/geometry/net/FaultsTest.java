@@ -25,18 +25,18 @@ class FaultsTest {
             Thread witness = new Thread(() -> witness(server.port(), healthy, over, rounds, table), "witness");
             witness.start();
             FaultRun run = new FaultRun(server.port(), table);
-            for (int seed = 0; seed < 3; seed++) {
+            for (int seed = 0; seed < 4; seed++) {
                 run.all(seed, 30);
             }
             over.set(true);
             witness.join();
             assertThat(table.failures()).isEmpty();
-            assertThat(table.tried()).isEqualTo(3 * 16 + rounds.get());
+            assertThat(table.tried()).isEqualTo(4 * 16 + rounds.get());
             assertThat(rounds.get()).as("healthy conversations meanwhile").isGreaterThan(1);
             HostilePeerTest.await(() -> server.connections() == 0);
             assertThat(server.figures().getErrors())
                     .as("faults that it noticed")
-                    .isBetween(3L, 40L);
+                    .isBetween(4L, 60L);
             assertThat(log.linesWith("closed at message"))
                     .hasSize((int) server.figures().getErrors());
         }

@@ -102,6 +102,19 @@ class FiguresTest {
         assertThat(beans("GeometryServer")).as("left behind").isEmpty();
     }
 
+    /** Who embeds the module needs java.base and java.xml; without java.management a server is without JMX alone. */
+    @Test
+    void withoutTheModuleJavaManagementAServerServes() throws Exception {
+        try (LogCapture log = new LogCapture();
+                Child server = Child.start("serve", 0, 1, "--limit-modules", "java.base,java.xml")) {
+            Conversation conversation = Conversation.of(4, 20);
+            int port = Integer.parseInt(server.line());
+            assertThat(conversation.difference(new Talker(port, 2, conversation).talk()))
+                    .isEmpty();
+            assertThat(log.linesWith("closed")).isEmpty();
+        }
+    }
+
     private static Set<ObjectName> beans(String type) throws Exception {
         return BEANS.queryNames(new ObjectName("robosim.geometry:type=" + type + ",*"), null);
     }

@@ -68,11 +68,7 @@ class KillTest {
         if (heard.size() < 90 || heard.size() >= 3000) {
             return "the server must be killed at some 100 answers (got: " + heard.size() + ")";
         }
-        String prefix = new Conversation(
-                        conversation.world(),
-                        conversation.requests(),
-                        conversation.answers().subList(0, heard.size()))
-                .difference(heard);
+        String prefix = conversation.first(heard.size()).difference(heard);
         if (!prefix.isEmpty()) {
             return prefix;
         }

@@ -109,9 +109,9 @@ class RedialTest {
             client.close();
             thread.join(5000);
             assertThat(thread.isAlive()).isFalse();
-            assertThat(log.linesWith("connection 1: no moveable object \"robot 0\", there is no world yet"))
+            assertThat(log.linesWith("connection 1, message 1: no moveable object \"robot 0\", there is no world yet"))
                     .hasSize(1);
-            assertThat(log.linesWith("connection 5: no moveable object \"robot 0\", there is no world yet"))
+            assertThat(log.linesWith("connection 5, message 1: no moveable object \"robot 0\", there is no world yet"))
                     .hasSize(1);
         }
     }

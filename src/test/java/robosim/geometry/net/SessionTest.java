@@ -248,8 +248,8 @@ class SessionTest {
         assertThat(world().added).containsExactly("robot", "wall");
         assertThat(log.lines())
                 .hasSize(4)
-                .allSatisfy(
-                        line -> assertThat(line).startsWith("WARNING test: ").doesNotContain("\n"));
+                .allSatisfy(line ->
+                        assertThat(line).startsWith("WARNING test, message 1: ").doesNotContain("\n"));
         assertThat(log.linesWith("object \"robot\" was not added: an earlier object has its name"))
                 .hasSize(1);
         assertThat(log.linesWith("object \"far\" was not added: it would leave the world"))

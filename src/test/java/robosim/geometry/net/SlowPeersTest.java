@@ -4,12 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.net.InetAddress;
+import java.net.Socket;
 import java.time.Duration;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
@@ -27,6 +29,14 @@ class SlowPeersTest {
     private static GeometryServer server(Duration stall, Duration message) {
         return new GeometryServer(
                 InetAddress.getLoopbackAddress(), 0, NetOptions.defaults().withTimes(stall, message));
+    }
+
+    /** What it does not read stays in the server's queue, but for a little. */
+    private static Peer narrow(GeometryServer server) throws IOException {
+        Socket socket = new Socket();
+        socket.setReceiveBufferSize(1 << 13);
+        socket.connect(server.address());
+        return new Peer(socket);
     }
 
     /** Sends until nobody takes any more, and tells how many requests were taken. */
@@ -47,19 +57,25 @@ class SlowPeersTest {
         try (LogCapture log = new LogCapture();
                 GeometryServer server = server(Duration.ofMillis(700), Duration.ofSeconds(20));
                 Peer healthy = Peer.dial(server.port());
-                Peer deaf = Peer.dial(server.port())) {
+                Peer deaf = narrow(server)) {
+            HostilePeerTest.await(() -> server.connections() == 2);
             AtomicInteger sent = new AtomicInteger();
             long start = System.nanoTime();
             Thread asking = new Thread(() -> ask(deaf, sent), "asking");
             asking.start();
+            long healthyMoves = 0;
             while (server.connections() == 2) {
                 assertThat(healthy.move(NOBODY)).isEmpty();
+                healthyMoves++;
                 Thread.sleep(1);
             }
             assertThat(Duration.ofNanos(System.nanoTime() - start))
                     .isBetween(Duration.ofMillis(650), Duration.ofSeconds(10));
             asking.join();
-            // Its requests and answers that fit the two sockets' queues, of which none is without bound.
+            // What fits the server's queue was answered, and what fits the two sockets was sent; neither is without
+            // bound.
+            long answered = server.figures().getBundles() - healthyMoves;
+            assertThat(answered).as("answers of 90 kB").isBetween(1L, 10L);
             assertThat(sent.get()).isLessThan(1000);
             assertThat(log.linesWith("closed at message"))
                     .singleElement()
@@ -102,6 +118,39 @@ class SlowPeersTest {
             assertThat(log.linesWith("closed at message"))
                     .singleElement()
                     .satisfies(line -> assertThat(line).contains("did not read a message within 600 ms"));
+        }
+    }
+
+    @Test
+    void theTimeOfAMessageBeginsAnewWithEachMessage() throws Exception {
+        try (LogCapture log = new LogCapture();
+                GeometryServer server = server(Duration.ofSeconds(2), Duration.ofSeconds(2));
+                Peer peer = Peer.dial(server.port())) {
+            assertThat(peer.move(NOBODY)).isEmpty();
+            Thread.sleep(2100);
+            Thread asking = new Thread(() -> ask(peer, new AtomicInteger(9_950)), "asking");
+            asking.start();
+            Thread.sleep(1000); // its queue is full meanwhile
+            for (int k = 0; k < 50; k++) {
+                assertThat(((DistanceBundle) peer.receive()).distances()).hasSize(10_000);
+            }
+            asking.join();
+            assertThat(log.linesWith("closed")).isEmpty();
+        }
+    }
+
+    /** Closing a socket that has unread bytes would take back what was sent. */
+    @Test
+    void whatWasAnsweredBeforeRubbishStillArrives() throws Exception {
+        try (LogCapture log = new LogCapture();
+                GeometryServer server = new GeometryServer(0);
+                Peer peer = narrow(server)) {
+            peer.send(LARGE);
+            peer.send(new byte[500_000]);
+            Thread.sleep(100);
+            assertThat(((DistanceBundle) peer.receive()).distances()).hasSize(10_000);
+            assertThat(peer.isClosedByTheOtherEnd()).isTrue();
+            assertThat(log.linesWith("closed at message 2, ")).hasSize(1);
         }
     }
 

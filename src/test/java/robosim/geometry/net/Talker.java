@@ -10,13 +10,10 @@ import java.util.List;
 import java.util.concurrent.Semaphore;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.protocol.Bundle;
-import robosim.geometry.protocol.MessageReader;
-import robosim.geometry.protocol.MessageWriter;
-import robosim.geometry.protocol.ProtocolException;
 
 /** An environment that asks a whole conversation, several requests ahead of their answers, and keeps what it hears. */
 final class Talker {
-    private static final int PATIENCE_MILLIS = 60_000;
+    private static final int PATIENCE_MILLIS = 20_000;
 
     private final int port;
     private final int ahead;
@@ -26,6 +23,7 @@ final class Talker {
     private Pace beforeReading = k -> {};
 
     private int receiveBuffer;
+    private Tongue tongue = Tongue.JAVA;
 
     /** What is done before the k-th answer is read. */
     @FunctionalInterface
@@ -42,6 +40,12 @@ final class Talker {
         this.port = port;
         this.ahead = ahead;
         this.conversation = conversation;
+    }
+
+    /** Speaks that. */
+    Talker in(Tongue other) {
+        tongue = other;
+        return this;
     }
 
     /** Reads slowly, out of a small buffer. */
@@ -80,11 +84,11 @@ final class Talker {
 
     private void send(Socket socket, Semaphore free) {
         try {
-            MessageWriter writer = new MessageWriter(new BufferedOutputStream(socket.getOutputStream(), 1 << 14));
-            writer.write(conversation.world());
+            Tongue.Saying saying = tongue.over(new BufferedOutputStream(socket.getOutputStream(), 1 << 14));
+            saying.say(conversation.world());
             for (Bundle request : conversation.requests()) {
                 free.acquire();
-                writer.write(request);
+                saying.say(request);
             }
             socket.shutdownOutput();
         } catch (IOException | InterruptedException e) {
@@ -92,16 +96,15 @@ final class Talker {
         }
     }
 
-    private void listen(Socket socket, Semaphore free, List<Bundle> heard)
-            throws ProtocolException, IOException, InterruptedException {
-        MessageReader reader = new MessageReader(socket.getInputStream());
+    private void listen(Socket socket, Semaphore free, List<Bundle> heard) throws IOException, InterruptedException {
+        Tongue.Hearing hearing = tongue.over(socket.getInputStream());
         beforeReading.before(0);
-        @Nullable Bundle answer = reader.read();
+        @Nullable Bundle answer = hearing.hear();
         while (answer != null) {
             heard.add(answer);
             free.release();
             beforeReading.before(heard.size());
-            answer = reader.read();
+            answer = hearing.hear();
         }
     }
 }

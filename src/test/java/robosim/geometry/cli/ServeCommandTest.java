@@ -1,0 +1,131 @@
+package robosim.geometry.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.MessageReader;
+import robosim.geometry.protocol.MessageWriter;
+import robosim.geometry.protocol.MoveBundle;
+
+/** {@code serve} and {@code connect}: who is let in, what is printed, how they end. */
+class ServeCommandTest {
+    private static final String WORD = "correct horse battery staple";
+
+    @TempDir
+    Path folder;
+
+    private static Process start(String... arguments) throws IOException {
+        List<String> command = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-cp",
+                System.getProperty("java.class.path"),
+                Main.class.getName()));
+        command.addAll(List.of(arguments));
+        return new ProcessBuilder(command).redirectErrorStream(true).start();
+    }
+
+    private static BufferedReader reader(java.io.InputStream in) {
+        return new BufferedReader(new InputStreamReader(in, StandardCharsets.UTF_8));
+    }
+
+    /** The first line that has this part; all before it are skipped. */
+    private static String lineWith(BufferedReader output, String part) throws IOException {
+        String line = output.readLine();
+        while (line != null && !line.contains(part)) {
+            line = output.readLine();
+        }
+        return line == null ? "the end" : line;
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+                    serve 0 --host 0.0.0.0             | give it TLS
+                    serve 0 --key-store a.p12          | Missing required
+                    serve 0 --key-store a.p12 --trust-store b.p12 --password-env NO_SUCH_VARIABLE | (got: NO_SUCH_VARIABLE)
+                    serve 0 --secret-env NO_SUCH_VARIABLE | --secret-env must name a variable that is set
+                    serve 0 --secret-file pom.xml --secret-env HOME | mutually exclusive
+                    serve 0 --secret-file no.such      | --secret-file must be a file of text (got: no.such)
+                    serve 0 --stall 0                  | stall must be from a millisecond to a day (got: PT0S)
+                    serve 0 --connections 0            | connections must be at least 1 (got: 0)
+                    serve 0 --max-objects 0            | objects must be at least 1 (got: 0)
+                    serve 0 --figures -1               | --figures must be at least 0 (got: -1)
+                    connect localhost 1 --once         | cannot reach an environment at localhost:1
+                    """)
+    void whatCannotBeIsRefusedWithItsReason(String line, String reason) {
+        StringWriter err = new StringWriter();
+        assertThat(Commands.run(new PrintWriter(new StringWriter(), true), new PrintWriter(err, true), line.split(" ")))
+                .isEqualTo(Commands.UNUSABLE);
+        assertThat(err.toString()).contains(reason).doesNotContain("\tat ");
+    }
+
+    @Test
+    void aServerForEverybodyWhoKnowsTheSecretPrintsItsFiguresAndNotTheSecret() throws Exception {
+        Path file = Files.writeString(folder.resolve("secret"), WORD + "\n");
+        Process process = start(
+                "serve", "0", "--host", "0.0.0.0", "--secret-file", file.toString(), "--figures", "1", "--idle", "100");
+        try (BufferedReader output = reader(process.getInputStream())) {
+            String listening = lineWith(output, "Listening on");
+            int port = Integer.parseInt(listening.substring(listening.lastIndexOf(':') + 1));
+            try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), port)) {
+                socket.setSoTimeout(20_000);
+                socket.getOutputStream()
+                        .write(("{\"type\":\"hello\",\"version\":1,\"secret\":\"" + WORD + "\"}\n")
+                                .getBytes(StandardCharsets.UTF_8));
+                assertThat(reader(socket.getInputStream()).readLine()).contains("\"hello\"");
+                assertThat(lineWith(output, "connections 1 open")).contains("1 in all, 0 refused");
+            }
+            assertThat(lineWith(output, "connections 0 open")).contains("1 in all", "0 errors");
+            process.toHandle().destroy();
+            List<String> rest = output.lines().toList();
+            assertThat(rest).isNotEmpty();
+            assertThat(rest.get(rest.size() - 1)).startsWith("connections 0 open, 1 in all");
+            assertThat(rest).noneMatch(line -> line.contains("horse"));
+            assertThat(process.waitFor(20, TimeUnit.SECONDS)).isTrue();
+        } finally {
+            process.destroyForcibly();
+        }
+    }
+
+    @Test
+    void connectDialsAgainUntilItIsEnded() throws Exception {
+        try (ServerSocket environment = new ServerSocket(0, 5, InetAddress.getLoopbackAddress())) {
+            environment.setSoTimeout(20_000);
+            Process process = start("connect", "localhost", "" + environment.getLocalPort());
+            try (BufferedReader output = reader(process.getInputStream())) {
+                for (int k = 0; k < 2; k++) {
+                    try (Socket socket = environment.accept()) {
+                        socket.setSoTimeout(20_000);
+                        MessageWriter writer = new MessageWriter(socket.getOutputStream());
+                        writer.write(new InitBundle(List.of()));
+                        writer.write(new MoveBundle(List.of()));
+                        assertThat(new MessageReader(socket.getInputStream()).read())
+                                .isEqualTo(new MoveBundle(List.of()));
+                    }
+                }
+                process.toHandle().destroy();
+                assertThat(lineWith(output, "connections ")).contains("2 in all", "4 bundles");
+                assertThat(process.waitFor(20, TimeUnit.SECONDS)).isTrue();
+            } finally {
+                process.destroyForcibly();
+            }
+        }
+    }
+}

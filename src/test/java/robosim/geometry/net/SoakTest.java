@@ -1,0 +1,167 @@
+package robosim.geometry.net;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.InetAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.Test;
+
+/**
+ * A server for a long time: several environments with long conversations, and beside them every fault again and again,
+ * killed processes and crowds. What the healthy hear is the truth to the bit, and the heap stays as it is.
+ *
+ * <p>Some seconds in an ordinary build, minutes under {@code -Psoak}: the system properties {@code soak.seconds} and {@code
+ * soak.bundles}, of one conversation. The table comes to {@code target/soak/soak.md}.
+ */
+class SoakTest {
+    private static final long SECONDS = Long.getLong("soak.seconds", 4);
+    private static final int BUNDLES = Integer.getInteger("soak.bundles", 500);
+    private static final boolean LONG = SECONDS >= 60;
+    private static final int ENVIRONMENTS = 4;
+
+    /** What the heap may grow by, early to late: what the environments have heard at one time or another. */
+    private static final long MOST_GROWTH = 8 << 20;
+
+    private final FaultTable table = new FaultTable();
+    private final AtomicInteger conversations = new AtomicInteger();
+    private final AtomicInteger differences = new AtomicInteger();
+    private final AtomicLong bundles = new AtomicLong();
+    private final List<Long> heap = new ArrayList<>();
+    private final long start = System.nanoTime();
+
+    private boolean isOver() {
+        return System.nanoTime() - start > Duration.ofSeconds(SECONDS).toNanos();
+    }
+
+    @FunctionalInterface
+    private interface Task {
+        void run() throws Exception;
+    }
+
+    private Thread again(String name, Task task) {
+        Thread thread = new Thread(
+                () -> {
+                    try {
+                        do {
+                            task.run();
+                        } while (!isOver());
+                    } catch (Exception e) {
+                        table.enter(name, "failed itself: " + e);
+                    }
+                },
+                "soak-" + name);
+        thread.start();
+        return thread;
+    }
+
+    @Test
+    void aServerStaysUpAndStaysAsItIs() throws Exception {
+        NetOptions options = NetOptions.defaults().withTimes(Duration.ofSeconds(10), Duration.ofSeconds(60));
+        try (LogCapture log = new LogCapture();
+                GeometryServer server = new GeometryServer(InetAddress.getLoopbackAddress(), 0, options)) {
+            List<Thread> threads = new ArrayList<>();
+            for (int k = 0; k < ENVIRONMENTS; k++) {
+                Conversation conversation = Conversation.of(k, BUNDLES);
+                threads.add(again("environment", () -> converse(server, conversation)));
+            }
+            AtomicInteger seed = new AtomicInteger();
+            FaultRun faults = new FaultRun(server.port(), table);
+            threads.add(again("faults", () -> faults.all(seed.incrementAndGet(), 30)));
+            if (LONG) {
+                Conversation beside = Conversation.of(77, 50);
+                threads.add(again("kills", () -> kill(server, beside)));
+                threads.add(again("crowds", () -> crowd(server)));
+            }
+            sampleHeap();
+            for (Thread thread : threads) {
+                thread.join();
+            }
+            HostilePeerTest.await(() -> server.connections() == 0);
+            report(server.figures());
+            assertThat(table.failures()).isEmpty();
+            assertThat(log.linesWith("an error of the module itself")).isEmpty();
+            assertThat(differences.get()).isZero();
+            assertThat(conversations.get()).isGreaterThanOrEqualTo(ENVIRONMENTS);
+            assertThat(growth()).as("bytes that the heap grew by, of " + heap).isLessThan(MOST_GROWTH);
+        }
+    }
+
+    private void converse(GeometryServer server, Conversation conversation) throws InterruptedException {
+        String difference = conversation.difference(new Talker(server.port(), 3, conversation).talk());
+        conversations.incrementAndGet();
+        bundles.addAndGet(conversation.requests().size());
+        if (!difference.isEmpty()) {
+            differences.incrementAndGet();
+            table.enter("healthy environments", difference);
+        }
+    }
+
+    private void kill(GeometryServer server, Conversation beside) throws Exception {
+        table.enter("environment killed (kill -9)", KillTest.killEnvironment(server, beside));
+        table.enter("server killed (kill -9)", KillTest.killServer());
+        Thread.sleep(2000);
+    }
+
+    private void crowd(GeometryServer server) throws InterruptedException {
+        List<String> differences = CrowdTest.crowd(server, 500);
+        table.enter("200 at once, 60 of them slow", differences.isEmpty() ? "" : differences.toString());
+        Thread.sleep(5000);
+    }
+
+    /** What is alive after a collection, while all of this goes on. */
+    private void sampleHeap() throws InterruptedException {
+        Runtime runtime = Runtime.getRuntime();
+        while (!isOver()) {
+            Thread.sleep(LONG ? 2000 : 300);
+            System.gc();
+            heap.add(runtime.totalMemory() - runtime.freeMemory());
+        }
+    }
+
+    /** Of the least that was alive, from the second sixth of the time, when all has been loaded, to the last third. */
+    private long growth() {
+        int count = heap.size();
+        return least(count * 2 / 3, count) - least(count / 6, count / 2);
+    }
+
+    private long least(int from, int to) {
+        return heap.subList(from, to).stream().mapToLong(Long::longValue).min().orElseThrow();
+    }
+
+    private void report(FiguresMXBean figures) throws Exception {
+        String text = String.format(
+                Locale.ROOT,
+                """
+                # Soak
+
+                %d s, %d environments with conversations of %d bundles: %d conversations, %d bundles, %d differences.
+                Heap after collections: %.1f MB early, %.1f MB late (%d samples). Server: %s.
+
+                %s
+                """,
+                SECONDS,
+                ENVIRONMENTS,
+                BUNDLES,
+                conversations.get(),
+                bundles.get(),
+                differences.get(),
+                least(heap.size() / 6, heap.size() / 2) / 1e6,
+                least(heap.size() * 2 / 3, heap.size()) / 1e6,
+                heap.size(),
+                figures.line(),
+                table.markdown());
+        String failures = String.join(System.lineSeparator(), table.failures());
+        Path folder = Files.createDirectories(Path.of("target", "soak"));
+        Files.writeString(folder.resolve("soak.md"), text + failures);
+        if (LONG) {
+            System.out.println(text + failures);
+        }
+    }
+}
