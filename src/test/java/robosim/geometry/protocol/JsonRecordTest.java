@@ -29,7 +29,8 @@ class JsonRecordTest {
         assertThat(record.number("number")).isEqualTo(0.1);
         assertThat(record.whole("whole", 0, 1L << 53)).isEqualTo(1L << 53);
         assertThat(record.has("other")).isFalse();
-        assertThat(record.record("inner").constant("dimension", Dimension.class)).isEqualTo(Dimension.SPATIAL);
+        assertThat(record.record("inner").constant("dimension", Dimension.class))
+                .isEqualTo(Dimension.SPATIAL);
         assertThat(record.record("inner").isNull("max")).isTrue();
         assertThat(record.isNull("other")).isFalse();
     }
@@ -51,7 +52,18 @@ class JsonRecordTest {
     @ParameterizedTest
     @ValueSource(
             strings = {
-                "", " ", "1", "[]", "{", "{}}", "{} {}", "{\"a\":1,\"a\":1}", "{\"a\":[1]}", "{\"a\":NaN}", "{'a':1}", "{\"a\":1e999}",
+                "",
+                " ",
+                "1",
+                "[]",
+                "{",
+                "{}}",
+                "{} {}",
+                "{\"a\":1,\"a\":1}",
+                "{\"a\":[1]}",
+                "{\"a\":NaN}",
+                "{'a':1}",
+                "{\"a\":1e999}",
                 "{\"a\":\"\\ud800\"}"
             })
     void otherLinesAreRefused(String line) {
@@ -73,9 +85,12 @@ class JsonRecordTest {
 
     @Test
     void repliesAreToldFromRequests() throws ProtocolException {
-        assertThat(JsonLines.isReply("{\"moves\":[{\"refused\":1}],\"type\":\"moves\"}")).isFalse();
-        assertThat(JsonLines.isReply("{\"refused\":[],\"moves\":[],\"type\":\"moves\"}")).isTrue();
-        assertThat(JsonLines.isReply("{\"type\":\"distances\",\"distances\":[]}")).isTrue();
+        assertThat(JsonLines.isReply("{\"moves\":[{\"refused\":1}],\"type\":\"moves\"}"))
+                .isFalse();
+        assertThat(JsonLines.isReply("{\"refused\":[],\"moves\":[],\"type\":\"moves\"}"))
+                .isTrue();
+        assertThat(JsonLines.isReply("{\"type\":\"distances\",\"distances\":[]}"))
+                .isTrue();
         assertThat(JsonLines.isReply("{\"type\":\"note\",\"refused\":[]}")).isFalse();
         assertThatThrownBy(() -> JsonLines.isReply("{\"refused\":[]}")).isInstanceOf(ProtocolException.class);
     }

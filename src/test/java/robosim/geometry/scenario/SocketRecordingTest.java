@@ -13,17 +13,20 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.net.GeometryServer;
 import robosim.geometry.net.NetOptions;
+import robosim.geometry.net.SessionListener;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
 import robosim.geometry.protocol.JsonLines;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageWriter;
+import robosim.geometry.protocol.MoveBundle;
 
 /** Recordings of sessions over real sockets: what a peer got is what the file holds and what a replay answers. */
 @Timeout(60)
@@ -126,6 +129,37 @@ class SocketRecordingTest {
         }
     }
 
+    /** A recording is closed with its connection, whoever ended that and however. */
+    @Test
+    void aListenerIsToldOfTheEndOnce() throws IOException {
+        AtomicInteger begun = new AtomicInteger();
+        AtomicInteger ended = new AtomicInteger();
+        SessionListener counter = new SessionListener() {
+            @Override
+            public void ended() {
+                ended.incrementAndGet();
+            }
+        };
+        NetOptions options = NetOptions.defaults().withListeners(name -> {
+            begun.incrementAndGet();
+            return counter;
+        });
+        try (GeometryServer server = new GeometryServer(InetAddress.getLoopbackAddress(), 0, options)) {
+            inJava(server.port(), List.of(new MoveBundle(List.of())));
+            try (Socket hostile = new Socket(InetAddress.getLoopbackAddress(), server.port())) {
+                send(hostile, "rubbish");
+                hostile.getInputStream().readAllBytes();
+            }
+            try (Socket waiting = new Socket(InetAddress.getLoopbackAddress(), server.port())) {
+                send(waiting, "{\"type\":\"hello\",\"version\":1}");
+                waiting.getInputStream().read();
+                server.close();
+            }
+        }
+        assertThat(ended).hasValue(3);
+        assertThat(begun).hasValue(3);
+    }
+
     /** What a file holds beside notes, times and answers can be sent to a server as it is. */
     @Test
     void theRequestsOfAFileAreLinesOfTheWire() throws IOException {
@@ -174,8 +208,8 @@ class SocketRecordingTest {
                 .start();
         try {
             long enough = System.nanoTime() + TimeUnit.SECONDS.toNanos(40);
-            while (count() < 3 && System.nanoTime() < enough) {
-                Thread.onSpinWait();
+            while (begun() < 3 && System.nanoTime() < enough) {
+                TimeUnit.MILLISECONDS.sleep(1);
             }
         } finally {
             process.destroyForcibly().waitFor();
@@ -190,9 +224,14 @@ class SocketRecordingTest {
         assertThat(steps).isGreaterThan(34);
     }
 
-    private long count() throws IOException {
+    /** Files that hold their world. */
+    private int begun() throws IOException {
+        int begun = 0;
         try (Stream<Path> files = Files.list(folder)) {
-            return files.count();
+            for (Path file : files.toList()) {
+                begun += Files.size(file) > 10_000 ? 1 : 0;
+            }
         }
+        return begun;
     }
 }
