@@ -32,13 +32,15 @@ import robosim.geometry.model.Ray;
 class SerialClassesTest {
     private static final Set<Class<?>> ENDS = Set.of(Bundle.class, GeometryObject.class);
 
-    private static List<Class<?>> serializable() throws ClassNotFoundException {
+    private static final List<Class<?>> SERIALIZABLE = serializable();
+
+    private static List<Class<?>> serializable() {
         List<Class<?>> found = new ArrayList<>();
         for (JavaClass type : new ClassFileImporter()
                 .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
                 .importPackages("robosim.geometry")) {
             if (type.isAssignableTo(Serializable.class) && !type.isInterface()) {
-                found.add(Class.forName(type.getName(), false, SerialClassesTest.class.getClassLoader()));
+                found.add(type.reflect());
             }
         }
         return found;
@@ -48,7 +50,7 @@ class SerialClassesTest {
     void everySerializableClassSaysWhichVersionItIs() throws Exception {
         int records = 0;
         List<String> without = new ArrayList<>();
-        for (Class<?> type : serializable()) {
+        for (Class<?> type : SERIALIZABLE) {
             if (type.isEnum() || Enum.class.isAssignableFrom(type)) {
                 continue; // goes by its name; its number is always 0
             }
@@ -71,7 +73,7 @@ class SerialClassesTest {
     void onlyRecordsAndEnumsOfTheModuleCrossTheWire() throws Exception {
         AllowedClasses allowed = new AllowedClasses(Set.of());
         int crossing = 0;
-        for (Class<?> type : serializable()) {
+        for (Class<?> type : SERIALIZABLE) {
             if (allowed.byName(type.getName()) != null) {
                 assertThat(type.isRecord() || type.isEnum()).as(type.getName()).isTrue();
                 crossing++;
@@ -117,7 +119,7 @@ class SerialClassesTest {
         }
         AllowedClasses allowed = new AllowedClasses(Set.of());
         Set<String> missing = new TreeSet<>();
-        for (Class<?> type : serializable()) {
+        for (Class<?> type : SERIALIZABLE) {
             if (allowed.byName(type.getName()) != null && !stored.contains(type.getName())) {
                 missing.add(type.getName());
             }

@@ -51,7 +51,8 @@ final class FoundOnce {
                         Dimension.PLANAR,
                         10,
                         new BoxObject(new Point(), 0x1.743799ce872dap0, 2, 2 * LEAST)
-                                .oriented(new double[] {cos, 0, sin, 0, 1, 0, -sin, 0, cos}),
+                                .oriented(new double[] {cos, 0, sin, 0, 1, 0, -sin, 0, cos})
+                                .named("flat box"),
                         probe(-0x1.107814fb7f712p-2, 0, -0x1.e753e44686f26p-2))
                 .sonars(sonar("probe", 0x1.6b4ac6a501e23p-3, 0x1.44e2982f04a19p-2));
     }
@@ -76,7 +77,8 @@ final class FoundOnce {
                                     -0x1.c6aca59a2d23ep-1,
                                     -0x1.d33b826ad65aap-2,
                                     -0x1.cf599dded3e4p-5
-                                }),
+                                })
+                                .named("flat box"),
                         probe(0, 0, -1))
                 .sonars(sonar("probe", 1, 0), sonar("probe", 0, 1))
                 .moves(move("probe", 0, -0.25), move("probe", -0.25, 0), move("probe", 0, 1));
@@ -99,7 +101,7 @@ final class FoundOnce {
                 .world(
                         Dimension.SPATIAL,
                         40,
-                        new CylinderObject(new Point(), 3, 0),
+                        new CylinderObject(new Point(), 3, 0).named("disc"),
                         probe(1, -LEAST, 1).oriented(TILTED))
                 .sonars(sonar("probe", 0, -3), sonar("probe", 0, 3));
     }
@@ -128,7 +130,8 @@ final class FoundOnce {
                         Dimension.SPATIAL,
                         1,
                         new BoxObject(new Point(0.5 * unit, 0.5 * unit, -1.5 * unit), 0, 0, 0.5 * unit)
-                                .oriented(new double[] {0, 1, 0, 1, 0, 0, 0, 0, -1}),
+                                .oriented(new double[] {0, 1, 0, 1, 0, 0, 0, 0, -1})
+                                .named("square"),
                         probe(-2.5 * unit, -2.5 * unit, 1.25 * unit))
                 .moves(new MoveRequest("probe", 6 * unit, 6 * unit, -6 * unit, 0, 0))
                 .moves(new MoveRequest("probe", 2 * unit, 2 * unit, -2 * unit, 0, 0));
@@ -143,7 +146,7 @@ final class FoundOnce {
                 .world(
                         Dimension.PLANAR,
                         0x1p70,
-                        new SphereObject(new Point(-1.5 * unit, 0, -1.5 * unit), unit),
+                        new SphereObject(new Point(-1.5 * unit, 0, -1.5 * unit), unit).named("ball"),
                         side.moveable("side"))
                 .moves(move("side", -3 * unit, -2.5 * unit));
     }
@@ -152,7 +155,11 @@ final class FoundOnce {
         MeshObject side = new MeshObject(
                 List.of(new Point(-0x1.4p-537, 0, 1), new Point(0x1.5p-536, 0, 1)), new int[][] {{0, 1, 1}});
         return new Conversation("A disc goes up to a side whose square has two bits, and no further")
-                .world(Dimension.PLANAR, 8, side, new CylinderObject(new Point(), 0.5, 1).moveable("disc"))
+                .world(
+                        Dimension.PLANAR,
+                        8,
+                        side.named("side"),
+                        new CylinderObject(new Point(), 0.5, 1).moveable("disc"))
                 .moves(move("disc", 0, 0.25))
                 .moves(move("disc", 0, 0.25))
                 .sonars(sonar("disc", 0, 1));
