@@ -154,7 +154,7 @@ class AccessTest {
                 java.send(new MoveBundle(List.of(NOBODY)));
                 assertThat(java.isClosedByTheOtherEnd()).isTrue();
             }
-            assertThat(log.linesWith("closed at message 1")).hasSize(4);
+            HostilePeerTest.await(() -> log.linesWith("closed at message 1").size() == 4);
             assertThat(log.linesWith("Java serialization")).hasSize(1);
             assertThat(log.linesWith("horse")).isEmpty();
             assertThat(SECRET.toString() + options(null, SECRET)).doesNotContain("horse");

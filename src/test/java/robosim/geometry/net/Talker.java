@@ -8,6 +8,7 @@ import java.net.Socket;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Semaphore;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.protocol.Bundle;
 
@@ -58,6 +59,23 @@ final class Talker {
     /** What came, in order, until all was answered or the connection ended, however it did. */
     List<Bundle> talk() throws InterruptedException {
         List<Bundle> heard = new ArrayList<>();
+        talk(heard::add);
+        return heard;
+    }
+
+    /** How many answers came, each the truth and in its place; -1 where one was not. Keeps none of them. */
+    int compare() throws InterruptedException {
+        int[] same = new int[2];
+        talk(answer -> {
+            boolean right = same[0] == same[1]++
+                    && same[0] < conversation.replies().size()
+                    && conversation.replies().get(same[0]).bundle().equals(answer);
+            same[0] += right ? 1 : 0;
+        });
+        return same[0] == same[1] ? same[0] : -1;
+    }
+
+    private void talk(Consumer<Bundle> heard) throws InterruptedException {
         Semaphore free = new Semaphore(ahead);
         try (Socket socket = new Socket()) {
             if (receiveBuffer > 0) {
@@ -68,18 +86,21 @@ final class Talker {
             socket.setSoTimeout(PATIENCE_MILLIS);
             Thread sender = new Thread(() -> send(socket, free), "talker");
             sender.start();
-            try {
-                listen(socket, free, heard);
-            } catch (IOException e) {
-                heard = List.copyOf(heard); // the end, as ends go on a bad network
-            }
+            listenToTheEnd(socket, free, heard);
             free.release(1 << 20);
             socket.close();
             sender.join();
         } catch (IOException e) {
-            return heard; // it was not even reached
+            return; // it was not even reached
         }
-        return heard;
+    }
+
+    private void listenToTheEnd(Socket socket, Semaphore free, Consumer<Bundle> heard) throws InterruptedException {
+        try {
+            listen(socket, free, heard);
+        } catch (IOException e) {
+            return; // the end, as ends go on a bad network
+        }
     }
 
     private void send(Socket socket, Semaphore free) {
@@ -96,14 +117,15 @@ final class Talker {
         }
     }
 
-    private void listen(Socket socket, Semaphore free, List<Bundle> heard) throws IOException, InterruptedException {
+    private void listen(Socket socket, Semaphore free, Consumer<Bundle> heard)
+            throws IOException, InterruptedException {
         Tongue.Hearing hearing = tongue.over(socket.getInputStream());
         beforeReading.before(0);
         @Nullable Bundle answer = hearing.hear();
-        while (answer != null) {
-            heard.add(answer);
+        for (int count = 1; answer != null; count++) {
+            heard.accept(answer);
             free.release();
-            beforeReading.before(heard.size());
+            beforeReading.before(count);
             answer = hearing.hear();
         }
     }
