@@ -221,6 +221,17 @@ class RecorderTest {
     }
 
     @Test
+    void whatCouldNotBeReadIsNotWritten() throws IOException {
+        ScenarioWriter writer = open();
+        int header = file.size();
+        Reply odd = new Reply(new MoveBundle(List.of(move("half \ud800", 1, 0))));
+        assertThatThrownBy(() -> writer.answer(odd, null)).hasMessageContaining("surrogate");
+        assertThatThrownBy(() -> writer.request(odd.bundle())).hasMessageContaining("surrogate");
+        assertThatThrownBy(() -> writer.note("half \ud800")).hasMessageContaining("surrogate");
+        assertThat(file.size()).isEqualTo(header);
+    }
+
+    @Test
     void nothingIsOpenedForWhoAsksNothing() {
         Recorder recorder = new Recorder(
                 "test",

@@ -206,6 +206,9 @@ class ScenarioReaderTest {
                     .isInstanceOf(ScenarioException.class)
                     .hasMessageStartingWith(file + ":2: file must ");
         }
+        // Whether there is anything outside is not told.
+        Files.writeString(file, HEADER + "{\"type\":\"world\",\"file\":\"../../none.xml\"}\n");
+        assertThatThrownBy(() -> Scenario.read(file)).hasMessageContaining("file must lead to a file under");
         Files.createSymbolicLink(folder.resolve("worlds/link.xml"), folder.resolve("maze.xml"));
         Files.writeString(file, HEADER + "{\"type\":\"world\",\"file\":\"../link.xml\"}\n");
         assertThatThrownBy(() -> Scenario.read(file)).hasMessageContaining("links followed");
