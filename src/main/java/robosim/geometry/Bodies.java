@@ -22,11 +22,19 @@ final class Bodies {
     private boolean isOrdered;
 
     /** Where a moveable object's place stands in the column of places, -1 for a static object. */
-    private int[] slots = new int[16];
+    private int[] slots = new int[0];
 
     private double[] places = new double[0];
     private int[] movers = new int[4];
+
+    /** The very strings that name the moveable objects, in the order of arrival. */
+    private @Nullable String[] moverNames = new String[4];
+
     private int moverCount;
+
+    /** Which moveable object was found by its name last. */
+    private int found;
+
     private int[] free = new int[4];
     private int freeCount;
     private int capacityUsed;
@@ -49,7 +57,24 @@ final class Bodies {
 
     /** The id of a name, or -1. */
     int find(String name) {
-        return names.find(name);
+        if (isFound(found, name) || isFound(found + 1, name) || isFound(found - 1, name)) {
+            return movers[found];
+        }
+        int id = names.find(name);
+        if (id >= 0 && isMoveable(id)) {
+            found = slots[id];
+        }
+        return id;
+    }
+
+    /** Whether a moveable object has this very name: who has many of them mostly asks for one after the other. */
+    @SuppressWarnings("ReferenceEquality") // others are looked up
+    private boolean isFound(int slot, String name) {
+        if (slot < 0 || slot >= moverCount || moverNames[slot] != name) {
+            return false;
+        }
+        found = slot;
+        return true;
     }
 
     /** Takes an object in and answers its id. */
@@ -61,19 +86,23 @@ final class Bodies {
             if (isOrdered) {
                 order = Arrays.copyOf(order, capacity);
             }
-            slots = Arrays.copyOf(slots, capacity);
+            if (moverCount > 0) {
+                growSlots();
+            }
         }
         values[id] = object;
         if (isOrdered) {
             order[id] = arrivals++;
         }
-        slots[id] = -1;
+        if (id < slots.length) {
+            slots[id] = -1;
+        }
         String name = object.name();
         if (name != null) {
             names.put(name, id);
         }
         if (object.isMoveable()) {
-            addMover(id, object.pose());
+            addMover(id, name, object.pose());
         }
         size++;
         return id;
@@ -92,15 +121,26 @@ final class Bodies {
         return free[--freeCount];
     }
 
-    private void addMover(int id, Pose pose) {
+    private void growSlots() {
+        int from = slots.length;
+        slots = Arrays.copyOf(slots, values.length);
+        Arrays.fill(slots, from, slots.length, -1);
+    }
+
+    private void addMover(int id, @Nullable String name, Pose pose) {
         if (moverCount == movers.length) {
             movers = Arrays.copyOf(movers, 2 * moverCount);
+            moverNames = Arrays.copyOf(moverNames, movers.length);
         }
         if ((moverCount + 1) * PLACE > places.length) {
             places = Arrays.copyOf(places, 2 * (moverCount + 1) * PLACE);
         }
+        if (id >= slots.length) {
+            growSlots();
+        }
         slots[id] = moverCount;
         movers[moverCount] = id;
+        moverNames[moverCount] = name;
         moverCount++;
         put(id, pose);
     }
@@ -129,7 +169,7 @@ final class Bodies {
         if (name != null) {
             names.remove(name);
         }
-        if (slots[id] >= 0) {
+        if (isMoveable(id)) {
             removeMover(slots[id]);
         }
         values[id] = null;
@@ -144,6 +184,8 @@ final class Bodies {
     private void removeMover(int slot) {
         moverCount--;
         System.arraycopy(movers, slot + 1, movers, slot, moverCount - slot);
+        System.arraycopy(moverNames, slot + 1, moverNames, slot, moverCount - slot);
+        moverNames[moverCount] = null;
         System.arraycopy(places, (slot + 1) * PLACE, places, slot * PLACE, (moverCount - slot) * PLACE);
         for (int k = slot; k < moverCount; k++) {
             slots[movers[k]] = k;
@@ -166,7 +208,7 @@ final class Bodies {
     }
 
     boolean isMoveable(int id) {
-        return slots[id] >= 0;
+        return id < slots.length && slots[id] >= 0;
     }
 
     /** Whether a came before b. */

@@ -87,7 +87,7 @@ final class Level {
         this.bodies = bodies;
         this.accuracy = accuracy;
         this.dimension = dimension;
-        tree = new QuadTree(-width / 2, -length / 2, width / 2, length / 2);
+        tree = new QuadTree(-width / 2, -length / 2, width / 2, length / 2, this::trim);
         cursor = tree.cursor();
         stacks = new Stacks(dimension == Dimension.SPATIAL);
         extent = width + length;
@@ -125,14 +125,26 @@ final class Level {
     /** Takes an object in under an id that it has elsewhere; in a world of moveable and static ones. */
     void add(int id, GeometryObject object) {
         placed(object, incoming);
-        boundsOf(incoming, 0, incoming.size(), box, 0);
+        outline(incoming, box);
         add(id, object, incoming, box);
+    }
+
+    /**
+     * Bounds of what stands for an object, which is all that a column holds; where they only pass over what cannot meet,
+     * quick ones.
+     */
+    void outline(LeafColumn column, double[] out) {
+        if (column.size() == 1 && accuracy == Accuracy.EXACT) {
+            column.roughBounds(0, out);
+        } else {
+            boundsOf(column, 0, column.size(), out, 0);
+        }
     }
 
     /** Takes an object in that has been placed, with the bounds of what stands for it. */
     void add(int id, GeometryObject object, LeafColumn placed, double[] box) {
         reserve(id);
-        int leaf = spans.claim(id, placed.size(), leaves);
+        int leaf = spans.claim(id, placed.size(), leaves, !object.isMoveable() && placed.fitsUpright());
         leaves.copy(placed, leaf);
         System.arraycopy(box, 0, bounds, 6 * id, 6);
         shapes[id] = placed.size() == 1 && DiscWay.isDisc(leaves.kind(leaf)) ? DISC : 0;
@@ -180,6 +192,16 @@ final class Level {
     /** How many moveable objects are not in the quadtree: all or none. */
     int moversBesideTree() {
         return hasMoversInTree ? 0 : movers;
+    }
+
+    /** Gives up room that there is for more objects. */
+    private void trim() {
+        int limit = bodies.limit();
+        if (Growth.isWasteful(limit, shapes.length)) {
+            shapes = Arrays.copyOf(shapes, limit);
+            bounds = Arrays.copyOf(bounds, 6 * limit);
+        }
+        leaves.trim();
     }
 
     private void reserve(int id) {
@@ -240,7 +262,11 @@ final class Level {
             shapes[id] = (byte) (shapes[id] & ~DISC);
             return;
         }
-        leaves.bounds(first(id), part);
+        if (accuracy == Accuracy.EXACT) {
+            leaves.roughBounds(first(id), part);
+        } else {
+            leaves.bounds(first(id), part);
+        }
         for (int k = 0; k < 6; k++) {
             bounds[6 * id + k] = part[k];
         }

@@ -91,7 +91,7 @@ final class Population {
             return false;
         }
         level.placed(object, candidate);
-        level.boundsOf(candidate, 0, candidate.size(), box, 0);
+        level.outline(candidate, box);
         return !isExact || border.clearlyHolds(box) || border.holds(candidate, 0, candidate.size());
     }
 
@@ -103,7 +103,7 @@ final class Population {
         int near = at.cursor.gather(box[0], box[2], box[3], box[5], but);
         for (int k = 0; k < near; k++) {
             int other = at.cursor.gathered(k);
-            if (at.meets(other, box) && touches(at, other)) {
+            if ((dimension == Dimension.PLANAR || at.meets(other, box)) && touches(at, other)) {
                 return true;
             }
         }

@@ -8,6 +8,7 @@ import robosim.geometry.index.SpaceKeys;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Cast;
 import robosim.geometry.narrow.Distance;
+import robosim.geometry.narrow.LeafColumn;
 import robosim.geometry.narrow.Scratch;
 
 /** Beams and least distances in a world: nearest first, and no farther than what has been found. */
@@ -36,6 +37,9 @@ final class Ranging {
     private double highest;
     private int hit;
     private int hitLeaf;
+
+    /** What stands for the object whose distance to others is asked. */
+    private final LeafColumn own = new LeafColumn(1);
 
     /** The sides of the cone seen from above: outward normals; both zero where it has none. */
     private double leftX;
@@ -301,6 +305,8 @@ final class Ranging {
         double hx = Math.max(b[k + 3] - x, x - b[k]);
         double hz = Math.max(b[k + 5] - z, z - b[k + 2]);
         double radius = Math.sqrt(hx * hx + hz * hz + UNDERFLOW) * (1 + 0x1p-50);
+        own.clear();
+        own.appendWhole(level.leaves(), level.first(id), level.count(id));
         best = Double.POSITIVE_INFINITY;
         hit = -1;
         double reach = limit;
@@ -335,10 +341,9 @@ final class Ranging {
         if (boxGap(level, id, other) > reach) {
             return reach;
         }
-        for (int i = level.first(id); i < level.first(id) + level.count(id); i++) {
+        for (int i = 0; i < own.size(); i++) {
             for (int j = level.first(other); j < level.first(other) + level.count(other); j++) {
-                double found =
-                        distance.between(level.dimension, level.leaves(), i, level.leaves(), j, Math.min(reach, best));
+                double found = distance.between(level.dimension, own, i, level.leaves(), j, Math.min(reach, best));
                 best = Math.min(best, found);
             }
         }

@@ -105,11 +105,10 @@ final class Stride {
     private boolean passesAll() {
         QuadTree.Cursor cursor = level.cursor;
         int near = cursor.gather(box[0], box[2], box[3], box[5], id);
-        float[] boxes = cursor.gatheredBoxes();
+        double[] boxes = cursor.boxes();
         for (int k = 0; k < near; k++) {
             int other = cursor.gathered(k);
-            int b = 4 * k;
-            if (!passes(other, quickly(other, boxes[b], boxes[b + 1], boxes[b + 2], boxes[b + 3]))) {
+            if (!passes(other, quickly(other, boxes))) {
                 return false;
             }
         }
@@ -151,16 +150,19 @@ final class Stride {
     }
 
     /**
-     * What doubles can tell, as seen from above, of the discs around the object and around a box: a disc's own, or that
-     * through the box's corners. An end of the box is off by less than 2^-21.9 of itself, and what is subtracted from it
-     * by an ulp of a double or two.
+     * What doubles can tell, as seen from above, of the discs around the object and around the bounds of another: a disc's
+     * own, or that through the corners.
      */
-    private int quickly(int other, float minX, float minZ, float maxX, float maxZ) {
+    private int quickly(int other, double[] boxes) {
+        double minX = boxes[4 * other];
+        double minZ = boxes[4 * other + 1];
+        double maxX = boxes[4 * other + 2];
+        double maxZ = boxes[4 * other + 3];
         double halfX = 0.5 * maxX - 0.5 * minX;
         double halfZ = 0.5 * maxZ - 0.5 * minZ;
         boolean isDisc = level.isDisc(other);
         double radius = isDisc ? Math.max(halfX, halfZ) : Math.sqrt(halfX * halfX + halfZ * halfZ);
-        double slack = 0x1p-21 * (Math.abs(minX) + Math.abs(maxX) + Math.abs(minZ) + Math.abs(maxZ)) + ownSlack;
+        double slack = 0x1p-50 * (Math.abs(minX) + Math.abs(maxX) + Math.abs(minZ) + Math.abs(maxZ)) + ownSlack;
         double qx = 0.5 * minX + 0.5 * maxX - ownX;
         double qz = 0.5 * minZ + 0.5 * maxZ - ownZ;
         // Who meets as seen from above may be higher or lower.

@@ -27,7 +27,7 @@ class SpansTest {
                 gone++;
             } else {
                 double[] marks = new double[step < 500 ? 1 : random.nextInt(1, most + 1)];
-                int first = spans.claim(id, marks.length, column);
+                int first = spans.claim(id, marks.length, column, false);
                 for (int k = 0; k < marks.length; k++) {
                     marks[k] = step + 0.25 * k;
                     column.setKind(first + k, Leaf.SPHERE);
@@ -42,6 +42,43 @@ class SpansTest {
         assertThat(gone).isBetween(1000, 2500);
         // Of leaves that are given up, few are kept for long.
         assertThat(column.size()).isLessThan(2 * most * 300 + 64);
+    }
+
+    /** Leaves of half a row, and from some step on of both sorts. */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 200, 100_000})
+    void leavesOfBothSortsAreKept(int plainSteps) {
+        SplittableRandom random = new SplittableRandom(plainSteps);
+        Spans spans = new Spans();
+        LeafColumn column = new LeafColumn(1);
+        Map<Integer, Double> twin = new TreeMap<>();
+        LeafColumn own = new LeafColumn(1);
+        own.append(1);
+        own.setKind(0, Leaf.SPHERE);
+        int halves = 0;
+        for (int step = 0; step < 4000; step++) {
+            int id = random.nextInt(300);
+            if (twin.remove(id) != null) {
+                column = spans.release(id, column);
+            } else {
+                boolean upright = step < plainSteps || random.nextBoolean();
+                own.rows()[3] = step;
+                int leaf = spans.claim(id, 1, column, upright);
+                column.copy(own, leaf);
+                halves += (leaf & LeafColumn.UPRIGHT) != 0 ? 1 : 0;
+                twin.put(id, (double) step);
+            }
+            if (step % 16 == 0) {
+                LeafColumn now = column;
+                twin.forEach((each, mark) -> {
+                    int leaf = spans.first(each);
+                    assertThat(now.kind(leaf)).isEqualTo(Leaf.SPHERE);
+                    assertThat(now.rows(leaf)[now.at(leaf) + 3]).isEqualTo(mark);
+                });
+            }
+        }
+        assertThat(halves).isGreaterThan(900);
+        assertThat(column.size() + column.uprightSize()).isLessThan(2 * 300 + 64);
     }
 
     private static void assertKept(Spans spans, LeafColumn column, Map<Integer, double[]> twin) {

@@ -9,8 +9,9 @@ import org.jspecify.annotations.Nullable;
  * <p>A region is cut in four at its centre, again and again. Where a ray or a box asks, all regions of one depth are taken
  * at once as {@link Tiles}, about as many as there are objects: a ray steps from tile to tile, front to back, until no
  * later tile can hold anything nearer than what it has met. Objects that are too large for the tiles stand on coarser ones.
- * Where a point asks for what is nearest, the regions are a tree that is descended nearest first. Both are made when first
- * asked, and laid out anew when the number of objects has outgrown them.
+ * Where a point asks for what is nearest, the regions are a tree that is descended nearest first. Who is near a small box
+ * while objects are being added or move is asked of a {@link NearGrid}, and the tiles catch up when they are asked again.
+ * Each is made when first asked, and laid out anew when the number of objects has outgrown it.
  *
  * <p>Belongs to one thread at a time. Arrays have one place for every id up to the greatest.
  */
@@ -18,11 +19,16 @@ public final class QuadTree {
     /** Greatest id: four numbers for each must fit one array. */
     public static final int MAX_ID = (1 << 28) - 2;
 
+    /** Room for so many more is not worth giving up. */
+    private static final int FEW = 1024;
+
     private final Cells cells;
 
     // By id: the box; the first number is NaN where there is none.
     private double[] boxes = new double[4 * 64];
     private int size;
+
+    private final Runnable laidOut;
 
     /** No coordinate of a box was ever of a greater magnitude. */
     private double most;
@@ -32,8 +38,25 @@ public final class QuadTree {
     private RegionTree regions;
     private boolean hasRegions;
 
+    /** Who is near whom while tiles are out of date; none where it would not do. */
+    private @Nullable NearGrid grid;
+
+    /** A grid is for so many objects at least. */
+    private int leastForGrid;
+
+    private boolean hasMoved;
+
+    /** Who has moved since the tiles were up to date. */
+    private final Moved moved = new Moved();
+
     /** An empty tree over a world of this extent. Objects may lie outside of it; the tree is merely coarser there. */
     public QuadTree(double minX, double minZ, double maxX, double maxZ) {
+        this(minX, minZ, maxX, maxZ, () -> {});
+    }
+
+    /** The same, with what to do whenever the tree has been laid out anew: its owner may do likewise. */
+    public QuadTree(double minX, double minZ, double maxX, double maxZ, Runnable whenLaidOut) {
+        laidOut = whenLaidOut;
         cells = new Cells(minX, minZ, maxX, maxZ);
         regions = new RegionTree(cells);
         Arrays.fill(boxes, Double.NaN);
@@ -70,6 +93,9 @@ public final class QuadTree {
         write(id, minX, minZ, maxX, maxZ);
         size++;
         tiles.add(id, boxes, size);
+        if (grid != null) {
+            grid.add(id, boxes);
+        }
         if (hasRegions) {
             regions.add(id, boxes);
         }
@@ -103,7 +129,11 @@ public final class QuadTree {
         if (!contains(id)) {
             return false;
         }
+        catchUp();
         tiles.remove(id, boxes);
+        if (grid != null) {
+            grid.remove(id);
+        }
         if (hasRegions) {
             regions.remove(id, boxes);
         }
@@ -124,21 +154,74 @@ public final class QuadTree {
         if (hasRegions) {
             regions.remove(id, boxes);
         }
-        for (int k = 0; k < 4; k++) {
-            before[k] = boxes[4 * id + k];
+        NearGrid near = grid;
+        if (near == null) {
+            System.arraycopy(boxes, 4 * id, before, 0, 4);
+            write(id, minX, minZ, maxX, maxZ);
+            tiles.move(id, before, boxes, size);
+        } else {
+            hasMoved = true;
+            if (!tiles.isStale()) {
+                moved.note(id, boxes);
+            }
+            write(id, minX, minZ, maxX, maxZ);
+            near.move(id, boxes);
         }
-        write(id, minX, minZ, maxX, maxZ);
-        tiles.move(id, before, boxes, size);
         if (hasRegions) {
             regions.add(id, boxes);
         }
     }
 
-    /** Lays the tiles out where they are stale. */
+    /** Brings the tiles up to date. */
     private void settle() {
+        if (!moved.isEmpty()) {
+            catchUp();
+        }
         if (tiles.isStale()) {
             tiles.layOut(boxes, size);
+            trim();
+            laidOut.run();
+            if (!hasMoved) { // a world that stands still needs nothing more
+                grid = null;
+            }
         }
+    }
+
+    /** Gives up room that there is for more. */
+    private void trim() {
+        int limit = boxes.length / 4;
+        while (limit > 1 && Double.isNaN(boxes[4 * limit - 4])) {
+            limit--;
+        }
+        if (boxes.length / 4 - limit > FEW + (limit >> 6)) {
+            boxes = Arrays.copyOf(boxes, 4 * limit);
+        }
+    }
+
+    private void catchUp() {
+        for (int k = 0; k < moved.count(); k++) {
+            int id = moved.id(k);
+            moved.before(k, before);
+            tiles.move(id, before, boxes, size);
+        }
+        moved.clear();
+    }
+
+    /** The grid, or null where the tiles are to be asked, which are up to date then. */
+    private @Nullable NearGrid near() {
+        NearGrid near = grid;
+        if (near == null ? tiles.isStale() && size >= leastForGrid : near.isUnfit() || near.isOutgrown(size)) {
+            near = new NearGrid(boxes, size);
+            if (near.isUnfit()) {
+                near = null;
+                leastForGrid = 4 * size;
+            }
+            grid = near;
+        }
+        if (near == null) {
+            settle();
+        }
+        return near;
     }
 
     private void growRegions() {
@@ -268,12 +351,16 @@ public final class QuadTree {
         }
 
         /**
-         * Gathers all objects but one whose boxes, rounded outward to floats, meet this closed box, and answers how many
-         * there are; take them with {@link #gathered}. One that lies across regions may be there again.
+         * Gathers all objects but one whose boxes, maybe rounded outward to floats, meet this closed box, and answers how
+         * many there are; take them with {@link #gathered}. One that lies across regions may be there again.
          */
         public int gather(double minX, double minZ, double maxX, double maxZ, int but) {
-            tree.settle();
+            NearGrid near = tree.near();
             gathering.start(minX, minZ, maxX, maxZ, but);
+            if (near != null) {
+                gathering.gather(near, tree.boxes);
+                return gathering.count();
+            }
             for (int k = 0; k < layers.count(); k++) {
                 if (!layers.get(k).isEmpty()) {
                     gathering.gather(layers.get(k));
@@ -287,9 +374,9 @@ public final class QuadTree {
             return gathering.id(k);
         }
 
-        /** The bounds of all that was gathered, rounded outward: least x and z, greatest x and z of the k-th from 4k on. */
-        public float[] gatheredBoxes() {
-            return gathering.boxes();
+        /** The boxes of all objects: least x and z, greatest x and z of each from four times its id on. */
+        public double[] boxes() {
+            return tree.boxes;
         }
 
         private @Nullable Tiles nextLayer() {
@@ -321,7 +408,7 @@ public final class QuadTree {
             line.start(ox, oz, dx, dz, tree.most);
             walk.stop();
             layer = 0;
-            isOrdered = false;
+            isOrdered = !line.isOrdinary();
             for (int k = 0; k < layers.count(); k++) {
                 // Far from one of them: all in order then.
                 isOrdered |= !TileWalk.isNear(layers.get(k), ox, oz, dx, dz);

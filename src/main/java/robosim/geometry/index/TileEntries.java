@@ -2,25 +2,44 @@ package robosim.geometry.index;
 
 import java.util.Arrays;
 
-/** The lists of objects of all {@link Tiles} of a layer, also of those within others. */
+/**
+ * The lists of objects of all {@link Tiles} of a layer, also of those within others. An entry is known by where it begins,
+ * so that a query needs one place in memory for all it wants of it.
+ */
 final class TileEntries {
-    /** By entry, two numbers: the object's id and the next entry of the same list. */
-    int[] data;
+    /** Numbers of an entry: the object's box, rounded outward, as least x and z and greatest x and z; its id; its next. */
+    static final int STRIDE = 6;
 
-    /** By entry, four numbers: the object's box, rounded outward. A query reads them one after the other. */
-    float[] bounds;
+    /** Where the object's id stands, as the bits of an int. */
+    static final int ID = 4;
+
+    /** Where the beginning of the next entry of the same list stands, as the bits of an int. */
+    static final int NEXT = 5;
+
+    float[] data;
 
     private int used;
     private int free = Tiles.NONE;
 
     TileEntries(int capacity) {
-        data = new int[2 * Math.max(8, capacity)];
-        bounds = new float[2 * data.length];
+        data = new float[STRIDE * Math.max(8, capacity)];
     }
 
     /** How many entries there are, also free ones. */
     int used() {
-        return used;
+        return used / STRIDE;
+    }
+
+    int id(int entry) {
+        return Float.floatToRawIntBits(data[entry + ID]);
+    }
+
+    int next(int entry) {
+        return Float.floatToRawIntBits(data[entry + NEXT]);
+    }
+
+    private void link(int entry, int next) {
+        data[entry + NEXT] = Float.intBitsToFloat(next);
     }
 
     /** A list with one more object in front; answers its first entry. */
@@ -29,36 +48,38 @@ final class TileEntries {
         if (entry == Tiles.NONE) {
             entry = append();
         } else {
-            free = data[2 * entry + 1];
+            free = next(entry);
         }
-        data[2 * entry] = id;
-        data[2 * entry + 1] = head;
+        data[entry + ID] = Float.intBitsToFloat(id);
+        link(entry, head);
         write(entry, boxes, at);
         return entry;
     }
 
     void write(int entry, double[] boxes, int at) {
-        bounds[4 * entry] = down(boxes[at]);
-        bounds[4 * entry + 1] = down(boxes[at + 1]);
-        bounds[4 * entry + 2] = up(boxes[at + 2]);
-        bounds[4 * entry + 3] = up(boxes[at + 3]);
+        data[entry] = down(boxes[at]);
+        data[entry + 1] = down(boxes[at + 1]);
+        data[entry + 2] = up(boxes[at + 2]);
+        data[entry + 3] = up(boxes[at + 3]);
     }
 
     /** The entry of an object that is in a list. */
     int find(int head, int id) {
         int entry = head;
-        while (data[2 * entry] != id) {
-            entry = data[2 * entry + 1];
+        while (id(entry) != id) {
+            entry = next(entry);
         }
         return entry;
     }
 
     private int append() {
-        if (2 * used == data.length) {
-            data = Arrays.copyOf(data, 2 * (used + (used >> 1) + 4));
-            bounds = Arrays.copyOf(bounds, 2 * data.length);
+        if (used == data.length) {
+            int entries = used / STRIDE;
+            data = Arrays.copyOf(data, STRIDE * (entries + (entries >> 1) + 4));
         }
-        return used++;
+        int entry = used;
+        used += STRIDE;
+        return entry;
     }
 
     // A float is within 2^-24 of a double, or within 2^-150: this is below it by more, and by at most 2^-22 of it.
@@ -75,23 +96,23 @@ final class TileEntries {
     int strike(int head, int id) {
         int before = Tiles.NONE;
         int entry = head;
-        while (data[2 * entry] != id) {
+        while (id(entry) != id) {
             before = entry;
-            entry = data[2 * entry + 1];
+            entry = next(entry);
         }
-        int after = data[2 * entry + 1];
-        data[2 * entry + 1] = free;
+        int after = next(entry);
+        link(entry, free);
         free = entry;
         if (before == Tiles.NONE) {
             return after;
         }
-        data[2 * before + 1] = after;
+        link(before, after);
         return head;
     }
 
     int length(int head) {
         int length = 0;
-        for (int entry = head; entry != Tiles.NONE; entry = data[2 * entry + 1]) {
+        for (int entry = head; entry != Tiles.NONE; entry = next(entry)) {
             length++;
         }
         return length;
@@ -100,23 +121,21 @@ final class TileEntries {
     /** Copies a list to the end of another store; answers its first entry there. */
     int copy(int head, TileEntries to) {
         int first = to.used;
-        for (int entry = head; entry != Tiles.NONE; entry = data[2 * entry + 1]) {
+        for (int entry = head; entry != Tiles.NONE; entry = next(entry)) {
             int copy = to.append();
-            to.data[2 * copy] = data[2 * entry];
-            to.data[2 * copy + 1] = copy + 1;
-            System.arraycopy(bounds, 4 * entry, to.bounds, 4 * copy, 4);
+            System.arraycopy(data, entry, to.data, copy, STRIDE);
+            to.link(copy, copy + STRIDE);
         }
         if (to.used == first) {
             return Tiles.NONE;
         }
-        to.data[2 * to.used - 1] = Tiles.NONE;
+        to.link(to.used - STRIDE, Tiles.NONE);
         return first;
     }
 
     /** Becomes what another store is, of which no entry is free. */
     void take(TileEntries other) {
         data = other.data;
-        bounds = other.bounds;
         used = other.used;
         free = Tiles.NONE;
     }

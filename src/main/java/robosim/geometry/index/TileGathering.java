@@ -3,19 +3,18 @@ package robosim.geometry.index;
 import java.util.Arrays;
 
 /**
- * Objects of {@link Tiles} that are near a box, all at once: each as often as tiles of the box list it. A small box lies on
- * one tile, two or four, each with one object or two or none: loops over them would be guessed wrong most of the time, so
- * the usual case has one loop, and what does not count is written down and written over.
+ * Objects of {@link Tiles} or of a {@link NearGrid} that are near a box, all at once: each as often as tiles of the box list
+ * it. A small box lies on one tile, two or four, each with one object or two or none: loops over them would be guessed wrong
+ * most of the time, so the usual case has one loop, and what does not count is written down and written over.
  */
 final class TileGathering {
     private static final int SIGN = Integer.SIZE - 1;
 
     private int[] ids = new int[16];
-    private float[] boxes = new float[4 * ids.length];
     private int count;
 
     /** The heads of the lists to read, and one place more. */
-    private final int[] heads = new int[5];
+    private int[] heads = new int[5];
 
     private double minX;
     private double minZ;
@@ -39,11 +38,6 @@ final class TileGathering {
 
     int id(int k) {
         return ids[k];
-    }
-
-    /** The listed bounds of all, four numbers each. */
-    float[] boxes() {
-        return boxes;
     }
 
     /** Adds the objects whose listed bounds meet the box. */
@@ -112,8 +106,7 @@ final class TileGathering {
 
     /** Adds what counts of so many lists that are not empty. */
     private void read(TileEntries store, int lists) {
-        int[] entries = store.data;
-        float[] bounds = store.bounds;
+        float[] entries = store.data;
         double lowX = minX;
         double lowZ = minZ;
         double highX = maxX;
@@ -125,17 +118,13 @@ final class TileGathering {
             if (to == ids.length) {
                 grow();
             }
-            int at = 4 * listed;
-            int id = entries[2 * listed];
-            float x0 = bounds[at];
-            float z0 = bounds[at + 1];
-            float x1 = bounds[at + 2];
-            float z1 = bounds[at + 3];
+            int at = listed;
+            int id = Float.floatToRawIntBits(entries[at + TileEntries.ID]);
+            float x0 = entries[at];
+            float z0 = entries[at + 1];
+            float x1 = entries[at + 2];
+            float z1 = entries[at + 3];
             ids[to] = id;
-            boxes[4 * to] = x0;
-            boxes[4 * to + 1] = z0;
-            boxes[4 * to + 2] = x1;
-            boxes[4 * to + 3] = z1;
             // A difference has the sign of an order, and +0 where the two are equal.
             long apart = Double.doubleToRawLongBits(highX - x0)
                     | Double.doubleToRawLongBits(x1 - lowX)
@@ -144,7 +133,7 @@ final class TileGathering {
             int isOther = (id - but | but - id) >>> SIGN;
             to += isOther & (int) (~apart >>> (Long.SIZE - 1));
             // The next of this list, or the first of the next one.
-            int next = entries[2 * listed + 1];
+            int next = Float.floatToRawIntBits(entries[at + TileEntries.NEXT]);
             int isLast = next >> SIGN;
             list -= isLast;
             listed = (next & ~isLast) | (heads[list] & isLast);
@@ -154,6 +143,96 @@ final class TileGathering {
 
     private void grow() {
         ids = Arrays.copyOf(ids, 2 * ids.length);
-        boxes = Arrays.copyOf(boxes, 2 * boxes.length);
+    }
+
+    /** Adds the objects of a grid whose boxes meet the box. */
+    void gather(NearGrid grid, double[] boxes) {
+        for (int k = 0; k < grid.largeCount(); k++) {
+            int id = grid.large(k);
+            if (id != but && meets(boxes, 4 * id)) {
+                if (count == ids.length) {
+                    grow();
+                }
+                ids[count++] = id;
+            }
+        }
+        int column = grid.column(minX - grid.reachX());
+        int row = grid.row(minZ - grid.reachZ());
+        int more = grid.column(maxX + grid.reachX()) - column;
+        int deeper = grid.row(maxZ + grid.reachZ()) - row;
+        int lists = (more | deeper) <= 1
+                ? listFour(grid, row * grid.columns() + column, more, deeper)
+                : listAll(grid, row * grid.columns() + column, more, deeper);
+        grid.passed((((more + 1) * (deeper + 1)) >> 2) + read(grid.next, boxes, lists));
+    }
+
+    private boolean meets(double[] boxes, int at) {
+        return boxes[at] <= maxX && minX <= boxes[at + 2] && boxes[at + 1] <= maxZ && minZ <= boxes[at + 3];
+    }
+
+    /** Writes down the first objects of a cell, the next one if there is one more column, and the same of one more row. */
+    private int listFour(NearGrid grid, int cell, int more, int deeper) {
+        int below = cell + (grid.columns() & -deeper);
+        int a = grid.heads[cell];
+        int b = grid.heads[cell + more] | -(1 - more);
+        int c = grid.heads[below] | -(1 - deeper);
+        int d = grid.heads[below + more] | -(1 - (more & deeper));
+        heads[0] = a;
+        int lists = 1 + (a >> SIGN);
+        heads[lists] = b;
+        lists += 1 + (b >> SIGN);
+        heads[lists] = c;
+        lists += 1 + (c >> SIGN);
+        heads[lists] = d;
+        lists += 1 + (d >> SIGN);
+        return lists;
+    }
+
+    private int listAll(NearGrid grid, int cell, int more, int deeper) {
+        int most = (more + 1) * (deeper + 1);
+        if (most >= heads.length) {
+            heads = new int[2 * most];
+        }
+        int lists = 0;
+        int at = cell;
+        for (int row = 0; row <= deeper; row++) {
+            for (int column = 0; column <= more; column++) {
+                int head = grid.heads[at + column];
+                heads[lists] = head;
+                lists += 1 + (head >> SIGN);
+            }
+            at += grid.columns();
+        }
+        return lists;
+    }
+
+    /** Adds what counts of so many lists that are not empty, and answers how many objects these hold. */
+    private int read(int[] next, double[] boxes, int lists) {
+        double lowX = minX;
+        double lowZ = minZ;
+        double highX = maxX;
+        double highZ = maxZ;
+        int to = count;
+        int passed = 0;
+        for (int list = 0; list < lists; list++) {
+            int id = heads[list];
+            do {
+                if (to == ids.length) {
+                    grow();
+                }
+                int at = 4 * id;
+                ids[to] = id;
+                long apart = Double.doubleToRawLongBits(highX - boxes[at])
+                        | Double.doubleToRawLongBits(highZ - boxes[at + 1])
+                        | Double.doubleToRawLongBits(boxes[at + 2] - lowX)
+                        | Double.doubleToRawLongBits(boxes[at + 3] - lowZ);
+                int isOther = (id - but | but - id) >>> SIGN;
+                to += isOther & (int) (~apart >>> (Long.SIZE - 1));
+                passed++;
+                id = next[id];
+            } while (id >= 0);
+        }
+        count = to;
+        return passed;
     }
 }

@@ -146,6 +146,8 @@ final class TileLayers {
         double roomX = isGrowing ? (maxX - minX) / 8 : 0;
         double roomZ = isGrowing ? (maxZ - minZ) / 8 : 0;
         int bits = bits(isGrowing ? 3L * objects : 2L * objects) - coarser;
+        // One less where that makes the tiles square, so that what they list lies on fewer of them.
+        bits -= (bits + Tiles.longer(maxX - minX, maxZ - minZ)) & 1;
         TileEntries entries = new TileEntries(3 * objects);
         return new Tiles(minX - roomX, minZ - roomZ, maxX + roomX, maxZ + roomZ, bits, entries);
     }

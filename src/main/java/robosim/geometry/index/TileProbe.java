@@ -77,19 +77,18 @@ final class TileProbe {
 
     /** The same, but where it comes to a divided tile it only starts there. */
     private int nextListed() {
-        int[] entries = tiles.store.data;
-        float[] bounds = tiles.store.bounds;
+        float[] entries = tiles.store.data;
         int listed = entry;
         while (true) {
             while (listed >= 0) {
-                int at = 4 * listed;
-                int id = entries[2 * listed];
-                listed = entries[2 * listed + 1];
+                int at = listed;
+                int id = Float.floatToRawIntBits(entries[at + TileEntries.ID]);
+                listed = Float.floatToRawIntBits(entries[at + TileEntries.NEXT]);
                 // Four comparisons in one branch: a negative difference is a gap.
-                long gaps = Double.doubleToRawLongBits(maxX - bounds[at])
-                        | Double.doubleToRawLongBits(maxZ - bounds[at + 1])
-                        | Double.doubleToRawLongBits(bounds[at + 2] - minX)
-                        | Double.doubleToRawLongBits(bounds[at + 3] - minZ);
+                long gaps = Double.doubleToRawLongBits(maxX - entries[at])
+                        | Double.doubleToRawLongBits(maxZ - entries[at + 1])
+                        | Double.doubleToRawLongBits(entries[at + 2] - minX)
+                        | Double.doubleToRawLongBits(entries[at + 3] - minZ);
                 if (gaps >= 0) {
                     entry = listed;
                     return id;

@@ -107,19 +107,20 @@ final class TileScan {
     }
 
     private int nextListed(double[] boxes) {
-        int[] entries = tiles.store.data;
-        float[] bounds = tiles.store.bounds;
+        float[] entries = tiles.store.data;
         double lowX = minX;
         double lowZ = minZ;
         double highX = maxX;
         double highZ = maxZ;
         int listed = entry;
         while (listed != Tiles.NONE) {
-            int at = 4 * listed;
-            int id = entries[2 * listed];
-            listed = entries[2 * listed + 1];
-            boolean isNear =
-                    bounds[at] <= highX && lowX <= bounds[at + 2] && bounds[at + 1] <= highZ && lowZ <= bounds[at + 3];
+            int at = listed;
+            int id = Float.floatToRawIntBits(entries[at + TileEntries.ID]);
+            listed = Float.floatToRawIntBits(entries[at + TileEntries.NEXT]);
+            boolean isNear = entries[at] <= highX
+                    && lowX <= entries[at + 2]
+                    && entries[at + 1] <= highZ
+                    && lowZ <= entries[at + 3];
             if (isNear && meets(boxes, 4 * id) && (isRest || isFirst(boxes, 4 * id))) {
                 entry = listed;
                 return id;

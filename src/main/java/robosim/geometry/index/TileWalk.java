@@ -86,6 +86,11 @@ final class TileWalk {
             query += 1L << Integer.SIZE;
         }
 
+        /** Whether no product of a place and the direction can overflow. */
+        boolean isOrdinary() {
+            return aside < 0x1p960;
+        }
+
         private boolean isNew(int id) {
             long mark = query | id;
             int place = id & (RECENT - 1);
@@ -227,11 +232,11 @@ final class TileWalk {
         // The middle of the way to the reach, twice and times the direction, as the offsets are; wide of what this
         // rounds.
         double half = reach * l.square;
-        half = half < Double.POSITIVE_INFINITY ? half : Double.POSITIVE_INFINITY;
-        double margin = half * (1 + 0x1p-48) + most;
+        boolean isNarrow = half < Double.POSITIVE_INFINITY;
+        double margin = isNarrow ? half * (1 + 0x1p-48) + most : Double.POSITIVE_INFINITY;
+        half = isNarrow ? half : 0;
         int[] heads = tiles.heads;
-        int[] entries = tiles.store.data;
-        float[] bounds = tiles.store.bounds;
+        float[] entries = tiles.store.data;
         double from = begin;
         double cx = crossX;
         double cz = crossZ;
@@ -243,20 +248,21 @@ final class TileWalk {
         int after = ahead;
         while (true) {
             while (listed >= 0) {
-                int at = 4 * listed;
-                int id = entries[2 * listed];
-                listed = entries[2 * listed + 1];
-                double minX = bounds[at];
-                double minZ = bounds[at + 1];
-                double maxX = bounds[at + 2];
-                double maxZ = bounds[at + 3];
+                double minX = entries[listed];
+                double minZ = entries[listed + 1];
+                double maxX = entries[listed + 2];
+                double maxZ = entries[listed + 3];
+                int id = Float.floatToRawIntBits(entries[listed + TileEntries.ID]);
+                listed = Float.floatToRawIntBits(entries[listed + TileEntries.NEXT]);
                 double offX = minX + maxX - fromX;
                 double offZ = minZ + maxZ - fromZ;
                 double wide = maxX - minX;
                 double deep = maxZ - minZ;
-                if (Math.abs(offX * dz - offZ * dx) <= wide * wayZ + deep * wayX + most
-                        && !(Math.abs(offX * dx + offZ * dz - half) > wide * wayX + deep * wayZ + margin)
-                        && l.isNew(id)) {
+                double across = (wide * wayZ + deep * wayX + most) - Math.abs(offX * dz - offZ * dx);
+                double along = (wide * wayX + deep * wayZ + margin) - Math.abs(offX * dx + offZ * dz - half);
+                // Two comparisons in one branch: a negative difference is a gap.
+                long gaps = Double.doubleToRawLongBits(across) | Double.doubleToRawLongBits(along);
+                if (gaps >= 0 && l.isNew(id)) {
                     begin = from;
                     crossX = cx;
                     crossZ = cz;

@@ -75,7 +75,7 @@ final class Tiles {
         double width = maxX - minX;
         double length = maxZ - minZ;
         int most = isOrdinary(width) && isOrdinary(length) ? Math.min(bits, MOST_BITS) : 0;
-        int longer = most == 0 ? 0 : Math.getExponent(width / length);
+        int longer = most == 0 ? 0 : longer(width, length);
         int bitsX = Math.max(0, Math.min(most, (most + longer + 1) >> 1));
         int bitsZ = most - bitsX;
         countX = 1 << bitsX;
@@ -92,6 +92,11 @@ final class Tiles {
         maskZ = spreadZ(countZ - 1);
         heads = new int[1 << most];
         Arrays.fill(heads, NONE);
+    }
+
+    /** How many cuts more there are along X than along Z where tiles are about square. */
+    static int longer(double width, double length) {
+        return Math.getExponent(Math.sqrt(2) * (width / length));
     }
 
     /** One tile, which everything fits, with room for so many objects. */
@@ -308,7 +313,7 @@ final class Tiles {
             return;
         }
         for (int entry = heads[tile]; entry != NONE; entry = heads[tile]) {
-            int id = store.data[2 * entry];
+            int id = store.id(entry);
             heads[tile] = store.strike(entry, id);
             parts.addPart(id, boxes, 4 * id);
         }
@@ -325,8 +330,8 @@ final class Tiles {
     /** Whether most of a list would be too large for these tiles. */
     private boolean holdsFew(int head, int length, double[] boxes) {
         int small = 0;
-        for (int entry = head; entry != NONE; entry = store.data[2 * entry + 1]) {
-            small += isSmall(boxes, 4 * store.data[2 * entry]) ? 1 : 0;
+        for (int entry = head; entry != NONE; entry = store.next(entry)) {
+            small += isSmall(boxes, 4 * store.id(entry)) ? 1 : 0;
         }
         return 2 * small < length;
     }

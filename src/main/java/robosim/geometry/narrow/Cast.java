@@ -104,7 +104,9 @@ public final class Cast {
         triangle = -1;
         int kind = column.kind(leaf);
         if (!Leaf.isMesh(kind)) {
-            return convex(kind, column.rows(), leaf * Leaf.STRIDE);
+            return dimension == Dimension.PLANAR && !cone && LeafColumn.isUpright(leaf)
+                    ? upright(kind, column, leaf)
+                    : convex(kind, column.rows(leaf), column.at(leaf));
         }
         takeUnit();
         if (Overlap.hasInside(dimension, column, leaf) && Inside.holds(column, leaf, ox, oy, oz, s)) {
@@ -126,6 +128,30 @@ public final class Cast {
         }
         s.meshSight.find(column.mesh(leaf), limit, judge);
         return nearest;
+    }
+
+    /** As {@link #convex}, without a row where doubles can tell. */
+    private double upright(int kind, LeafColumn column, int leaf) {
+        double[] row = column.uprightRows();
+        int at = LeafColumn.uprightAt(leaf);
+        double cx = row[at];
+        double cz = row[at + 2];
+        double size = row[at + Leaf.SIZE];
+        double distance = kind == Leaf.UPRIGHT_BOX
+                ? RayRectangle.sure(
+                        ox,
+                        oz,
+                        dx,
+                        dz,
+                        cx,
+                        cz,
+                        size,
+                        row[at + Leaf.SIZE + 2],
+                        row[at + UprightRows.COS],
+                        row[at + UprightRows.SIN])
+                : RayDisc.distance(ox, oz, dx, dz, cx, cz, size);
+        boolean isSure = distance > Magnified.SMALL || (isFarFromOrigin && !Double.isNaN(distance));
+        return isSure ? distance : convex(kind, column.rows(leaf), column.at(leaf));
     }
 
     private double judge(int place) {
@@ -177,8 +203,8 @@ public final class Cast {
         double py = oy + distance * uy;
         double pz = oz + distance * uz;
         int kind = column.kind(leaf);
-        double[] row = column.rows();
-        int at = leaf * Leaf.STRIDE;
+        double[] row = column.rows(leaf);
+        int at = column.at(leaf);
         if (Leaf.isMesh(kind)) {
             distance(column, leaf, Double.POSITIVE_INFINITY);
             if (triangle < 0) { // inside a solid mesh

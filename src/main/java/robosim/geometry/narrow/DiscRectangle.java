@@ -44,12 +44,22 @@ final class DiscRectangle {
 
     /** Whether they touch or overlap; exact. */
     static boolean touch(double px, double pz, double r, double[] row, int at, FineOverlap fine) {
-        double c = row[at + 6];
-        double s = row[at + 8];
-        double dx = px - row[at];
-        double dz = pz - row[at + 2];
-        double hx = row[at + 3];
-        double hz = row[at + 5];
+        int sure = sure(px, pz, r, row[at], row[at + 2], row[at + 3], row[at + 5], row[at + 6], row[at + 8]);
+        if (sure != 0) {
+            return sure < 0;
+        }
+        FINE.count();
+        int side = fine.discRectangle(px, pz, r, row, at);
+        return side == 0 ? doubtfulTouch(px, pz, r, row, at) : side < 0;
+    }
+
+    /**
+     * Whether they touch, for a rectangle by its numbers, with the cosine and sine of its heading: below 0 where they do,
+     * above where they do not, 0 where doubles cannot tell.
+     */
+    static int sure(double px, double pz, double r, double cx, double cz, double hx, double hz, double c, double s) {
+        double dx = px - cx;
+        double dz = pz - cz;
         double square = c * c + s * s;
         double doubt = OFFSET * (Math.abs(dx) + Math.abs(dz) + hx + hz) + UNDERFLOW;
         double beyondX = Math.abs(dx * c - dz * s) - hx * square;
@@ -60,17 +70,12 @@ final class DiscRectangle {
         double slack = SQUARES * near + UNDERFLOW;
         double least = leastX * leastX + leastZ * leastZ;
         if (least > (near + slack) + SQUARES * least) {
-            return false;
+            return 1;
         }
         double mostX = Math.max(0, beyondX + doubt);
         double mostZ = Math.max(0, beyondZ + doubt);
         double most = mostX * mostX + mostZ * mostZ;
-        if (most < (near - slack) - SQUARES * most || (mostX == 0 && mostZ == 0)) {
-            return true;
-        }
-        FINE.count();
-        int side = fine.discRectangle(px, pz, r, row, at);
-        return side == 0 ? doubtfulTouch(px, pz, r, row, at) : side < 0;
+        return most < (near - slack) - SQUARES * most || (mostX == 0 && mostZ == 0) ? -1 : 0;
     }
 
     private static boolean doubtfulTouch(double px, double pz, double r, double[] row, int at) {

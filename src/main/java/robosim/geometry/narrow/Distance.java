@@ -32,15 +32,15 @@ public final class Distance {
             return meshes(dimension, a, i, b, j, limit);
         }
         if (Leaf.isMesh(kindA)) {
-            double distance = mesh(dimension, a, i, kindB, b.rows(), j * Leaf.STRIDE, limit);
+            double distance = mesh(dimension, a, i, kindB, b.rows(j), b.at(j), limit);
             triangleA = triangleB;
             triangleB = -1;
             return distance;
         }
         if (Leaf.isMesh(kindB)) {
-            return mesh(dimension, b, j, kindA, a.rows(), i * Leaf.STRIDE, limit);
+            return mesh(dimension, b, j, kindA, a.rows(i), a.at(i), limit);
         }
-        return convex(dimension, kindA, a.rows(), i * Leaf.STRIDE, kindB, b.rows(), j * Leaf.STRIDE);
+        return convex(dimension, kindA, a.rows(i), a.at(i), kindB, b.rows(j), b.at(j));
     }
 
     private double convex(Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j) {
@@ -134,10 +134,10 @@ public final class Distance {
     public void contact(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, double[] out) {
         int kindA = a.kind(i);
         int kindB = b.kind(j);
-        double[] rowA = a.rows();
-        double[] rowB = b.rows();
-        int atA = i * Leaf.STRIDE;
-        int atB = j * Leaf.STRIDE;
+        double[] rowA = a.rows(i);
+        double[] rowB = b.rows(j);
+        int atA = a.at(i);
+        int atB = b.at(j);
         if (Leaf.isMesh(kindA) || Leaf.isMesh(kindB)) {
             between(dimension, a, i, b, j, Double.POSITIVE_INFINITY);
             if (triangleA >= 0) {

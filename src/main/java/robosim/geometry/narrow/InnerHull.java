@@ -10,7 +10,7 @@ package robosim.geometry.narrow;
  * surface nearer than the nearest plane; the planes are known in pairs of doubles, however thin a side is, and what the
  * points may be off by ({@link Gjk#ROUNDOFF}) is taken off. It does not matter how the points were found.
  *
- * <p>Nothing is allocated by a question.
+ * <p>Nothing is allocated by a question but the first one: most worlds never ask.
  */
 final class InnerHull {
     /** Most points: a smooth place is surrounded by some ten for each fourth part of the bracket. */
@@ -33,31 +33,31 @@ final class InnerHull {
     private static final int TEMPORARY = 13;
 
     private final Pairs pairs = new Pairs(16);
-    private final double[] x = new double[MOST_POINTS];
-    private final double[] y = new double[MOST_POINTS];
-    private final double[] z = new double[MOST_POINTS];
+    private double[] x = {};
+    private double[] y = {};
+    private double[] z = {};
     private int points;
 
-    private final int[] cornerP = new int[MOST_SIDES];
-    private final int[] cornerQ = new int[MOST_SIDES];
-    private final int[] cornerR = new int[MOST_SIDES];
-    private final double[] sideX = new double[MOST_SIDES];
-    private final double[] sideY = new double[MOST_SIDES];
-    private final double[] sideZ = new double[MOST_SIDES];
-    private final double[] sideReach = new double[MOST_SIDES];
+    private int[] cornerP = {};
+    private int[] cornerQ = {};
+    private int[] cornerR = {};
+    private double[] sideX = {};
+    private double[] sideY = {};
+    private double[] sideZ = {};
+    private double[] sideReach = {};
 
     /** The product of the lengths of the two edges that a side's normal is made of. */
-    private final double[] sideSize = new double[MOST_SIDES];
+    private double[] sideSize = {};
 
     /** That normal, not of unit length, in pairs: the numbers that round to it, and the rests. */
-    private final double[] normal = new double[3 * MOST_SIDES];
+    private double[] normal = {};
 
-    private final double[] normalRest = new double[3 * MOST_SIDES];
+    private double[] normalRest = {};
 
     private int sides;
 
-    private final int[] edgeFrom = new int[3 * MOST_SIDES];
-    private final int[] edgeTo = new int[3 * MOST_SIDES];
+    private int[] edgeFrom = {};
+    private int[] edgeTo = {};
     private int edges;
 
     private final Support first;
@@ -141,7 +141,28 @@ final class InnerHull {
         grow(goal, 4 * (first.extent + second.extent));
     }
 
+    private void makeRoom() {
+        x = new double[MOST_POINTS];
+        y = new double[MOST_POINTS];
+        z = new double[MOST_POINTS];
+        cornerP = new int[MOST_SIDES];
+        cornerQ = new int[MOST_SIDES];
+        cornerR = new int[MOST_SIDES];
+        sideX = new double[MOST_SIDES];
+        sideY = new double[MOST_SIDES];
+        sideZ = new double[MOST_SIDES];
+        sideReach = new double[MOST_SIDES];
+        sideSize = new double[MOST_SIDES];
+        normal = new double[3 * MOST_SIDES];
+        normalRest = new double[3 * MOST_SIDES];
+        edgeFrom = new int[3 * MOST_SIDES];
+        edgeTo = new int[3 * MOST_SIDES];
+    }
+
     private void grow(double goal, double height) {
+        if (x.length == 0) {
+            makeRoom();
+        }
         this.height = height;
         error = Gjk.ROUNDOFF * (first.extent + second.extent);
         lower = Double.NEGATIVE_INFINITY;

@@ -5,16 +5,28 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.index.BoxTree;
 import robosim.geometry.model.TriangleMesh;
 
-/** Leaves beside each other: a kind, a row of {@link Leaf#STRIDE} doubles and, for meshes, the triangles of each. */
+/**
+ * Leaves beside each other: a kind, a row of {@link Leaf#STRIDE} doubles and, for meshes, the triangles of each. A world's
+ * also has leaves of half a row, with numbers of their own, which have the bit {@link #UPRIGHT}: these are read through
+ * {@link #rows(int)} and {@link #at}, or left to what asks for a leaf by its number.
+ */
 public final class LeafColumn {
     private static final byte VACANT = -1;
 
     /** Columns with fewer leaves grow by as many again. */
     private static final int SMALL = 1 << 15;
 
+    /** The bit in the number of a leaf of half a row. */
+    public static final int UPRIGHT = 1 << 30;
+
+    // Two products and their sum, and this one, each rounded by 2^-53 of itself.
+    private static final double OUTWARD = 1 + 0x1p-50;
+
     private int size;
     private byte[] kinds;
     private double[] rows;
+
+    private UprightRows upright = UprightRows.NONE;
 
     /** None until the first mesh comes. */
     private @Nullable TriangleMesh @Nullable [] meshes;
@@ -25,9 +37,32 @@ public final class LeafColumn {
         rows = new double[kinds.length * Leaf.STRIDE];
     }
 
-    /** How many leaves there are. */
+    /** How many leaves of whole rows there are. */
     public int size() {
         return size;
+    }
+
+    /** How many leaves of half a row there are. */
+    public int uprightSize() {
+        return upright.size();
+    }
+
+    /** Whether a leaf is one of half a row. */
+    static boolean isUpright(int leaf) {
+        return (leaf & UPRIGHT) != 0;
+    }
+
+    /** Whether the only leaf of this column can be one of half a row. */
+    public boolean fitsUpright() {
+        return size == 1 && !Leaf.isMesh(kinds[0]) && UprightRows.takes(kinds[0], rows, 0);
+    }
+
+    /** Makes room for a leaf of half a row and answers its number. */
+    public int appendUpright() {
+        if (upright.size() == 0) {
+            upright = new UprightRows();
+        }
+        return UPRIGHT | upright.append();
     }
 
     /** Makes room for {@code count} leaves at the end and answers the first one's index. */
@@ -37,24 +72,39 @@ public final class LeafColumn {
         if (size > kinds.length) {
             int more = kinds.length < SMALL ? kinds.length : kinds.length >> 2;
             int capacity = Math.max(size, kinds.length + more + 1);
-            kinds = Arrays.copyOf(kinds, capacity);
-            rows = Arrays.copyOf(rows, capacity * Leaf.STRIDE);
-            if (meshes != null) {
-                meshes = Arrays.copyOf(meshes, capacity);
-            }
+            resize(capacity);
         }
         return first;
     }
 
-    /** Appends copies of leaves of another column and answers the first one's index. */
+    /** Appends copies of leaves of another column, of the same sort, and answers the first one's number. */
     public int appendCopy(LeafColumn other, int first, int count) {
+        if (isUpright(first)) {
+            int leaf = appendUpright();
+            upright.write(leaf ^ UPRIGHT, other.kind(first), other.rows(first), other.at(first));
+            return leaf;
+        }
+        return appendWhole(other, first, count);
+    }
+
+    /** Appends copies of leaves of another column in whole rows and answers the first one's index. */
+    public int appendWhole(LeafColumn other, int first, int count) {
         int at = append(count);
+        if (isUpright(first)) {
+            kinds[at] = (byte) other.kind(first);
+            other.upright.copy(first ^ UPRIGHT, rows, at * Leaf.STRIDE);
+            return at;
+        }
         copy(other, first, count, at);
         return at;
     }
 
     /** Writes copies of all leaves of another column from a leaf on. */
     public void copy(LeafColumn other, int at) {
+        if (isUpright(at)) {
+            upright.write(at ^ UPRIGHT, other.kinds[0], other.rows, 0);
+            return;
+        }
         copy(other, 0, other.size, at);
     }
 
@@ -68,8 +118,28 @@ public final class LeafColumn {
         }
     }
 
+    /** Gives up room that there is for more. */
+    public void trim() {
+        if (kinds.length - size > size >> 6) {
+            resize(size);
+        }
+        upright.trim();
+    }
+
+    private void resize(int capacity) {
+        kinds = Arrays.copyOf(kinds, capacity);
+        rows = Arrays.copyOf(rows, capacity * Leaf.STRIDE);
+        if (meshes != null) {
+            meshes = Arrays.copyOf(meshes, capacity);
+        }
+    }
+
     /** Leaves nothing at a leaf's place. */
     public void vacate(int leaf) {
+        if (isUpright(leaf)) {
+            upright.vacate(leaf ^ UPRIGHT);
+            return;
+        }
         kinds[leaf] = VACANT;
         if (meshes != null) {
             meshes[leaf] = null;
@@ -78,7 +148,7 @@ public final class LeafColumn {
 
     /** Whether nothing is at a leaf's place. */
     public boolean isVacant(int leaf) {
-        return kind(leaf) == VACANT;
+        return isUpright(leaf) ? upright.isVacant(leaf ^ UPRIGHT) : kinds[leaf] == VACANT;
     }
 
     /** Forgets all leaves. */
@@ -88,16 +158,35 @@ public final class LeafColumn {
     }
 
     public int kind(int leaf) {
-        return kinds[leaf];
+        return isUpright(leaf) ? upright.kind(leaf ^ UPRIGHT) : kinds[leaf];
     }
 
     public void setKind(int leaf, int kind) {
         kinds[leaf] = (byte) kind;
     }
 
-    /** The numbers of all leaves; leaf k begins at {@code k * Leaf.STRIDE}. Valid until the next append. */
+    /** The numbers of all leaves of whole rows; leaf k begins at {@code k * Leaf.STRIDE}. Valid until the next append. */
     public double[] rows() {
         return rows;
+    }
+
+    /** What holds the numbers of a leaf, from {@link #at} on; good until another leaf is asked for. */
+    public double[] rows(int leaf) {
+        return isUpright(leaf) ? upright.rows(leaf ^ UPRIGHT) : rows;
+    }
+
+    /** Where the numbers of a leaf begin. */
+    public int at(int leaf) {
+        return isUpright(leaf) ? upright.at(leaf ^ UPRIGHT) : leaf * Leaf.STRIDE;
+    }
+
+    /** The numbers of all leaves of half a row; each begins at {@link #uprightAt}. */
+    double[] uprightRows() {
+        return upright.rows();
+    }
+
+    static int uprightAt(int leaf) {
+        return (leaf ^ UPRIGHT) * UprightRows.STRIDE;
     }
 
     /** The triangles of a leaf that is a mesh. */
@@ -116,21 +205,34 @@ public final class LeafColumn {
         if (Leaf.isMesh(kind(leaf))) {
             meshBounds(leaf, out);
         } else {
-            LeafBounds.of(kind(leaf), rows, leaf * Leaf.STRIDE, out);
+            LeafBounds.of(kind(leaf), rows(leaf), at(leaf), out);
         }
     }
 
-    /** Bounds of a leaf, least x, y and z and then greatest: as {@link #bounds} or, where that is quicker, wider. */
+    /**
+     * Bounds of a leaf, least x, y and z and then greatest: as {@link #bounds} or, where that is quicker, a little wider, by
+     * less than 2<sup>-48</sup> of the coordinates and sizes.
+     */
     public void roughBounds(int leaf, double[] out) {
-        int kind = kind(leaf);
-        if (kind != Leaf.UPRIGHT_CYLINDER && kind != Leaf.SPHERE) {
-            bounds(leaf, out);
-            return;
-        }
         int at = leaf * Leaf.STRIDE;
-        roughRange(rows[at], rows[at + 3], out, 0);
-        roughRange(rows[at + 1], kind == Leaf.SPHERE ? rows[at + 3] : rows[at + 4], out, 1);
-        roughRange(rows[at + 2], rows[at + 3], out, 2);
+        switch (isUpright(leaf) ? VACANT : kinds[leaf]) {
+            case Leaf.UPRIGHT_CYLINDER -> roughBounds(at, rows[at + 3], rows[at + 4], rows[at + 3], out);
+            case Leaf.SPHERE -> roughBounds(at, rows[at + 3], rows[at + 3], rows[at + 3], out);
+            case Leaf.UPRIGHT_BOX -> {
+                double cos = Math.abs(rows[at + Leaf.ROTATION]);
+                double sin = Math.abs(rows[at + Leaf.ROTATION + 2]);
+                double halfX = (rows[at + 3] * cos + rows[at + 5] * sin) * OUTWARD;
+                double halfZ = (rows[at + 3] * sin + rows[at + 5] * cos) * OUTWARD;
+                roughBounds(at, halfX, rows[at + 4], halfZ, out);
+            }
+            default -> bounds(leaf, out);
+        }
+    }
+
+    private void roughBounds(int at, double halfX, double halfY, double halfZ, double[] out) {
+        roughRange(rows[at], halfX, out, 0);
+        roughRange(rows[at + 1], halfY, out, 1);
+        roughRange(rows[at + 2], halfZ, out, 2);
     }
 
     private static void roughRange(double middle, double half, double[] out, int axis) {

@@ -10,15 +10,43 @@ public final class Overlap {
     public static boolean test(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, Scratch s) {
         int kindA = a.kind(i);
         int kindB = b.kind(j);
+        if (dimension == Dimension.PLANAR && LeafColumn.isUpright(j) && isDisc(kindA)) {
+            return disc(kindA, a.rows(i), a.at(i), kindB, b, j, s);
+        }
         if (Leaf.isMesh(kindA)) {
             return Leaf.isMesh(kindB)
                     ? meshes(dimension, a, i, b, j, s)
-                    : mesh(dimension, a, i, kindB, b.rows(), j * Leaf.STRIDE, s);
+                    : mesh(dimension, a, i, kindB, b.rows(j), b.at(j), s);
         }
         if (Leaf.isMesh(kindB)) {
-            return mesh(dimension, b, j, kindA, a.rows(), i * Leaf.STRIDE, s);
+            return mesh(dimension, b, j, kindA, a.rows(i), a.at(i), s);
         }
-        return convex(dimension, kindA, a.rows(), i * Leaf.STRIDE, kindB, b.rows(), j * Leaf.STRIDE, s);
+        return convex(dimension, kindA, a.rows(i), a.at(i), kindB, b.rows(j), b.at(j), s);
+    }
+
+    private static boolean isDisc(int kind) {
+        return kind == Leaf.UPRIGHT_CYLINDER || kind == Leaf.SPHERE;
+    }
+
+    /** A disc, as seen from above, and a leaf of half a row: without a whole one where doubles can tell. */
+    private static boolean disc(int kindA, double[] a, int i, int kindB, LeafColumn b, int j, Scratch s) {
+        double[] row = b.uprightRows();
+        int at = LeafColumn.uprightAt(j);
+        double r = a[i + Leaf.SIZE];
+        if (kindB != Leaf.UPRIGHT_BOX) {
+            return DiscDisc.touch(a[i], a[i + 2], r, row[at], row[at + 2], row[at + Leaf.SIZE]);
+        }
+        int sure = DiscRectangle.sure(
+                a[i],
+                a[i + 2],
+                r,
+                row[at],
+                row[at + 2],
+                row[at + Leaf.SIZE],
+                row[at + Leaf.SIZE + 2],
+                row[at + UprightRows.COS],
+                row[at + UprightRows.SIN]);
+        return sure == 0 ? PlanarOverlap.test(kindA, a, i, kindB, b.rows(j), b.at(j), s) : sure < 0;
     }
 
     private static boolean meshes(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, Scratch s) {

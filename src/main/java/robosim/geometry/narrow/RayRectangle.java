@@ -25,12 +25,24 @@ final class RayRectangle {
      * tells the other: rows of many objects are far apart in memory.
      */
     static double distance(double ox, double oz, double ux, double uz, double[] row, int at) {
-        double cos = row[at + 6];
-        double sin = row[at + 8];
-        double hx = row[at + 3];
-        double hz = row[at + 5];
-        double dx = ox - row[at];
-        double dz = oz - row[at + 2];
+        double sure = sure(ox, oz, ux, uz, row[at], row[at + 2], row[at + 3], row[at + 5], row[at + 6], row[at + 8]);
+        return Double.isNaN(sure) ? doubtful(ox, oz, ux, uz, row, at) : sure;
+    }
+
+    /** The same for a rectangle by its numbers, with the cosine and sine of its heading; NaN where doubles cannot tell. */
+    static double sure(
+            double ox,
+            double oz,
+            double ux,
+            double uz,
+            double cx,
+            double cz,
+            double hx,
+            double hz,
+            double cos,
+            double sin) {
+        double dx = ox - cx;
+        double dz = oz - cz;
         double square = cos * cos + sin * sin;
         double size = Math.abs(dx) + Math.abs(dz) + hx + hz;
         double speed = Math.abs(ux) + Math.abs(uz);
@@ -43,9 +55,10 @@ final class RayRectangle {
         double wayDoubt = FILTER * speed + UNDERFLOW;
         double beyondX = Math.abs(startX) - hx * square;
         double beyondZ = Math.abs(startZ) - hz * square;
-        // Positive where the ray nears the rectangle, as seen along each of its axes.
-        double nearingX = startX < 0 ? wayX : -wayX;
-        double nearingZ = startZ < 0 ? wayZ : -wayZ;
+        // Positive where the ray nears the rectangle, as seen along each of its axes; not asked where the start is at
+        // 0.
+        double nearingX = RayMath.signed(-wayX, startX);
+        double nearingZ = RayMath.signed(-wayZ, startZ);
         if ((beyondX > doubt && nearingX < -wayDoubt) || (beyondZ > doubt && nearingZ < -wayDoubt)) {
             return Double.POSITIVE_INFINITY;
         }
@@ -62,26 +75,17 @@ final class RayRectangle {
                 && (beyondX < -doubt || (nearingX > wayDoubt && Math.abs(startX) > doubt))
                 && (beyondZ < -doubt || (nearingZ > wayDoubt && Math.abs(startZ) > doubt))) {
             double later = beyondX * Math.abs(wayZ) - beyondZ * Math.abs(wayX);
-            return Math.abs(later) > SURE * pastDoubt
-                    ? entry(ox, oz, ux, uz, row, at, later > 0 ? 0 : 2)
-                    : entry(ox, oz, ux, uz, row, at);
+            // The side across the own X or the own Z: the same bits as where both are asked.
+            double nx = RayMath.pick(later, cos, sin);
+            double nz = RayMath.pick(later, -sin, cos);
+            double way = Math.abs(DoubleDouble.sumOfProducts(ux, nx, uz, nz));
+            double far = gap(ox, oz, cx, cz, nx, nz, RayMath.pick(later, hx, hz)) / way * Math.sqrt(ux * ux + uz * uz);
+            // Nearer than the centre: no need to ask how far the farthest corner is.
+            return Math.abs(later) > SURE * pastDoubt && far * far * (1 + 0x1p-50) + UNDERFLOW < dx * dx + dz * dz
+                    ? far
+                    : entry(ox, oz, ux, uz, cx, cz, hx, hz, cos, sin);
         }
-        return doubtful(ox, oz, ux, uz, row, at);
-    }
-
-    /**
-     * The entry by the side across the own X (0) or the own Z (2), for a ray that is known to hit and to pass the other
-     * side, if it starts beyond it, before this one: the same bits as where both are asked.
-     */
-    private static double entry(double ox, double oz, double ux, double uz, double[] row, int at, int side) {
-        double nx = row[at + Leaf.ROTATION + side];
-        double nz = side == 0 ? -row[at + Leaf.ROTATION + 2] : row[at + Leaf.ROTATION];
-        double way = Math.abs(DoubleDouble.sumOfProducts(ux, nx, uz, nz));
-        double far = gap(ox, oz, row, at, nx, nz, row[at + Leaf.SIZE + side]) / way * Math.sqrt(ux * ux + uz * uz);
-        double dx = ox - row[at];
-        double dz = oz - row[at + 2];
-        // Nearer than the centre: no need to ask how far the farthest corner is.
-        return far * far * (1 + 0x1p-50) + UNDERFLOW < dx * dx + dz * dz ? far : entry(ox, oz, ux, uz, row, at);
+        return Double.NaN;
     }
 
     private static double doubtful(double ox, double oz, double ux, double uz, double[] row, int at) {
@@ -90,29 +94,37 @@ final class RayRectangle {
         if (exact.contains(ox, oz)) {
             return 0;
         }
-        return exact.isHitBy(ox, oz, ux, uz) ? entry(ox, oz, ux, uz, row, at) : Double.POSITIVE_INFINITY;
+        return exact.isHitBy(ox, oz, ux, uz)
+                ? entry(ox, oz, ux, uz, row[at], row[at + 2], row[at + 3], row[at + 5], row[at + 6], row[at + 8])
+                : Double.POSITIVE_INFINITY;
     }
 
     // The later of the two sides that the start is beyond, for a ray that is known to hit.
-    private static double entry(double ox, double oz, double ux, double uz, double[] row, int at) {
-        double cos = row[at + 6];
-        double sin = row[at + 8];
-        double hx = row[at + 3];
-        double hz = row[at + 5];
+    private static double entry(
+            double ox,
+            double oz,
+            double ux,
+            double uz,
+            double cx,
+            double cz,
+            double hx,
+            double hz,
+            double cos,
+            double sin) {
         double share = 0;
-        double gapX = gap(ox, oz, row, at, cos, -sin, hx);
+        double gapX = gap(ox, oz, cx, cz, cos, -sin, hx);
         if (gapX > 0) {
             double way = Math.abs(DoubleDouble.differenceOfProducts(ux, cos, uz, sin));
             share = way > 0 ? gapX / way : 0;
         }
-        double gapZ = gap(ox, oz, row, at, sin, cos, hz);
+        double gapZ = gap(ox, oz, cx, cz, sin, cos, hz);
         if (gapZ > 0) {
             double way = Math.abs(DoubleDouble.sumOfProducts(ux, sin, uz, cos));
             share = way > 0 ? Math.max(share, gapZ / way) : share;
         }
         // No point of the rectangle is further off than this: a hit along a side does not run away.
-        double dx = ox - row[at];
-        double dz = oz - row[at + 2];
+        double dx = ox - cx;
+        double dz = oz - cz;
         double most = Math.sqrt(dx * dx + dz * dz) + Math.sqrt(hx * hx + hz * hz) * (1 + 0x1p-29);
         return Math.min(share * Math.sqrt(ux * ux + uz * uz), most * (1 + 0x1p-50));
     }
@@ -122,8 +134,10 @@ final class RayRectangle {
      * {@code |(p - c) . n| - h n . n}, within an ulp or two however much cancels.
      */
     static double gap(double px, double pz, double[] row, int at, double nx, double nz, double h) {
-        double cx = row[at];
-        double cz = row[at + 2];
+        return gap(px, pz, row[at], row[at + 2], nx, nz, h);
+    }
+
+    private static double gap(double px, double pz, double cx, double cz, double nx, double nz, double h) {
         double dx = px - cx;
         double dxTail = DoubleDouble.differenceTail(px, cx, dx);
         double dz = pz - cz;
@@ -144,7 +158,7 @@ final class RayRectangle {
         double reach = h * square;
         double reachTail = DoubleDouble.productTail(h, square, reach) + h * squareTail;
         double far = Math.abs(offset);
-        double farTail = offset < 0 ? -offsetTail : offsetTail;
+        double farTail = RayMath.signed(offsetTail, offset + 0.0);
         double gap = far - reach;
         return gap + (DoubleDouble.differenceTail(far, reach, gap) + (farTail - reachTail));
     }

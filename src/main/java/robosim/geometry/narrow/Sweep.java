@@ -63,7 +63,7 @@ public final class Sweep {
     public void bounds(LeafColumn column, int leaf, double[] out) {
         int kind = column.kind(leaf);
         if (!Leaf.isMesh(kind)) {
-            bounds(kind, column.rows(), leaf * Leaf.STRIDE, out);
+            bounds(kind, column.rows(leaf), column.at(leaf), out);
             return;
         }
         double[] box = s.meshBox;
@@ -117,10 +117,10 @@ public final class Sweep {
         int kindA = a.kind(i);
         int kindB = b.kind(j);
         if (!Leaf.isMesh(kindA) && !Leaf.isMesh(kindB)) {
-            return convex(kindA, a.rows(), i * Leaf.STRIDE, kindB, b.rows(), j * Leaf.STRIDE);
+            return convex(kindA, a.rows(i), a.at(i), kindB, b.rows(j), b.at(j));
         }
         if (!Leaf.isMesh(kindA)) {
-            return againstMesh(kindA, a.rows(), i * Leaf.STRIDE, b, j);
+            return againstMesh(kindA, a.rows(i), a.at(i), b, j);
         }
         double least = Double.POSITIVE_INFINITY;
         obstacleBounds(b, j);
@@ -132,7 +132,7 @@ public final class Sweep {
             if (meets(swept, s.triangleBox)) {
                 double share = Leaf.isMesh(kindB)
                         ? againstMesh(Leaf.TRIANGLE, s.triangleA, 0, b, j)
-                        : convex(Leaf.TRIANGLE, s.triangleA, 0, kindB, b.rows(), j * Leaf.STRIDE);
+                        : convex(Leaf.TRIANGLE, s.triangleA, 0, kindB, b.rows(j), b.at(j));
                 least = Math.min(least, share);
                 obstacleBounds(b, j);
             }
