@@ -12,6 +12,7 @@ module robosim.geometry {
     exports robosim.geometry.model;
     exports robosim.geometry.net;
     exports robosim.geometry.protocol;
+    exports robosim.geometry.scenario;
     exports robosim.geometry.world;
 
     uses robosim.geometry.protocol.MessageTranslator;

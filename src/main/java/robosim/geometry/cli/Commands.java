@@ -11,7 +11,13 @@ import picocli.CommandLine.Command;
         synopsisSubcommandLabel = "COMMAND",
         mixinStandardHelpOptions = true,
         version = "robosim-geometry 1.0.0-SNAPSHOT",
-        subcommands = {DemoCommand.class, ServeCommand.class, ConnectCommand.class, RenderCommand.class})
+        subcommands = {
+            DemoCommand.class,
+            ServeCommand.class,
+            ConnectCommand.class,
+            RenderCommand.class,
+            ReplayCommand.class
+        })
 final class Commands {
     /** The exit code where the module was found wrong. */
     static final int WRONG = 1;

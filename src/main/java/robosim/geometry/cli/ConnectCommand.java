@@ -16,7 +16,13 @@ import robosim.geometry.net.Redial;
 @Command(
         name = "connect",
         description = "Dials RoboSim's environment module and answers it; dials again when it is gone.",
-        mixinStandardHelpOptions = true)
+        mixinStandardHelpOptions = true,
+        footer = {
+            "",
+            "Examples:",
+            "  robosim-geometry connect localhost 5555",
+            "  robosim-geometry connect localhost 5555 --once --record session.scenario.jsonl"
+        })
 final class ConnectCommand implements Callable<Integer> {
     @Spec
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
@@ -35,12 +41,17 @@ final class ConnectCommand implements Callable<Integer> {
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private ConnectionOptions common;
 
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private RecordOptions record;
+
     private ConnectCommand() {}
 
     @Override
     public Integer call() {
         Ports.check(spec, port, 1);
-        NetOptions options = common.options(Allowance.DEFAULT.connections()).withRedial(once ? null : Redial.DEFAULT);
+        NetOptions options =
+                record.inFile(common.options(Allowance.DEFAULT.connections())).withRedial(once ? null : Redial.DEFAULT);
         int seconds = common.figuresSeconds();
         GeometryClient client = new GeometryClient(host, port, options);
         FiguresPrinter.start(spec.commandLine().getOut(), client.figures(), seconds, client::close);

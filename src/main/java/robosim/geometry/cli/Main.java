@@ -1,6 +1,6 @@
 package robosim.geometry.cli;
 
-/** The command line: {@code demo}, {@code serve}, {@code connect} and {@code render}; {@code --help} tells more. */
+/** The command line: {@code demo}, {@code serve}, {@code connect}, {@code render} and {@code replay}; {@code --help} tells more. */
 public final class Main {
     private Main() {}
 

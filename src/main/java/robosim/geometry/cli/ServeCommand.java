@@ -16,7 +16,13 @@ import robosim.geometry.net.NetOptions;
 @Command(
         name = "serve",
         description = "Waits for environment modules that dial in, until it is ended.",
-        mixinStandardHelpOptions = true)
+        mixinStandardHelpOptions = true,
+        footer = {
+            "",
+            "Examples:",
+            "  robosim-geometry serve 5555",
+            "  robosim-geometry serve 5555 --record recordings --figures 60"
+        })
 final class ServeCommand implements Callable<Integer> {
     @Spec
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
@@ -45,12 +51,16 @@ final class ServeCommand implements Callable<Integer> {
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private ConnectionOptions common;
 
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private RecordOptions record;
+
     private ServeCommand() {}
 
     @Override
     public Integer call() throws Exception {
         Ports.check(spec, port, 0);
-        NetOptions options = common.options(connections);
+        NetOptions options = record.inFolder(common.options(connections));
         int seconds = common.figuresSeconds();
         GeometryServer server = new GeometryServer(InetAddress.getByName(host), port, options);
         PrintWriter out = spec.commandLine().getOut();

@@ -115,7 +115,15 @@ final class Connection implements Runnable {
         Porter porter = new Porter(options.access(), in, options.patience());
         MessageChannel channel = new MessageChannel(in, out, options.translator(), in, porter);
         porter.watch(channel);
-        Session session = new Session(options.session(), options.listeners().apply(name), name);
+        SessionListener listener = options.listeners().apply(name);
+        try {
+            converse(channel, new Session(options.session(), listener, name));
+        } finally {
+            listener.ended();
+        }
+    }
+
+    private void converse(MessageChannel channel, Session session) throws IOException {
         message = 1;
         for (Bundle request = channel.read(); request != null; request = channel.read()) {
             long start = System.nanoTime();

@@ -63,13 +63,27 @@ public final class Session {
      * @param name what its log lines begin with
      */
     public Session(SessionOptions options, SessionListener listener, String name) {
-        this(options, listener, name, World::of);
+        this(options, listener, name, LOG, World::of);
+    }
+
+    /**
+     * With a log of its own.
+     *
+     * @param log takes the session's warnings
+     */
+    public Session(SessionOptions options, SessionListener listener, String name, System.Logger log) {
+        this(options, listener, name, log, World::of);
     }
 
     Session(SessionOptions options, SessionListener listener, String name, World.Maker maker) {
+        this(options, listener, name, LOG, maker);
+    }
+
+    private Session(
+            SessionOptions options, SessionListener listener, String name, System.Logger log, World.Maker maker) {
         this.options = Arguments.present("options", options);
         this.listener = Arguments.present("listener", listener);
-        this.complaints = new Complaints(LOG, Arguments.present("name", name));
+        this.complaints = new Complaints(Arguments.present("log", log), Arguments.present("name", name));
         this.maker = maker;
     }
 
@@ -92,23 +106,25 @@ public final class Session {
      * @throws IllegalArgumentException where it is a {@link DistanceBundle}, which is an answer and no request
      */
     public @Nullable Reply reply(Bundle request) {
-        long start = System.nanoTime();
-        complaints.next();
-        Reply reply;
-        if (request instanceof InitBundle init) {
-            replaceWorld(init);
-            reply = null;
-        } else if (request instanceof MoveBundle moves) {
-            reply = move(moves);
-        } else if (request instanceof SonarRequestBundle sonars) {
-            reply = measure(sonars);
-        } else {
+        if (request == null || request instanceof DistanceBundle) {
             throw new IllegalArgumentException(
                     "request must be an InitBundle, a MoveBundle or a SonarRequestBundle (got: "
                             + (request == null ? "null" : request.getClass().getSimpleName()) + ")");
         }
+        complaints.next();
+        listener.asked(request);
+        long start = System.nanoTime();
+        Reply reply = carryOut(request);
         listener.replied(request, reply, System.nanoTime() - start);
         return reply;
+    }
+
+    private @Nullable Reply carryOut(Bundle request) {
+        if (request instanceof InitBundle init) {
+            replaceWorld(init);
+            return null;
+        }
+        return request instanceof MoveBundle moves ? move(moves) : measure((SonarRequestBundle) request);
     }
 
     private void replaceWorld(InitBundle init) {

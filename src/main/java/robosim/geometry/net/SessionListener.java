@@ -14,6 +14,9 @@ public interface SessionListener {
     /** Sees nothing. */
     SessionListener NONE = new SessionListener() {};
 
+    /** A request came and is about to be carried out. */
+    default void asked(Bundle request) {}
+
     /** A move of a moveable object was tried; {@code result} tells what blocked it. */
     default void tried(MoveRequest request, MoveResult result) {}
 
@@ -36,4 +39,7 @@ public interface SessionListener {
     default void replied(Bundle request, @Nullable Reply reply, long nanoseconds) {
         answered(request, reply == null ? null : reply.bundle(), nanoseconds);
     }
+
+    /** The connection is over; nothing more will be told. */
+    default void ended() {}
 }

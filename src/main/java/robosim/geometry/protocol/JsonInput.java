@@ -11,7 +11,10 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 
 /**
  * One line of JSON, read strictly: an object's fields are those that it must and may have, each once; a value is of its
@@ -61,22 +64,65 @@ final class JsonInput implements Closeable {
     /** The {@code type} of the message, wherever in it that stands; what comes behind it is not looked at. */
     static String typeOf(JsonInput message) throws IOException {
         try (JsonInput in = message) {
-            if (in.advance() == null) {
-                throw new ProtocolException("a line must hold a message (got: a blank line)");
-            }
-            if (!in.isObject()) {
-                throw in.refused("must be an object, {...} (got: " + in.kind() + ")");
-            }
-            while (in.advance() == JsonToken.FIELD_NAME) {
-                boolean found = in.parser.currentName().equals("type");
-                in.advance();
-                if (found) {
-                    return in.text();
-                }
-                in.skip();
+            if (in.find("type")) {
+                return in.text();
             }
             throw in.refused("must have the field \"type\" (got: none)");
         }
+    }
+
+    /** Goes to a field of the line's object, wherever in it that stands. */
+    boolean find(String field) throws IOException {
+        if (advance() == null) {
+            throw new ProtocolException("a line must hold a message (got: a blank line)");
+        }
+        if (!isObject()) {
+            throw refused("must be an object, {...} (got: " + kind() + ")");
+        }
+        while (advance() == JsonToken.FIELD_NAME) {
+            boolean found = parser.currentName().equals(field);
+            advance();
+            if (found) {
+                return true;
+            }
+            skip();
+        }
+        return false;
+    }
+
+    /** The line's whole object, whatever its fields are: texts, Doubles, Booleans, nulls and objects like it. */
+    Map<String, @Nullable Object> plain() throws IOException {
+        advance();
+        Map<String, @Nullable Object> fields = plainFields();
+        end();
+        return fields;
+    }
+
+    private Map<String, @Nullable Object> plainFields() throws IOException {
+        if (!isObject()) {
+            throw refused("must be an object, {...} (got: " + kind() + ")");
+        }
+        Map<String, @Nullable Object> fields = new LinkedHashMap<>();
+        while (advance() == JsonToken.FIELD_NAME) {
+            String name = parser.currentName();
+            advance();
+            if (fields.containsKey(name)) {
+                throw refused("a field must come once (got: " + told(name) + " twice)");
+            }
+            fields.put(name, plainValue());
+        }
+        return fields;
+    }
+
+    private @Nullable Object plainValue() throws IOException {
+        return switch (parser.currentToken()) {
+            case START_OBJECT -> plainFields();
+            case VALUE_STRING -> text();
+            case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT -> number();
+            case VALUE_TRUE, VALUE_FALSE -> flag();
+            case VALUE_NULL -> null;
+            default -> throw refused("must be an object, a text, a number, true, false or null (got: " + kind() + ")");
+        };
     }
 
     private void skip() throws IOException {

@@ -77,6 +77,34 @@ public final class JsonLines {
         });
     }
 
+    /**
+     * The {@code type} of a line's object, whatever else that holds.
+     *
+     * @throws ProtocolException where the line is no object that has one
+     */
+    public static String typeOf(String line) throws ProtocolException {
+        byte[] bytes = bytes(line);
+        return guarded(() -> JsonInput.typeOf(JsonInput.of(bytes, 0, bytes.length)));
+    }
+
+    /**
+     * Whether a line is an answer and no request: {@code distances}, or {@code moves} that tell what was refused.
+     *
+     * @throws ProtocolException where the line is no object that has a {@code type}
+     */
+    public static boolean isReply(String line) throws ProtocolException {
+        String type = typeOf(line);
+        if (!type.equals("moves")) {
+            return type.equals("distances");
+        }
+        byte[] bytes = bytes(line);
+        return guarded(() -> {
+            try (JsonInput in = JsonInput.of(bytes, 0, bytes.length)) {
+                return in.find("refused");
+            }
+        });
+    }
+
     static Bundle request(String type, JsonInput in) throws IOException {
         JsonMessages messages = new JsonMessages(in);
         return switch (type) {
@@ -89,7 +117,7 @@ public final class JsonLines {
         };
     }
 
-    private static byte[] bytes(String line) throws ProtocolException {
+    static byte[] bytes(String line) throws ProtocolException {
         byte[] bytes;
         try {
             ByteBuffer encoded =
@@ -145,7 +173,7 @@ public final class JsonLines {
     }
 
     /** A name of a Java peer may hold half a surrogate pair, which UTF-8 cannot; it is escaped, and no line is broken. */
-    private static String wellFormed(String text) {
+    static String wellFormed(String text) {
         if (text.chars().noneMatch(c -> Character.isSurrogate((char) c))) {
             return text;
         }

@@ -1,0 +1,167 @@
+package robosim.geometry.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import robosim.geometry.scenario.Mismatch;
+import robosim.geometry.scenario.Replay;
+import robosim.geometry.scenario.ScenarioException;
+import robosim.geometry.scenario.ScenarioReader;
+import robosim.geometry.scenario.Step;
+
+/** Carries out recorded conversations anew. */
+@Command(
+        name = "replay",
+        description = "Carries out recorded conversations anew, without sockets, and compares the answers bit for bit.",
+        mixinStandardHelpOptions = true,
+        footer = {
+            "",
+            "Exit code: 0 where every answer is the one recorded, 1 where any is another, 2 where a file cannot be read.",
+            "",
+            "Examples:",
+            "  robosim-geometry serve 5555 --record recordings",
+            "  robosim-geometry replay recordings",
+            "  robosim-geometry replay bug.scenario.jsonl worlds/scenarios"
+        })
+final class ReplayCommand implements Callable<Integer> {
+    private static final long TELL_NANOS = 200_000_000;
+
+    @Spec
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private CommandSpec spec;
+
+    @Parameters(
+            arity = "1..*",
+            paramLabel = "FILE|FOLDER",
+            description = "scenarios, or folders in whose trees every *" + ScenarioReader.ENDING + " is one")
+    private List<Path> places = List.of();
+
+    @Option(
+            names = "--root",
+            paramLabel = "DIR",
+            description = "no world outside of this folder is read that a scenario names (default: the folder above the"
+                    + " scenario's own)")
+    private @Nullable Path root;
+
+    @Option(names = "--most", paramLabel = "N", description = "differences told of each file (default: 10)")
+    private int most = 10;
+
+    private boolean watched;
+    private long told;
+    private long steps;
+    private long compared;
+    private int different;
+    private int unreadable;
+
+    private ReplayCommand() {}
+
+    @Override
+    public Integer call() throws Exception {
+        watched = Terminal.isPresent();
+        List<Path> files = files();
+        for (int k = 0; k < files.size(); k++) {
+            replay(files.get(k), k, files.size());
+        }
+        PrintWriter out = spec.commandLine().getOut();
+        out.printf(
+                "%,d %s, %,d steps, %,d moves and distances: %s%n",
+                files.size(),
+                files.size() == 1 ? "scenario" : "scenarios",
+                steps,
+                compared,
+                different + unreadable == 0
+                        ? "all the same, bit for bit"
+                        : different + " answered otherwise, " + unreadable + " unreadable");
+        out.flush();
+        return unreadable > 0 ? Commands.UNUSABLE : different > 0 ? Commands.WRONG : 0;
+    }
+
+    private List<Path> files() throws IOException {
+        List<Path> files = new ArrayList<>();
+        for (Path place : places) {
+            if (Files.isRegularFile(place)) {
+                files.add(place);
+                continue;
+            }
+            if (!Files.isDirectory(place)) {
+                throw new ParameterException(
+                        spec.commandLine(), "FILE|FOLDER must be there to be replayed (got: " + place + ")");
+            }
+            int before = files.size();
+            try (Stream<Path> tree = Files.walk(place)) {
+                tree.filter(file -> file.toString().endsWith(ScenarioReader.ENDING) && Files.isRegularFile(file))
+                        .sorted()
+                        .forEach(files::add);
+            }
+            if (files.size() == before) {
+                throw new ParameterException(
+                        spec.commandLine(),
+                        "FOLDER must hold a *" + ScenarioReader.ENDING + ", itself or in its tree (got: " + place
+                                + ")");
+            }
+        }
+        return files;
+    }
+
+    private void replay(Path file, int number, int count) throws IOException {
+        PrintWriter out = spec.commandLine().getOut();
+        try (ScenarioReader reader = root == null ? ScenarioReader.open(file) : ScenarioReader.open(file, root)) {
+            Replay replay = new Replay(reader.header().options());
+            for (Step step = reader.next(); step != null; step = reader.next()) {
+                Mismatch mismatch = replay.step(step);
+                if (mismatch != null && replay.mismatches() <= most) {
+                    clear();
+                    out.println(file + ": " + mismatch);
+                }
+                tell(number, count, replay.steps());
+            }
+            clear();
+            conclude(file, reader, replay);
+        } catch (ScenarioException e) {
+            clear();
+            unreadable++;
+            spec.commandLine().getErr().println(e.getMessage());
+        }
+    }
+
+    private void conclude(Path file, ScenarioReader reader, Replay replay) {
+        PrintWriter out = spec.commandLine().getOut();
+        if (replay.mismatches() > most) {
+            out.printf("%s: and %,d more steps are answered otherwise%n", file, replay.mismatches() - most);
+        }
+        if (reader.torn() > 0) {
+            out.println(file + ": line " + reader.torn()
+                    + " breaks off, as where a recording is killed; it was passed over");
+        }
+        steps += replay.steps();
+        compared += replay.compared();
+        different += replay.mismatches() > 0 ? 1 : 0;
+    }
+
+    private void tell(int number, int count, long step) {
+        if (watched && System.nanoTime() - told > TELL_NANOS) {
+            told = System.nanoTime();
+            spec.commandLine().getErr().printf("\r%d of %d, step %,d ", number + 1, count, step);
+            spec.commandLine().getErr().flush();
+        }
+    }
+
+    private void clear() {
+        if (watched) {
+            spec.commandLine().getErr().print("\r\033[K");
+            spec.commandLine().getErr().flush();
+        }
+    }
+}

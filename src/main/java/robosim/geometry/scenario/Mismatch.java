@@ -1,0 +1,165 @@
+package robosim.geometry.scenario;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.protocol.Beam;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.DistanceBundle;
+import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.protocol.MoveRequest;
+import robosim.geometry.protocol.Problem;
+import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.SonarRequest;
+import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.Text;
+
+/**
+ * A step whose answer is another than the one expected. Answers are the same where the same moves were made, in the same
+ * order, and each distance has the same bits; NaN is NaN. Words that say why something was refused do not count.
+ *
+ * @param step     of the conversation, from 1
+ * @param line     of its request in its file, from 1; 0 where there is none
+ * @param index    of the first request in the step that is answered otherwise, from 0; -1 where it is the whole step
+ * @param request  what was asked there, for people
+ * @param expected for people
+ * @param got      for people
+ * @param others   how many more requests of the step are answered otherwise
+ */
+public record Mismatch(long step, long line, int index, String request, String expected, String got, int others) {
+
+    /** Compares an answer with what its step expects; null where they are the same, or nothing is expected. */
+    static @Nullable Mismatch of(long number, Step step, @Nullable Reply got) {
+        Reply expected = step.expected();
+        if (expected == null || (got != null && got.bundle().equals(expected.bundle()))) {
+            return null; // the bundles' doubles are equal where their bits are, or both are NaN
+        }
+        if (got == null) {
+            return whole(number, step, "an answer", "none");
+        }
+        if (step.request() instanceof SonarRequestBundle sonars) {
+            return distances(number, step, sonars.requests(), expected, got);
+        }
+        return moves(number, step, ((MoveBundle) step.request()).moves(), expected, got);
+    }
+
+    static Mismatch whole(long number, Step step, String expected, String got) {
+        return new Mismatch(number, step.line(), -1, kind(step.request()), expected, got, 0);
+    }
+
+    private static String kind(Bundle request) {
+        if (request instanceof MoveBundle moves) {
+            return moves.moves().size() + " moves";
+        }
+        return request instanceof SonarRequestBundle sonars ? sonars.requests().size() + " distances" : "a new world";
+    }
+
+    private static Mismatch distances(long number, Step step, List<SonarRequest> asked, Reply expected, Reply got) {
+        List<Double> wanted = ((DistanceBundle) expected.bundle()).distances();
+        List<Double> answered = ((DistanceBundle) got.bundle()).distances();
+        int first = -1;
+        int others = -1;
+        for (int k = 0; k < asked.size(); k++) {
+            if (!wanted.get(k).equals(answered.get(k))) {
+                first = first < 0 ? k : first;
+                others++;
+            }
+        }
+        double before = wanted.get(first);
+        double now = answered.get(first);
+        String error = reason(got, first);
+        return new Mismatch(
+                number,
+                step.line(),
+                first,
+                words(asked.get(first)),
+                distance(before),
+                distance(now) + (error.isEmpty() ? off(before, now) : ", " + error),
+                others);
+    }
+
+    private static Mismatch moves(long number, Step step, List<MoveRequest> asked, Reply expected, Reply got) {
+        List<MoveRequest> wanted = ((MoveBundle) expected.bundle()).moves();
+        List<MoveRequest> made = ((MoveBundle) got.bundle()).moves();
+        int first = -1;
+        int others = -1;
+        int nextWanted = 0;
+        int nextMade = 0;
+        boolean firstMade = false;
+        for (int k = 0; k < asked.size(); k++) {
+            MoveRequest move = asked.get(k);
+            boolean isWanted =
+                    nextWanted < wanted.size() && wanted.get(nextWanted).equals(move);
+            boolean isMade = nextMade < made.size() && made.get(nextMade).equals(move);
+            nextWanted += isWanted ? 1 : 0;
+            nextMade += isMade ? 1 : 0;
+            if (isWanted != isMade) {
+                firstMade = first < 0 ? isMade : firstMade;
+                first = first < 0 ? k : first;
+                others++;
+            }
+        }
+        if (nextWanted < wanted.size()) {
+            MoveRequest stray = wanted.get(nextWanted);
+            return whole(number, step, "among those made a " + words(stray), "no such request in its place");
+        }
+        String reason = reason(got, first);
+        String refused = reason.isEmpty() ? "refused" : "refused, " + reason;
+        return new Mismatch(
+                number,
+                step.line(),
+                first,
+                words(asked.get(first)),
+                firstMade ? "refused" : "made",
+                firstMade ? "made" : refused,
+                others);
+    }
+
+    private static String reason(Reply reply, int index) {
+        for (Problem problem : reply.problems()) {
+            if (problem.index() == index) {
+                return Text.line(problem.reason());
+            }
+        }
+        return "";
+    }
+
+    private static String words(MoveRequest move) {
+        String turns = move.rx() == 0 && move.ry() == 0
+                ? ""
+                : ", turned by ry " + move.ry() + (move.rx() == 0 ? "" : ", rx " + move.rx());
+        return "move of " + Text.quoted(move.objectName()) + " by (" + move.x() + ", " + move.y() + ", " + move.z()
+                + ")" + turns;
+    }
+
+    private static String words(SonarRequest request) {
+        Beam beam = request.beam();
+        return "sonar of " + Text.quoted(request.objectName()) + " towards (" + request.xOffset() + ", 0, "
+                + request.zOffset() + ")"
+                + (beam == null
+                        ? ""
+                        : " in [" + beam.min() + ", " + beam.max() + "]"
+                                + (beam.width() == 0 ? "" : ", " + beam.width() + " wide"));
+    }
+
+    private static String distance(double distance) {
+        if (Double.isNaN(distance)) {
+            return "no such object (NaN)";
+        }
+        return Double.isInfinite(distance) ? "no echo" : distance + " (" + Double.toHexString(distance) + ")";
+    }
+
+    private static String off(double before, double now) {
+        if (!(Math.abs(now - before) > 0 && Double.isFinite(now - before))) {
+            return "";
+        }
+        return ", " + (now > before ? "longer" : "shorter") + " by " + Math.abs(now - before);
+    }
+
+    /** One line. */
+    @Override
+    public String toString() {
+        return "step " + step + (line > 0 ? " (line " + line + ")" : "") + ", "
+                + (index < 0 ? "" : "request " + index + ", a ") + request + ": expected " + expected + ", got " + got
+                + (others > 0 ? "; and " + others + " more of this step" : "");
+    }
+}

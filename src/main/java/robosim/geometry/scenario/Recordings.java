@@ -1,0 +1,112 @@
+package robosim.geometry.scenario;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.time.Clock;
+import java.time.ZoneOffset;
+import java.time.format.DateTimeFormatter;
+import java.util.Locale;
+import java.util.function.Function;
+import robosim.geometry.net.SessionListener;
+import robosim.geometry.net.SessionOptions;
+
+/**
+ * Records the sessions of a server or a client, one file for each, which is made when its first request comes. A file that
+ * is there is never written over.
+ *
+ * <pre>{@code
+ * NetOptions options = NetOptions.defaults();
+ * options = options.withListeners(Recordings.inFolder(Path.of("recordings"), options.session()));
+ * }</pre>
+ */
+public final class Recordings implements Function<String, SessionListener> {
+    /** Most bytes of one file unless told otherwise: 1 GiB, some 500,000 bundles of 16 sonar requests with their answers. */
+    public static final long DEFAULT_BYTES = 1L << 30;
+
+    private static final DateTimeFormatter TIME =
+            DateTimeFormatter.ofPattern("yyyyMMdd'T'HHmmss.SSS'Z'", Locale.ROOT).withZone(ZoneOffset.UTC);
+    private static final int LONGEST_NAME = 80;
+
+    private final Function<String, Path> files;
+    private final SessionOptions session;
+    private final long mostBytes;
+    private final Clock clock;
+
+    private Recordings(Function<String, Path> files, SessionOptions session, long mostBytes, Clock clock) {
+        this.files = files;
+        this.session = session;
+        this.mostBytes = mostBytes;
+        this.clock = clock;
+    }
+
+    /**
+     * Files in a folder, named by the time of their first request and the connection.
+     *
+     * @param session the options of the sessions
+     */
+    public static Recordings inFolder(Path folder, SessionOptions session) {
+        Clock clock = Clock.systemUTC();
+        return new Recordings(name -> folder.resolve(name), session, DEFAULT_BYTES, clock);
+    }
+
+    /** A file of that name for the first session, and for each that follows one of that name with a number. */
+    public static Recordings inFile(Path file, SessionOptions session) {
+        return new Recordings(name -> file, session, DEFAULT_BYTES, Clock.systemUTC());
+    }
+
+    /** These recordings with another limit of bytes for each file, at which recording stops and the session goes on. */
+    public Recordings atMost(long bytes) {
+        if (bytes < 1) {
+            throw new IllegalArgumentException("bytes must be at least 1 (got: " + bytes + ")");
+        }
+        return new Recordings(files, session, bytes, clock);
+    }
+
+    /** These recordings with names and titles by another clock. */
+    public Recordings by(Clock other) {
+        return new Recordings(files, session, mostBytes, other);
+    }
+
+    @Override
+    public Recorder apply(String connection) {
+        return new Recorder(connection, () -> open(connection), System::nanoTime);
+    }
+
+    private ScenarioWriter open(String connection) throws IOException {
+        String time = TIME.format(clock.instant());
+        String plain = connection.replaceAll("[^A-Za-z0-9.]+", "-");
+        plain = plain.substring(0, Math.min(LONGEST_NAME, plain.length()));
+        Path file = files.apply(time + "-" + plain + ScenarioReader.ENDING);
+        ScenarioHeader header = new ScenarioHeader(connection + ", " + time, session);
+        for (int number = 1; ; number++) {
+            OutputStream out;
+            try {
+                out = Files.newOutputStream(
+                        numbered(file, number), StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+            } catch (FileAlreadyExistsException taken) {
+                continue;
+            }
+            try {
+                return new ScenarioWriter(out, header, mostBytes);
+            } catch (IOException | RuntimeException | Error e) {
+                out.close();
+                throw e;
+            }
+        }
+    }
+
+    private static Path numbered(Path file, int number) {
+        if (number == 1) {
+            return file;
+        }
+        String name = String.valueOf(file.getFileName());
+        int end = name.endsWith(ScenarioReader.ENDING)
+                ? name.length() - ScenarioReader.ENDING.length()
+                : name.lastIndexOf('.') > 0 ? name.lastIndexOf('.') : name.length();
+        return file.resolveSibling(name.substring(0, end) + "-" + number + name.substring(end));
+    }
+}

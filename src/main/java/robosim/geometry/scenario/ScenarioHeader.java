@@ -1,0 +1,78 @@
+package robosim.geometry.scenario;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.net.SessionOptions;
+import robosim.geometry.protocol.Beam;
+import robosim.geometry.protocol.JsonLines;
+import robosim.geometry.protocol.JsonRecord;
+import robosim.geometry.protocol.ProtocolException;
+
+/**
+ * What a scenario begins with.
+ *
+ * @param title   for people
+ * @param madeBy  what wrote it, for people; empty where that is not told
+ * @param options what its requests leave open
+ */
+public record ScenarioHeader(String title, String madeBy, SessionOptions options) {
+    /** Of the format, as a header tells it. */
+    public static final int VERSION = 1;
+
+    /** Refuses null. */
+    public ScenarioHeader {
+        if (title == null || madeBy == null || options == null) {
+            throw new IllegalArgumentException("title, madeBy and options must be given (got: null)");
+        }
+    }
+
+    /** Made by this module. */
+    public ScenarioHeader(String title, SessionOptions options) {
+        this(title, JsonLines.MODULE, options);
+    }
+
+    /** The file's first line. */
+    String line() {
+        Map<String, @Nullable Object> beam = new LinkedHashMap<>();
+        beam.put("min", options.beam().min());
+        beam.put("max", options.beam().max());
+        beam.put("width", options.beam().width());
+        Map<String, @Nullable Object> session = new LinkedHashMap<>();
+        session.put("dimension", options.dimension());
+        session.put("accuracy", options.accuracy());
+        session.put("beam", beam);
+        Map<String, @Nullable Object> header = new LinkedHashMap<>();
+        header.put("type", "scenario");
+        header.put("version", VERSION);
+        header.put("title", title);
+        header.put("madeBy", madeBy);
+        header.put("options", session);
+        return JsonRecord.write(header);
+    }
+
+    static ScenarioHeader of(JsonRecord line) throws ProtocolException {
+        line.only("type version title", "madeBy options");
+        if (line.number("version") != VERSION) {
+            throw line.refused("version must be " + VERSION + " (got: " + line.number("version") + ")");
+        }
+        SessionOptions options = line.has("options") ? options(line.record("options")) : SessionOptions.ROBOSIM;
+        return new ScenarioHeader(line.text("title"), line.has("madeBy") ? line.text("madeBy") : "", options);
+    }
+
+    private static SessionOptions options(JsonRecord line) throws ProtocolException {
+        line.only("dimension accuracy beam", "");
+        JsonRecord beam = line.record("beam").only("min max width", "");
+        double max = beam.isNull("max") ? Double.POSITIVE_INFINITY : beam.number("max");
+        try {
+            return new SessionOptions(
+                    line.constant("dimension", Dimension.class),
+                    line.constant("accuracy", Accuracy.class),
+                    new Beam(beam.number("min"), max, beam.number("width")));
+        } catch (IllegalArgumentException e) {
+            throw beam.refused(String.valueOf(e.getMessage()));
+        }
+    }
+}

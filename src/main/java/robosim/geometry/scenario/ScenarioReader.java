@@ -1,0 +1,214 @@
+package robosim.geometry.scenario;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.JsonLines;
+import robosim.geometry.protocol.JsonRecord;
+import robosim.geometry.protocol.ProtocolException;
+import robosim.geometry.protocol.Reply;
+
+/**
+ * Reads a scenario step by step, so that a day's recording takes no more memory than its longest lines. Reading is strict;
+ * every exception names file and line. Only a last line that breaks off, as a killed writer leaves it, is passed over, and
+ * {@link #torn()} tells it.
+ */
+public final class ScenarioReader implements Closeable {
+    /** How the name of a scenario's file ends. */
+    public static final String ENDING = ".scenario.jsonl";
+
+    private final Lines lines;
+    private final WorldFiles worlds;
+    private final ScenarioHeader header;
+
+    /** The next line that is no note and its type; both null where it has not been read, or there is none. */
+    private @Nullable String ahead;
+
+    private String type = "";
+
+    /** Those before it. */
+    private final List<String> notes = new ArrayList<>();
+
+    private ScenarioReader(InputStream in, String source, WorldFiles worlds) throws ScenarioException {
+        this.lines = new Lines(in, source);
+        this.worlds = worlds;
+        this.header = begin();
+    }
+
+    /**
+     * Opens a file. The worlds that it names are looked for beside it, and not above the folder that its own folder is in.
+     *
+     * @throws ScenarioException where it cannot be opened, or does not begin as a scenario
+     */
+    public static ScenarioReader open(Path file) throws IOException {
+        Path folder = file.toAbsolutePath().normalize().getParent();
+        Path above = folder == null ? null : folder.getParent();
+        return open(file, above != null ? above : file.toAbsolutePath().getRoot());
+    }
+
+    /**
+     * Opens a file.
+     *
+     * @param root the folder outside of which no world is read that the file names
+     * @throws ScenarioException where it cannot be opened, or does not begin as a scenario
+     */
+    public static ScenarioReader open(Path file, Path root) throws IOException {
+        InputStream in;
+        try {
+            in = Files.newInputStream(file);
+        } catch (NoSuchFileException e) {
+            throw new ScenarioException(file.toString(), 0, "there is no such file; check the path", e);
+        } catch (IOException e) {
+            throw new ScenarioException(file.toString(), 0, "the file could not be opened: " + e, e);
+        }
+        try {
+            return new ScenarioReader(in, file.toString(), WorldFiles.beside(file, root));
+        } catch (ScenarioException e) {
+            in.close();
+            throw e;
+        }
+    }
+
+    /**
+     * Reads from a stream, which can name no world file.
+     *
+     * @param source what messages call the stream
+     * @throws ScenarioException where it does not begin as a scenario
+     */
+    public static ScenarioReader of(InputStream in, String source) throws ScenarioException {
+        return new ScenarioReader(in, source, WorldFiles.none());
+    }
+
+    /** What the scenario begins with. */
+    public ScenarioHeader header() {
+        return header;
+    }
+
+    /**
+     * Reads the next step.
+     *
+     * @return null at the end
+     * @throws ScenarioException where the file fails or is no scenario; then nothing more can be read
+     */
+    public @Nullable Step next() throws ScenarioException {
+        String line = peek();
+        if (line == null) {
+            return null;
+        }
+        long number = lines.number();
+        List<String> before = List.copyOf(notes);
+        notes.clear();
+        Bundle request = guarded(() -> request(line));
+        ahead = null;
+        Reply expected = answer(request);
+        Timing timing = timing();
+        return new Step(number, before, request, expected, timing);
+    }
+
+    /** The number of the last line where that breaks off and was passed over; 0 otherwise. Known at the end. */
+    public long torn() {
+        return lines.torn();
+    }
+
+    private ScenarioHeader begin() throws ScenarioException {
+        String first = peek();
+        if (first == null || !notes.isEmpty() || !type.equals("scenario")) {
+            throw lines.refused(
+                    "a scenario must begin with its header, as in {\"type\":\"scenario\",\"version\":"
+                            + ScenarioHeader.VERSION + ",\"title\":\"...\"} (got: "
+                            + (first == null ? "no whole line" : "another line") + ")",
+                    null);
+        }
+        ScenarioHeader begun = guarded(() -> ScenarioHeader.of(JsonRecord.read(first)));
+        ahead = null;
+        return begun;
+    }
+
+    private @Nullable String peek() throws ScenarioException {
+        while (ahead == null) {
+            String line = lines.next();
+            if (line == null) {
+                return null;
+            }
+            type = guarded(() -> JsonLines.typeOf(line));
+            if (type.equals("note")) {
+                notes.add(guarded(
+                        () -> JsonRecord.read(line).only("type text", "").text("text")));
+            } else {
+                ahead = line;
+            }
+        }
+        return ahead;
+    }
+
+    private Bundle request(String line) throws IOException {
+        switch (type) {
+            case "world" -> {
+                return worlds.read(JsonRecord.read(line).only("type file", "").text("file"));
+            }
+            case "scenario" -> throw new ProtocolException("a header must come once, as the first line (got: another)");
+            case "time" -> throw new ProtocolException("a time must follow a request or its answer (got: another)");
+            default -> {
+                if (JsonLines.isReply(line)) {
+                    throw new ProtocolException("an answer must follow its request (got: one without)");
+                }
+                return JsonLines.readRequest(line);
+            }
+        }
+    }
+
+    /** The answer that follows a request; null where there is none. */
+    private @Nullable Reply answer(Bundle request) throws ScenarioException {
+        String line = peek();
+        if (line == null || !guarded(() -> JsonLines.isReply(line))) {
+            return null;
+        }
+        Reply answer = guarded(() -> {
+            Reply reply = JsonLines.readReply(line);
+            Step.checkAnswer(request, reply.bundle());
+            return reply;
+        });
+        ahead = null;
+        return answer;
+    }
+
+    private @Nullable Timing timing() throws ScenarioException {
+        String line = peek();
+        if (line == null || !type.equals("time")) {
+            return null;
+        }
+        Timing timing = guarded(() -> {
+            JsonRecord time = JsonRecord.read(line).only("type at took", "");
+            return new Timing(time.whole("at", 0, Timing.MOST), time.whole("took", 0, Timing.MOST));
+        });
+        ahead = null;
+        return timing;
+    }
+
+    /** Reads something. */
+    @FunctionalInterface
+    private interface Reading<T> {
+        T read() throws IOException;
+    }
+
+    /** Whatever is wrong with a line is told with its place. */
+    private <T> T guarded(Reading<T> reading) throws ScenarioException {
+        try {
+            return reading.read();
+        } catch (IOException | IllegalArgumentException e) {
+            throw lines.refused(String.valueOf(e.getMessage()), e);
+        }
+    }
+
+    @Override
+    public void close() throws IOException {
+        lines.close();
+    }
+}

@@ -1,0 +1,70 @@
+package robosim.geometry.scenario;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.DistanceBundle;
+import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.SonarRequestBundle;
+
+/**
+ * One request of a conversation, and its answer.
+ *
+ * @param line     where the request stands in its file, from 1; 0 where there is none
+ * @param notes    what people are told before it
+ * @param request  an {@link InitBundle}, a {@link MoveBundle} or a {@link SonarRequestBundle}
+ * @param expected what was answered, or should be; null after an InitBundle, and where nothing is known of it
+ * @param timing   null where it was not recorded
+ */
+public record Step(
+        long line,
+        List<String> notes,
+        Bundle request,
+        @Nullable Reply expected,
+        @Nullable Timing timing) {
+
+    /** Refuses an answer that is none to such a request. */
+    public Step {
+        notes = List.copyOf(notes);
+        if (request == null || request instanceof DistanceBundle) {
+            throw new IllegalArgumentException("request must be an InitBundle, a MoveBundle or a SonarRequestBundle"
+                    + " (got: " + (request == null ? "null" : "a DistanceBundle") + ")");
+        }
+        if (expected != null) {
+            checkAnswer(request, expected.bundle());
+        }
+    }
+
+    /** A request without anything about it. */
+    public Step(Bundle request, @Nullable Reply expected) {
+        this(0, List.of(), request, expected, null);
+    }
+
+    /** Refuses an answer that no such request can have. */
+    static void checkAnswer(Bundle request, Bundle answer) {
+        if (request instanceof InitBundle) {
+            throw new IllegalArgumentException("an init must have no answer (got: one)");
+        }
+        if (request instanceof MoveBundle moves) {
+            if (!(answer instanceof MoveBundle made)) {
+                throw new IllegalArgumentException("moves must be answered by moves (got: distances)");
+            }
+            if (made.moves().size() > moves.moves().size()) {
+                throw new IllegalArgumentException("there must be at most as many moves made as asked for, "
+                        + moves.moves().size() + " (got: " + made.moves().size() + ")");
+            }
+        }
+        if (request instanceof SonarRequestBundle sonars) {
+            if (!(answer instanceof DistanceBundle distances)) {
+                throw new IllegalArgumentException("sonars must be answered by distances (got: moves)");
+            }
+            if (distances.distances().size() != sonars.requests().size()) {
+                throw new IllegalArgumentException("there must be one distance for each request, "
+                        + sonars.requests().size() + " (got: "
+                        + distances.distances().size() + ")");
+            }
+        }
+    }
+}

@@ -1,0 +1,25 @@
+package robosim.geometry.scenario;
+
+/**
+ * When a request was carried out; of interest to people and viewers, never compared.
+ *
+ * @param at   nanoseconds from the beginning of the recording
+ * @param took nanoseconds of work, without reading and writing
+ */
+public record Timing(long at, long took) {
+    /** The longest time, some 104 days: what a double can hold to the nanosecond. */
+    public static final long MOST = 1L << 53;
+
+    /** Refuses times below 0 or above {@link #MOST}. */
+    public Timing {
+        check("at", at);
+        check("took", took);
+    }
+
+    private static void check(String argument, long nanoseconds) {
+        if (nanoseconds < 0 || nanoseconds > MOST) {
+            throw new IllegalArgumentException(
+                    argument + " must be 0 to " + MOST + " nanoseconds (got: " + nanoseconds + ")");
+        }
+    }
+}

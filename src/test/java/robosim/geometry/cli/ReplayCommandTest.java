@@ -1,0 +1,146 @@
+package robosim.geometry.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import robosim.geometry.scenario.Replay;
+import robosim.geometry.scenario.Scenario;
+
+@Timeout(60)
+class ReplayCommandTest {
+    private static final Path STORED = Path.of("worlds", "scenarios");
+
+    @TempDir
+    Path folder;
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter err = new StringWriter();
+
+    private int run(Object... arguments) {
+        String[] line = new String[arguments.length];
+        for (int k = 0; k < line.length; k++) {
+            line[k] = arguments[k].toString();
+        }
+        out.getBuffer().setLength(0);
+        err.getBuffer().setLength(0);
+        return Commands.run(new PrintWriter(out, true), new PrintWriter(err, true), line);
+    }
+
+    private Path changed() throws IOException {
+        Path file = folder.resolve("changed.scenario.jsonl");
+        String text = Files.readString(STORED.resolve("quarter-turns.scenario.jsonl"));
+        Files.writeString(file, text.replaceFirst("\\[8\\.0,5\\.0", "[8.0,5.000000000000001"));
+        return file;
+    }
+
+    @Test
+    void theStoredScenariosAreAllTheSame() {
+        assertThat(run("replay", STORED)).isZero();
+        assertThat(out.toString()).startsWith("14 scenarios, ").contains("all the same, bit for bit");
+        assertThat(err.toString()).isEmpty();
+        assertThat(run("replay", STORED.resolve("by-hand.scenario.jsonl"))).isZero();
+        assertThat(out.toString()).startsWith("1 scenario, 4 steps, 3 moves and distances: ");
+    }
+
+    @Test
+    void aChangedBitIsTold() throws IOException {
+        Path file = changed();
+        assertThat(run("replay", STORED, file)).isEqualTo(Commands.WRONG);
+        assertThat(out.toString())
+                .contains(file + ": step 3 (line 5), request 1, a sonar of \"cube\" towards (0.0, 0, 1.0): expected"
+                        + " 5.000000000000001 (0x1.4000000000001p2), got 5.0 (0x1.4p2)")
+                .contains("15 scenarios, ", "1 answered otherwise, 0 unreadable");
+        assertThat(run("replay", "--most", "0", file)).isEqualTo(Commands.WRONG);
+        assertThat(out.toString()).contains("and 1 more steps are answered otherwise");
+    }
+
+    @Test
+    void whatCannotBeReadIsToldAndTheRestReplayed() throws IOException {
+        changed();
+        Path file = folder.resolve("none.scenario.jsonl");
+        Files.writeString(file, "{\"type\":\"scenario\",\"version\":1,\"title\":\"x\"}\n{\"type\":\"fly\"}\n");
+        assertThat(run("replay", folder, STORED.resolve("by-hand.scenario.jsonl")))
+                .isEqualTo(Commands.UNUSABLE);
+        assertThat(err.toString()).startsWith(file + ":2: ").doesNotContain("\tat ");
+        assertThat(out.toString()).contains("3 scenarios, ", "1 answered otherwise, 1 unreadable");
+        assertThat(run("replay", folder.resolve("nowhere"))).isEqualTo(Commands.UNUSABLE);
+        assertThat(err.toString()).contains("must be there");
+        assertThat(run("replay", Files.createDirectory(folder.resolve("empty"))))
+                .isEqualTo(Commands.UNUSABLE);
+        assertThat(err.toString()).contains("must hold a *.scenario.jsonl");
+        assertThat(run("replay")).isEqualTo(Commands.UNUSABLE);
+    }
+
+    @Test
+    void aTornFileIsToldAndReplayed() throws IOException {
+        Path file = folder.resolve("torn.scenario.jsonl");
+        String text = Files.readString(STORED.resolve("quarter-turns.scenario.jsonl"));
+        Files.writeString(file, text.substring(0, text.length() - 20));
+        assertThat(run("replay", file)).isZero();
+        assertThat(out.toString()).contains("line 27 breaks off", "all the same");
+    }
+
+    @Test
+    void aWorldOutsideOfTheRootIsRefused() {
+        Path byHand = STORED.resolve("by-hand.scenario.jsonl");
+        assertThat(run("replay", "--root", STORED, byHand)).isEqualTo(Commands.UNUSABLE);
+        assertThat(err.toString()).contains("by-hand.scenario.jsonl:3: file must lead to a file under");
+    }
+
+    @Test
+    void helpHasExamples() {
+        assertThat(run("replay", "--help")).isZero();
+        assertThat(out.toString()).contains("Exit code: ", "robosim-geometry replay recordings");
+        assertThat(run("serve", "--help")).isZero();
+        assertThat(out.toString()).contains("--record=PLACE", "--record recordings");
+    }
+
+    @Test
+    void connectRecordsWhatItIsAsked() throws Exception {
+        Path file = folder.resolve("session.scenario.jsonl");
+        try (ServerSocket listening = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            Thread environment = new Thread(() -> {
+                try (Socket socket = listening.accept()) {
+                    String lines = "{\"type\":\"hello\",\"version\":1}\n{\"type\":\"moves\",\"moves\":[]}\n";
+                    socket.getOutputStream().write(lines.getBytes(StandardCharsets.UTF_8));
+                    socket.shutdownOutput();
+                    socket.getInputStream().readAllBytes();
+                } catch (IOException e) {
+                    throw new AssertionError(e);
+                }
+            });
+            environment.start();
+            assertThat(run("connect", "localhost", listening.getLocalPort(), "--once", "--record", file))
+                    .isZero();
+            environment.join();
+        }
+        Scenario scenario = Scenario.read(file);
+        assertThat(scenario.steps()).hasSize(1);
+        assertThat(Replay.of(scenario)).isEmpty();
+        assertThat(run("connect", "localhost", 5555, "--record", file)).isEqualTo(Commands.UNUSABLE);
+        assertThat(err.toString()).contains("--record must be a new file");
+    }
+
+    @Test
+    void placesThatCannotBeRecordedIntoAreRefusedAtOnce() throws IOException {
+        Path file = Files.writeString(folder.resolve("file"), "x");
+        assertThat(run("serve", 0, "--record", file)).isEqualTo(Commands.UNUSABLE);
+        assertThat(err.toString()).contains("--record must be a folder");
+        assertThat(run("serve", 0, "--record", folder, "--record-bytes", 0)).isEqualTo(Commands.UNUSABLE);
+        assertThat(err.toString()).contains("--record-bytes must be at least 1");
+        assertThat(run("connect", "localhost", 5555, "--record", folder.resolve("no/where")))
+                .isEqualTo(Commands.UNUSABLE);
+        assertThat(err.toString()).contains("in a folder that can be written to");
+    }
+}
