@@ -6,9 +6,11 @@ module robosim.geometry {
     requires static java.desktop;
     requires static java.management;
     requires static org.jspecify;
+    requires static org.junit.jupiter.api;
 
     exports robosim.geometry;
     exports robosim.geometry.collision;
+    exports robosim.geometry.junit;
     exports robosim.geometry.model;
     exports robosim.geometry.net;
     exports robosim.geometry.protocol;

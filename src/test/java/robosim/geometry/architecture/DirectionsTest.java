@@ -30,21 +30,24 @@ class DirectionsTest {
             Map.entry("protocol", Set.of("model")),
             Map.entry("net", Set.of("", "protocol", "model", "exact")),
             Map.entry("scenario", Set.of("net", "world", "protocol", "model")),
+            Map.entry("junit", Set.of("", "scenario", "net", "protocol", "world", "collision", "model", "exact")),
             Map.entry("viewer", Set.of("", "world", "model", "exact")),
             Map.entry("cli", Set.of("", "viewer", "scenario", "net", "protocol", "world", "model")));
 
     /** Rooms whose use of a library or of a part of the JDK is theirs alone. */
-    private static final Map<String, Set<String>> ONLY_IN = Map.of(
-            "java.net.", Set.of("net", "cli"),
-            "javax.net.", Set.of("net"),
-            "java.lang.management.", Set.of("net"),
-            "javax.management.", Set.of("net"),
-            "javax.xml.", Set.of("world", "viewer"),
-            "org.xml.", Set.of("world", "viewer"),
-            "java.awt.", Set.of("viewer"),
-            "javax.swing.", Set.of("viewer"),
-            "com.fasterxml.jackson.", Set.of("protocol"),
-            "picocli.", Set.of("cli"));
+    private static final Map<String, Set<String>> ONLY_IN = Map.ofEntries(
+            Map.entry("java.net.", Set.of("net", "cli", "junit")),
+            Map.entry("javax.net.", Set.of("net")),
+            Map.entry("java.lang.management.", Set.of("net")),
+            Map.entry("javax.management.", Set.of("net")),
+            Map.entry("javax.xml.", Set.of("world", "viewer")),
+            Map.entry("org.xml.", Set.of("world", "viewer")),
+            Map.entry("java.awt.", Set.of("viewer")),
+            Map.entry("javax.swing.", Set.of("viewer")),
+            Map.entry("com.fasterxml.jackson.", Set.of("protocol")),
+            Map.entry("org.junit.", Set.of("junit")),
+            Map.entry("org.opentest4j.", Set.of("junit")),
+            Map.entry("picocli.", Set.of("cli")));
 
     private static final JavaClasses CLASSES = new ClassFileImporter()
             .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
@@ -133,6 +136,8 @@ class DirectionsTest {
                         || target.startsWith(ROOT)
                         || (target.startsWith("com.fasterxml.jackson.core.")
                                 && type.getName().startsWith(ROOT + ".protocol.Json"))
+                        || ((target.startsWith("org.junit.") || target.startsWith("org.opentest4j."))
+                                && room(type).equals("junit"))
                         || (target.startsWith("picocli.") && room(type).equals("cli"));
                 if (!known) {
                     wrong.add(type.getName() + " -> " + target);

@@ -1,0 +1,52 @@
+package robosim.geometry.junit;
+
+import robosim.geometry.model.Point;
+
+/** A robot on its way to a goal. */
+public final class Arrival {
+    private final RobotWorld world;
+    private final Robot robot;
+    private final Goal goal;
+
+    Arrival(RobotWorld world, Robot robot, Goal goal) {
+        this.world = world;
+        this.robot = robot;
+        this.goal = goal;
+    }
+
+    /**
+     * Lets the clock go on until the robot is there; fails where it is not after so many steps.
+     *
+     * @throws IllegalStateException where nothing would happen in a step, for no robot {@linkplain Robot#follows follows}
+     *     anything
+     */
+    public Robot within(int steps) {
+        if (steps < 0) {
+            throw new IllegalArgumentException("steps must be at least 0 (got: " + steps + ")");
+        }
+        long start = world.clock().steps();
+        double nearest = goal.missing(robot);
+        Point best = robot.center();
+        long bestStep = 0;
+        for (int k = 1; k <= steps && nearest > 0; k++) {
+            if (world.clock().isIdle()) {
+                throw new IllegalStateException(
+                        "a robot must follow a behaviour before one can reach anything in steps;"
+                                + " give it one by robot(...).follows(...) (got: none)");
+            }
+            world.clock().advance();
+            double missing = goal.missing(robot);
+            if (missing < nearest) {
+                nearest = missing;
+                best = robot.center();
+                bestStep = world.clock().steps() - start;
+            }
+        }
+        if (nearest > 0) {
+            throw robot.failure(" was to reach " + goal + " in " + steps + " steps, but came no nearer than "
+                    + Words.number(nearest) + " short of it, after " + bestStep + " steps at " + Words.point(best)
+                    + "; it stands " + Words.place(robot.object()) + world.lastRefusal(robot.name()));
+        }
+        return robot;
+    }
+}

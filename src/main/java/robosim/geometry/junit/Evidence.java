@@ -1,0 +1,59 @@
+package robosim.geometry.junit;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.scenario.Scenario;
+import robosim.geometry.scenario.ScenarioReader;
+
+/** What a failed test leaves in its folder. */
+final class Evidence {
+    private static final String REPLAY = "replay" + ScenarioReader.ENDING;
+    private static final String WORDS = "failure.txt";
+
+    private final Path folder;
+
+    Evidence(Path folder) {
+        this.folder = folder;
+    }
+
+    /** Takes away what an earlier run left. */
+    void clear() throws IOException {
+        Files.deleteIfExists(folder.resolve(REPLAY));
+        Files.deleteIfExists(folder.resolve(WORDS));
+    }
+
+    /** Leaves all there is and answers the lines of the message that name it. Nothing is thrown: the failure goes first. */
+    String leave(String failure, long seed, @Nullable RobotWorld world, String title) {
+        String lines = "\n  seed:   " + seed + " (as @Seed(" + seed + "L) or -Drobosim.seed=" + seed + ")";
+        if (world != null) {
+            lines += "\n  replay: " + replay(world, title);
+        }
+        try {
+            Files.createDirectories(folder);
+            Files.writeString(folder.resolve(WORDS), title + "\n" + failure + lines + "\n", StandardCharsets.UTF_8);
+        } catch (IOException | RuntimeException e) {
+            lines += "\n  and " + folder.resolve(WORDS) + " could not be written: " + e;
+        }
+        return lines;
+    }
+
+    private String replay(RobotWorld world, String title) {
+        Path file = folder.resolve(REPLAY);
+        try {
+            Files.createDirectories(folder);
+            Scenario scenario = world.scenario(title);
+            try (OutputStream out = Files.newOutputStream(file)) {
+                scenario.write(out);
+            }
+            return file.toString();
+        } catch (NoClassDefFoundError e) {
+            return "none, for jackson-core is not on the class path (" + e.getMessage() + ")";
+        } catch (IOException | RuntimeException e) {
+            return "none, for it could not be written: " + e;
+        }
+    }
+}

@@ -1,0 +1,193 @@
+package robosim.geometry.junit;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
+import org.opentest4j.AssertionFailedError;
+import robosim.geometry.Geometry;
+import robosim.geometry.MoveResult;
+import robosim.geometry.collision.Budget;
+import robosim.geometry.collision.ContactQuery;
+import robosim.geometry.collision.Verdict;
+import robosim.geometry.exact.Degrees;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Move;
+import robosim.geometry.protocol.MoveRequest;
+import robosim.geometry.protocol.Text;
+import robosim.geometry.scenario.Scenario;
+
+/**
+ * A world with robots that can be told by name what they do, and a clock. What they do is written down, so that a failed
+ * test can leave a scenario that replays it. It belongs to one thread at a time.
+ *
+ * <p>Angles are degrees, counter-clockwise seen from above. A turn is carried out as a peer's request would be, which comes
+ * in radians: quarter turns are exact, any other angle is to within its last bits.
+ */
+public final class RobotWorld {
+    private final Geometry geometry;
+    private final VirtualClock clock;
+    private final Transcript transcript;
+    private final Map<String, Robot> robots = new LinkedHashMap<>();
+    private final List<Refusal> refusals = new ArrayList<>();
+    private final List<Watch> watches = new ArrayList<>();
+
+    /** A move that was blocked. */
+    private record Refusal(String mover, @Nullable String obstacle, String words) {
+        boolean isBetween(String robot, String other) {
+            return (mover.equals(robot) && other.equals(obstacle)) || (mover.equals(other) && robot.equals(obstacle));
+        }
+    }
+
+    /** Two that must not touch. */
+    private record Watch(String robot, String other) {}
+
+    RobotWorld(Geometry geometry, VirtualClock clock) {
+        this.geometry = geometry;
+        this.clock = clock;
+        this.transcript = new Transcript(geometry);
+        transcript.catchUp();
+    }
+
+    /** For tests without the extension; a step of its clock is a tenth of a second. */
+    public static RobotWorld of(Geometry geometry) {
+        return new RobotWorld(geometry, new VirtualClock(Duration.ofMillis(100)));
+    }
+
+    /** The world itself; what is changed there the robots see. */
+    public Geometry geometry() {
+        return geometry;
+    }
+
+    /** Its clock. */
+    public VirtualClock clock() {
+        return clock;
+    }
+
+    /**
+     * A robot.
+     *
+     * @throws IllegalArgumentException where there is no moveable object of that name; it tells which there are
+     */
+    public Robot robot(String name) {
+        if (!geometry.hasObject(name) || !geometry.getObject(name).isMoveable()) {
+            throw new IllegalArgumentException("name must be that of a moveable object, one of " + names(true)
+                    + " (got: " + Text.quoted(name) + ")");
+        }
+        return robots.computeIfAbsent(name, each -> new Robot(this, each));
+    }
+
+    /** All moveable objects, in the order in which they were added. */
+    public List<Robot> robots() {
+        List<Robot> all = new ArrayList<>();
+        for (GeometryObject object : geometry.objects()) {
+            String name = object.name();
+            if (object.isMoveable() && name != null) {
+                all.add(robot(name));
+            }
+        }
+        return all;
+    }
+
+    /** What was done so far, as a scenario that ends with the world as it is. */
+    public Scenario scenario(String title) {
+        return transcript.scenario(title);
+    }
+
+    private String names(boolean moveable) {
+        return geometry.objects().stream()
+                .filter(object -> object.name() != null && (!moveable || object.isMoveable()))
+                .map(object -> Text.quoted(String.valueOf(object.name())))
+                .collect(Collectors.joining(", ", "[", "]"));
+    }
+
+    GeometryObject known(String name) {
+        if (!geometry.hasObject(name)) {
+            throw new IllegalArgumentException(
+                    "name must be that of an object, one of " + names(false) + " (got: " + Text.quoted(name) + ")");
+        }
+        return geometry.getObject(name);
+    }
+
+    /** The least distance of two objects, as a bracket. */
+    Verdict distance(String name, String other) {
+        return ContactQuery.distance(known(name), known(other), geometry.dimension(), Budget.UNLIMITED);
+    }
+
+    private boolean touch(String name, String other) {
+        return ContactQuery.ask(known(name), known(other), geometry.dimension(), Budget.UNLIMITED)
+                        .answer()
+                != Verdict.Answer.NO;
+    }
+
+    MoveResult move(String name, Move move) {
+        transcript.catchUp();
+        MoveRequest request = new MoveRequest(
+                name, move.x(), move.y(), move.z(), Degrees.toRadians(move.rx()), Degrees.toRadians(move.ry()));
+        Move asked = new Move(
+                move.x(), move.y(), move.z(), Degrees.toDegrees(request.rx()), Degrees.toDegrees(request.ry()));
+        MoveResult result = geometry.move(name, asked);
+        String refusal = result.allowed() ? null : Words.blocked(move, result);
+        transcript.moved(request, refusal, clock.steps());
+        if (refusal != null) {
+            GeometryObject obstacle = result.obstacle();
+            String words = "robot " + Text.quoted(name) + " was to " + Words.move(move) + moment() + " and was "
+                    + refusal + "; it stands " + Words.place(known(name));
+            refusals.add(new Refusal(name, obstacle == null ? null : obstacle.name(), words));
+        }
+        watches.forEach(this::check);
+        return result;
+    }
+
+    double measure(String name, double degrees) {
+        transcript.catchUp();
+        double x = Degrees.cos(degrees);
+        double z = -Degrees.sin(degrees);
+        double distance = geometry.getSonarDistance(name, x, z, 0, Double.POSITIVE_INFINITY, 0);
+        transcript.measured(name, x, z, distance, clock.steps());
+        return distance;
+    }
+
+    /** From now on, and looking back. */
+    void watch(String robot, String other) {
+        known(other);
+        if (robot.equals(other)) {
+            throw new IllegalArgumentException(
+                    "other must be another than the robot itself (got: " + Text.quoted(other) + ")");
+        }
+        Watch watch = new Watch(robot, other);
+        check(watch);
+        watches.add(watch);
+    }
+
+    private void check(Watch watch) {
+        String pair = "robot " + Text.quoted(watch.robot) + " must never touch " + Text.quoted(watch.other);
+        for (Refusal refusal : refusals) {
+            if (refusal.isBetween(watch.robot, watch.other)) {
+                throw new AssertionFailedError(pair + ", but " + refusal.words);
+            }
+        }
+        if (geometry.hasObject(watch.other) && geometry.hasObject(watch.robot) && touch(watch.robot, watch.other)) {
+            throw new AssertionFailedError(pair + ", but they touch" + moment() + ": "
+                    + Words.object(known(watch.robot)) + " and " + Words.object(known(watch.other)));
+        }
+    }
+
+    /** The robot's last refusal, for a message; empty where there is none. */
+    String lastRefusal(String name) {
+        for (int k = refusals.size() - 1; k >= 0; k--) {
+            if (refusals.get(k).mover.equals(name)) {
+                return "; the last that stopped it: " + refusals.get(k).words;
+            }
+        }
+        return "";
+    }
+
+    /** When it is, for a message; empty before the first step. */
+    String moment() {
+        return clock.steps() == 0 ? "" : " in step " + clock.steps();
+    }
+}

@@ -1,0 +1,139 @@
+package robosim.geometry.junit;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Optional;
+import java.util.Random;
+import java.util.SplittableRandom;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.extension.ExtensionConfigurationException;
+import org.junit.jupiter.api.extension.ExtensionContext;
+import org.junit.platform.commons.support.AnnotationSupport;
+import robosim.geometry.Geometry;
+
+/** What one test is given. A world is made when it is first asked for. */
+final class Run {
+    private static final Pattern INVOCATION = Pattern.compile("#(\\d+)]");
+
+    private final ExtensionContext context;
+    private final @Nullable World annotation;
+    private final Choice choice;
+    private final long seed;
+    private final SplittableRandom splittable;
+    private final Random random;
+    private @Nullable RobotWorld world;
+
+    /** Which of several worlds and seeds; null where there is nothing to choose. */
+    record Choice(@Nullable String world, @Nullable Long seed) {
+        static final Choice NONE = new Choice(null, null);
+    }
+
+    Run(ExtensionContext context, Choice choice) {
+        this.context = context;
+        this.choice = choice;
+        this.annotation = find(context, World.class).orElse(null);
+        this.seed = seed();
+        this.splittable = new SplittableRandom(seed);
+        this.random = new Random(seed);
+    }
+
+    /** The nearest: on the method, its class, or those around it. */
+    static <A extends java.lang.annotation.Annotation> Optional<A> find(ExtensionContext context, Class<A> type) {
+        Optional<ExtensionContext> at = Optional.of(context);
+        while (at.isPresent()) {
+            Optional<A> found = AnnotationSupport.findAnnotation(at.get().getElement(), type);
+            if (found.isPresent()) {
+                return found;
+            }
+            at = at.get().getParent();
+        }
+        return Optional.empty();
+    }
+
+    private long seed() {
+        Optional<String> wanted = context.getConfigurationParameter("robosim.seed");
+        if (wanted.isPresent()) {
+            try {
+                return Long.parseLong(wanted.get().trim());
+            } catch (NumberFormatException e) {
+                throw new ExtensionConfigurationException(
+                        "robosim.seed must be a whole number (got: " + wanted.get() + ")", e);
+            }
+        }
+        Long chosen = choice.seed();
+        if (chosen != null) {
+            return chosen;
+        }
+        Optional<Seed> seeds = find(context, Seed.class);
+        if (seeds.isEmpty()) {
+            return name(context).hashCode();
+        }
+        long[] values = seeds.get().value();
+        if (values.length != 1) {
+            throw new ExtensionConfigurationException(
+                    "@Seed must have one value but for a @ScenarioTest (got: " + values.length + ")");
+        }
+        return values[0];
+    }
+
+    RobotWorld world() {
+        if (world == null) {
+            if (annotation == null) {
+                throw new ExtensionConfigurationException("a test with a world must have one by @World (got: none)");
+            }
+            world = new RobotWorld(geometry(annotation), new VirtualClock(Duration.ofMillis(annotation.stepMillis())));
+        }
+        return world;
+    }
+
+    private Geometry geometry(World named) {
+        Class<?> test = context.getRequiredTestClass();
+        String[] files = named.value();
+        if (named.method().isEmpty() == (files.length == 0)) {
+            throw new ExtensionConfigurationException("@World must name either files or a method (got: "
+                    + (files.length == 0 ? "neither" : "both") + ")");
+        }
+        if (files.length == 0) {
+            return WorldFile.build(named.method(), test);
+        }
+        String chosen = choice.world();
+        if (chosen == null && files.length > 1) {
+            throw new ExtensionConfigurationException(
+                    "@World must name one file but for a @ScenarioTest (got: " + files.length + ")");
+        }
+        return WorldFile.read(chosen == null ? files[0] : chosen, test);
+    }
+
+    SplittableRandom splittable() {
+        return splittable;
+    }
+
+    Random random() {
+        return random;
+    }
+
+    static Evidence evidence(ExtensionContext context) {
+        String folder = context.getConfigurationParameter("robosim.evidence").orElse("target/robosim");
+        return new Evidence(Path.of(folder, name(context)));
+    }
+
+    /** The lines that name what was left. */
+    String leave(String failure) {
+        return evidence(context).leave(failure, seed, world, name(context) + ", seed " + seed);
+    }
+
+    /** Class, method and number of the invocation, as a folder may be called. */
+    private static String name(ExtensionContext context) {
+        StringBuilder name =
+                new StringBuilder(context.getRequiredTestClass().getName().replace('$', '.')
+                        + "."
+                        + context.getRequiredTestMethod().getName());
+        Matcher invocation = INVOCATION.matcher(context.getUniqueId());
+        while (invocation.find()) {
+            name.append('-').append(invocation.group(1));
+        }
+        return name.toString();
+    }
+}

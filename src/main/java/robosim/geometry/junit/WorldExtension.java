@@ -1,0 +1,122 @@
+package robosim.geometry.junit;
+
+import java.io.IOException;
+import java.time.Clock;
+import java.util.Random;
+import java.util.Set;
+import java.util.SplittableRandom;
+import java.util.random.RandomGenerator;
+import org.junit.jupiter.api.extension.BeforeEachCallback;
+import org.junit.jupiter.api.extension.ExtensionConfigurationException;
+import org.junit.jupiter.api.extension.ExtensionContext;
+import org.junit.jupiter.api.extension.LifecycleMethodExecutionExceptionHandler;
+import org.junit.jupiter.api.extension.ParameterContext;
+import org.junit.jupiter.api.extension.ParameterResolver;
+import org.junit.jupiter.api.extension.TestExecutionExceptionHandler;
+import org.opentest4j.AssertionFailedError;
+import org.opentest4j.IncompleteExecutionException;
+import robosim.geometry.Geometry;
+
+/** Gives tests what they ask for, and tells on failure how to see it again. Comes with {@link World} and {@link Seed}. */
+public final class WorldExtension
+        implements BeforeEachCallback,
+                ParameterResolver,
+                TestExecutionExceptionHandler,
+                LifecycleMethodExecutionExceptionHandler {
+    private static final ExtensionContext.Namespace NAMESPACE = ExtensionContext.Namespace.create(WorldExtension.class);
+
+    private static final Set<Class<?>> TYPES = Set.of(
+            Geometry.class,
+            RobotWorld.class,
+            VirtualClock.class,
+            Clock.class,
+            RandomGenerator.class,
+            SplittableRandom.class,
+            Random.class);
+
+    /** For JUnit. */
+    public WorldExtension() {}
+
+    /** Before anything of a test is asked for. */
+    static void choose(ExtensionContext context, Run.Choice choice) {
+        context.getStore(NAMESPACE).put(Run.Choice.class, choice);
+    }
+
+    private static Run run(ExtensionContext context) {
+        ExtensionContext.Store store = context.getStore(NAMESPACE);
+        Run run = store.get(Run.class, Run.class);
+        if (run == null) {
+            Run.Choice choice = store.get(Run.Choice.class, Run.Choice.class);
+            run = new Run(context, choice == null ? Run.Choice.NONE : choice);
+            store.put(Run.class, run);
+        }
+        return run;
+    }
+
+    @Override
+    public void beforeEach(ExtensionContext context) throws IOException {
+        Run.evidence(context).clear();
+    }
+
+    @Override
+    public boolean supportsParameter(ParameterContext parameter, ExtensionContext context) {
+        return context.getTestMethod().isPresent()
+                && TYPES.contains(parameter.getParameter().getType());
+    }
+
+    @Override
+    public Object resolveParameter(ParameterContext parameter, ExtensionContext context) {
+        Run run = run(context);
+        Class<?> type = parameter.getParameter().getType();
+        if (type == Geometry.class) {
+            return run.world().geometry();
+        }
+        if (type == RobotWorld.class) {
+            return run.world();
+        }
+        if (type == VirtualClock.class || type == Clock.class) {
+            return run.world().clock();
+        }
+        return type == Random.class ? run.random() : run.splittable();
+    }
+
+    @Override
+    public void handleTestExecutionException(ExtensionContext context, Throwable thrown) throws Throwable {
+        throw told(context, thrown);
+    }
+
+    @Override
+    public void handleBeforeEachMethodExecutionException(ExtensionContext context, Throwable thrown) throws Throwable {
+        throw told(context, thrown);
+    }
+
+    @Override
+    public void handleAfterEachMethodExecutionException(ExtensionContext context, Throwable thrown) throws Throwable {
+        throw told(context, thrown);
+    }
+
+    /** The same failure with the evidence in its message; what is no failure, or a broken JVM, as it is. */
+    private static Throwable told(ExtensionContext context, Throwable thrown) {
+        if (thrown instanceof IncompleteExecutionException || thrown instanceof VirtualMachineError) {
+            return thrown;
+        }
+        String words = thrown instanceof AssertionError ? String.valueOf(thrown.getMessage()) : thrown.toString();
+        String evidence;
+        try {
+            evidence = run(context).leave(words);
+        } catch (ExtensionConfigurationException e) { // no seed, and so no run
+            thrown.addSuppressed(e);
+            return thrown;
+        }
+        AssertionFailedError told = compared(thrown, words + evidence);
+        told.setStackTrace(thrown.getStackTrace());
+        return told;
+    }
+
+    private static AssertionFailedError compared(Throwable thrown, String message) {
+        if (thrown instanceof AssertionFailedError failed && failed.isExpectedDefined() && failed.isActualDefined()) {
+            return new AssertionFailedError(message, failed.getExpected(), failed.getActual(), failed);
+        }
+        return new AssertionFailedError(message, thrown);
+    }
+}

@@ -1,0 +1,61 @@
+package robosim.geometry.junit;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.lang.reflect.Method;
+import java.lang.reflect.Modifier;
+import java.net.URISyntaxException;
+import java.net.URL;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.extension.ExtensionConfigurationException;
+import org.junit.platform.commons.support.ReflectionSupport;
+import robosim.geometry.Geometry;
+import robosim.geometry.world.WorldReader;
+
+/** Makes the world that an annotation names. */
+final class WorldFile {
+    private WorldFile() {}
+
+    static Geometry read(String name, Class<?> test) {
+        Path file = Path.of(name);
+        try {
+            if (Files.exists(file)) {
+                return WorldReader.read(file).toGeometry();
+            }
+            URL resource = resource(name, test);
+            if (resource == null) {
+                throw new ExtensionConfigurationException(
+                        "@World must name a file, from " + Path.of("").toAbsolutePath()
+                                + ", or a resource of the class path, from its root or beside " + test.getName()
+                                + " (got: " + name
+                                + ")");
+            }
+            if (resource.getProtocol().equals("file")) { // so that its meshes are found beside it
+                return WorldReader.read(Path.of(resource.toURI())).toGeometry();
+            }
+            try (InputStream in = resource.openStream()) {
+                return WorldReader.read(in, name, null).toGeometry();
+            }
+        } catch (IOException | URISyntaxException | IllegalArgumentException e) {
+            throw new ExtensionConfigurationException("the world of @World cannot be had: " + e.getMessage(), e);
+        }
+    }
+
+    private static @Nullable URL resource(String name, Class<?> test) {
+        URL beside = test.getResource(name);
+        return beside != null ? beside : test.getResource("/" + name);
+    }
+
+    static Geometry build(String method, Class<?> test) {
+        Method found = ReflectionSupport.findMethod(test, method)
+                .filter(each -> Modifier.isStatic(each.getModifiers()) && each.getReturnType() == Geometry.class)
+                .orElseThrow(() -> new ExtensionConfigurationException("@World(method) must name a static method of "
+                        + test.getName() + " without parameters that returns a Geometry (got: " + method + ")"));
+        if (ReflectionSupport.invokeMethod(found, null) instanceof Geometry geometry) {
+            return geometry;
+        }
+        throw new ExtensionConfigurationException("the method of @World must return a world (got: null)");
+    }
+}

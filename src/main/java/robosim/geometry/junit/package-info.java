@@ -1,0 +1,21 @@
+/**
+ * Tests for people who write robots, on JUnit Jupiter 5 or 6: a world from a file, robots by name, a clock that only steps
+ * move, a random source whose seed a failure tells, and on failure a scenario file that replays what happened.
+ *
+ * <pre>{@code
+ * @World("worlds/rooms.xml")
+ * class CorridorTest {
+ *     @Test
+ *     void drumOneLeavesTheCorridor(RobotWorld world) {
+ *         world.robot("drum 1").drives(2.0).turns(90).senses(0, 3.0).neverTouches("bench 1");
+ *     }
+ * }
+ * }</pre>
+ *
+ * <p>{@code docs/scenario-tests.md} is the guide. Needs JUnit Jupiter's API beside the module, and Jackson's core where
+ * scenarios are read or written. Nothing here sleeps or reads the time of day.
+ */
+@NullMarked
+package robosim.geometry.junit;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,82 @@
+package robosim.geometry.junit;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.util.random.RandomGenerator;
+import org.junit.jupiter.api.Test;
+import robosim.geometry.Geometry;
+import robosim.geometry.model.Point;
+
+/** Tests that fail, each in its way; {@link WorldExtensionTest} runs them. No build finds them by their name. */
+final class Doomed {
+    private Doomed() {}
+
+    @World(method = "wallAhead")
+    static class Failing {
+        static Geometry wallAhead() {
+            return Worlds.wallAhead();
+        }
+
+        @Test
+        @Seed(7)
+        void blocked(RobotWorld world, RandomGenerator random) {
+            world.robot("r1").drives(0.5 + random.nextDouble() * 0.5).drives(3.5);
+        }
+
+        @Test
+        void compared(RobotWorld world) {
+            assertEquals(4.0, world.robot("r1").range(0));
+        }
+
+        @Test
+        void broken(Geometry geometry) {
+            geometry.simpleMove("r1", 1, 0, 0);
+            throw new IllegalStateException("out of luck");
+        }
+
+        @Test
+        void assumed(RobotWorld world) {
+            assumeTrue(world.robots().isEmpty());
+        }
+
+        @Test
+        void passes(RobotWorld world) {
+            world.robot("r1").drives(1);
+        }
+    }
+
+    @World("nowhere.xml")
+    static class Misplaced {
+        @Test
+        void unknown(RobotWorld world) {}
+
+        @Test
+        @World({"worlds/rooms.xml", "worlds/maze.xml"})
+        void several(RobotWorld world) {}
+
+        @Test
+        @World(method = "missing")
+        void method(RobotWorld world) {}
+
+        @Test
+        @World
+        void neither(RobotWorld world) {}
+
+        @Test
+        @World("robosim/geometry/world/world.xsd")
+        void schema(RobotWorld world) {}
+    }
+
+    @World({"worlds/rooms.xml", "worlds/warehouse.xml"})
+    @Seed({1, 2, 3})
+    static class Manifold {
+        @ScenarioTest
+        void each(RobotWorld world, RandomGenerator random) {
+            Robot robot = world.robots().get(0);
+            Point start = robot.center();
+            robot.triesToTurn(random.nextDouble() * 360);
+            throw new AssertionError(world.robots().size() + " robots, " + start + ", " + robot.heading());
+        }
+    }
+}
