@@ -24,13 +24,25 @@ final class Evidence {
     void clear() throws IOException {
         Files.deleteIfExists(folder.resolve(REPLAY));
         Files.deleteIfExists(folder.resolve(WORDS));
+        int connection = 1;
+        while (Files.deleteIfExists(talk(connection))) {
+            connection++;
+        }
+    }
+
+    private Path talk(int connection) {
+        return folder.resolve("connection-" + connection + ScenarioReader.ENDING);
     }
 
     /** Leaves all there is and answers the lines of the message that name it. Nothing is thrown: the failure goes first. */
-    String leave(String failure, long seed, @Nullable RobotWorld world, String title) {
+    String leave(String failure, long seed, @Nullable RobotWorld world, Talks talks, String title) {
         String lines = "\n  seed:   " + seed + " (as @Seed(" + seed + "L) or -Drobosim.seed=" + seed + ")";
         if (world != null) {
             lines += "\n  replay: " + replay(world, title);
+        }
+        int connection = 0;
+        for (byte[] recording : talks.recorded()) {
+            lines += "\n  talk:   " + talk(++connection, recording);
         }
         try {
             Files.createDirectories(folder);
@@ -39,6 +51,19 @@ final class Evidence {
             lines += "\n  and " + folder.resolve(WORDS) + " could not be written: " + e;
         }
         return lines;
+    }
+
+    private String talk(int connection, byte[] recording) {
+        Path file = talk(connection);
+        if (recording.length == 0) {
+            return "none of connection " + connection + ", which said nothing or could not be recorded";
+        }
+        try {
+            Files.createDirectories(folder);
+            return Files.write(file, recording).toString();
+        } catch (IOException | RuntimeException e) {
+            return "none, for it could not be written: " + e;
+        }
     }
 
     private String replay(RobotWorld world, String title) {

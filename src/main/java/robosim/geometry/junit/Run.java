@@ -23,6 +23,7 @@ final class Run {
     private final long seed;
     private final SplittableRandom splittable;
     private final Random random;
+    private final Talks talks = new Talks();
     private @Nullable RobotWorld world;
 
     /** Which of several worlds and seeds; null where there is nothing to choose. */
@@ -119,9 +120,13 @@ final class Run {
         return new Evidence(Path.of(folder, name(context)));
     }
 
+    Talks talks() {
+        return talks;
+    }
+
     /** The lines that name what was left. */
     String leave(String failure) {
-        return evidence(context).leave(failure, seed, world, name(context) + ", seed " + seed);
+        return evidence(context).leave(failure, seed, world, talks, name(context) + ", seed " + seed);
     }
 
     /** Class, method and number of the invocation, as a folder may be called. */

@@ -13,7 +13,8 @@ import org.junit.jupiter.api.extension.ExtendWith;
  *
  * <p>The test and its {@code BeforeEach} and {@code AfterEach} methods may ask for a {@link RobotWorld}, its {@link
  * robosim.geometry.Geometry}, a {@link VirtualClock} and a seeded {@link java.util.random.RandomGenerator}, {@link
- * java.util.SplittableRandom} or {@link java.util.Random}.
+ * java.util.SplittableRandom} or {@link java.util.Random}; and for a client under test for a {@link
+ * robosim.geometry.net.GeometryServer} that listens on a free port of the loopback address until the test has ended.
  */
 @Target({ElementType.TYPE, ElementType.METHOD})
 @Retention(RetentionPolicy.RUNTIME)

@@ -6,6 +6,7 @@ import java.util.Random;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.random.RandomGenerator;
+import org.junit.jupiter.api.extension.AfterEachCallback;
 import org.junit.jupiter.api.extension.BeforeEachCallback;
 import org.junit.jupiter.api.extension.ExtensionConfigurationException;
 import org.junit.jupiter.api.extension.ExtensionContext;
@@ -16,10 +17,12 @@ import org.junit.jupiter.api.extension.TestExecutionExceptionHandler;
 import org.opentest4j.AssertionFailedError;
 import org.opentest4j.IncompleteExecutionException;
 import robosim.geometry.Geometry;
+import robosim.geometry.net.GeometryServer;
 
 /** Gives tests what they ask for, and tells on failure how to see it again. Comes with {@link World} and {@link Seed}. */
 public final class WorldExtension
         implements BeforeEachCallback,
+                AfterEachCallback,
                 ParameterResolver,
                 TestExecutionExceptionHandler,
                 LifecycleMethodExecutionExceptionHandler {
@@ -27,6 +30,7 @@ public final class WorldExtension
 
     private static final Set<Class<?>> TYPES = Set.of(
             Geometry.class,
+            GeometryServer.class,
             RobotWorld.class,
             VirtualClock.class,
             Clock.class,
@@ -59,6 +63,14 @@ public final class WorldExtension
     }
 
     @Override
+    public void afterEach(ExtensionContext context) {
+        Run run = context.getStore(NAMESPACE).get(Run.class, Run.class);
+        if (run != null) {
+            run.talks().close();
+        }
+    }
+
+    @Override
     public boolean supportsParameter(ParameterContext parameter, ExtensionContext context) {
         return context.getTestMethod().isPresent()
                 && TYPES.contains(parameter.getParameter().getType());
@@ -68,6 +80,9 @@ public final class WorldExtension
     public Object resolveParameter(ParameterContext parameter, ExtensionContext context) {
         Run run = run(context);
         Class<?> type = parameter.getParameter().getType();
+        if (type == GeometryServer.class) {
+            return run.talks().server();
+        }
         if (type == Geometry.class) {
             return run.world().geometry();
         }

@@ -22,7 +22,7 @@ final class Examples {
     private Examples() {}
 
     static List<Path> sources() throws IOException {
-        try (Stream<Path> files = Files.walk(FOLDER)) {
+        try (Stream<Path> files = Files.list(FOLDER)) {
             return files.filter(file -> file.toString().endsWith(".java"))
                     .sorted()
                     .toList();

@@ -3,10 +3,24 @@ package robosim.geometry.junit;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
 import java.util.random.RandomGenerator;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Geometry;
+import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.net.GeometryServer;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.JsonLines;
+import robosim.geometry.protocol.SonarRequest;
+import robosim.geometry.protocol.SonarRequestBundle;
 
 /** Tests that fail, each in its way; {@link WorldExtensionTest} runs them. No build finds them by their name. */
 final class Doomed {
@@ -77,6 +91,27 @@ final class Doomed {
             Point start = robot.center();
             robot.triesToTurn(random.nextDouble() * 360);
             throw new AssertionError(world.robots().size() + " robots, " + start + ", " + robot.heading());
+        }
+    }
+
+    @Seed(1)
+    static class Talking {
+        static int port;
+
+        @Test
+        void talks(GeometryServer server) throws IOException {
+            port = server.port();
+            List<GeometryObject> objects = Worlds.wallAhead().objects();
+            try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), port)) {
+                Bundle sonar = new SonarRequestBundle(List.of(new SonarRequest("r1", 1, 0)));
+                String lines = "{\"type\":\"hello\",\"version\":1}\n" + JsonLines.write(new InitBundle(objects)) + "\n"
+                        + JsonLines.write(sonar) + "\n";
+                socket.getOutputStream().write(lines.getBytes(StandardCharsets.UTF_8));
+                BufferedReader in =
+                        new BufferedReader(new InputStreamReader(socket.getInputStream(), StandardCharsets.UTF_8));
+                in.readLine(); // the hello
+                throw new AssertionError(in.readLine());
+            }
         }
     }
 }

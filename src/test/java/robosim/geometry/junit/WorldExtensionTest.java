@@ -1,8 +1,12 @@
 package robosim.geometry.junit;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.net.ConnectException;
+import java.net.InetAddress;
+import java.net.Socket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Clock;
@@ -160,5 +164,20 @@ class WorldExtensionTest {
         assertThat(Launched.message(results.get("worlds/warehouse.xml, seed 2")))
                 .contains("@Seed(2L)");
         assertThat(folder).isDirectoryContaining(path -> path.toString().endsWith("Manifold.each-6"));
+    }
+
+    @Test
+    void aServerForAClientIsThereUntilTheTestHasEnded(@TempDir Path folder) throws IOException {
+        Map<String, TestExecutionResult> results =
+                Launched.run(Doomed.Talking.class, Map.of("robosim.evidence", folder.toString()));
+        Path talk = folder.resolve(Doomed.class.getName() + ".Talking.talks").resolve("connection-1.scenario.jsonl");
+        assertThat(Launched.message(results.get("talks")))
+                .startsWith("{\"type\":\"distances\",\"distances\":[3.5]")
+                .endsWith("\n  talk:   " + talk);
+        Scenario scenario = Scenario.read(talk);
+        assertThat(scenario.steps()).hasSize(2);
+        assertThat(Replay.of(scenario)).isEmpty();
+        assertThatThrownBy(() -> new Socket(InetAddress.getLoopbackAddress(), Doomed.Talking.port).close())
+                .isInstanceOf(ConnectException.class);
     }
 }
