@@ -7,23 +7,28 @@ import java.util.logging.Level;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
 
-/** The log lines of this package from WARNING up, while it is open; the console does not get them. */
-final class LogCapture extends Handler implements AutoCloseable {
-    private static final Logger LOGGER = Logger.getLogger("robosim.geometry.net");
-
+/** The log lines of a package from WARNING up, while it is open; the console does not get them. */
+public final class LogCapture extends Handler implements AutoCloseable {
+    private final Logger logger;
     private final List<String> lines = new CopyOnWriteArrayList<>();
 
     LogCapture() {
-        LOGGER.addHandler(this);
-        LOGGER.setUseParentHandlers(false);
+        this("robosim.geometry.net");
+    }
+
+    /** Of the package of that name. */
+    public LogCapture(String name) {
+        logger = Logger.getLogger(name);
+        logger.addHandler(this);
+        logger.setUseParentHandlers(false);
     }
 
     /** Level and text. */
-    List<String> lines() {
+    public List<String> lines() {
         return List.copyOf(lines);
     }
 
-    List<String> linesWith(String part) {
+    public List<String> linesWith(String part) {
         return lines.stream().filter(line -> line.contains(part)).toList();
     }
 
@@ -39,7 +44,7 @@ final class LogCapture extends Handler implements AutoCloseable {
 
     @Override
     public void close() {
-        LOGGER.removeHandler(this);
-        LOGGER.setUseParentHandlers(true);
+        logger.removeHandler(this);
+        logger.setUseParentHandlers(true);
     }
 }

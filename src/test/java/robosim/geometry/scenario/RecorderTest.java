@@ -23,6 +23,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.net.LogCapture;
 import robosim.geometry.net.Session;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
@@ -139,7 +140,7 @@ class RecorderTest {
         int size = file.size();
         byte[] whole = file.toByteArray();
         int header = HEADER.line().length() + 1;
-        try (LogCapture log = new LogCapture()) {
+        try (LogCapture log = new LogCapture("robosim.geometry.scenario")) {
             for (int room = 0; room < size; room += 7) {
                 file.reset();
                 Full disk = new Full(room);
@@ -164,7 +165,7 @@ class RecorderTest {
     void atTheMostBytesItStopsWithAWholeLine() throws IOException {
         answers(session(new Recorder("whole", this::open, null)));
         int size = file.size();
-        try (LogCapture log = new LogCapture()) {
+        try (LogCapture log = new LogCapture("robosim.geometry.scenario")) {
             for (int most = HEADER.line().length() + 1; most < size; most += 50) {
                 file.reset();
                 int limit = most;
@@ -191,7 +192,7 @@ class RecorderTest {
                 new IllegalStateException("x"),
                 new NoClassDefFoundError("x"),
                 new OutOfMemoryError("x"));
-        try (LogCapture log = new LogCapture()) {
+        try (LogCapture log = new LogCapture("robosim.geometry.scenario")) {
             for (Throwable failure : failures) {
                 Recorder recorder = new Recorder("test", () -> RecorderTest.<RuntimeException>sneak(failure), null);
                 assertThat(answers(session(recorder))).hasSize(talk().size());
@@ -208,7 +209,7 @@ class RecorderTest {
 
     @Test
     void aNameThatJsonCannotHoldEndsTheRecording() throws IOException {
-        try (LogCapture log = new LogCapture()) {
+        try (LogCapture log = new LogCapture("robosim.geometry.scenario")) {
             Recorder recorder = new Recorder("test", this::open, null);
             Session session = session(recorder);
             session.reply(new MoveBundle(List.of(move("\\ud800 is no pair, spelt out", 1, 0))));
@@ -269,7 +270,7 @@ class RecorderTest {
     void aFileIsNumberedWhereItIsTaken(@TempDir Path folder) throws IOException {
         Path file = folder.resolve("session.log");
         Recordings recordings = Recordings.inFile(file, HEADER.options()).atMost(1500);
-        try (LogCapture log = new LogCapture()) {
+        try (LogCapture log = new LogCapture("robosim.geometry.scenario")) {
             answers(session(recordings.apply("one")));
             answers(session(recordings.apply("two")));
             assertThat(log.linesWith("at most 1500")).hasSize(2);
