@@ -6,6 +6,7 @@ module robosim.geometry {
     requires static java.desktop;
     requires static java.management;
     requires static org.jspecify;
+    requires static org.snakeyaml.engine;
 
     exports robosim.geometry;
     exports robosim.geometry.collision;
