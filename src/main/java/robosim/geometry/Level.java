@@ -3,6 +3,7 @@ package robosim.geometry;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Attitude;
+import robosim.geometry.index.QuadCursor;
 import robosim.geometry.index.QuadTree;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
@@ -22,7 +23,7 @@ final class Level {
     final Accuracy accuracy;
     final Dimension dimension;
     final QuadTree tree;
-    final QuadTree.Cursor cursor;
+    final QuadCursor cursor;
     final Stacks stacks;
 
     /** More than any place or size in the plane. */

@@ -3,7 +3,7 @@ package robosim.geometry;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.index.OctTree;
-import robosim.geometry.index.QuadTree;
+import robosim.geometry.index.QuadCursor;
 import robosim.geometry.index.SpaceKeys;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Cast;
@@ -129,7 +129,7 @@ final class Ranging {
         } else {
             double slack = slack(level);
             double inverse = 1 / cast.length();
-            QuadTree.Cursor cursor = level.cursor;
+            QuadCursor cursor = level.cursor;
             cursor.startRay(ox, oz, dx, dz, loose(reach, slack) * inverse);
             for (int id = cursor.next(loose(reach, slack) * inverse);
                     id >= 0;

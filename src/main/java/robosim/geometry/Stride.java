@@ -3,7 +3,7 @@ package robosim.geometry;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.index.OctTree;
-import robosim.geometry.index.QuadTree;
+import robosim.geometry.index.QuadCursor;
 import robosim.geometry.index.SpaceKeys;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Pose;
@@ -103,7 +103,7 @@ final class Stride {
     }
 
     private boolean passesAll() {
-        QuadTree.Cursor cursor = level.cursor;
+        QuadCursor cursor = level.cursor;
         int near = cursor.gather(box[0], box[2], box[3], box[5], id);
         double[] boxes = cursor.boxes();
         for (int k = 0; k < near; k++) {

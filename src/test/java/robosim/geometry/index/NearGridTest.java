@@ -15,7 +15,7 @@ class NearGridTest {
     private static final int OBJECTS = 200;
 
     private final QuadTree tree = new QuadTree(-WORLD, -WORLD, WORLD, WORLD);
-    private final QuadTree.Cursor cursor = tree.cursor();
+    private final QuadCursor cursor = tree.cursor();
     private final double[][] boxes = new double[OBJECTS][];
 
     @ParameterizedTest

@@ -82,7 +82,7 @@ class QuadTreeTest {
         SplittableRandom random = new SplittableRandom(51 + scene.ordinal());
         double[][] boxes = new double[400][];
         QuadTree tree = new QuadTree(-WORLD, -WORLD, WORLD, WORLD);
-        QuadTree.Cursor cursor = tree.cursor();
+        QuadCursor cursor = tree.cursor();
         int found = 0;
         int asked = 0;
         for (int step = 0; step < 3000; step++) {
@@ -109,7 +109,7 @@ class QuadTreeTest {
         SplittableRandom random = new SplittableRandom(61 + scene.ordinal());
         double[][] boxes = new double[300][];
         QuadTree tree = new QuadTree(-WORLD, -WORLD, WORLD, WORLD);
-        QuadTree.Cursor cursor = tree.cursor();
+        QuadCursor cursor = tree.cursor();
         int found = 0;
         int asked = 0;
         for (int step = 0; step < 3000; step++) {
@@ -129,8 +129,7 @@ class QuadTreeTest {
     }
 
     /** What meets the box is there, but for one; and all that is there is listed by bounds that are just a little wider. */
-    private static int assertGathered(
-            QuadTree tree, QuadTree.Cursor cursor, double[][] boxes, double[] query, int but) {
+    private static int assertGathered(QuadTree tree, QuadCursor cursor, double[][] boxes, double[] query, int but) {
         BitSet expected = new BitSet();
         for (int id = 0; id < boxes.length; id++) {
             if (boxes[id] != null && id != but && meet(boxes[id], query)) {
@@ -157,7 +156,7 @@ class QuadTreeTest {
         SplittableRandom random = new SplittableRandom(71 + scene.ordinal());
         double[][] boxes = new double[150][];
         QuadTree tree = new QuadTree(-WORLD, -WORLD, WORLD, WORLD);
-        QuadTree.Cursor cursor = tree.cursor();
+        QuadCursor cursor = tree.cursor();
         int hits = 0;
         int misses = 0;
         for (int step = 0; step < 900; step++) {
@@ -191,7 +190,7 @@ class QuadTreeTest {
         SplittableRandom random = new SplittableRandom(91 + scene.ordinal());
         double[][] boxes = new double[150][];
         QuadTree tree = new QuadTree(-WORLD, -WORLD, WORLD, WORLD);
-        QuadTree.Cursor cursor = tree.cursor();
+        QuadCursor cursor = tree.cursor();
         int inside = 0;
         int near = 0;
         for (int step = 0; step < 900; step++) {
@@ -229,7 +228,7 @@ class QuadTreeTest {
         for (int id = 0; id < 100; id++) {
             tree.add(id, id, 0, id + 0.5, 1);
         }
-        QuadTree.Cursor cursor = tree.cursor();
+        QuadCursor cursor = tree.cursor();
         cursor.startRay(-5, 0.5, 1, 0, Double.POSITIVE_INFINITY);
         assertThat(cursor.next(100)).isZero();
         int rest = 0;
@@ -260,7 +259,7 @@ class QuadTreeTest {
             boxes[id] = new double[] {x, z, x + (x == side - 1 ? 1 : 0), z + (z == side - 1 ? 1 : 0)};
             tree.add(id, boxes[id][0], boxes[id][1], boxes[id][2], boxes[id][3]);
         }
-        QuadTree.Cursor cursor = tree.cursor();
+        QuadCursor cursor = tree.cursor();
         SplittableRandom random = new SplittableRandom(65);
         int hits = 0;
         for (int k = 0; k < 300; k++) {
@@ -290,7 +289,7 @@ class QuadTreeTest {
     void raysAlongBordersMeetThem() {
         QuadTree tree = new QuadTree(-10, -10, 10, 10);
         tree.add(0, 1, 1, 2, 2);
-        QuadTree.Cursor cursor = tree.cursor();
+        QuadCursor cursor = tree.cursor();
         double[][] rays = {
             {0, 1, 1, 0},
             {0, 2, 5, -0.0},
@@ -315,7 +314,7 @@ class QuadTreeTest {
     void aReachBeyondTheObjectsIsNoneWhateverTheSpeed() {
         QuadTree tree = new QuadTree(-10, -10, 10, 10);
         tree.add(0, 1, 1, 2, 2);
-        QuadTree.Cursor cursor = tree.cursor();
+        QuadCursor cursor = tree.cursor();
         for (int power = -1020; power <= 1000; power += 20) {
             double speed = Math.scalb(1.0, power);
             double[] ray = {0, 0, speed, speed};
@@ -338,7 +337,7 @@ class QuadTreeTest {
             tree.add(id, x, z, x + 1, z + 1);
         }
         assertThat(tree.regions()).isLessThan(4 * n);
-        QuadTree.Cursor cursor = tree.cursor();
+        QuadCursor cursor = tree.cursor();
         int queries = 1000;
         for (int i = 0; i < queries; i++) {
             double x = random.nextDouble(side);
@@ -395,7 +394,7 @@ class QuadTreeTest {
             double[] box = Scene.SPREAD.box(random);
             tree.add(id, box[0], box[1], box[2], box[3]);
         }
-        QuadTree.Cursor cursor = tree.cursor();
+        QuadCursor cursor = tree.cursor();
         query(cursor, 3000);
         var threads = (com.sun.management.ThreadMXBean) java.lang.management.ManagementFactory.getThreadMXBean();
         long before = threads.getCurrentThreadAllocatedBytes();
@@ -403,7 +402,7 @@ class QuadTreeTest {
         assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(3000);
     }
 
-    private static void query(QuadTree.Cursor cursor, int count) {
+    private static void query(QuadCursor cursor, int count) {
         for (int i = 0; i < count; i++) {
             double x = (i * 37) % 1000 - WORLD;
             double z = (i * 91) % 1000 - WORLD;
@@ -458,7 +457,7 @@ class QuadTreeTest {
                 };
     }
 
-    private static int assertBox(QuadTree tree, QuadTree.Cursor cursor, double[][] boxes, double[] query) {
+    private static int assertBox(QuadTree tree, QuadCursor cursor, double[][] boxes, double[] query) {
         BitSet expected = new BitSet();
         int size = 0;
         for (int id = 0; id < boxes.length; id++) {
@@ -485,7 +484,7 @@ class QuadTreeTest {
     }
 
     /** What is near a small box is all that meets it, and nothing that rounding to floats keeps away from it. */
-    private static void assertNear(QuadTree.Cursor cursor, double[][] boxes, double[] query, BitSet expected) {
+    private static void assertNear(QuadCursor cursor, double[][] boxes, double[] query, BitSet expected) {
         if (!cursor.startNear(query[0], query[1], query[2], query[3])) {
             return;
         }
@@ -535,7 +534,7 @@ class QuadTreeTest {
         return ray[2] == 0 && ray[3] == 0 ? new double[] {from[0], from[1], 1, 0} : ray;
     }
 
-    private static BitSet collectRay(QuadTree.Cursor cursor, double[] ray, double limit) {
+    private static BitSet collectRay(QuadCursor cursor, double[] ray, double limit) {
         BitSet ids = new BitSet();
         cursor.startRay(ray[0], ray[1], ray[2], ray[3], limit);
         for (int id = cursor.next(limit); id >= 0; id = cursor.next(limit)) {

@@ -23,6 +23,8 @@ final class PeersSection {
             "W3", "ray at a mesh",
             "W4", "attempted move in a swarm");
 
+    private static final List<String> DRAWN = List.of("W1a", "W1b");
+
     private PeersSection() {}
 
     static void add(Results results, Page page) {
@@ -31,7 +33,7 @@ final class PeersSection {
         }
         page.heading(2, "Native engines");
         List<Panel> panels = new ArrayList<>();
-        for (String work : List.of("W1a", "W1b")) {
+        for (String work : DRAWN) {
             if (results.distinct(PeerLines.STUDY, Measure::query).contains(work)) {
                 panels.add(panel(results, work));
             }
@@ -49,8 +51,13 @@ final class PeersSection {
         table(results, page);
     }
 
+    /** Those of the pictures, so that each has a colour and a marker of its own, the same in all of them. */
     private static List<Subject> subjects(Results results) {
-        return results.distinct(PeerLines.STUDY, Measure::subject);
+        return results.of(PeerLines.STUDY).stream()
+                .filter(measure -> DRAWN.contains(measure.query()))
+                .map(Measure::subject)
+                .distinct()
+                .toList();
     }
 
     private static Panel panel(Results results, String work) {

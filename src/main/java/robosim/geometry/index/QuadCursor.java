@@ -1,0 +1,230 @@
+package robosim.geometry.index;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One query at a time over the {@link QuadTree} it came from; reusable, nothing is allocated once its queue has grown. A change of
+ * the tree ends the query: start again.
+ */
+public final class QuadCursor {
+    /** A box on so many tiles meets few objects twice. */
+    private static final int FEW_TILES = 9;
+
+    private final QuadTree tree;
+    private final TileLayers layers;
+    private final NearestFirst ordered = new NearestFirst();
+    private final TileWalk walk;
+    private final TileScan scan;
+    private final TileProbe probe;
+    private final TileWalk.Line line = new TileWalk.Line();
+    private final TileGathering gathering = new TileGathering();
+    private boolean isOrdered;
+    private int layer;
+    private double slack;
+
+    // The box, for the layers to come.
+    private double x0;
+    private double z0;
+    private double x1;
+    private double z1;
+
+    QuadCursor(QuadTree tree) {
+        this.tree = tree;
+        layers = tree.tiles;
+        Tiles none = Tiles.single(0);
+        walk = new TileWalk(none, line);
+        scan = new TileScan(none);
+        probe = new TileProbe(none);
+    }
+
+    /** How many regions this cursor has looked into since it was made. */
+    public long visited() {
+        return ordered.visited() + walk.visited() + scan.visited() + probe.visited();
+    }
+
+    /** Starts the query for all objects whose boxes meet this closed box; take them with {@link #next()}. */
+    public void startBox(double minX, double minZ, double maxX, double maxZ) {
+        tree.settle();
+        x0 = minX;
+        z0 = minZ;
+        x1 = maxX;
+        z1 = maxZ;
+        layer = 0;
+        scan.stop();
+    }
+
+    /** The next object that meets the box, in no promised order, each once; -1 after the last. */
+    public int next() {
+        while (true) {
+            int id = scan.next(tree.boxes);
+            if (id != Tiles.NONE) {
+                return id;
+            }
+            Tiles tiles = nextLayer();
+            if (tiles == null) {
+                return -1;
+            }
+            scan.start(tiles, x0, z0, x1, z1);
+        }
+    }
+
+    /**
+     * Starts the query for all objects whose boxes, rounded outward, meet this closed box, if it is small; take them
+     * with {@link #nextNear()}.
+     *
+     * @return whether it is small: else start a query that gives each object once
+     */
+    public boolean startNear(double minX, double minZ, double maxX, double maxZ) {
+        tree.settle();
+        x0 = minX;
+        z0 = minZ;
+        x1 = maxX;
+        z1 = maxZ;
+        layer = 0;
+        Tiles finest = nextLayer();
+        if (finest == null) {
+            probe.stop();
+            return true;
+        }
+        return probe.start(finest, minX, minZ, maxX, maxZ) <= FEW_TILES;
+    }
+
+    /** The next object near a small box, in no promised order, maybe again; -1 after the last. */
+    public int nextNear() {
+        while (true) {
+            int id = probe.next();
+            if (id != Tiles.NONE) {
+                return id;
+            }
+            Tiles tiles = nextLayer();
+            if (tiles == null) {
+                return -1;
+            }
+            probe.start(tiles, x0, z0, x1, z1);
+        }
+    }
+
+    /**
+     * Gathers all objects but one whose boxes, maybe rounded outward to floats, meet this closed box, and answers how
+     * many there are; take them with {@link #gathered}. One that lies across regions may be there again.
+     */
+    public int gather(double minX, double minZ, double maxX, double maxZ, int but) {
+        NearGrid near = tree.near();
+        gathering.start(minX, minZ, maxX, maxZ, but);
+        if (near != null) {
+            gathering.gather(near, tree.boxes);
+            return gathering.count();
+        }
+        for (int k = 0; k < layers.count(); k++) {
+            if (!layers.get(k).isEmpty()) {
+                gathering.gather(layers.get(k));
+            }
+        }
+        return gathering.count();
+    }
+
+    /** The k-th object that was gathered. */
+    public int gathered(int k) {
+        return gathering.id(k);
+    }
+
+    /** The boxes of all objects: least x and z, greatest x and z of each from four times its id on. */
+    public double[] boxes() {
+        return tree.boxes;
+    }
+
+    private @Nullable Tiles nextLayer() {
+        while (layer < layers.count()) {
+            Tiles tiles = layers.get(layer++);
+            if (!tiles.isEmpty()) {
+                return tiles;
+            }
+        }
+        return null;
+    }
+
+    /**
+     * Starts the query for all objects whose boxes the ray may meet at a parameter up to the limit, region by region;
+     * take them with {@link #next(double)}. A point of the ray is its start plus the parameter times the direction.
+     *
+     * @param limit at least 0; may be infinite
+     * @throws IllegalArgumentException where the start is not finite, or the direction zero or not finite
+     */
+    public void startRay(double ox, double oz, double dx, double dz, double limit) {
+        double sum = Math.abs(ox) + Math.abs(oz);
+        double speed = Math.abs(dx) + Math.abs(dz);
+        if (!(sum < Double.POSITIVE_INFINITY && speed > 0 && speed < Double.POSITIVE_INFINITY)) {
+            throw new IllegalArgumentException("ray must be finite and its direction not zero (got: start " + ox + ", "
+                    + oz + " direction " + dx + ", " + dz + ")");
+        }
+        tree.settle();
+        slack = 0x1p-44 * sum / speed;
+        line.start(ox, oz, dx, dz, tree.most);
+        walk.stop();
+        layer = 0;
+        isOrdered = !line.isOrdinary();
+        for (int k = 0; k < layers.count(); k++) {
+            // Far from one of them: all in order then.
+            isOrdered |= !TileWalk.isNear(layers.get(k), ox, oz, dx, dz);
+        }
+        if (isOrdered) {
+            tree.growRegions();
+            ordered.startRay(tree.regions, ox, oz, dx, dz, limit);
+        }
+    }
+
+    /**
+     * Starts the query for all objects whose boxes are within a distance of a point, nearest first; take them with
+     * {@link #next(double)}.
+     *
+     * @param limit at least 0; may be infinite
+     * @throws IllegalArgumentException where the point is not finite
+     */
+    public void startPoint(double x, double z, double limit) {
+        isOrdered = true;
+        tree.growRegions();
+        ordered.startPoint(tree.regions, x, z, limit);
+    }
+
+    /**
+     * Starts the query for all objects whose boxes are within a distance of a point and not wholly beyond one of two
+     * lines through it, nearest first.
+     *
+     * @param leftX  outward normal of one line, of length 1 at most; zero for none
+     * @param rightX outward normal of the other line
+     */
+    public void startSector(
+            double x, double z, double leftX, double leftZ, double rightX, double rightZ, double limit) {
+        isOrdered = true;
+        tree.growRegions();
+        ordered.startSector(tree.regions, x, z, leftX, leftZ, rightX, rightZ, limit);
+    }
+
+    /**
+     * The next object of a ray or point query; -1 after the last within the limit, which may shrink from call to call.
+     * A ray may be given an object again, and one that it passes by.
+     */
+    public int next(double limit) {
+        if (isOrdered) {
+            return ordered.next(tree.regions, tree.boxes, limit);
+        }
+        // What is hit is measured with an error of its own: look a little farther.
+        double reach = limit * (1 + 0x1p-44) + slack;
+        while (true) {
+            int id = walk.next(reach);
+            if (id != Tiles.NONE) {
+                return id;
+            }
+            Tiles tiles = nextLayer();
+            if (tiles == null) {
+                return -1;
+            }
+            walk.start(tiles);
+        }
+    }
+
+    /** A lower bound, rounded down, of the distance at which the last object of a point query begins. */
+    public double entry() {
+        return ordered.entry();
+    }
+}
