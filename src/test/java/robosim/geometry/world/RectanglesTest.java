@@ -26,6 +26,9 @@ class RectanglesTest {
             assertThat(cells).isEqualTo(before);
             int[] covered = new int[width * height];
             for (Rectangles.Rectangle rectangle : found) {
+                // Cells beyond the right edge would be those of the next row.
+                assertThat(rectangle.toX()).isBetween(rectangle.fromX() + 1, width);
+                assertThat(rectangle.toRow()).isBetween(rectangle.fromRow() + 1, height);
                 for (int row = rectangle.fromRow(); row < rectangle.toRow(); row++) {
                     for (int x = rectangle.fromX(); x < rectangle.toX(); x++) {
                         covered[row * width + x]++;

@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.awt.image.BufferedImage;
+import java.awt.image.DataBuffer;
+import java.awt.image.IndexColorModel;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -107,6 +109,14 @@ class RosMapReaderTest {
     }
 
     @Test
+    void takesTheThresholdForFreeEnough() throws IOException {
+        byte[] image = "P2 4 1 255 64 65 66 101".getBytes(StandardCharsets.US_ASCII);
+        assertThat(picture(grid(map(image, 0, "raw")))).isEqualTo("..#.");
+        Path yaml = map("P2 3 1 100 34 35 36"); // of which the second is 0.65 occupied, as the threshold is
+        assertThat(picture(grid(yaml))).isEqualTo("#..");
+    }
+
+    @Test
     void readsEveryFormOfPgm() throws IOException {
         String walls = "#.# ..#";
         assertThat(picture(grid(map("P2\n# by hand\n3 2 # columns, rows\n9\n0 9 0\n9 # free\n9 0\n"))))
@@ -165,20 +175,25 @@ class RosMapReaderTest {
 
     @Test
     void countsOpacityAsRosDoes() throws IOException {
-        BufferedImage image = new BufferedImage(4, 1, BufferedImage.TYPE_INT_ARGB);
-        image.setRGB(0, 0, 0xff000000);
-        image.setRGB(1, 0, 0x00000000);
-        image.setRGB(2, 0, 0xffffffff);
-        image.setRGB(3, 0, 0x00ffffff);
-        ByteArrayOutputStream png = new ByteArrayOutputStream();
-        ImageIO.write(image, "png", png);
-        // Trinary: the mean of four, so that what is white and transparent is 0.25 occupied.
-        OccupancyGrid trinary = grid(map(png.toByteArray(), 0, "trinary"));
-        assertThat(picture(trinary)).isEqualTo("##..");
-        assertThat(trinary.unknown()).isEqualTo(1);
-        OccupancyGrid scale = grid(map(png.toByteArray(), 0, "scale"));
-        assertThat(picture(scale)).isEqualTo("#...");
-        assertThat(scale.unknown()).isEqualTo(2);
+        int[] pixels = {0xff000000, 0x00000000, 0xffffffff, 0x00ffffff, 0xff505050};
+        BufferedImage colours = new BufferedImage(5, 1, BufferedImage.TYPE_INT_ARGB);
+        IndexColorModel palette = new IndexColorModel(3, 5, pixels, 0, true, -1, DataBuffer.TYPE_BYTE);
+        BufferedImage indexed = new BufferedImage(5, 1, BufferedImage.TYPE_BYTE_INDEXED, palette);
+        for (int x = 0; x < 5; x++) {
+            colours.setRGB(x, 0, pixels[x]);
+            indexed.getRaster().setSample(x, 0, 0, x);
+        }
+        for (BufferedImage image : new BufferedImage[] {colours, indexed}) {
+            ByteArrayOutputStream png = new ByteArrayOutputStream();
+            ImageIO.write(image, "png", png);
+            // Trinary: the mean of four, so that white and transparent is 0.25 occupied, dark grey and opaque 0.51.
+            OccupancyGrid trinary = grid(map(png.toByteArray(), 0, "trinary"));
+            assertThat(picture(trinary)).isEqualTo("##...");
+            assertThat(trinary.unknown()).isEqualTo(2);
+            OccupancyGrid scale = grid(map(png.toByteArray(), 0, "scale"));
+            assertThat(picture(scale)).isEqualTo("#...#");
+            assertThat(scale.unknown()).isEqualTo(2);
+        }
     }
 
     @ParameterizedTest
