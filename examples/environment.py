@@ -332,13 +332,17 @@ def open_socket(options):
         return server.accept()[0]
 
 
+def first_line(path):
+    return pathlib.Path(path).read_text(encoding="utf-8").split("\n", 1)[0]
+
+
 def run(options):
     world = World(options.world)
     seeds = random.Random(options.seed)
     robots = [Robot(made, sensors, options.speed, seeds.random()) for made, sensors in world.robots]
     if not robots:
         raise ValueError(f"world must hold a moveable object that stands upright (got: {options.world})")
-    secret = pathlib.Path(options.secret_file).read_text().strip() if options.secret_file else None
+    secret = first_line(options.secret_file) if options.secret_file else None
     tally = Tally()
     with open_socket(options) as sock:
         connection = Connection(sock, secret)
@@ -364,7 +368,7 @@ def main():
     parser.add_argument("--steps", type=int, default=1000, help="rounds of sonar and moves")
     parser.add_argument("--seed", type=int, default=1, help="of the robots' whims")
     parser.add_argument("--speed", type=float, default=0.05, help="world units a robot advances in a step")
-    parser.add_argument("--secret-file", metavar="FILE", help="holds the secret for a module that asks for one")
+    parser.add_argument("--secret-file", metavar="FILE", help="its first line is the secret for a module that asks for one")
     try:
         run(parser.parse_args())
     except ProtocolFault as fault:

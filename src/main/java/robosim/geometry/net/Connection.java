@@ -132,7 +132,7 @@ final class Connection implements Runnable {
                 channel.refuse(refusal);
                 throw new ProtocolException(refusal);
             }
-            Reply reply = session.reply(request);
+            Reply reply = reply(channel, session, request);
             around.figures().carriedOut(request, reply);
             if (reply != null) {
                 channel.write(reply);
@@ -142,6 +142,15 @@ final class Connection implements Runnable {
             message++;
         }
         LOG.log(System.Logger.Level.DEBUG, name + ": closed at message " + message + ", its end");
+    }
+
+    private static @Nullable Reply reply(MessageChannel channel, Session session, Bundle request) {
+        try {
+            return session.reply(request);
+        } catch (RuntimeException | Error e) {
+            channel.refuse("an error of the module itself, which its log tells; a new connection may go on");
+            throw e;
+        }
     }
 
     /** Why this cannot be asked here; null where it can. */

@@ -26,7 +26,7 @@ public interface FiguresMXBean {
     /** Connections closed because of what their peer did or did not do, and because of errors of the module itself. */
     long getErrors();
 
-    /** Half of all answers took at most so long, from the last byte of the request to the last of the answer. */
+    /** Half of all answers took at most so long, from the request, when it has been read, to the last byte of the answer. */
     double getAnswerMicrosecondsP50();
 
     /** 99 of 100 answers took at most so long. */

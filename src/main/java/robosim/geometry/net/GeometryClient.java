@@ -33,7 +33,7 @@ public final class GeometryClient implements Runnable, AutoCloseable {
     private final Object lock = new Object();
     private final CountDownLatch closing = new CountDownLatch(1);
     private final CountDownLatch ended = new CountDownLatch(1);
-    private boolean started;
+    private @Nullable Thread runner;
     private @Nullable Connection connection;
 
     /** Waits before a client dials again. */
@@ -87,10 +87,10 @@ public final class GeometryClient implements Runnable, AutoCloseable {
     @Override
     public void run() {
         synchronized (lock) {
-            if (started) {
+            if (runner != null) {
                 throw new IllegalStateException("a client runs once; make another");
             }
-            started = true;
+            runner = Thread.currentThread();
         }
         String place = host + ":" + port;
         Management management = Management.show(figures, "GeometryClient", place);
@@ -196,22 +196,27 @@ public final class GeometryClient implements Runnable, AutoCloseable {
 
     /**
      * Ends the connection: what has been read is answered, for at most 2 seconds. When this returns, {@link #run} has
-     * ended or is about to. Does nothing the second time.
+     * ended or is about to; a listener that closes its own client does not wait for that. Does nothing the second time.
      */
     @Override
     public void close() {
         Connection own;
+        boolean mayWait;
         synchronized (lock) {
             if (isClosed()) {
                 return;
             }
             closing.countDown();
             own = connection;
+            mayWait = runner != Thread.currentThread();
         }
         if (own == null) {
             return;
         }
         own.stop();
+        if (!mayWait) {
+            return;
+        }
         try {
             if (!ended.await(GRACE_SECONDS, TimeUnit.SECONDS)) {
                 own.abort();

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
+import robosim.geometry.protocol.MessageChannel;
 
 /**
  * Waits for environments that dial in, and holds a session of its own with each, on a thread of its own.
@@ -110,7 +111,7 @@ public final class GeometryServer implements AutoCloseable {
                                 System.Logger.Level.WARNING,
                                 "server " + port() + ": connections are refused, there are " + connections.size());
                     }
-                    socket.close();
+                    turnAway(socket);
                 } else {
                     serve(socket);
                 }
@@ -121,6 +122,22 @@ public final class GeometryServer implements AutoCloseable {
                     pause();
                 }
             }
+        }
+    }
+
+    /** Nothing here waits: a new socket has room for a line, and only what has come is read, as unread bytes take it back. */
+    private void turnAway(Socket socket) {
+        try (socket) {
+            if (options.access().tls() == null) {
+                int most = options.allowance().connections();
+                socket.getOutputStream()
+                        .write(MessageChannel.errorLine("there must be at most " + most
+                                + " connections (got: more); close one, or dial again later"));
+                socket.shutdownOutput();
+                socket.getInputStream().skipNBytes(socket.getInputStream().available());
+            }
+        } catch (IOException e) {
+            LOG.log(System.Logger.Level.DEBUG, "server " + port() + ": a refused peer was gone already", e);
         }
     }
 

@@ -92,7 +92,9 @@ final class PacedInput extends InputStream implements MessagePace {
             if (opening) {
                 throw e;
             }
-            throw new ProtocolException("a peer must say something now and then (got: silence for " + idleTime + ")");
+            throw new ProtocolException(
+                    "a peer must say something now and then, a ping or an empty MoveBundle if need be"
+                            + " (got: silence for " + idleTime + ")");
         }
     }
 

@@ -1,8 +1,12 @@
 package robosim.geometry.net;
 
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.MoveResult;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
 import robosim.geometry.protocol.Text;
 
 /** Why a move was refused, in words. */
@@ -19,7 +23,20 @@ final class Reasons {
             return "the border of the world";
         }
         String name = obstacle.name();
-        return name == null ? "a " + Text.line(obstacle.toString()) : Text.quoted(name);
+        if (name != null) {
+            return Text.quoted(name);
+        }
+        Point center = obstacle.center();
+        return "a " + obstacle.kind().name().toLowerCase(Locale.ROOT) + " at (" + coordinate(center.x()) + ", "
+                + coordinate(center.y()) + ", " + coordinate(center.z()) + ")";
+    }
+
+    /** To a thousandth; the same text on every JVM, which Double.toString is not. */
+    private static String coordinate(double value) {
+        return new BigDecimal(value)
+                .setScale(3, RoundingMode.HALF_EVEN)
+                .stripTrailingZeros()
+                .toPlainString();
     }
 
     private static String way(MoveResult result) {

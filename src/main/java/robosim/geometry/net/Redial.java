@@ -27,7 +27,9 @@ public record Redial(Duration first, Duration longest) {
     /** The pause after so many attempts in a row that came to nothing. */
     Duration pause(int failures, RandomGenerator random) {
         long most = longest.toNanos();
-        long whole = failures > 40 ? most : Math.min(most, first.toNanos() << Math.min(failures, 20));
+        int doublings = Math.min(failures, Long.SIZE - 2);
+        long whole =
+                first.toNanos() > most >> doublings ? most : first.toNanos() << doublings; // which may not overflow
         return Duration.ofNanos((long) (whole * (1 - random.nextDouble() / 2)));
     }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.MoveResult;
 import robosim.geometry.exact.Degrees;
@@ -242,9 +243,10 @@ public final class Session {
 
     /** Logged, and told to who asks. */
     private Problem unknown(String name, int index, String consequence) {
-        String reason = "no moveable object " + Text.quoted(name) + (world == null ? ", there is no world yet" : "");
-        complaints.warn(reason + ": " + consequence);
-        return Problem.of(index, reason);
+        String rest = world == null ? ", there is no world yet" : "";
+        Supplier<String> words = () -> "no moveable object " + Text.quoted(name) + rest;
+        complaints.warn(words.get() + ": " + consequence);
+        return Problem.of(index, words); // a bundle's words may exceed its bytes many times, and are not kept
     }
 
     private static String reason(IllegalArgumentException e) {

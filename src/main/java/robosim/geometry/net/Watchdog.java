@@ -7,8 +7,10 @@ import java.util.concurrent.atomic.AtomicLong;
 
 /** Breaks off what takes too long and has no time-out of its own: writing to a socket, a handshake, a TLS end. */
 final class Watchdog implements AutoCloseable {
+    private static final System.Logger LOG = System.getLogger(Watchdog.class.getPackageName());
     private static final long MOST_TICK_MILLIS = 1000;
 
+    private final String name;
     private final Set<Guard> guards = ConcurrentHashMap.newKeySet();
     private final Thread thread;
     private final long tickMillis;
@@ -20,6 +22,7 @@ final class Watchdog implements AutoCloseable {
      * @param finest the shortest time that will be watched; the watchdog is late by at most a quarter of it
      */
     Watchdog(String name, Duration finest) {
+        this.name = name;
         tickMillis = Math.max(1, Math.min(MOST_TICK_MILLIS, finest.toMillis() / 4));
         thread = new Thread(this::watch, name);
         thread.setDaemon(true);
@@ -28,14 +31,21 @@ final class Watchdog implements AutoCloseable {
 
     @SuppressWarnings("BusyWait") // it looks again and again, that is its task
     private void watch() {
-        try {
-            while (true) {
+        Throwable failure = null;
+        while (true) {
+            try {
                 Thread.sleep(tickMillis);
+                if (failure != null) { // told where another one is caught: there may be no memory to tell it
+                    LOG.log(System.Logger.Level.ERROR, name + ": goes on after an error of the module itself", failure);
+                    failure = null;
+                }
                 long now = System.nanoTime();
                 guards.forEach(guard -> guard.check(now));
+            } catch (InterruptedException e) {
+                return; // closed
+            } catch (RuntimeException | Error e) {
+                failure = e; // the others are still watched
             }
-        } catch (InterruptedException e) {
-            return; // closed
         }
     }
 

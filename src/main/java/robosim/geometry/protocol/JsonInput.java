@@ -11,8 +11,6 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
-import java.util.Map;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
@@ -40,6 +38,8 @@ final class JsonInput implements Closeable {
             // The shortest digits that mean the double, on every JVM.
             .enable(StreamWriteFeature.USE_FAST_DOUBLE_WRITER)
             .disable(StreamWriteFeature.AUTO_CLOSE_TARGET)
+            // A line goes out with its line feed, at once.
+            .disable(StreamWriteFeature.FLUSH_PASSED_TO_STREAM)
             .build();
 
     private final JsonParser parser;
@@ -79,10 +79,8 @@ final class JsonInput implements Closeable {
         if (!isObject()) {
             throw refused("must be an object, {...} (got: " + kind() + ")");
         }
-        while (advance() == JsonToken.FIELD_NAME) {
-            boolean found = parser.currentName().equals(field);
-            advance();
-            if (found) {
+        for (String name = nextField(); name != null; name = nextField()) {
+            if (name.equals(field)) {
                 return true;
             }
             skip();
@@ -90,39 +88,15 @@ final class JsonInput implements Closeable {
         return false;
     }
 
-    /** The line's whole object, whatever its fields are: texts, Doubles, Booleans, nulls and objects like it. */
-    Map<String, @Nullable Object> plain() throws IOException {
+    /** Goes to the value of the current object's next field, and tells its name; null at the object's end. */
+    @Nullable
+    String nextField() throws IOException {
+        if (advance() != JsonToken.FIELD_NAME) {
+            return null;
+        }
+        String name = parser.currentName();
         advance();
-        Map<String, @Nullable Object> fields = plainFields();
-        end();
-        return fields;
-    }
-
-    private Map<String, @Nullable Object> plainFields() throws IOException {
-        if (!isObject()) {
-            throw refused("must be an object, {...} (got: " + kind() + ")");
-        }
-        Map<String, @Nullable Object> fields = new LinkedHashMap<>();
-        while (advance() == JsonToken.FIELD_NAME) {
-            String name = parser.currentName();
-            advance();
-            if (fields.containsKey(name)) {
-                throw refused("a field must come once (got: " + told(name) + " twice)");
-            }
-            fields.put(name, plainValue());
-        }
-        return fields;
-    }
-
-    private @Nullable Object plainValue() throws IOException {
-        return switch (parser.currentToken()) {
-            case START_OBJECT -> plainFields();
-            case VALUE_STRING -> text();
-            case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT -> number();
-            case VALUE_TRUE, VALUE_FALSE -> flag();
-            case VALUE_NULL -> null;
-            default -> throw refused("must be an object, a text, a number, true, false or null (got: " + kind() + ")");
-        };
+        return name;
     }
 
     private void skip() throws IOException {
@@ -131,6 +105,11 @@ final class JsonInput implements Closeable {
         } catch (JsonProcessingException e) {
             throw noJson(e);
         }
+    }
+
+    /** Begins the line's value. */
+    void begin() throws IOException {
+        advance();
     }
 
     /** Begins the line's object. */
@@ -175,6 +154,15 @@ final class JsonInput implements Closeable {
         return parser.currentToken() == JsonToken.VALUE_STRING;
     }
 
+    boolean isNumber() {
+        return parser.currentToken() == JsonToken.VALUE_NUMBER_INT
+                || parser.currentToken() == JsonToken.VALUE_NUMBER_FLOAT;
+    }
+
+    boolean isFlag() {
+        return parser.currentToken() == JsonToken.VALUE_TRUE || parser.currentToken() == JsonToken.VALUE_FALSE;
+    }
+
     private void count() throws IOException {
         if (++containers > Limits.MAX_REFERENCES) {
             throw refused(
@@ -208,8 +196,7 @@ final class JsonInput implements Closeable {
 
     /** The finite number that is the current value, its nearest double. */
     double number() throws IOException {
-        JsonToken token = parser.currentToken();
-        if (token != JsonToken.VALUE_NUMBER_INT && token != JsonToken.VALUE_NUMBER_FLOAT) {
+        if (!isNumber()) {
             throw refused("must be a number (got: " + kind() + ")");
         }
         double value = Double.parseDouble(scalar());
@@ -251,16 +238,15 @@ final class JsonInput implements Closeable {
     }
 
     boolean flag() throws IOException {
-        JsonToken token = parser.currentToken();
-        if (token != JsonToken.VALUE_TRUE && token != JsonToken.VALUE_FALSE) {
+        if (!isFlag()) {
             throw refused("must be true or false (got: " + kind() + ")");
         }
-        return token == JsonToken.VALUE_TRUE;
+        return parser.currentToken() == JsonToken.VALUE_TRUE;
     }
 
     /** The text that is the current value; whole characters, no longer than a Java stream can hold. */
     String text() throws IOException {
-        if (parser.currentToken() != JsonToken.VALUE_STRING) {
+        if (!isText()) {
             throw refused("must be a text (got: " + kind() + ")");
         }
         String text = scalar();
@@ -357,7 +343,8 @@ final class JsonInput implements Closeable {
         return words.startsWith("String value length") || words.startsWith("Name length") ? tooLong() : words;
     }
 
-    private String kind() {
+    /** What the current value is, for a message. */
+    String kind() {
         JsonToken token = parser.currentToken();
         if (token == null) {
             return "nothing";

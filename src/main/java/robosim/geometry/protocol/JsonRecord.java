@@ -31,7 +31,7 @@ public final class JsonRecord {
         byte[] bytes = JsonLines.bytes(line);
         return JsonLines.guarded(() -> {
             try (JsonInput in = JsonInput.of(bytes, 0, bytes.length)) {
-                return new JsonRecord("", in.plain());
+                return new JsonRecord("", JsonPlain.read(in));
             }
         });
     }
@@ -103,7 +103,7 @@ public final class JsonRecord {
     }
 
     /** A record within this one. */
-    @SuppressWarnings("unchecked") // JsonInput.plain() makes no other maps
+    @SuppressWarnings("unchecked") // JsonPlain makes no other maps
     public JsonRecord record(String field) throws ProtocolException {
         return new JsonRecord(
                 place + "/" + field, (Map<String, @Nullable Object>) value(field, Map.class, "an object, {...}"));

@@ -93,16 +93,20 @@ public final class MessageChannel {
         if (encoding != Encoding.JSON) {
             return;
         }
-        String words = Text.line(reason).replace("\\", "\\\\").replace("\"", "\\\"");
-        byte[] line = ("{\"type\":\"error\",\"message\":\"" + words + "\"}\n").getBytes(StandardCharsets.UTF_8);
         try {
             synchronized (out) {
-                out.write(line);
+                out.write(errorLine(reason));
                 out.flush();
             }
         } catch (IOException e) {
             encoding = null; // who is gone need not be told
         }
+    }
+
+    /** What a peer that speaks JSON is told before its connection is closed, with its line feed. Needs no Jackson. */
+    public static byte[] errorLine(String reason) {
+        String words = Text.line(reason).replace("\\", "\\\\").replace("\"", "\\\"");
+        return ("{\"type\":\"error\",\"message\":\"" + words + "\"}\n").getBytes(StandardCharsets.UTF_8);
     }
 
     /** What the peer speaks; null until it has said a word. */

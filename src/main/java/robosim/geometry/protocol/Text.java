@@ -1,5 +1,7 @@
 package robosim.geometry.protocol;
 
+import java.util.HexFormat;
+
 /** What a peer sent, made fit for a line of a log. */
 public final class Text {
     private static final int LONGEST_QUOTE = 100;
@@ -24,7 +26,7 @@ public final class Text {
             if (isPlain(c)) {
                 plain.append(c);
             } else {
-                plain.append(String.format("\\u%04x", (int) c));
+                plain.append("\\u").append(HexFormat.of().toHexDigits(c));
             }
         }
         return plain.append(text.length() > longest ? "..." : "").toString();

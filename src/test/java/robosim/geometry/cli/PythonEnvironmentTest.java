@@ -24,6 +24,7 @@ import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.net.GeometryClient;
 import robosim.geometry.net.GeometryServer;
 import robosim.geometry.net.NetOptions;
+import robosim.geometry.net.Secret;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.protocol.Bundle;
 
@@ -115,6 +116,31 @@ class PythonEnvironmentTest {
             checkSummary(text, 150, 5);
             thread.join(10_000);
             assertThat(thread.isAlive()).isFalse();
+        }
+    }
+
+    /** Of a file the module and the environment take the first line, as it is. */
+    @Test
+    void tellsTheSecretOfAFile(@TempDir Path folder) throws Exception {
+        Path file = folder.resolve("secret");
+        Files.writeString(file, "a secret of \u00e9leven words \nand a remark\n");
+        Secret secret = Secret.of("a secret of \u00e9leven words ".toCharArray());
+        try (GeometryServer server =
+                new GeometryServer(InetAddress.getLoopbackAddress(), 0, options.withAccess(null, secret))) {
+            Process process = start(
+                    "--world",
+                    "worlds/rooms.xml",
+                    "--connect",
+                    "127.0.0.1:" + server.port(),
+                    "--steps",
+                    "150",
+                    "--speed",
+                    "0.1",
+                    "--secret-file",
+                    file.toString());
+            String text = rest(output(process));
+            assertThat(process.waitFor()).as(text).isZero();
+            checkSummary(text, 150, 8);
         }
     }
 

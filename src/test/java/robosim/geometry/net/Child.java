@@ -24,7 +24,7 @@ final class Child implements AutoCloseable {
     /**
      * Starts one.
      *
-     * @param role  {@code serve}, {@code dial} or {@code listen}
+     * @param role  {@code serve}, {@code connect}, {@code dial} or {@code listen}
      * @param flags of its Java
      */
     static Child start(String role, int port, long seed, String... flags) throws IOException {
@@ -68,6 +68,7 @@ final class Child implements AutoCloseable {
         Conversation conversation = Conversation.of(Long.parseLong(arguments[2]), 500);
         switch (arguments[0]) {
             case "serve" -> say("" + new GeometryServer(port).port());
+            case "connect" -> GeometryClient.main(new String[] {"127.0.0.1", arguments[1]});
             case "dial" -> {
                 while (true) {
                     try (Peer peer = Peer.dial(port)) {

@@ -11,6 +11,7 @@ import java.io.UncheckedIOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
@@ -195,6 +196,29 @@ class EndsTest {
     }
 
     @Test
+    void aListenerMayCloseItsClientAndTheAnswerInWorkGoesOut() throws Exception {
+        GeometryClient[] client = new GeometryClient[1];
+        NetOptions options = NetOptions.defaults().withListeners(connection -> new SessionListener() {
+            @Override
+            public void asked(Bundle request) {
+                client[0].close();
+            }
+        });
+        try (LogCapture log = new LogCapture();
+                ServerSocket environment = Peer.listen()) {
+            client[0] = new GeometryClient("127.0.0.1", environment.getLocalPort(), options);
+            Thread thread = start(client[0]);
+            try (Peer peer = new Peer(environment.accept())) {
+                assertThat(peer.move(NOBODY)).isEmpty();
+                assertThat(peer.receive()).isNull();
+            }
+            thread.join(5000);
+            assertThat(thread.isAlive()).isFalse();
+            assertThat(log.linesWith("closed")).isEmpty();
+        }
+    }
+
+    @Test
     void aListenerThatThrowsEndsItsOwnConnection() throws Exception {
         List<String> names = new ArrayList<>();
         NetOptions options = NetOptions.defaults().withListeners(connection -> {
@@ -216,9 +240,15 @@ class EndsTest {
                 second.send(new SonarRequestBundle(List.of()));
                 assertThat(second.isClosedByTheOtherEnd()).isTrue();
             }
+            try (Peer third = Peer.dial(server.port())) {
+                third.send("{\"type\":\"hello\",\"version\":1}\n{\"type\":\"sonars\",\"requests\":[]}\n"
+                        .getBytes(StandardCharsets.UTF_8));
+                assertThat(third.heardToTheEnd())
+                        .contains("{\"type\":\"error\",\"message\":\"an error of the module itself");
+            }
             assertThat(first.move(NOBODY)).isEmpty();
-            assertThat(log.linesWith("error of the module itself")).hasSize(1);
-            assertThat(names).hasSize(2).doesNotHaveDuplicates();
+            assertThat(log.linesWith("error of the module itself")).hasSize(2);
+            assertThat(names).hasSize(3).doesNotHaveDuplicates();
         }
     }
 

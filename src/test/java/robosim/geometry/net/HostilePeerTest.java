@@ -168,7 +168,9 @@ class HostilePeerTest {
             assertThat(first.move(NOBODY)).isEmpty();
             assertThat(second.move(NOBODY)).isEmpty();
             try (Peer third = Peer.dial(server.port())) {
-                assertThat(third.isClosedByTheOtherEnd()).isTrue();
+                assertThat(third.heardToTheEnd())
+                        .isEqualTo("{\"type\":\"error\",\"message\":\"there must be at most 2 connections (got: more);"
+                                + " close one, or dial again later\"}\n");
             }
             assertThat(log.linesWith("connections are refused")).hasSize(1);
             second.close();

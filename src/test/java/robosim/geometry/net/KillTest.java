@@ -10,6 +10,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.MoveRequest;
 
 /** Either end is killed in the midst of a conversation: the other goes on, and no third party notices. */
 class KillTest {
@@ -75,6 +76,34 @@ class KillTest {
         try (Child again = Child.start("serve", port, 1)) {
             assertThat(again.line()).isEqualTo("" + port);
             return conversation.difference(talk(port, conversation));
+        }
+    }
+
+    @Test
+    void anEnvironmentWhoseClientIsKilledIsDialledByTheNextWithoutAWorld() throws Exception {
+        Conversation conversation = Conversation.of(10, 200);
+        try (ServerSocket environment = Peer.listen()) {
+            try (Child client = Child.start("connect", environment.getLocalPort(), 1);
+                    Peer peer = new Peer(environment.accept())) {
+                peer.send(conversation.world());
+                for (int k = 0; k < 100; k++) {
+                    peer.send(conversation.requests().get(k));
+                    assertThat(peer.receive()).isEqualTo(conversation.answers().get(k));
+                }
+                client.kill();
+                assertThat(peer.isClosedByTheOtherEnd()).isTrue();
+            }
+            try (Child client = Child.start("connect", environment.getLocalPort(), 1);
+                    Peer peer = new Peer(environment.accept())) {
+                assertThat(peer.move(new MoveRequest("robot 0", 0, 0, 0, 0, 0.1)))
+                        .as("made in the world of the one that was killed")
+                        .isEmpty();
+                peer.send(conversation.world());
+                for (int k = 0; k < conversation.requests().size(); k++) {
+                    peer.send(conversation.requests().get(k));
+                    assertThat(peer.receive()).isEqualTo(conversation.answers().get(k));
+                }
+            }
         }
     }
 

@@ -6,6 +6,7 @@ import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.protocol.Bundle;
@@ -86,6 +87,11 @@ final class Peer implements AutoCloseable {
         } catch (IOException e) {
             return true; // a reset
         }
+    }
+
+    /** What comes until the other end closes the connection, as a text. */
+    String heardToTheEnd() throws IOException {
+        return new String(socket.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
     }
 
     @Override

@@ -21,8 +21,16 @@ class ReasonsTest {
         assertThat(reason(0.25, 0, WALL.named("wall 3"))).isEqualTo("blocked by \"wall 3\" after 0.25 of the way");
         assertThat(reason(0, 0, WALL.named("a\"\n"))).isEqualTo("blocked by \"a\\\"\\u000a\" after 0 of the way");
         assertThat(reason(1, 0.5, null)).isEqualTo("blocked by the border of the world after 0.5 of the turn");
-        assertThat(reason(1, 0, WALL))
-                .isEqualTo("blocked by a box at (1.0, 2.0, 3.0) heading 0.0, 4.0 x 5.0 x 6.0 after 0 of the turn");
+        assertThat(reason(1, 0, WALL)).isEqualTo("blocked by a box at (1, 2, 3) after 0 of the turn");
+    }
+
+    /** Double.toString(2e-3) and of 2e23 are others in JDK 17 than in 19 and later. */
+    @Test
+    void numbersReadTheSameOnEveryJvm() {
+        assertThat(reason(0, 0, new BoxObject(new Point(2e-3, -0.0, 2e23), 4, 5, 6)))
+                .contains("a box at (0.002, 0, 199999999999999983222784) after");
+        assertThat(reason(0, 0, new BoxObject(new Point(-1.0625, 1e-300, 100), 4, 5, 6)))
+                .contains("a box at (-1.062, 0, 100) after");
     }
 
     @Test

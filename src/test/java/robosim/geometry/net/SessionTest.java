@@ -236,6 +236,16 @@ class SessionTest {
                 .isInstanceOf(IllegalArgumentException.class);
     }
 
+    /** A message of 64 MB can ask for a million unknown names; their words would be ten times its size. */
+    @Test
+    void wordsAboutUnknownNamesAreMadeWhenTheyAreAskedFor() {
+        init(ROBOT);
+        Problem problem = session.reply(new MoveBundle(List.of(new MoveRequest("nobody", 1, 0, 0, 0, 0))))
+                .problems()
+                .get(0);
+        assertThat(problem.reason()).isEqualTo("no moveable object \"nobody\"").isNotSameAs(problem.reason());
+    }
+
     @Test
     void objectsThatCannotBeAddedAreNamedAndTheOthersStay() {
         init(

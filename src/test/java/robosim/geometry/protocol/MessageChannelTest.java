@@ -103,6 +103,30 @@ class MessageChannelTest {
                 .contains("\"messageBytes\":67108864");
     }
 
+    /** Where nothing is delayed, each write may be a packet. */
+    @Test
+    void anAnswerInJsonIsOneWrite() throws IOException {
+        int[] writes = new int[1];
+        OutputStream counting = new OutputStream() {
+            @Override
+            public void write(int single) {
+                writes[0]++;
+            }
+
+            @Override
+            public void write(byte[] bytes, int at, int length) {
+                writes[0]++;
+            }
+        };
+        InputStream in = new ByteArrayInputStream((HELLO + MOVES).getBytes(StandardCharsets.UTF_8));
+        MessageChannel channel =
+                new MessageChannel(in, counting, MessageTranslator.RECORDS, MessagePace.NONE, Gate.OPEN);
+        channel.read();
+        assertThat(writes[0]).as("for the hello").isEqualTo(1);
+        channel.write(NONE_MADE);
+        assertThat(writes[0]).as("for hello and answer").isEqualTo(2);
+    }
+
     @Test
     void whoIsSilentGetsTheHeaderOfJava() throws IOException {
         byte[] bytes = MessageTest.write(new MoveBundle(List.of()));
