@@ -7,6 +7,7 @@ module robosim.geometry {
     requires static java.management;
     requires static org.jspecify;
     requires static org.junit.jupiter.api;
+    requires static org.snakeyaml.engine;
 
     exports robosim.geometry;
     exports robosim.geometry.collision;

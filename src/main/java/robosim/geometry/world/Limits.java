@@ -2,7 +2,7 @@ package robosim.geometry.world;
 
 /** How much a file may ask of its reader, with the size of the real thing. */
 final class Limits {
-    /** Bytes of one file, XML or OBJ. A mesh of a million triangles takes some 60 MB in either. */
+    /** Bytes of one file of any format. A mesh of a million triangles takes some 60 MB as XML, OBJ or binary STL. */
     static final long MAX_BYTES = 128L << 20;
 
     /** Boxes, cylinders, spheres, meshes and groups of one world, members too. The warehouse has some 2,700. */
@@ -19,6 +19,12 @@ final class Limits {
 
     /** Corners of one polygon of an OBJ file, which is cut into triangles in quadratic time. */
     static final int MAX_CORNERS = 1000;
+
+    /** Cells of one map. A hall of 200 x 200 m in cells of 5 cm has 16,000,000. */
+    static final int MAX_CELLS = 1 << 24;
+
+    /** Bytes of a map's settings. The longest seen has 200. */
+    static final int MAX_SETTINGS = 64 << 10;
 
     private Limits() {}
 }

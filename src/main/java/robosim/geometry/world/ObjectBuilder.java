@@ -1,11 +1,10 @@
 package robosim.geometry.world;
 
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -177,7 +176,7 @@ final class ObjectBuilder {
         if (known == null) {
             MeshKey plain = new MeshKey(key.file, key.scale, false, null);
             if (key.equals(plain)) {
-                known = ObjReader.read(key.file, key.scale);
+                known = surface(key.file, key.scale);
             } else if (key.bounds == null) {
                 known = fromFile(plain).solid();
             } else {
@@ -187,6 +186,13 @@ final class ObjectBuilder {
             files.put(key, known);
         }
         return known;
+    }
+
+    /** The surface of a file, in the format that its name ends in; OBJ where that tells nothing. */
+    private static MeshObject surface(Path file, double scale) throws WorldException {
+        return file.toString().toLowerCase(Locale.ROOT).endsWith(".stl")
+                ? StlReader.read(file, scale)
+                : ObjReader.read(file, scale);
     }
 
     /** The first mesh that is equal, so that all placements of one share their triangles, also those written out. */
@@ -208,33 +214,11 @@ final class ObjectBuilder {
                     "a world from a stream without a folder has no files; give the mesh inline (got: " + file + ")");
         }
         try {
-            if (file.indexOf('\\') >= 0) {
-                throw outside(file);
-            }
-            Path path = base.resolve(file).normalize();
-            if (Path.of(file).isAbsolute() || !path.startsWith(base.normalize())) {
-                throw outside(file);
-            }
-            if (!Files.isRegularFile(path)) {
-                throw new IllegalArgumentException(
-                        "there is no such mesh file in " + base + "; check the path (got: " + file + ")");
-            }
-            Path real = path.toRealPath(); // where links lead
-            if (!real.startsWith(base.toRealPath())) {
-                throw outside(file);
-            }
-            return real;
-        } catch (InvalidPathException e) {
-            throw new IllegalArgumentException("file must be a path (got: " + file + ")", e);
+            return Folder.locate(base, file, "world", "mesh");
         } catch (IOException e) {
             throw new WorldException(
                     source, element.line, element.column, "the mesh file " + file + " could not be read: " + e, e);
         }
-    }
-
-    private static IllegalArgumentException outside(String file) {
-        return new IllegalArgumentException(
-                "file must be a path with / from the world file's folder, and stay inside it (got: " + file + ")");
     }
 
     /** Reads the numbers of an element of text. */

@@ -23,7 +23,7 @@ import org.xml.sax.XMLReader;
  * Reads a world from XML. The format is that of the schema {@code world.xsd}; docs/world-format.md explains it.
  *
  * <p>A file from a stranger costs no more than its size: there is no document type, no entity and no address that the
- * parser would follow, OBJ files come from the world file's own folder tree, and what is too large, too deep or too long
+ * parser would follow, mesh files come from the world file's own folder tree, and what is too large, too deep or too long
  * is refused. A world is read whole or not at all.
  */
 public final class WorldReader {
@@ -53,7 +53,7 @@ public final class WorldReader {
      * Reads a world from a stream, which is left open.
      *
      * @param source what messages call the stream
-     * @param base   the folder in whose tree OBJ files are looked for; null where there are none to be had
+     * @param base   the folder in whose tree mesh files are looked for; null where there are none to be had
      * @throws WorldException naming source, line, column and remedy, where the stream fails or holds no world
      */
     public static World read(InputStream in, String source, @Nullable Path base) throws WorldException {

@@ -1,5 +1,5 @@
 /**
- * Worlds as files: an XML format with a schema, its reader and writer, and a reader of OBJ meshes.
+ * Worlds as files: an XML format with a schema, its reader and writer, and readers of OBJ and STL meshes and ROS maps.
  *
  * <p>{@link robosim.geometry.world.WorldReader} turns a file into a {@link robosim.geometry.world.World}, a value;
  * {@link robosim.geometry.world.World#toGeometry()} makes a world of it that moves and measures. The format's schema is

@@ -1,0 +1,131 @@
+package robosim.geometry.world;
+
+import java.nio.charset.StandardCharsets;
+
+/** Words between white space in the bytes of a file, with the line on which each stands. */
+final class AsciiScanner {
+    private final byte[] bytes;
+    private final String source;
+    private final int comment;
+    private int from;
+    private int to;
+    private int line = 1;
+
+    /** Where a word would begin, a comment mark hides the rest of its line; -1 where the format has no comments. */
+    AsciiScanner(byte[] bytes, String source, int comment) {
+        this.bytes = bytes;
+        this.source = source;
+        this.comment = comment;
+    }
+
+    /** Goes to the next word; false at the end. */
+    boolean next() {
+        while (to < bytes.length && (isSpace(bytes[to]) || bytes[to] == comment)) {
+            if (bytes[to] == comment) {
+                skipLine();
+            } else {
+                line += bytes[to] == '\n' ? 1 : 0;
+                to++;
+            }
+        }
+        from = to;
+        while (to < bytes.length && !isSpace(bytes[to])) {
+            to++;
+        }
+        return from < to;
+    }
+
+    private static boolean isSpace(byte b) {
+        return b == ' ' || (b >= '\t' && b <= '\r');
+    }
+
+    /** The current word; empty at the end. */
+    String word() {
+        return new String(bytes, from, to - from, StandardCharsets.ISO_8859_1);
+    }
+
+    /** Whether the current word is this one, in capitals or not. */
+    boolean is(String word) {
+        return to - from == word.length() && word().equalsIgnoreCase(word);
+    }
+
+    /** Passes over the rest of the line. */
+    void skipLine() {
+        while (to < bytes.length && bytes[to] != '\n') {
+            to++;
+        }
+    }
+
+    /** Where the current word ends. */
+    int end() {
+        return to;
+    }
+
+    /** Goes to the next word, which is one of these; answers which. */
+    int expect(String what, String... words) throws WorldException {
+        next();
+        for (int k = 0; k < words.length; k++) {
+            if (is(words[k])) {
+                return k;
+            }
+        }
+        throw missing(what);
+    }
+
+    /** The current word is this one; always true. */
+    boolean expectCurrent(String what, String word) throws WorldException {
+        if (is(word)) {
+            return true;
+        }
+        throw missing(what);
+    }
+
+    /** Goes to the next word, whatever it is. */
+    void any(String what) throws WorldException {
+        if (!next()) {
+            throw missing(what);
+        }
+    }
+
+    /** Goes to the next word, a number. */
+    double number(String what) throws WorldException {
+        any(what);
+        try {
+            if (to - from > Numbers.MAX_LENGTH) {
+                throw new IllegalArgumentException(
+                        "a number must have at most " + Numbers.MAX_LENGTH + " characters (got: " + (to - from) + ")");
+            }
+            return Numbers.parse(word());
+        } catch (IllegalArgumentException e) {
+            throw wrong(what + ": " + e.getMessage());
+        }
+    }
+
+    /** Goes to the next word, digits of a number from a least one to a most one. */
+    int digits(String what, int least, int most) throws WorldException {
+        any(what);
+        int value = 0;
+        boolean fits = to - from <= 9;
+        for (int k = from; fits && k < to; k++) {
+            fits = bytes[k] >= '0' && bytes[k] <= '9';
+            value = 10 * value + (bytes[k] - '0');
+        }
+        if (!fits || value < least || value > most) {
+            throw wrong(what + " must be a whole number from " + least + " to " + most + " (got: " + shown() + ")");
+        }
+        return value;
+    }
+
+    WorldException wrong(String problem) {
+        return new WorldException(source, line, 0, problem);
+    }
+
+    private WorldException missing(String what) {
+        return wrong("here must stand " + what + " (got: " + (from < to ? shown() : "the end of the file") + ")");
+    }
+
+    private String shown() {
+        String text = new String(bytes, from, Math.min(to - from, 40), StandardCharsets.US_ASCII);
+        return to - from > 40 ? text + "..." : text;
+    }
+}

@@ -1,0 +1,161 @@
+package robosim.geometry.world;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import robosim.geometry.exact.Degrees;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+
+/**
+ * Reads an occupancy map of ROS: a YAML file and the PGM (P2, P5) or PNG image that it names, in modes trinary, scale and
+ * raw.
+ *
+ * <p>Occupied cells become walls: few boxes that cover them exactly, and no free or unknown cell. A place (x, y, z) of the
+ * map's frame, with z up from the floor, is (x, z - height / 2, -y) in the world, which is centred about the origin of
+ * the map's frame, in metres, as high as its walls and one cell wider all round than what it must hold: the whole image,
+ * free cells too. Yaw is a heading.
+ *
+ * <p>In modes trinary and scale a cell is a wall where ROS gives it 100; in mode raw where its value is above 100 times
+ * {@code occupied_thresh}. The edges of the boxes are those of the cells but for the rounding of their coordinates.
+ *
+ * <p>Needs snakeyaml-engine on the class path, and the module java.desktop for PNG.
+ */
+public final class RosMapReader {
+    /** Metres of the walls of a map, which has none of its own: a door's. */
+    public static final double WALL_HEIGHT = 2;
+
+    /** Cells must be far larger than the rounding of their coordinates. */
+    private static final double LEAST_ULPS = 0x1p20;
+
+    private RosMapReader() {}
+
+    /**
+     * Reads a map with walls of {@link #WALL_HEIGHT}.
+     *
+     * @throws WorldException naming file and line, where the map or its image cannot be read
+     */
+    public static World read(Path yaml) throws WorldException {
+        return read(yaml, WALL_HEIGHT);
+    }
+
+    /**
+     * Reads a map with walls of a height.
+     *
+     * @param height metres of the walls, and of the world; above 0
+     * @throws WorldException naming file and line, where the map or its image cannot be read
+     */
+    public static World read(Path yaml, double height) throws WorldException {
+        if (!(height > 0 && height <= 0x1p100)) {
+            throw new IllegalArgumentException("height must be above 0 and at most 2^100 (got: " + height + ")");
+        }
+        MapSettings settings = settings(yaml);
+        OccupancyGrid grid = grid(yaml, settings);
+        try {
+            return new World(
+                    2 * extent(settings, grid, 0),
+                    height,
+                    2 * extent(settings, grid, 2),
+                    Unit.METRE,
+                    Dimension.SPATIAL,
+                    Accuracy.EXACT,
+                    walls(settings, grid, height));
+        } catch (IllegalArgumentException e) {
+            throw new WorldException(yaml.toString(), 0, 0, String.valueOf(e.getMessage()), e);
+        }
+    }
+
+    static MapSettings settings(Path yaml) throws WorldException {
+        byte[] bytes = bytes(yaml, Limits.MAX_SETTINGS);
+        return MapSettings.parse(new String(bytes, StandardCharsets.UTF_8), yaml.toString());
+    }
+
+    static OccupancyGrid grid(Path yaml, MapSettings settings) throws WorldException {
+        Path image;
+        try {
+            image = Folder.locate(yaml.toAbsolutePath().resolveSibling(""), settings.image(), "map", "image");
+        } catch (IllegalArgumentException e) {
+            throw new WorldException(yaml.toString(), settings.imageLine(), 0, String.valueOf(e.getMessage()), e);
+        } catch (IOException e) {
+            throw new WorldException(yaml.toString(), settings.imageLine(), 0, "the image could not be read: " + e, e);
+        }
+        byte[] bytes = bytes(image, Limits.MAX_BYTES);
+        return PngReader.isPng(bytes)
+                ? PngReader.read(bytes, image.toString(), settings)
+                : PgmReader.read(bytes, image.toString(), settings);
+    }
+
+    private static byte[] bytes(Path file, long most) throws WorldException {
+        try (InputStream in = Files.newInputStream(file)) {
+            byte[] bytes = in.readNBytes((int) most + 1);
+            if (bytes.length > most) {
+                throw new WorldException(
+                        file.toString(), 0, 0, "the file must have at most " + most + " bytes (got: more)");
+            }
+            return bytes;
+        } catch (WorldException e) {
+            throw e;
+        } catch (NoSuchFileException e) {
+            throw new WorldException(file.toString(), 0, 0, "there is no such file; check the path", e);
+        } catch (IOException e) {
+            throw new WorldException(file.toString(), 0, 0, "the file could not be read: " + e, e);
+        }
+    }
+
+    private static List<WorldObject> walls(MapSettings settings, OccupancyGrid grid, double height) {
+        double heading = heading(settings);
+        List<WorldObject> walls = new ArrayList<>();
+        for (Rectangles.Rectangle cells :
+                Rectangles.cover(grid.occupied, grid.width, grid.height, Limits.MAX_OBJECTS)) {
+            BoxObject box = new BoxObject(
+                    new Point(),
+                    (cells.toX() - cells.fromX()) * settings.resolution(),
+                    height,
+                    (cells.toRow() - cells.fromRow()) * settings.resolution());
+            Point center = place(
+                    settings,
+                    (cells.fromX() + cells.toX()) / 2.0 * settings.resolution(),
+                    (grid.height - (cells.fromRow() + cells.toRow()) / 2.0) * settings.resolution());
+            walls.add(new WorldObject(box.at(Pose.of(center, heading))));
+        }
+        return walls;
+    }
+
+    private static double heading(MapSettings settings) {
+        return Degrees.toDegrees(settings.yaw());
+    }
+
+    /** Where in the world a place of the image is, in metres right and up from its lower left corner. */
+    private static Point place(MapSettings settings, double right, double up) {
+        double cos = Degrees.cos(heading(settings));
+        double sin = Degrees.sin(heading(settings));
+        double x = settings.x() + (right * cos - up * sin);
+        double y = settings.y() + (right * sin + up * cos);
+        return new Point(x, 0, -y);
+    }
+
+    /** How far the image reaches from the origin along X (0) or Z (2), and one cell more. */
+    private static double extent(MapSettings settings, OccupancyGrid grid, int axis) {
+        double farthest = 0;
+        for (int corner = 0; corner < 4; corner++) {
+            Point place = place(
+                    settings,
+                    (corner & 1) * grid.width * settings.resolution(),
+                    (corner >> 1) * grid.height * settings.resolution());
+            farthest = Math.max(farthest, Math.abs(axis == 0 ? place.x() : place.z()));
+        }
+        if (settings.resolution() < LEAST_ULPS * Math.ulp(farthest)) {
+            throw new IllegalArgumentException("resolution must be far above the rounding of coordinates at the map's"
+                    + " place; bring origin nearer to 0 (got: " + settings.resolution() + " at " + farthest + ")");
+        }
+        return farthest + settings.resolution();
+    }
+}

@@ -1,0 +1,355 @@
+package robosim.geometry.world;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.awt.image.BufferedImage;
+import java.awt.image.DataBuffer;
+import java.awt.image.IndexColorModel;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.Point;
+
+class RosMapReaderTest {
+    private static final Path MAPS = Path.of("src/test/resources/robosim/geometry/world/maps");
+    private static final String YAML = """
+            image: %s
+            resolution: 0.5
+            origin: [-1, -2, 0]
+            negate: %d
+            occupied_thresh: 0.65
+            free_thresh: 0.196
+            mode: %s
+            """;
+
+    @TempDir
+    Path folder;
+
+    private Path map(byte[] image, int negate, String mode) throws IOException {
+        Files.write(folder.resolve("map.img"), image);
+        return Files.writeString(folder.resolve("map.yaml"), YAML.formatted("map.img", negate, mode));
+    }
+
+    private Path map(String image) throws IOException {
+        return map(image.getBytes(StandardCharsets.ISO_8859_1), 0, "trinary");
+    }
+
+    private static OccupancyGrid grid(Path yaml) throws WorldException {
+        return RosMapReader.grid(yaml, RosMapReader.settings(yaml));
+    }
+
+    /** The rows of an image, walls as #. */
+    private static String picture(OccupancyGrid grid) {
+        StringBuilder rows = new StringBuilder();
+        for (int row = 0; row < grid.height; row++) {
+            for (int x = 0; x < grid.width; x++) {
+                rows.append(grid.occupied.get(row * grid.width + x) ? '#' : '.');
+            }
+            rows.append(row < grid.height - 1 ? " " : "");
+        }
+        return rows.toString();
+    }
+
+    @Test
+    void standsWhereRosHasIt() throws IOException {
+        World world = RosMapReader.read(map("P2 4 3 255  0 0 254 254  254 254 254 254  254 254 254 0"), 3);
+        // The lower left corner is (-1, -2) of the map, which is X -1 and Z +2; up in the image is -Z.
+        assertThat(world.objects())
+                .containsExactly(
+                        new WorldObject(new BoxObject(new Point(-0.5, 0, 0.75), 1, 3, 0.5)),
+                        new WorldObject(new BoxObject(new Point(0.75, 0, 1.75), 0.5, 3, 0.5)));
+        assertThat(world.unit()).isEqualTo(Unit.METRE);
+        assertThat(new double[] {world.width(), world.height(), world.length()}).containsExactly(3, 3, 5);
+        assertThat(world.toGeometry().objects()).hasSize(2);
+    }
+
+    @Test
+    void givesWallsTheHeightThatIsAskedFor() throws IOException {
+        Path yaml = map("P2 1 1 1 0");
+        assertThat(((BoxObject) RosMapReader.read(yaml).objects().get(0).object()).height())
+                .isEqualTo(RosMapReader.WALL_HEIGHT);
+        for (double wrong : new double[] {0, -1, Double.NaN, Double.POSITIVE_INFINITY}) {
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> RosMapReader.read(yaml, wrong))
+                    .withMessage("height must be above 0 and at most 2^100 (got: " + wrong + ")");
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                // 89 is 0.651 occupied, 90 is 0.647; 204 is 0.2, 206 is 0.192
+                "0 | trinary | ##..... | 3",
+                "1 | trinary | ....### | 3",
+                // 90 would be 99.4 of 100: not certain
+                "0 | scale   | ##..... | 3",
+                // a value itself, from 0 to 100, above 65
+                "0 | raw     | .##.... | 4",
+            })
+    void makesWallsByMode(int negate, String mode, String walls, int unknown) throws IOException {
+        OccupancyGrid grid =
+                grid(map("P2 7 1 255 0 89 90 150 204 206 255".getBytes(StandardCharsets.US_ASCII), negate, mode));
+        assertThat(picture(grid)).isEqualTo(walls);
+        assertThat(grid.unknown()).isEqualTo(unknown);
+    }
+
+    @Test
+    void takesTheThresholdForFreeEnough() throws IOException {
+        byte[] image = "P2 4 1 255 64 65 66 101".getBytes(StandardCharsets.US_ASCII);
+        assertThat(picture(grid(map(image, 0, "raw")))).isEqualTo("..#.");
+        Path yaml = map("P2 3 1 100 34 35 36"); // of which the second is 0.65 occupied, as the threshold is
+        assertThat(picture(grid(yaml))).isEqualTo("#..");
+    }
+
+    @Test
+    void readsEveryFormOfPgm() throws IOException {
+        String walls = "#.# ..#";
+        assertThat(picture(grid(map("P2\n# by hand\n3 2 # columns, rows\n9\n0 9 0\n9 # free\n9 0\n"))))
+                .isEqualTo(walls);
+        assertThat(picture(grid(map("P5 3 2 255\n\0\u00ff\0\u00ff\u00fe\1")))).isEqualTo(walls);
+        assertThat(picture(grid(map("P5 3 2 65535\n\0\0\u00ff\u00ff\0\1\u00ff\u00ff\u00ff\0\1\0"))))
+                .isEqualTo(walls);
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            ints = {
+                BufferedImage.TYPE_BYTE_GRAY,
+                BufferedImage.TYPE_USHORT_GRAY,
+                BufferedImage.TYPE_INT_RGB,
+                BufferedImage.TYPE_INT_ARGB,
+                BufferedImage.TYPE_BYTE_BINARY,
+                BufferedImage.TYPE_BYTE_INDEXED
+            })
+    void readsEveryFormOfPng(int type) throws IOException {
+        SplittableRandom random = new SplittableRandom(type);
+        BufferedImage image = new BufferedImage(31, 17, type);
+        StringBuilder pgm = new StringBuilder("P2 31 17 255");
+        int black = 0;
+        for (int row = 0; row < 17; row++) {
+            for (int x = 0; x < 31; x++) {
+                boolean isWall = random.nextInt(3) == 0;
+                black += isWall ? 1 : 0;
+                image.setRGB(x, row, isWall ? 0xff000000 : 0xffffffff);
+                pgm.append(isWall ? " 0" : " 255");
+            }
+        }
+        ByteArrayOutputStream png = new ByteArrayOutputStream();
+        ImageIO.write(image, "png", png);
+        OccupancyGrid grid = grid(map(png.toByteArray(), 0, "trinary"));
+        assertThat(grid.occupied.cardinality()).isEqualTo(black).isBetween(100, 300);
+        assertThat(picture(grid)).isEqualTo(picture(grid(map(pgm.toString()))));
+    }
+
+    /** A grey's own value counts, not what a gamma curve makes of it. */
+    @Test
+    void takesGreysOfAPngAsTheyAre() throws IOException {
+        BufferedImage image = new BufferedImage(256, 1, BufferedImage.TYPE_BYTE_GRAY);
+        StringBuilder pgm = new StringBuilder("P2 256 1 255");
+        for (int x = 0; x < 256; x++) {
+            image.getRaster().setSample(x, 0, 0, x);
+            pgm.append(' ').append(x);
+        }
+        ByteArrayOutputStream png = new ByteArrayOutputStream();
+        ImageIO.write(image, "png", png);
+        OccupancyGrid grid = grid(map(png.toByteArray(), 0, "trinary"));
+        assertThat(grid.occupied.cardinality()).isEqualTo(90); // 0 to 89
+        assertThat(grid.unknown()).isEqualTo(116); // 90 to 205
+        assertThat(picture(grid)).isEqualTo(picture(grid(map(pgm.toString()))));
+    }
+
+    @Test
+    void countsOpacityAsRosDoes() throws IOException {
+        int[] pixels = {0xff000000, 0x00000000, 0xffffffff, 0x00ffffff, 0xff505050};
+        BufferedImage colours = new BufferedImage(5, 1, BufferedImage.TYPE_INT_ARGB);
+        IndexColorModel palette = new IndexColorModel(3, 5, pixels, 0, true, -1, DataBuffer.TYPE_BYTE);
+        BufferedImage indexed = new BufferedImage(5, 1, BufferedImage.TYPE_BYTE_INDEXED, palette);
+        for (int x = 0; x < 5; x++) {
+            colours.setRGB(x, 0, pixels[x]);
+            indexed.getRaster().setSample(x, 0, 0, x);
+        }
+        for (BufferedImage image : new BufferedImage[] {colours, indexed}) {
+            ByteArrayOutputStream png = new ByteArrayOutputStream();
+            ImageIO.write(image, "png", png);
+            // Trinary: the mean of four, so that white and transparent is 0.25 occupied, dark grey and opaque 0.51.
+            OccupancyGrid trinary = grid(map(png.toByteArray(), 0, "trinary"));
+            assertThat(picture(trinary)).isEqualTo("##...");
+            assertThat(trinary.unknown()).isEqualTo(2);
+            OccupancyGrid scale = grid(map(png.toByteArray(), 0, "scale"));
+            assertThat(picture(scale)).isEqualTo("#...#");
+            assertThat(scale.unknown()).isEqualTo(2);
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "P3 1 1 1 0|1|here must stand P2 or P5 (got: P3)",
+                "P2;# size;0 5 255|3|the width must be a whole number from 1 to 16777216 (got: 0)",
+                "P5 100000 100000 255;|1|an image must have 1 to 16777216 pixels (got: 100000 x 100000)",
+                "P5 9999999999 1 255;|1|(got: 9999999999)",
+                "P2 2 1 70000 0 0|1|the value of white must be a whole number from 1 to 65535 (got: 70000)",
+                "P2 2 1;9;0|3|here must stand a pixel (got: the end of the file)",
+                "P2 2 1;9;0 10|3|a pixel must be a whole number from 0 to 9 (got: 10)",
+                "P2 2 1;9;0 9;0|4|an image must end behind its last pixel",
+                "P5 2 1 255;a|0|an image of 2 x 1 pixels must have 2 bytes behind its head; it may be cut off (got: 1)",
+                "P5 2 1 255;abc|0|(got: 3)",
+                "P5 2 1 9;aa|0|a pixel must be at most white, 9 (got: 97 in column 1 of row 1)",
+                "P5 2 1 255|0|(got: -1)",
+            })
+    void refusesImagesWithPlaceAndRemedy(String image, int line, String message) throws IOException {
+        Path yaml = map(image.replace(';', '\n'));
+        assertThatThrownBy(() -> RosMapReader.read(yaml))
+                .isInstanceOfSatisfying(
+                        WorldException.class, e -> assertThat(e.line()).isEqualTo(line))
+                .hasMessageContaining("map.img:")
+                .hasMessageContaining(message);
+    }
+
+    @Test
+    void refusesPngsThatAreBrokenOrFarTooLarge() throws IOException {
+        BufferedImage image = new BufferedImage(40, 40, BufferedImage.TYPE_BYTE_GRAY);
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        ImageIO.write(image, "png", out);
+        byte[] png = out.toByteArray();
+        SplittableRandom random = new SplittableRandom(5);
+        int refused = 0;
+        for (int k = 0; k < 300; k++) {
+            byte[] damaged = Arrays.copyOf(png, k < 100 ? 4 + random.nextInt(png.length - 4) : png.length);
+            damaged[4 + random.nextInt(damaged.length - 4)] ^= (byte) (1 + random.nextInt(255));
+            Path yaml = map(damaged, 0, "trinary");
+            try {
+                RosMapReader.read(yaml);
+            } catch (WorldException e) {
+                refused++;
+                assertThat(e).hasMessageContaining("map.img: ");
+            }
+        }
+        assertThat(refused).isBetween(100, 300);
+        png[17] = 0x7f; // the width: 8 million
+        Path yaml = map(png, 0, "trinary");
+        assertThatThrownBy(() -> RosMapReader.read(yaml))
+                .isInstanceOf(WorldException.class)
+                .hasMessageContaining("an image must have 1 to 16777216 pixels (got: 8323112 x 40)");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '~',
+            value = {
+                "image: map.img|image: gone.pgm|1|there is no such image file in ",
+                "image: map.img|image: ../map.img|1|stay inside it (got: ../map.img)",
+                "image: map.img|image: /map.img|1|stay inside it (got: /map.img)",
+                "image: map.img|image: [a, b]|1|image must be a single value (got: a sequence)",
+                "image: map.img|picture: map.img|1|remove it (got: picture)",
+                "image: map.img|image: map.img;image: map.img|2|a key must stand once; remove one of them (got twice: image)",
+                "image: map.img|~~|0|a map must have image; add it (got: none)",
+                "resolution: 0.5|resolution: 0|2|resolution must be above 0 metres to a cell (got: 0.0)",
+                "resolution: 0.5|resolution: .nan|2|resolution: a number must be decimal and finite",
+                "resolution: 0.5|resolution: 1e-30|0|resolution must be far above the rounding of coordinates",
+                "resolution: 0.5|resolution: 1e99|0|2^100",
+                "origin: [-1, -2, 0]|origin: [-1, -2]|3|origin must be [x, y, yaw] (got: 2 numbers)",
+                "origin: [-1, -2, 0]|origin: -1|3|origin must be [x, y, yaw] (got: 0 numbers)",
+                "origin: [-1, -2, 0]|origin: [-1, -2, north]|3|origin: a number must be decimal",
+                "negate: 0|negate: yes|4|negate must be 0, 1, false or true (got: yes)",
+                "occupied_thresh: 0.65|occupied_thresh: 65|5|occupied_thresh must be from 0 to 1 (got: 65.0)",
+                "free_thresh: 0.196|free_thresh: 0.7|6|free_thresh must be at most occupied_thresh, 0.65 (got: 0.7)",
+                "mode: trinary|mode: Trinary|7|mode must be trinary, scale or raw (got: Trinary)",
+                "negate: 0|negate: [0|5|this is no YAML: ",
+            })
+    void refusesSettingsWithPlaceAndRemedy(String was, String is, int line, String message) throws IOException {
+        Path yaml = map("P2 1 1 1 0");
+        String text = Files.readString(yaml);
+        assertThat(text).contains(was);
+        Files.writeString(yaml, text.replace(was, is.replace(';', '\n')));
+        assertThatThrownBy(() -> RosMapReader.read(yaml))
+                .isInstanceOfSatisfying(
+                        WorldException.class, e -> assertThat(e.line()).isEqualTo(line))
+                .hasMessageStartingWith(yaml.toString())
+                .hasMessageContaining(message);
+    }
+
+    @Test
+    void refusesWhatIsNoMapAtAll() throws IOException {
+        Path yaml = folder.resolve("map.yaml");
+        assertThatThrownBy(() -> RosMapReader.read(yaml)).hasMessage(yaml + ": there is no such file; check the path");
+        for (String text : new String[] {"", "- a\n", "word"}) {
+            Files.writeString(yaml, text);
+            assertThatThrownBy(() -> RosMapReader.read(yaml))
+                    .isInstanceOf(WorldException.class)
+                    .hasMessageContaining("a map must be keys with values");
+        }
+        Files.writeString(yaml, "#".repeat(Limits.MAX_SETTINGS + 1));
+        assertThatThrownBy(() -> RosMapReader.read(yaml)).hasMessageContaining("at most 65536 bytes (got: more)");
+        Path raw = map("P2 1 1 1 0".getBytes(StandardCharsets.US_ASCII), 1, "raw");
+        assertThatThrownBy(() -> RosMapReader.read(raw)).hasMessageContaining("negate must be 0 in mode raw");
+    }
+
+    @Test
+    void readsSettingsAsPeopleWriteThem() throws IOException {
+        World plain = RosMapReader.read(map("P2 2 1 1 0 1"));
+        Path yaml = Files.writeString(folder.resolve("other.yaml"), """
+                %YAML 1.1
+                ---
+                # by hand
+                mode: 'trinary'
+                image: "./map.img"   # beside this file
+                resolution: 5.0e-1
+                origin:
+                  - -1.0
+                  - -2.
+                  - 0.000000
+                negate: false
+                occupied_thresh: .65
+                free_thresh: 0.196
+                """);
+        assertThat(RosMapReader.read(yaml)).isEqualTo(plain);
+    }
+
+    // Maps that nobody here made.
+
+    @Test
+    void readsTenByTen() throws IOException {
+        OccupancyGrid grid = grid(MAPS.resolve("TenByTen.yaml"));
+        assertThat(picture(grid))
+                .isEqualTo(
+                        ".......... .......... .......### ....#..### ....#..### .......... .......... ...###.... .......###"
+                                + " .......###");
+        assertThat(grid.unknown()).isEqualTo(2);
+        assertThat(RosMapReader.read(MAPS.resolve("TenByTen.yaml")).objects()).hasSize(4);
+    }
+
+    @Test
+    void readsAnArenaAsARobotMappedIt() throws IOException {
+        OccupancyGrid grid = grid(MAPS.resolve("tb3_sandbox.yaml"));
+        assertThat(grid.width).isEqualTo(384);
+        assertThat(grid.height).isEqualTo(384);
+        assertThat(grid.occupied.cardinality()).isEqualTo(870);
+        assertThat(grid.unknown()).isEqualTo(138_683);
+        World world = RosMapReader.read(MAPS.resolve("tb3_sandbox.yaml"));
+        assertThat(world.objects()).hasSizeBetween(100, 500);
+        double area = world.objects().stream()
+                .map(object -> (BoxObject) object.object())
+                .mapToDouble(box -> box.width() * box.length())
+                .sum();
+        assertThat(area / (0.05 * 0.05)).isCloseTo(870, within(1e-9));
+        assertThat(world.toGeometry().objects()).hasSameSizeAs(world.objects());
+    }
+}
