@@ -42,8 +42,9 @@ class AccessTest {
         return InetAddress.getByName("0.0.0.0");
     }
 
+    // Long enough for a first handshake on a busy machine.
     private static NetOptions options(@Nullable Tls tls, @Nullable Secret secret) {
-        return NetOptions.defaults().withAccess(tls, secret).withTimes(Duration.ofSeconds(1), Duration.ofSeconds(5));
+        return NetOptions.defaults().withAccess(tls, secret).withTimes(Duration.ofSeconds(5), Duration.ofSeconds(20));
     }
 
     private static Peer secured(int port, Tls tls) throws IOException {
