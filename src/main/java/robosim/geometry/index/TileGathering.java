@@ -69,16 +69,7 @@ final class TileGathering {
         if (Math.min(Math.min(a, b), Math.min(c, d)) < Tiles.NONE) {
             return false;
         }
-        // A head that is NONE is written over by the next one.
-        heads[0] = a;
-        int lists = 1 + (a >> SIGN);
-        heads[lists] = b;
-        lists += 1 + (b >> SIGN);
-        heads[lists] = c;
-        lists += 1 + (c >> SIGN);
-        heads[lists] = d;
-        lists += 1 + (d >> SIGN);
-        read(over.store, lists);
+        read(over.store, list(a, b, c, d));
         return true;
     }
 
@@ -177,6 +168,11 @@ final class TileGathering {
         int b = grid.heads[cell + more] | -(1 - more);
         int c = grid.heads[below] | -(1 - deeper);
         int d = grid.heads[below + more] | -(1 - (more & deeper));
+        return list(a, b, c, d);
+    }
+
+    /** Writes down those of four heads that are not NONE, and answers how many: one that is is written over by the next. */
+    private int list(int a, int b, int c, int d) {
         heads[0] = a;
         int lists = 1 + (a >> SIGN);
         heads[lists] = b;
