@@ -8,6 +8,7 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.ObjectGroup;
 
 /** Which robots of a world can get to each other, as {@link WorldCheck} defines it. */
 final class Rooms {
@@ -61,21 +62,33 @@ final class Rooms {
         return rooms();
     }
 
-    /** At first all that have not been met, later those that are shut in and the one that fits through most doors. */
+    /**
+     * At first all, later one of each room: those that fit through most doors before the others. Who has been met by one of
+     * them need not go himself.
+     */
     private List<Integer> toBeSent(int halvings) {
-        List<Integer> sent = new ArrayList<>();
-        List<List<Integer>> groups = groups();
-        if (halvings == 0) {
-            for (int k = 0; k < robots.size(); k++) {
-                sent.add(k);
-            }
-            return sent;
+        Comparator<Integer> order = Comparator.<Integer, Boolean>comparing(k -> isMany(robots.get(k)))
+                .thenComparingDouble(k -> Extents.of(robots.get(k)).narrow());
+        if (halvings > 0) {
+            return groups().stream()
+                    .map(group -> group.stream().min(order).orElseThrow())
+                    .toList();
         }
-        groups.get(0).stream()
-                .min(Comparator.comparingDouble(k -> Extents.of(robots.get(k)).narrow()))
-                .ifPresent(sent::add);
-        groups.subList(1, groups.size()).forEach(sent::addAll);
+        List<Integer> sent = new ArrayList<>();
+        for (int k = 0; k < robots.size(); k++) {
+            sent.add(k);
+        }
+        sent.sort(order);
         return sent;
+    }
+
+    /** Whether it has so many parts that it moves slowly. */
+    private static boolean isMany(GeometryObject robot) {
+        return switch (robot.kind()) {
+            case MESH -> true;
+            case GROUP -> ((ObjectGroup) robot).members().stream().anyMatch(Rooms::isMany);
+            case BOX, CYLINDER, SPHERE -> false;
+        };
     }
 
     private void send(Geometry statics, int k, int halvings) {
@@ -87,9 +100,8 @@ final class Rooms {
         }
         Trip trip = new Trip(world, statics, robots.get(k), halvings);
         Trip last = trips[k];
-        // Met by one that went before, with nobody left to be found; or no finer than the last time.
-        boolean idle = halvings == 0 ? others.isEmpty() && anyTrip(k) : last != null && trip.step() >= last.step();
-        if (idle) {
+        boolean coarse = last != null && trip.step() >= last.step();
+        if (coarse || (halvings == 0 && anyTrip(k))) {
             return;
         }
         trips[k] = trip;

@@ -90,16 +90,9 @@ final class Trip {
     }
 
     WorldCheck.Room room(List<String> names) {
-        Point c = body.center();
+        double half = extents.narrow() / 2;
         return new WorldCheck.Room(
-                names,
-                x(leastX) - c.x() + extents.minX(),
-                z(leastZ) - c.z() + extents.minZ(),
-                x(mostX) - c.x() + extents.maxX(),
-                z(mostZ) - c.z() + extents.maxZ(),
-                area(),
-                places,
-                step);
+                names, x(leastX) - half, z(leastZ) - half, x(mostX) + half, z(mostZ) + half, area(), places, step);
     }
 
     private double x(int i) {
@@ -125,6 +118,7 @@ final class Trip {
             BitSet placesSeen = new BitSet();
             BitSet missing = new BitSet();
             missing.set(0, others.size());
+            int turned = 0;
             for (int at = 0; at < queued; at++) {
                 watch.at("the ways of " + name, at, (long) countX * countZ * turns);
                 int state = queue[at];
@@ -135,6 +129,10 @@ final class Trip {
                     meet(place, others, missing, met);
                 }
                 spread(state);
+                // Turns cost most: only where no straight way leads on.
+                while (turns > 1 && at == queued - 1 && turned < queued) {
+                    turn(queue[turned++]);
+                }
             }
         } finally {
             geometry.removeObject(name);
@@ -170,7 +168,6 @@ final class Trip {
     }
 
     private void spread(int state) {
-        int turn = state % turns;
         int place = state / turns;
         int i = place / countZ;
         int j = place % countZ;
@@ -178,10 +175,12 @@ final class Trip {
         attempt(state, i + 1 < countX, state + countZ * turns, step, 0);
         attempt(state, j > 0, state - turns, 0, -step);
         attempt(state, j + 1 < countZ, state + turns, 0, step);
-        if (turns > 1) {
-            attemptTurn(state, place * turns + (turn + 1) % turns, TURN);
-            attemptTurn(state, place * turns + (turn + turns - 1) % turns, -TURN);
-        }
+    }
+
+    private void turn(int state) {
+        int turn = state % turns;
+        attemptTurn(state, state - turn + (turn + 1) % turns, TURN);
+        attemptTurn(state, state - turn + (turn + turns - 1) % turns, -TURN);
     }
 
     private void attempt(int from, boolean exists, int to, double dx, double dz) {
@@ -194,7 +193,8 @@ final class Trip {
     }
 
     private void attemptTurn(int from, int to, double degrees) {
-        if (!seen.get(to) && put(from) && geometry.simpleTurn(name, degrees)) {
+        // Whether it may stand there at all is soon told.
+        if (!seen.get(to) && put(to) && put(from) && geometry.simpleTurn(name, degrees)) {
             enqueue(to);
         }
     }

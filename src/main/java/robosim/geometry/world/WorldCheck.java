@@ -28,7 +28,8 @@ import robosim.geometry.model.Point;
  * in a large world; it is halved twice where not everything is reached. All other moveable objects are taken out, as they
  * may drive away. A robot can get to another where it can come so near that the bodies would touch but for two steps, with
  * nothing between the two centres; two robots share a room where one of them can get to the other, also by way of
- * further ones. Who starts in contact or outside of the world is not asked.
+ * further ones. The narrowest go first, and who has been met need not go. Who starts in contact or outside of the world is
+ * not asked.
  *
  * <p><b>Needs.</b> The same questions, drawn from a fixed seed, are put to the world in both dimensions at each accuracy:
  * may a robot stand at a random place, may it make a random move or turn from there, what does one of its sonars hear (in
@@ -93,7 +94,8 @@ public record WorldCheck(
      * A part of the world that robots share.
      *
      * @param robots their names, in the world's order
-     * @param minX   of what their bodies get to; so are the other three
+     * @param minX   of the places that the centre of one of them gets to, and half of its smaller side around them; so are
+     *               the other three
      * @param area   of the places that the centre of one of them gets to, world units squared: their number times the
      *               square of the step
      * @param places how many places of the grid that are; 1 where the robot cannot make a step
