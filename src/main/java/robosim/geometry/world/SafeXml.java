@@ -15,17 +15,9 @@ final class SafeXml {
 
     private SafeXml() {}
 
-    /** A parser of the JDK's own, whatever else is on the class path, that knows namespaces. */
-    static XMLReader namespaceReader() throws SAXException {
-        return reader(SAXParserFactory.newDefaultNSInstance());
-    }
-
-    /** A parser of the JDK's own that takes a prefix for a part of the name, declared or not. */
-    static XMLReader plainReader() throws SAXException {
-        return reader(SAXParserFactory.newDefaultInstance());
-    }
-
-    private static XMLReader reader(SAXParserFactory factory) throws SAXException {
+    /** A parser of the JDK's own, whatever else is on the class path. */
+    static XMLReader reader() throws SAXException {
+        SAXParserFactory factory = SAXParserFactory.newDefaultNSInstance();
         try {
             factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);
             factory.setFeature("http://apache.org/xml/features/disallow-doctype-decl", true);

@@ -34,7 +34,7 @@ final class SdfManifest extends DefaultHandler {
     static String read(Path file) throws WorldException {
         SdfManifest manifest = new SdfManifest(file);
         try (InputStream in = Files.newInputStream(file)) {
-            XMLReader reader = SafeXml.plainReader();
+            XMLReader reader = SafeXml.reader();
             reader.setContentHandler(manifest);
             reader.setErrorHandler(manifest);
             reader.parse(new InputSource(new Bounded(new BufferedInputStream(in))));

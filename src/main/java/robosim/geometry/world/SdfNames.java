@@ -109,6 +109,14 @@ final class SdfNames {
         return names != null && (names.isEmpty() || names.contains(child));
     }
 
+    /** Whether what is passed over below an element is something of its own, and no mere property. */
+    static boolean isCounted(String parent) {
+        return switch (parent) {
+            case "sdf", "world", "model", "include", "link", "collision" -> true;
+            default -> false;
+        };
+    }
+
     /** Why a child that is neither read nor passed over is left out. */
     static String reason(String parent, String child) {
         String known = known(child);

@@ -87,9 +87,9 @@ final class SdfObjects {
     /** What moves with a body goes into it; static models in it become objects of their own. */
     private void gather(SdfNode model, Placement inWorld, Placement inBody, Body body) throws WorldException {
         SdfScope scope = inner(model);
-        counts.merge("models", 1, Integer::sum);
+        counts.merge("model", 1, Integer::sum);
         for (SdfNode link : scope.links) {
-            counts.merge("links", 1, Integer::sum);
+            counts.merge("link", 1, Integer::sum);
             for (SdfElement collision : collisions(link)) {
                 String path = path(scope, link, collision);
                 Placement local = local(scope, link, collision);
@@ -116,9 +116,9 @@ final class SdfObjects {
         Map<SdfElement, GeometryObject> found = new LinkedHashMap<>();
         Map<SdfElement, String> paths = new HashMap<>();
         SdfScope scope = inner(model);
-        counts.merge("models", 1, Integer::sum);
+        counts.merge("model", 1, Integer::sum);
         for (SdfNode link : scope.links) {
-            counts.merge("links", 1, Integer::sum);
+            counts.merge("link", 1, Integer::sum);
             for (SdfElement collision : collisions(link)) {
                 String path = path(scope, link, collision);
                 Placement place = inWorld.then(local(scope, link, collision));
@@ -176,7 +176,7 @@ final class SdfObjects {
         if (++collisions > Limits.MAX_OBJECTS) {
             throw collision.wrong("a world must have at most " + Limits.MAX_OBJECTS + " collisions (got: more)");
         }
-        counts.merge("collisions", 1, Integer::sum);
+        counts.merge("collision", 1, Integer::sum);
         tree.account(collision);
         GeometryObject shape = shapes.shape(collision, path, place);
         if (shape != null) {

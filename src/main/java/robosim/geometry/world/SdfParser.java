@@ -43,7 +43,7 @@ final class SdfParser extends DefaultHandler {
     static SdfElement read(SdfFile file) throws WorldException {
         SdfParser parser = new SdfParser(file);
         try (InputStream in = Files.newInputStream(file.path())) {
-            XMLReader reader = SafeXml.plainReader();
+            XMLReader reader = SafeXml.reader();
             reader.setContentHandler(parser);
             reader.setErrorHandler(parser);
             reader.setEntityResolver(parser);
@@ -90,7 +90,9 @@ final class SdfParser extends DefaultHandler {
         } else {
             outside = 1;
             if (SdfNames.isPassedOver(parent.name, name)) {
-                parent.passedOver.merge(name, 1, Integer::sum);
+                if (SdfNames.isCounted(parent.name)) {
+                    parent.passedOver.merge(name, 1, Integer::sum);
+                }
             } else {
                 bounded();
                 parent.skipped.add(

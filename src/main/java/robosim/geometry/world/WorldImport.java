@@ -72,7 +72,7 @@ public record WorldImport(
             case "yaml", "yml" -> {
                 World world = RosMapReader.read(file, options.wallHeight());
                 yield new WorldImport(
-                        world, "ROS map", Map.of("walls", world.objects().size()));
+                        world, "ROS map", Map.of("wall", world.objects().size()));
             }
             case "pgm", "png" ->
                 throw new WorldException(
@@ -87,7 +87,7 @@ public record WorldImport(
             default -> {
                 World world = WorldReader.readXml(file);
                 yield new WorldImport(
-                        world, "world", Map.of("objects", world.objects().size()));
+                        world, "world", Map.of("object", world.objects().size()));
             }
         };
     }
@@ -116,7 +116,7 @@ public record WorldImport(
                 Dimension.SPATIAL,
                 Accuracy.EXACT,
                 objects);
-        return new WorldImport(world, format, Map.of("vertices", mesh.vertices().size(), "faces", mesh.faces().length));
+        return new WorldImport(world, format, Map.of("vertex", mesh.vertices().size(), "face", mesh.faces().length));
     }
 
     /** What was read and what not, in lines for people; what is left out comes first, at most so many of it. */
@@ -140,7 +140,7 @@ public record WorldImport(
 
     private static String counted(Map<String, Integer> counts) {
         List<String> parts = new ArrayList<>();
-        counts.forEach((name, count) -> parts.add(count + " " + name));
+        counts.forEach((name, count) -> parts.add(name + " " + count));
         return parts.isEmpty() ? "nothing" : String.join(", ", parts);
     }
 }

@@ -6,6 +6,7 @@ import java.io.InputStream;
 import java.net.URL;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import javax.xml.XMLConstants;
 import javax.xml.validation.Schema;
@@ -24,6 +25,7 @@ import org.xml.sax.XMLReader;
  * is refused. A world is read whole or not at all.
  */
 public final class WorldReader {
+    private static final int MOST_WARNINGS = 10;
     private static final System.Logger LOG = System.getLogger(WorldReader.class.getPackageName());
 
     private WorldReader() {}
@@ -36,8 +38,14 @@ public final class WorldReader {
      */
     public static World read(Path file) throws WorldException {
         WorldImport imported = WorldImport.read(file, ImportOptions.DEFAULT);
-        for (Skipped skipped : imported.skipped()) {
-            LOG.log(System.Logger.Level.WARNING, skipped);
+        List<Skipped> skipped = imported.skipped();
+        for (Skipped each : skipped.subList(0, Math.min(MOST_WARNINGS, skipped.size()))) {
+            LOG.log(System.Logger.Level.WARNING, each);
+        }
+        if (skipped.size() > MOST_WARNINGS) {
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    () -> file + ": left out " + (skipped.size() - MOST_WARNINGS) + " more, which convert names");
         }
         return imported.world();
     }
@@ -63,7 +71,7 @@ public final class WorldReader {
         WorldHandler handler = new WorldHandler(source, base, validator);
         try {
             validator.setProperty(SafeXml.LOCALE, Locale.ROOT);
-            XMLReader reader = SafeXml.namespaceReader();
+            XMLReader reader = SafeXml.reader();
             reader.setContentHandler(handler);
             reader.setErrorHandler(handler);
             reader.setEntityResolver(handler);
