@@ -30,7 +30,19 @@ import robosim.geometry.world.WorldReader;
                         + " TCP. Leaves a picture, the recording and a summary, and fails where the audit of the recording finds"
                         + " anything wrong.",
         mixinStandardHelpOptions = true,
-        showDefaultValues = true)
+        versionProvider = Version.class,
+        showDefaultValues = true,
+        exitCodeListHeading = ExitCodes.HEADING,
+        exitCodeList = {
+            ExitCodes.FINE + ":the audit found nothing wrong",
+            ExitCodes.FINDINGS + ":the audit found something wrong",
+            ExitCodes.REFUSED
+        },
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  robosim-geometry demo",
+            "  robosim-geometry demo --world worlds/warehouse.xml --steps 500 --seed 7 -o warehouse"
+        })
 final class DemoCommand implements Callable<Integer> {
     @Spec
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
@@ -101,7 +113,7 @@ final class DemoCommand implements Callable<Integer> {
         out.println("Picture and recording: " + output.resolve("world.svg") + ", world.png, to-module.bin,"
                 + " from-module.bin, summary.txt");
         out.flush();
-        return audited == 0 ? 0 : Commands.WRONG;
+        return audited == 0 ? 0 : ExitCodes.FINDINGS;
     }
 
     private void check(boolean good, String message) {

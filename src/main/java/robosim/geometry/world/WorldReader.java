@@ -5,7 +5,6 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.net.URL;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Locale;
 import javax.xml.XMLConstants;
@@ -40,12 +39,8 @@ public final class WorldReader {
     public static World read(Path file) throws WorldException {
         try (InputStream in = Files.newInputStream(file)) {
             return read(in, file.toString(), file.toAbsolutePath().getParent());
-        } catch (WorldException e) {
-            throw e;
-        } catch (NoSuchFileException e) {
-            throw new WorldException(file.toString(), 0, 0, "there is no such file; check the path", e);
         } catch (IOException e) {
-            throw new WorldException(file.toString(), 0, 0, "the file could not be read: " + e, e);
+            throw WorldException.unreadable(file, e);
         }
     }
 

@@ -34,18 +34,19 @@ class CommandsTest {
                     connect localhost 0                  | PORT must be 1 to 65535 (got: 0)
                     render worlds/rooms.xml              | Missing required option: '--output=FILE'
                     render worlds/rooms.xml -o a.gif     | FILE must end in .svg or .png (got: a.gif)
-                    render nowhere.xml -o a.png          | WORLD must be a file (got: nowhere.xml)
+                    render nowhere.xml -o a.png          | WORLD must be a file; there is none, check the path (got: nowhere.xml)
+                    render worlds -o a.png               | WORLD must be a file; this is a folder, name one in it (got: worlds)
                     render pom.xml -o a.png              | pom.xml
                     """)
     void badArgumentsAreRefusedWithTheirReason(String line, String reason) {
-        assertThat(run(line.split(" "))).isEqualTo(Commands.UNUSABLE);
+        assertThat(run(line.split(" "))).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).contains(reason).doesNotContain("\tat ");
         assertThat(out.toString()).isEmpty();
     }
 
     @Test
     void nothingAtAllShowsTheCommands() {
-        assertThat(run()).isEqualTo(Commands.UNUSABLE);
+        assertThat(run()).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).contains("demo", "serve", "connect", "render");
     }
 
