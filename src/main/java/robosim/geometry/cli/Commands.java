@@ -1,55 +1,106 @@
 package robosim.geometry.cli;
 
 import java.io.PrintWriter;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
+import java.nio.file.NoSuchFileException;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 
 /** All commands, and what becomes of their failures. */
 @Command(
-        name = "robosim-geometry",
-        description = "Collision, motion and range queries for robot simulators, over TCP.",
+        name = Commands.NAME,
+        description = "Collision, motion and range queries for robot simulators, over TCP and on files.",
         synopsisSubcommandLabel = "COMMAND",
         mixinStandardHelpOptions = true,
-        version = "robosim-geometry 1.0.0-SNAPSHOT",
+        versionProvider = Version.class,
+        exitCodeListHeading = ExitCodes.HEADING,
+        exitCodeList = {
+            ExitCodes.DONE,
+            ExitCodes.FINDINGS + ":done, and something was found: answers differ, or a world has findings",
+            ExitCodes.UNUSABLE + ":not done: bad usage, input that cannot be read, a connection that failed"
+        },
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  robosim-geometry demo",
+            "  robosim-geometry render rooms.xml -o rooms.svg",
+            "  robosim-geometry COMMAND --help"
+        },
         subcommands = {
             DemoCommand.class,
+            RenderCommand.class,
+            ConvertCommand.class,
             ServeCommand.class,
             ConnectCommand.class,
-            RenderCommand.class,
-            ReplayCommand.class
+            ReplayCommand.class,
+            CompletionCommand.class
         })
 final class Commands {
-    /** The exit code where the module was found wrong. */
-    static final int WRONG = 1;
+    static final String NAME = "robosim-geometry";
 
-    /** The exit code where it could not be asked. */
-    static final int UNUSABLE = 2;
+    private final boolean standard;
 
-    private Commands() {}
+    private Commands(boolean standard) {
+        this.standard = standard;
+    }
 
     static int run(String... arguments) {
-        return run(new CommandLine(new Commands()), arguments);
+        return run(line(true), arguments);
     }
 
     /** Runs a command that writes elsewhere. */
     static int run(PrintWriter out, PrintWriter err, String... arguments) {
-        CommandLine line = new CommandLine(new Commands());
+        CommandLine line = line(false);
         line.setOut(out);
         line.setErr(err);
         return run(line, arguments);
     }
 
-    private static int run(CommandLine line, String... arguments) {
+    /** All commands, as yet without arguments. */
+    static CommandLine line(boolean standard) {
+        CommandLine line = new CommandLine(new Commands(standard));
         line.setCaseInsensitiveEnumValuesAllowed(true);
+        return line;
+    }
+
+    /** Whether what this command writes as its error is the process's own. */
+    static boolean writesToStandardError(CommandLine line) {
+        return line.getCommandSpec().root().userObject() instanceof Commands commands && commands.standard;
+    }
+
+    private static int run(CommandLine line, String... arguments) {
         line.setExecutionExceptionHandler((failure, command, parsed) -> {
-            String message = failure.getMessage();
-            command.getErr().println(message == null ? failure.toString() : message);
-            return UNUSABLE;
+            command.getErr().println(text(failure));
+            return ExitCodes.UNUSABLE;
         });
         if (arguments.length == 0) {
             line.usage(line.getErr());
-            return UNUSABLE;
+            return ExitCodes.UNUSABLE;
         }
         return line.execute(arguments);
+    }
+
+    /** What a failure tells people: its message, where that is a sentence. */
+    private static String text(Exception failure) {
+        String message = failure.getMessage();
+        if (failure instanceof FileSystemException onFiles && message != null) {
+            return file(onFiles, message);
+        }
+        return message == null ? failure.toString() : message;
+    }
+
+    private static String file(FileSystemException failure, String message) {
+        String file = String.valueOf(failure.getFile());
+        if (failure instanceof NoSuchFileException) {
+            return file + ": there is no such file or folder; check the path";
+        }
+        if (failure instanceof AccessDeniedException) {
+            return file + ": this may not be read or written; check who owns it";
+        }
+        if (failure instanceof FileAlreadyExistsException) {
+            return file + ": this is there already, and no folder; remove it or name another place";
+        }
+        return failure.getReason() == null ? message : file + ": " + failure.getReason();
     }
 }

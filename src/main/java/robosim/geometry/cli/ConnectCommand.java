@@ -17,9 +17,16 @@ import robosim.geometry.net.Redial;
         name = "connect",
         description = "Dials RoboSim's environment module and answers it; dials again when it is gone.",
         mixinStandardHelpOptions = true,
+        versionProvider = Version.class,
+        exitCodeListHeading = ExitCodes.HEADING,
+        exitCodeList = {
+            ExitCodes.FINE + ":with --once, the environment was answered and hung up",
+            ExitCodes.UNUSABLE
+                    + ":not done: bad usage, or with --once an environment that cannot be reached or a connection that"
+                    + " failed (TLS, the secret, the protocol)"
+        },
+        footerHeading = "%nExamples:%n",
         footer = {
-            "",
-            "Examples:",
             "  robosim-geometry connect localhost 5555",
             "  robosim-geometry connect localhost 5555 --once --record session.scenario.jsonl"
         })
@@ -56,6 +63,7 @@ final class ConnectCommand implements Callable<Integer> {
         GeometryClient client = new GeometryClient(host, port, options);
         FiguresPrinter.start(spec.commandLine().getOut(), client.figures(), seconds, client::close);
         client.run();
-        return 0;
+        // What went wrong on the connection has been logged by then; only without --once does that not matter.
+        return once && client.figures().getErrors() > 0 ? ExitCodes.UNUSABLE : ExitCodes.FINE;
     }
 }

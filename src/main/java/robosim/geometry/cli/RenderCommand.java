@@ -1,6 +1,5 @@
 package robosim.geometry.cli;
 
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.Callable;
@@ -16,14 +15,25 @@ import robosim.geometry.viewer.Theme;
 import robosim.geometry.world.WorldReader;
 
 /** Draws a world file. */
-@Command(name = "render", description = "Draws a world from above.", mixinStandardHelpOptions = true)
+@Command(
+        name = "render",
+        description = "Draws a world from above.",
+        mixinStandardHelpOptions = true,
+        versionProvider = Version.class,
+        exitCodeListHeading = ExitCodes.HEADING,
+        exitCodeList = {ExitCodes.DONE, ExitCodes.REFUSED},
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  robosim-geometry render worlds/rooms.xml -o rooms.svg",
+            "  robosim-geometry render worlds/maze.xml --dark -o maze.png"
+        })
 final class RenderCommand implements Callable<Integer> {
     @Spec
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CommandSpec spec;
 
     @Parameters(paramLabel = "WORLD", description = "a world file, as in worlds/")
-    private Path world = Path.of("worlds/rooms.xml");
+    private Path world = Path.of("");
 
     @Option(
             names = {"-o", "--output"},
@@ -43,9 +53,7 @@ final class RenderCommand implements Callable<Integer> {
         if (!name.endsWith(".svg") && !name.endsWith(".png")) {
             throw new ParameterException(spec.commandLine(), "FILE must end in .svg or .png (got: " + output + ")");
         }
-        if (!Files.isRegularFile(world)) {
-            throw new ParameterException(spec.commandLine(), "WORLD must be a file (got: " + world + ")");
-        }
+        Inputs.file(spec, "WORLD", world);
         Painter.write(Pictures.of(WorldReader.read(world), Pictures.title(world)), theme(), output);
         spec.commandLine().getOut().println("Wrote " + output);
         return 0;

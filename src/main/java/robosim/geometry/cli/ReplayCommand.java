@@ -26,18 +26,20 @@ import robosim.geometry.scenario.Step;
         name = "replay",
         description = "Carries out recorded conversations anew, without sockets, and compares the answers bit for bit.",
         mixinStandardHelpOptions = true,
+        versionProvider = Version.class,
+        exitCodeListHeading = ExitCodes.HEADING,
+        exitCodeList = {
+            ExitCodes.FINE + ":every answer is the one recorded",
+            ExitCodes.FINDINGS + ":any answer is another",
+            ExitCodes.REFUSED
+        },
+        footerHeading = "%nExamples:%n",
         footer = {
-            "",
-            "Exit code: 0 where every answer is the one recorded, 1 where any is another, 2 where a file cannot be read.",
-            "",
-            "Examples:",
             "  robosim-geometry serve 5555 --record recordings",
             "  robosim-geometry replay recordings",
             "  robosim-geometry replay bug.scenario.jsonl worlds/scenarios"
         })
 final class ReplayCommand implements Callable<Integer> {
-    private static final long TELL_NANOS = 200_000_000;
-
     @Spec
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CommandSpec spec;
@@ -58,8 +60,6 @@ final class ReplayCommand implements Callable<Integer> {
     @Option(names = "--most", paramLabel = "N", description = "differences told of each file (default: 10)")
     private int most = 10;
 
-    private boolean watched;
-    private long told;
     private long steps;
     private long compared;
     private int different;
@@ -69,10 +69,11 @@ final class ReplayCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws Exception {
-        watched = Terminal.isPresent();
         List<Path> files = files();
-        for (int k = 0; k < files.size(); k++) {
-            replay(files.get(k), k, files.size());
+        try (Progress progress = Progress.of(spec.commandLine(), "replaying", files.size())) {
+            for (int k = 0; k < files.size(); k++) {
+                replay(files.get(k), k, progress);
+            }
         }
         PrintWriter out = spec.commandLine().getOut();
         out.printf(
@@ -85,7 +86,7 @@ final class ReplayCommand implements Callable<Integer> {
                         ? "all the same, bit for bit"
                         : different + " answered otherwise, " + unreadable + " unreadable");
         out.flush();
-        return unreadable > 0 ? Commands.UNUSABLE : different > 0 ? Commands.WRONG : 0;
+        return unreadable > 0 ? ExitCodes.UNUSABLE : different > 0 ? ExitCodes.FINDINGS : 0;
     }
 
     private List<Path> files() throws IOException {
@@ -115,22 +116,22 @@ final class ReplayCommand implements Callable<Integer> {
         return files;
     }
 
-    private void replay(Path file, int number, int count) throws IOException {
+    private void replay(Path file, int number, Progress progress) throws IOException {
         PrintWriter out = spec.commandLine().getOut();
         try (ScenarioReader reader = root == null ? ScenarioReader.open(file) : ScenarioReader.open(file, root)) {
             Replay replay = new Replay(reader.header().options());
             for (Step step = reader.next(); step != null; step = reader.next()) {
                 Mismatch mismatch = replay.step(step);
                 if (mismatch != null && replay.mismatches() <= most) {
-                    clear();
+                    progress.clear();
                     out.println(file + ": " + mismatch);
                 }
-                tell(number, count, replay.steps());
+                progress.at(number, () -> file.getFileName() + ", step " + replay.steps());
             }
-            clear();
+            progress.clear();
             conclude(file, reader, replay);
         } catch (ScenarioException e) {
-            clear();
+            progress.clear();
             unreadable++;
             spec.commandLine().getErr().println(e.getMessage());
         }
@@ -148,20 +149,5 @@ final class ReplayCommand implements Callable<Integer> {
         steps += replay.steps();
         compared += replay.compared();
         different += replay.mismatches() > 0 ? 1 : 0;
-    }
-
-    private void tell(int number, int count, long step) {
-        if (watched && System.nanoTime() - told > TELL_NANOS) {
-            told = System.nanoTime();
-            spec.commandLine().getErr().printf("\r%d of %d, step %,d ", number + 1, count, step);
-            spec.commandLine().getErr().flush();
-        }
-    }
-
-    private void clear() {
-        if (watched) {
-            spec.commandLine().getErr().print("\r\033[K");
-            spec.commandLine().getErr().flush();
-        }
     }
 }

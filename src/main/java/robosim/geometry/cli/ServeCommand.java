@@ -17,12 +17,11 @@ import robosim.geometry.net.NetOptions;
         name = "serve",
         description = "Waits for environment modules that dial in, until it is ended.",
         mixinStandardHelpOptions = true,
-        footer = {
-            "",
-            "Examples:",
-            "  robosim-geometry serve 5555",
-            "  robosim-geometry serve 5555 --record recordings --figures 60"
-        })
+        versionProvider = Version.class,
+        exitCodeListHeading = ExitCodes.HEADING,
+        exitCodeList = {ExitCodes.FINE + ":it was listening until it was ended", ExitCodes.REFUSED},
+        footerHeading = "%nExamples:%n",
+        footer = {"  robosim-geometry serve 5555", "  robosim-geometry serve 5555 --record recordings --figures 60"})
 final class ServeCommand implements Callable<Integer> {
     @Spec
     @SuppressWarnings("NullAway.Init") // set by picocli before call()

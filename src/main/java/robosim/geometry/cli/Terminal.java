@@ -1,14 +1,47 @@
 package robosim.geometry.cli;
 
 import java.io.Console;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import picocli.CommandLine;
 
 /** Whether somebody watches. */
 final class Terminal {
+    /** Where Linux tells what the standard error is. */
+    private static final Path ERROR = Path.of("/proc/self/fd/2");
+
+    /** How the names of terminals begin. */
+    private static final String[] DEVICES = {"/dev/pts/", "/dev/tty", "/dev/console"};
+
     private Terminal() {}
 
-    /** Whether this process reads from and writes to a terminal. */
-    @SuppressWarnings("SystemConsoleNull") // null before Java 22 only; from then on isTerminal tells
+    /** Whether what a command writes as its error goes to a terminal that can draw over a line. */
+    static boolean shows(CommandLine line) {
+        return Commands.writesToStandardError(line) && isPresent();
+    }
+
+    /** Whether this process's standard error is a terminal; where the system does not tell, whether its other ends are. */
     static boolean isPresent() {
+        if ("dumb".equals(System.getenv("TERM"))) {
+            return false;
+        }
+        try {
+            String device = Files.readSymbolicLink(ERROR).toString();
+            for (String begin : DEVICES) {
+                if (device.startsWith(begin)) {
+                    return true;
+                }
+            }
+            return false;
+        } catch (IOException | UnsupportedOperationException | InvalidPathException elsewhere) {
+            return isConsole();
+        }
+    }
+
+    @SuppressWarnings("SystemConsoleNull") // null before Java 22 only; from then on isTerminal tells
+    private static boolean isConsole() {
         Console console = System.console();
         if (console == null) {
             return false;

@@ -98,7 +98,7 @@ class DemoTest {
                 examples.resolve("ConversationAudit.java"),
                 "class ConversationAudit { public static void main(String[] a) {"
                         + " System.out.println(\"1 FAULTS\"); System.exit(1); } }");
-        assertThat(demo(folder, "--examples", examples.toString())).isEqualTo(Commands.WRONG);
+        assertThat(demo(folder, "--examples", examples.toString())).isEqualTo(ExitCodes.FINDINGS);
         assertThat(Files.readString(folder.resolve("summary.txt"))).contains("1 FAULTS");
         assertThat(Files.readString(folder.resolve("world.svg"))).contains("the audit found something wrong");
     }

@@ -56,12 +56,12 @@ class ReplayCommandTest {
     @Test
     void aChangedBitIsTold() throws IOException {
         Path file = changed();
-        assertThat(run("replay", STORED, file)).isEqualTo(Commands.WRONG);
+        assertThat(run("replay", STORED, file)).isEqualTo(ExitCodes.FINDINGS);
         assertThat(out.toString())
                 .contains(file + ": step 3 (line 5), request 1, a sonar of \"cube\" towards (0.0, 0, 1.0): expected"
                         + " 5.000000000000001 (0x1.4000000000001p2), got 5.0 (0x1.4p2)")
                 .contains("15 scenarios, ", "1 answered otherwise, 0 unreadable");
-        assertThat(run("replay", "--most", "0", file)).isEqualTo(Commands.WRONG);
+        assertThat(run("replay", "--most", "0", file)).isEqualTo(ExitCodes.FINDINGS);
         assertThat(out.toString()).contains("and 1 more steps are answered otherwise");
     }
 
@@ -71,15 +71,15 @@ class ReplayCommandTest {
         Path file = folder.resolve("none.scenario.jsonl");
         Files.writeString(file, "{\"type\":\"scenario\",\"version\":1,\"title\":\"x\"}\n{\"type\":\"fly\"}\n");
         assertThat(run("replay", folder, STORED.resolve("by-hand.scenario.jsonl")))
-                .isEqualTo(Commands.UNUSABLE);
+                .isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).startsWith(file + ":2: ").doesNotContain("\tat ");
         assertThat(out.toString()).contains("3 scenarios, ", "1 answered otherwise, 1 unreadable");
-        assertThat(run("replay", folder.resolve("nowhere"))).isEqualTo(Commands.UNUSABLE);
+        assertThat(run("replay", folder.resolve("nowhere"))).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).contains("must be there");
         assertThat(run("replay", Files.createDirectory(folder.resolve("empty"))))
-                .isEqualTo(Commands.UNUSABLE);
+                .isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).contains("must hold a *.scenario.jsonl");
-        assertThat(run("replay")).isEqualTo(Commands.UNUSABLE);
+        assertThat(run("replay")).isEqualTo(ExitCodes.UNUSABLE);
     }
 
     @Test
@@ -94,14 +94,14 @@ class ReplayCommandTest {
     @Test
     void aWorldOutsideOfTheRootIsRefused() {
         Path byHand = STORED.resolve("by-hand.scenario.jsonl");
-        assertThat(run("replay", "--root", STORED, byHand)).isEqualTo(Commands.UNUSABLE);
+        assertThat(run("replay", "--root", STORED, byHand)).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).contains("by-hand.scenario.jsonl:3: file must lead to a file under");
     }
 
     @Test
     void helpHasExamples() {
         assertThat(run("replay", "--help")).isZero();
-        assertThat(out.toString()).contains("Exit code: ", "robosim-geometry replay recordings");
+        assertThat(out.toString()).contains("Exit codes:", "robosim-geometry replay recordings");
         assertThat(run("serve", "--help")).isZero();
         assertThat(out.toString()).contains("--record=PLACE", "--record recordings");
     }
@@ -128,19 +128,19 @@ class ReplayCommandTest {
         Scenario scenario = Scenario.read(file);
         assertThat(scenario.steps()).hasSize(1);
         assertThat(Replay.of(scenario)).isEmpty();
-        assertThat(run("connect", "localhost", 5555, "--record", file)).isEqualTo(Commands.UNUSABLE);
+        assertThat(run("connect", "localhost", 5555, "--record", file)).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).contains("--record must be a new file");
     }
 
     @Test
     void placesThatCannotBeRecordedIntoAreRefusedAtOnce() throws IOException {
         Path file = Files.writeString(folder.resolve("file"), "x");
-        assertThat(run("serve", 0, "--record", file)).isEqualTo(Commands.UNUSABLE);
+        assertThat(run("serve", 0, "--record", file)).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).contains("--record must be a folder");
-        assertThat(run("serve", 0, "--record", folder, "--record-bytes", 0)).isEqualTo(Commands.UNUSABLE);
+        assertThat(run("serve", 0, "--record", folder, "--record-bytes", 0)).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).contains("--record-bytes must be at least 1");
         assertThat(run("connect", "localhost", 5555, "--record", folder.resolve("no/where")))
-                .isEqualTo(Commands.UNUSABLE);
+                .isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).contains("in a folder that can be written to");
     }
 }

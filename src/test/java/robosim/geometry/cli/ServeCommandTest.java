@@ -72,7 +72,7 @@ class ServeCommandTest {
     void whatCannotBeIsRefusedWithItsReason(String line, String reason) {
         StringWriter err = new StringWriter();
         assertThat(Commands.run(new PrintWriter(new StringWriter(), true), new PrintWriter(err, true), line.split(" ")))
-                .isEqualTo(Commands.UNUSABLE);
+                .isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).contains(reason).doesNotContain("\tat ");
     }
 

@@ -1,0 +1,38 @@
+package robosim.geometry.cli;
+
+import picocli.AutoComplete;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Spec;
+
+/** Prints a script by which a shell completes these commands. */
+@Command(
+        name = "completion",
+        description = "Prints a script by which bash or zsh completes the commands and their options.",
+        mixinStandardHelpOptions = true,
+        versionProvider = Version.class,
+        exitCodeListHeading = ExitCodes.HEADING,
+        exitCodeList = {ExitCodes.DONE, ExitCodes.REFUSED},
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  alias robosim-geometry='java -jar /path/to/robosim-geometry-app.jar'",
+            "  source <(robosim-geometry completion)",
+            "",
+            "Put both lines into ~/.bashrc to have it in every shell; zsh needs before them:",
+            "  autoload -U compinit bashcompinit; compinit; bashcompinit"
+        })
+final class CompletionCommand implements Runnable {
+    @Spec
+    @SuppressWarnings("NullAway.Init") // set by picocli before run()
+    private CommandSpec spec;
+
+    private CompletionCommand() {}
+
+    @Override
+    public void run() {
+        spec.commandLine()
+                .getOut()
+                .print(AutoComplete.bash(Commands.NAME, spec.root().commandLine()));
+        spec.commandLine().getOut().flush();
+    }
+}

@@ -1,0 +1,21 @@
+package robosim.geometry.cli;
+
+/** What every command tells by its exit code, and the words for it in each command's help. */
+final class ExitCodes {
+    /** Done, and nothing is wrong. */
+    static final int FINE = 0;
+
+    /** Done, and something was found: answers that differ, an audit that fails, a world with findings. */
+    static final int FINDINGS = 1;
+
+    /** Not done: bad usage, input that cannot be read, a connection that failed. */
+    static final int UNUSABLE = 2;
+
+    static final String HEADING = "%nExit codes:%n";
+
+    static final String DONE = FINE + ":done, and nothing is wrong";
+
+    static final String REFUSED = UNUSABLE + ":not done: bad usage, or something that cannot be read or written";
+
+    private ExitCodes() {}
+}
