@@ -23,6 +23,22 @@ import org.xml.sax.XMLReader;
  * <p>A file from a stranger costs no more than its size: there is no document type, no entity and no address that the
  * parser would follow, mesh files come from the world file's own folder tree, and what is too large, too deep or too long
  * is refused. A world is read whole or not at all.
+ *
+ * <pre>{@code
+ * String xml = """
+ *         <world xmlns="urn:robosim:world:1" width="10" height="4" length="10" unit="m">
+ *           <box name="wall" center="2 0 0" width="10cm" height="2" length="4"/>
+ *         </world>""";
+ * World world = WorldReader.read(new ByteArrayInputStream(xml.getBytes("UTF-8")), "here", null);
+ * world.objects().size(); // 1
+ * String fault = "";
+ * try {
+ *     WorldReader.read(new ByteArrayInputStream(xml.replace("10cm", "-1").getBytes("UTF-8")), "here", null);
+ * } catch (WorldException e) {
+ *     fault = e.getMessage();
+ * }
+ * fault.startsWith("here:2:"); // true: it names line and column, and what should be there
+ * }</pre>
  */
 public final class WorldReader {
     private static final int MOST_WARNINGS = 10;
