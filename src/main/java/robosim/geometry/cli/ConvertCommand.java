@@ -13,6 +13,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import robosim.geometry.viewer.Pictures;
 import robosim.geometry.world.Extents;
 import robosim.geometry.world.ImportOptions;
 import robosim.geometry.world.ObjWriter;
