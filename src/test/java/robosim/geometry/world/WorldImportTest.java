@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import java.util.zip.GZIPInputStream;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -19,13 +20,22 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.net.LogCapture;
 
 /** One front door for all formats. */
 class WorldImportTest {
     private static final Path FILES = Path.of("src/test/resources/robosim/geometry/world");
 
+    /** What files of other formats have and worlds have not; the console does not get it. */
+    private final LogCapture log = new LogCapture("robosim.geometry.world");
+
     @TempDir
     Path folder;
+
+    @AfterEach
+    void closeLog() {
+        log.close();
+    }
 
     static Stream<Path> realFiles() {
         return Stream.of(
@@ -82,6 +92,29 @@ class WorldImportTest {
     void theWorldReaderTakesThemAll(Path file) throws IOException {
         assertThat(WorldReader.read(file))
                 .isEqualTo(WorldImport.read(file, ImportOptions.DEFAULT).world());
+    }
+
+    /** The reader that gives a world alone warns of what is not in it. */
+    @Test
+    void whatIsLeftOutIsAWarning() throws IOException {
+        Path file = FILES.resolve("sdf/shapes.sdf");
+        WorldReader.read(file);
+        assertThat(log.lines())
+                .hasSize(3)
+                .first()
+                .asString()
+                .startsWith("WARNING " + file + ":36: left out <plane> of ground_plane::link::collision: ");
+        Path many = Files.writeString(
+                folder.resolve("many.sdf"),
+                "<sdf version='1.7'><world name='w'>" + "<actor/>".repeat(12) + "</world></sdf>");
+        WorldReader.read(many);
+        assertThat(log.lines())
+                .hasSize(3 + 11)
+                .last()
+                .asString()
+                .isEqualTo("WARNING " + many + ": left out 2 more, which convert names");
+        WorldReader.read(Path.of("worlds/maze.xml"));
+        assertThat(log.lines()).hasSize(14);
     }
 
     @Test
