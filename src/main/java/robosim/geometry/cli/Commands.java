@@ -32,6 +32,7 @@ import picocli.CommandLine.Command;
             DemoCommand.class,
             CheckCommand.class,
             RenderCommand.class,
+            ViewCommand.class,
             ConvertCommand.class,
             ServeCommand.class,
             ConnectCommand.class,
