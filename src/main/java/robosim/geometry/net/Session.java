@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GeometryObject;
@@ -118,6 +119,14 @@ public final class Session {
         Reply reply = carryOut(request);
         listener.replied(request, reply, System.nanoTime() - start);
         return reply;
+    }
+
+    /**
+     * The world as it is, for who looks on; null before the first {@link InitBundle}. It belongs to the session's thread,
+     * and what is changed in it the session sees.
+     */
+    public @Nullable Geometry world() {
+        return world == null ? null : world.geometry();
     }
 
     private @Nullable Reply carryOut(Bundle request) {

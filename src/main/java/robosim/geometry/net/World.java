@@ -1,5 +1,6 @@
 package robosim.geometry.net;
 
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
 import robosim.geometry.model.GeometryObject;
@@ -14,6 +15,11 @@ interface World {
     MoveResult move(String name, Move move);
 
     double sonar(String name, double x, double z, double min, double max, double width);
+
+    /** What it is made of; null where it is none of the module's own. */
+    default @Nullable Geometry geometry() {
+        return null;
+    }
 
     /** Makes worlds. */
     @FunctionalInterface
@@ -39,6 +45,11 @@ interface World {
             @Override
             public double sonar(String name, double x, double z, double min, double max, double width) {
                 return geometry.getSonarDistance(name, x, z, min, max, width);
+            }
+
+            @Override
+            public Geometry geometry() {
+                return geometry;
             }
         };
     }

@@ -104,6 +104,9 @@ public final class Painter {
             }
         }
         canvas.close();
+        if (!scene.blocked().isEmpty()) {
+            traces.blocked();
+        }
         traces.refusals();
     }
 }

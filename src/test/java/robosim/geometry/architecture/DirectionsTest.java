@@ -31,8 +31,10 @@ class DirectionsTest {
             Map.entry("protocol", Set.of("model")),
             Map.entry("net", Set.of("", "protocol", "model", "exact")),
             Map.entry("scenario", Set.of("net", "world", "protocol", "model")),
-            Map.entry("junit", Set.of("", "scenario", "net", "protocol", "world", "collision", "model", "exact")),
-            Map.entry("viewer", Set.of("", "world", "model", "exact")),
+            Map.entry(
+                    "junit",
+                    Set.of("", "viewer", "scenario", "net", "protocol", "world", "collision", "model", "exact")),
+            Map.entry("viewer", Set.of("", "scenario", "net", "protocol", "world", "collision", "model", "exact")),
             Map.entry("cli", Set.of("", "viewer", "scenario", "net", "protocol", "world", "model")));
 
     /** Rooms whose use of a library or of a part of the JDK is theirs alone. */
