@@ -136,7 +136,7 @@ final class SweepCommand implements Callable<Integer> {
         int code = output.tell(results, out);
         long earlier = Math.max(0, before.get());
         out.printf(
-                "%,d replicates in %s%s, %.1f s: %s%n",
+                "%,d replicates on %s%s, %.1f s: %s%n",
                 size - earlier,
                 threads == 1 ? "1 thread" : threads + " threads",
                 earlier > 0 ? String.format(", %,d were there", earlier) : "",

@@ -13,7 +13,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -110,7 +112,8 @@ class SweepTest {
         int before = 1;
         for (int lines : new int[] {20, 60}) {
             Process process = new ProcessBuilder(
-                            Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                            Path.of(System.getProperty("java.home"), "bin", "java")
+                                    .toString(),
                             "-XX:TieredStopAtLevel=1",
                             "-cp",
                             System.getProperty("java.class.path"),
@@ -162,7 +165,7 @@ class SweepTest {
         byte[] whole = Files.readAllBytes(file(results(1), 1));
         Path file = folder.resolve("torn.jsonl");
         for (int length = 0; length < whole.length; length += 1 + whole.length / 23) {
-            Files.write(file, java.util.Arrays.copyOf(whole, length));
+            Files.write(file, Arrays.copyOf(whole, length));
             SweepRun.of(Sweeps.wander(0), file).resume().threads(2).run();
             assertThat(Files.readAllBytes(file)).as("cut at %d", length).isEqualTo(whole);
         }
@@ -179,8 +182,9 @@ class SweepTest {
                 .run();
         assertThat(first.get()).isEqualTo(40);
         assertThat(more.digest()).isEqualTo(stored());
-        assertThatThrownBy(() ->
-                        SweepRun.of(Sweeps.wander(0).replicates(5), file).resume().run())
+        assertThatThrownBy(() -> SweepRun.of(Sweeps.wander(0).replicates(5), file)
+                        .resume()
+                        .run())
                 .isInstanceOf(SweepException.class)
                 .hasMessageContaining("more replicates than asked for");
     }
@@ -232,9 +236,8 @@ class SweepTest {
             assertThat(Outcome.of(outcome.line())).isEqualTo(outcome);
             hasNone |= outcome.values().containsValue(Double.POSITIVE_INFINITY);
         }
-        Outcome none = new Outcome(
-                1L << 40, "w", java.util.Map.of("a", "b"), 3, -1, java.util.Map.of("x", 1 / 0.0, "y", 0x1p-1074), null);
+        Outcome none = new Outcome(1L << 40, "w", Map.of("a", "b"), 3, -1, Map.of("x", 1 / 0.0, "y", 0x1p-1074), null);
         assertThat(Outcome.of(none.line())).isEqualTo(none);
-        assertThat(hasNone).isFalse();
+        assertThat(hasNone).as("a value that is none").isTrue();
     }
 }

@@ -41,9 +41,9 @@ public final class Wander implements SweepScenario {
             nearest = Math.min(nearest, world.getSonarDistance("wanderer", 1, 0, 0, 0.5, 10));
         }
         Point end = world.getObject("wanderer").center();
-        return Result.of("refused", refused)
-                .and("nearest [m]", nearest)
-                .and("way [m]", Math.sqrt(Math.pow(end.x() - start.x(), 2) + Math.pow(end.z() - start.z(), 2)));
+        double x = end.x() - start.x();
+        double z = end.z() - start.z();
+        return Result.of("refused", refused).and("nearest [m]", nearest).and("way [m]", Math.sqrt(x * x + z * z));
     }
 
     @Override
