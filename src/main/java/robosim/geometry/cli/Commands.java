@@ -30,6 +30,7 @@ import picocli.CommandLine.Command;
         subcommands = {
             DemoCommand.class,
             RenderCommand.class,
+            ConvertCommand.class,
             ServeCommand.class,
             ConnectCommand.class,
             ReplayCommand.class,

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -50,8 +51,12 @@ final class DemoCommand implements Callable<Integer> {
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CommandSpec spec;
 
-    @Option(names = "--world", paramLabel = "FILE", description = "a world with moveable objects")
-    private String world = "worlds/rooms.xml";
+    @Option(
+            names = "--world",
+            paramLabel = "FILE",
+            defaultValue = Option.NULL_VALUE,
+            description = "a world with moveable objects (default: worlds/rooms.xml, which the jar has with it)")
+    private @Nullable Path world;
 
     @Option(names = "--steps", paramLabel = "N", description = "rounds of sonar and moves")
     private int steps = 3000;
@@ -68,16 +73,24 @@ final class DemoCommand implements Callable<Integer> {
     @Option(
             names = {"-o", "--output"},
             paramLabel = "DIR",
-            description = "where the results go")
-    private Path output = Path.of("target", "demo");
+            defaultValue = Option.NULL_VALUE,
+            description =
+                    "where the results go (default: target/demo where there is a folder target, else robosim-demo)")
+    private @Nullable Path place;
 
     @Option(names = "--dial", description = "the environment listens and this module dials, as RoboSim has it")
     private boolean dial;
 
-    @Option(names = "--examples", paramLabel = "DIR", description = "where the two programs are")
-    private String examples = "examples";
+    @Option(
+            names = "--examples",
+            paramLabel = "DIR",
+            defaultValue = Option.NULL_VALUE,
+            description = "where the sources of the two programs are (default: the jar has both with it; without a jar"
+                    + " the project's folder examples)")
+    private @Nullable Path examples;
 
     private final Timings timings = new Timings();
+    private Path output = Path.of("");
 
     private DemoCommand() {}
 
@@ -86,11 +99,13 @@ final class DemoCommand implements Callable<Integer> {
         check(steps >= 1, "--steps must be at least 1 (got: " + steps + ")");
         check(seed >= 0, "--seed must be at least 0 (got: " + seed + ")");
         check(speed > 0 && speed < 1e9, "--speed must be above 0 (got: " + speed + ")");
-        Path worldFile = file("--world", world);
-        Path environment = file("--examples", examples + "/ReferenceEnvironment.java");
-        Path audit = file("--examples", examples + "/ConversationAudit.java");
-        World loaded = WorldReader.read(worldFile);
+        List<String> environment = program("ReferenceEnvironment");
+        List<String> audit = program("ConversationAudit");
+        output = place != null ? place : Path.of(Files.isDirectory(Path.of("target")) ? "target/demo" : "robosim-demo");
+        Path given = world == null ? null : Inputs.file(spec, "--world", world);
         Files.createDirectories(output);
+        Path worldFile = given != null ? given : rooms();
+        World loaded = WorldReader.read(worldFile);
         PrintWriter out = spec.commandLine().getOut();
 
         int code = converse(environment, worldFile);
@@ -126,7 +141,21 @@ final class DemoCommand implements Callable<Integer> {
         }
     }
 
-    private Path file(String option, String name) {
+    /** What is to be started: a class of the jar, or a source. */
+    private List<String> program(String name) {
+        if (examples == null && Program.isInJar() && DemoProgram.find(name) != null) {
+            return List.of(DemoProgram.class.getName(), name);
+        }
+        String folder = examples == null ? "examples" : examples.toString();
+        return List.of(projectFile("--examples", folder + "/" + name + ".java").toString());
+    }
+
+    /** The world of the demo: that of the jar, else the project's. */
+    private Path rooms() throws IOException {
+        return Program.isInJar() ? DemoProgram.world("rooms.xml", output) : projectFile("--world", "worlds/rooms.xml");
+    }
+
+    private Path projectFile(String option, String name) {
         Path file = Program.projectFile(name);
         if (file == null || !Files.isRegularFile(file)) {
             throw new ParameterException(
@@ -138,7 +167,7 @@ final class DemoCommand implements Callable<Integer> {
     }
 
     /** Runs the environment against this process and answers the exit code. */
-    private int converse(Path environment, Path worldFile) throws IOException, InterruptedException {
+    private int converse(List<String> environment, Path worldFile) throws IOException, InterruptedException {
         NetOptions options = NetOptions.defaults().withListeners(connection -> timings);
         boolean watched = Terminal.isPresent();
         if (dial) {

@@ -1,7 +1,27 @@
 package robosim.geometry.cli;
 
+import java.util.Map;
+
 /** The command line: {@code --help} tells its commands. */
 public final class Main {
+    /** What a missing class begins with, and the sentence about it. */
+    private static final Map<String, String> LIBRARIES = Map.of(
+            "picocli/",
+            "The command line needs picocli, which this jar has not inside: run the one whose name ends in -app.jar"
+                    + " (java -jar robosim-geometry-...-app.jar), or put picocli's jar beside this one on the class path;"
+                    + " on a module path also --add-modules info.picocli,java.desktop",
+            "com/fasterxml/jackson/core/",
+            "JSON lines, which recordings are made of, need Jackson: run the jar whose name ends in -app.jar, or put"
+                    + " com.fasterxml.jackson.core:jackson-core on the class path",
+            "org/snakeyaml/engine/",
+            "ROS maps need snakeyaml-engine: run the jar whose name ends in -app.jar, or put"
+                    + " org.snakeyaml:snakeyaml-engine on the class path",
+            "java/awt/",
+            "Pictures need the module java.desktop, which this Java runtime has not: run it with a whole JDK or JRE, or"
+                    + " with --add-modules java.desktop",
+            "javax/",
+            "This needs a part of Java which this Java runtime has not: run it with a whole JDK or JRE");
+
     private Main() {}
 
     /**
@@ -17,13 +37,22 @@ public final class Main {
         try {
             code = Commands.run(arguments);
         } catch (NoClassDefFoundError missing) {
-            System.err.println("The command line needs picocli on the class path, which this one has not: "
-                    + "start it as `mvn -q compile exec:java`, or add picocli's jar; on a module path also"
-                    + " --add-modules info.picocli,java.desktop (missing: " + missing.getMessage() + ")");
+            System.err.println(sentence(missing));
             code = ExitCodes.UNUSABLE;
         }
         if (code != 0) {
             System.exit(code);
         }
+    }
+
+    /** What to do about a class that is not there. */
+    static String sentence(NoClassDefFoundError missing) {
+        String name = String.valueOf(missing.getMessage());
+        return LIBRARIES.entrySet().stream()
+                        .filter(library -> name.startsWith(library.getKey()))
+                        .map(Map.Entry::getValue)
+                        .findAny()
+                        .orElse("A class is missing; take the jar as it was built")
+                + " (missing: " + name + ")";
     }
 }

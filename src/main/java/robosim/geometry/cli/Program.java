@@ -12,7 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** A program of examples/ in a process of its own, on the class path of this module alone. */
+/** A program of examples/ in a process of its own, on the class path of this module alone: its source, or its class. */
 final class Program implements AutoCloseable {
     private final Process process;
     private final BufferedReader output;
@@ -24,18 +24,19 @@ final class Program implements AutoCloseable {
     }
 
     /**
-     * Starts a single-file program.
+     * Starts a program.
      *
+     * @param program its source file, or the class to be run and what names the program to it
      * @param watched whether what it writes as an error, and a progress bar with it, goes straight to this terminal
      */
-    static Program start(Path source, boolean watched, List<String> arguments) throws IOException {
+    static Program start(List<String> program, boolean watched, List<String> arguments) throws IOException {
         List<String> command = new ArrayList<>();
         command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
         command.add("-Dstdout.encoding=UTF-8");
         command.add("-Dfile.encoding=UTF-8");
         command.add("-cp");
         command.add(home().toString());
-        command.add(source.toString());
+        command.addAll(program);
         command.addAll(arguments);
         ProcessBuilder builder = new ProcessBuilder(command);
         if (watched) {
@@ -46,6 +47,11 @@ final class Program implements AutoCloseable {
         Process process = builder.start();
         process.getOutputStream().close();
         return new Program(process);
+    }
+
+    /** Whether this module's classes are in a jar. */
+    static boolean isInJar() {
+        return Files.isRegularFile(home());
     }
 
     /** Where this module's classes are: a folder or a jar. */

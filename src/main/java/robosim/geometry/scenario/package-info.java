@@ -3,6 +3,7 @@
  * A server {@linkplain robosim.geometry.scenario.Recordings records} one, a {@linkplain robosim.geometry.scenario.Replay
  * replay} carries it out without sockets and compares the answers bit for bit, and people write them by hand.
  *
+ * <!-- java: compiled -->
  * <pre>{@code
  * for (Mismatch mismatch : Replay.of(Scenario.read(Path.of("bug.scenario.jsonl")))) {
  *     System.out.println(mismatch);

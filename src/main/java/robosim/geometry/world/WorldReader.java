@@ -6,10 +6,9 @@ import java.io.InputStream;
 import java.net.URL;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import javax.xml.XMLConstants;
-import javax.xml.parsers.ParserConfigurationException;
-import javax.xml.parsers.SAXParserFactory;
 import javax.xml.validation.Schema;
 import javax.xml.validation.SchemaFactory;
 import javax.xml.validation.ValidatorHandler;
@@ -26,17 +25,33 @@ import org.xml.sax.XMLReader;
  * is refused. A world is read whole or not at all.
  */
 public final class WorldReader {
-    /** Parser and validator are made to speak English, their root language: it is what {@link SchemaErrors} reads. */
-    private static final String LOCALE = "http://apache.org/xml/properties/locale";
+    private static final int MOST_WARNINGS = 10;
+    private static final System.Logger LOG = System.getLogger(WorldReader.class.getPackageName());
 
     private WorldReader() {}
 
     /**
-     * Reads a world file.
+     * Reads a world file of any format that {@link WorldImport#read} knows, with its default options. What a file of
+     * another format has and the world has not is told to the system's logger of this package as a warning each.
      *
      * @throws WorldException naming file, line, column and remedy, where the file cannot be read or is no world
      */
     public static World read(Path file) throws WorldException {
+        WorldImport imported = WorldImport.read(file, ImportOptions.DEFAULT);
+        List<Skipped> skipped = imported.skipped();
+        for (Skipped each : skipped.subList(0, Math.min(MOST_WARNINGS, skipped.size()))) {
+            LOG.log(System.Logger.Level.WARNING, each);
+        }
+        if (skipped.size() > MOST_WARNINGS) {
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    () -> file + ": left out " + (skipped.size() - MOST_WARNINGS) + " more, which convert names");
+        }
+        return imported.world();
+    }
+
+    /** Reads a world of this module's own format. */
+    static World readXml(Path file) throws WorldException {
         try (InputStream in = Files.newInputStream(file)) {
             return read(in, file.toString(), file.toAbsolutePath().getParent());
         } catch (IOException e) {
@@ -55,8 +70,8 @@ public final class WorldReader {
         ValidatorHandler validator = SchemaHolder.SCHEMA.newValidatorHandler();
         WorldHandler handler = new WorldHandler(source, base, validator);
         try {
-            validator.setProperty(LOCALE, Locale.ROOT);
-            XMLReader reader = hardenedReader();
+            validator.setProperty(SafeXml.LOCALE, Locale.ROOT);
+            XMLReader reader = SafeXml.reader();
             reader.setContentHandler(handler);
             reader.setErrorHandler(handler);
             reader.setEntityResolver(handler);
@@ -70,23 +85,7 @@ public final class WorldReader {
         } catch (IOException e) {
             throw new WorldException(
                     source, handler.line(), handler.column(), "the file could not be read: " + e.getMessage(), e);
-        } catch (ParserConfigurationException e) {
-            throw new IllegalStateException("the JDK's XML parser refuses to be hardened", e);
         }
-    }
-
-    private static XMLReader hardenedReader() throws ParserConfigurationException, SAXException {
-        // The JDK's own, whatever else is on the class path.
-        SAXParserFactory factory = SAXParserFactory.newDefaultNSInstance();
-        factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);
-        factory.setFeature("http://apache.org/xml/features/disallow-doctype-decl", true);
-        factory.setFeature("http://xml.org/sax/features/external-general-entities", false);
-        factory.setFeature("http://xml.org/sax/features/external-parameter-entities", false);
-        factory.setFeature("http://apache.org/xml/features/nonvalidating/load-external-dtd", false);
-        factory.setXIncludeAware(false);
-        XMLReader reader = factory.newSAXParser().getXMLReader();
-        reader.setProperty(LOCALE, Locale.ROOT);
-        return reader;
     }
 
     /** Loaded when the first world is read. */

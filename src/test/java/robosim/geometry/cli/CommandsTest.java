@@ -1,15 +1,23 @@
 package robosim.geometry.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import picocli.CommandLine;
 
 class CommandsTest {
     private final StringWriter out = new StringWriter();
@@ -26,7 +34,7 @@ class CommandsTest {
                     demo --steps many                    | 'many' is not an int
                     demo --seed -1                       | --seed must be at least 0 (got: -1)
                     demo --speed NaN                     | --speed must be above 0 (got: NaN)
-                    demo --world nowhere.xml             | (got: nowhere.xml)
+                    demo --world nowhere.xml             | --world must be a file; there is none, check the path (got: nowhere.xml)
                     demo --examples nowhere              | (got: nowhere/ReferenceEnvironment.java)
                     serve                                | Missing required parameter: 'PORT'
                     serve 70000                          | PORT must be 0 to 65535 (got: 70000)
@@ -59,5 +67,81 @@ class CommandsTest {
         assertThat(run("render", "worlds/rooms.xml", "--dark", "-o", png.toString()))
                 .isZero();
         assertThat(png).isNotEmptyFile();
+    }
+
+    @Test
+    void theVersionIsThatOfThePom() throws Exception {
+        assertThat(run("--version")).isZero();
+        assertThat(out.toString()).startsWith("robosim-geometry " + Version.NUMBER);
+        assertThat(Files.readString(Path.of("pom.xml")))
+                .contains("<artifactId>robosim-geometry</artifactId>\n  <version>" + Version.NUMBER + "</version>");
+    }
+
+    @Test
+    void everyCommandHasAVersionExamplesAndItsExitCodes() {
+        Map<String, CommandLine> commands = Commands.line(false).getSubcommands();
+        assertThat(commands).hasSizeGreaterThan(5);
+        for (String name : commands.keySet()) {
+            out.getBuffer().setLength(0);
+            assertThat(run(name, "--help")).isZero();
+            assertThat(out.toString())
+                    .as(name)
+                    .contains("\nExamples:\n")
+                    .containsPattern("\nExit codes:\n  0   [\\s\\S]*\n  2   ")
+                    .doesNotContain("null");
+            out.getBuffer().setLength(0);
+            assertThat(run(name, "--version")).isZero();
+            assertThat(out.toString()).contains(Version.NUMBER);
+        }
+    }
+
+    /** As in the footers of the help, with a line that ends in a backslash going on. */
+    static List<String> examples() {
+        List<String> examples = new ArrayList<>();
+        Commands.line(false).getSubcommands().values().forEach(command -> {
+            for (String line : command.getCommandSpec().usageMessage().footer()) {
+                if (line.startsWith("  robosim-geometry ")) {
+                    examples.add(line.strip());
+                }
+            }
+        });
+        return examples;
+    }
+
+    @ParameterizedTest
+    @MethodSource("examples")
+    void theExamplesOfTheHelpAreParsed(String example) {
+        String[] words = example.split(" +");
+        Commands.line(false).parseArgs(Arrays.copyOfRange(words, 1, words.length));
+    }
+
+    @Test
+    void completionIsAScriptThatBashAccepts(@TempDir Path folder) throws Exception {
+        assertThat(run("completion")).isZero();
+        String script = out.toString();
+        assertThat(script).contains("complete -F _complete_robosim-geometry", "--steps", "--record-bytes");
+        Path file = Files.writeString(folder.resolve("completion.bash"), script);
+        assumeThat(Path.of("/bin/bash")).exists();
+        // Asks the script itself what it offers behind "robosim-geometry re".
+        String ask = "source " + file + "; COMP_WORDS=(robosim-geometry re); COMP_CWORD=1;"
+                + " _complete_robosim-geometry; echo \"${COMPREPLY[@]}\"";
+        Process bash = new ProcessBuilder("/bin/bash", "-c", ask)
+                .redirectErrorStream(true)
+                .start();
+        assertThat(new String(bash.getInputStream().readAllBytes(), StandardCharsets.UTF_8).strip())
+                .isEqualTo("render replay");
+        assertThat(bash.waitFor()).isZero();
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "picocli/CommandLine, -app.jar",
+        "com/fasterxml/jackson/core/JsonFactory, com.fasterxml.jackson.core:jackson-core",
+        "org/snakeyaml/engine/v2/api/Load, org.snakeyaml:snakeyaml-engine",
+        "java/awt/Color, java.desktop",
+        "a/b/C, as it was built"
+    })
+    void aMissingLibraryIsToldWithItsRemedy(String missing, String remedy) {
+        assertThat(Main.sentence(new NoClassDefFoundError(missing))).contains(remedy, "(missing: " + missing + ")");
     }
 }
