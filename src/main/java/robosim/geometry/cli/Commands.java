@@ -37,6 +37,7 @@ import picocli.CommandLine.Command;
             ServeCommand.class,
             ConnectCommand.class,
             ReplayCommand.class,
+            SweepCommand.class,
             CompletionCommand.class
         })
 final class Commands {
