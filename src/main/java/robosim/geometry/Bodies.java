@@ -1,6 +1,8 @@
 package robosim.geometry;
 
 import java.util.Arrays;
+import java.util.Comparator;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Pose;
@@ -13,8 +15,14 @@ final class Bodies {
     /** Doubles a place, laid out by {@link Pose}. */
     static final int PLACE = Pose.PLACE;
 
+    /** The bit in the id of an object that this world shares with others: see {@link Statics}. */
+    static final int SHARED = 1 << 29;
+
     private final Names names = new Names();
     private @Nullable GeometryObject[] values = new GeometryObject[16];
+
+    /** The static objects that this world shares with others; null where all are its own. */
+    private @Nullable Statics shared;
 
     /** Which came when; none until an id is used again, as ids are in that order so long. */
     private long[] order = new long[0];
@@ -41,12 +49,42 @@ final class Bodies {
     private long arrivals;
     private int size;
 
-    /** How many objects there are. */
-    int size() {
-        return size;
+    Bodies() {}
+
+    /** The objects of a world that shares some. */
+    Bodies(Statics statics) {
+        shared = statics;
+        isOrdered = true;
+        order = new long[values.length];
     }
 
-    /** One more than the largest id in use. */
+    /** How many objects there are, shared ones too. */
+    int size() {
+        return shared == null ? size : size + shared.bodies.size;
+    }
+
+    /** How many static objects are this world's own. */
+    int ownStatics() {
+        return size - moverCount;
+    }
+
+    /** The static objects that are shared; null where there are none. */
+    @Nullable
+    Statics shared() {
+        return shared;
+    }
+
+    /** Makes the static objects that were shared nobody's here. */
+    void unshare() {
+        shared = null;
+    }
+
+    /** An object's number among those of its world that are shared, or among those that are not. */
+    static int bare(int id) {
+        return id & ~SHARED;
+    }
+
+    /** One more than the largest id in use of the world's own. */
     int limit() {
         return capacityUsed;
     }
@@ -64,7 +102,7 @@ final class Bodies {
         if (id >= 0 && isMoveable(id)) {
             found = slots[id];
         }
-        return id;
+        return id < 0 && shared != null ? shared.find(name) : id;
     }
 
     /** Whether a moveable object has this very name: who has many of them mostly asks for one after the other. */
@@ -106,6 +144,24 @@ final class Bodies {
         }
         size++;
         return id;
+    }
+
+    /** Lets the next object have come at a time, in arrivals before it; where arrivals are kept. */
+    void arriveAt(long time) {
+        arrivals = time;
+    }
+
+    /** How many objects have come so far. */
+    long arrivals() {
+        return isOrdered ? arrivals : capacityUsed;
+    }
+
+    /** When an object came, in arrivals before it. */
+    long arrival(int id) {
+        if (id >= SHARED && shared != null) {
+            return shared.arrival(bare(id));
+        }
+        return isOrdered ? order[id] : id;
     }
 
     /** From the first id on that is used again, everyone's arrival is kept. */
@@ -192,8 +248,19 @@ final class Bodies {
         }
     }
 
+    /** The ids of all objects, in the order in which they were added. */
+    IntStream ids() {
+        int others = shared == null ? 0 : shared.bodies.limit();
+        IntStream own = IntStream.range(0, capacityUsed).filter(this::isPresent);
+        IntStream all = IntStream.concat(IntStream.range(0, others).map(id -> id | SHARED), own);
+        return all.boxed().sorted(Comparator.comparingLong(this::arrival)).mapToInt(Integer::intValue);
+    }
+
     /** The object as it was added. */
     GeometryObject value(int id) {
+        if (id >= SHARED && shared != null) {
+            return shared.bodies.value(bare(id));
+        }
         GeometryObject value = values[id];
         if (value == null) {
             throw new IllegalStateException("id must be in use (got: " + id + ")");
@@ -213,7 +280,7 @@ final class Bodies {
 
     /** Whether a came before b. */
     boolean isEarlier(int a, int b) {
-        return isOrdered ? order[a] < order[b] : a < b;
+        return isOrdered ? arrival(a) < arrival(b) : a < b;
     }
 
     int moverCount() {

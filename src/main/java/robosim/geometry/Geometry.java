@@ -18,6 +18,15 @@ import robosim.geometry.narrow.Scratch;
  * leaves the world, on the way or at the end: such a call answers false. The border is closed (touching it is inside),
  * is always judged on the exact shape, and echoes nothing. In {@link Dimension#PLANAR} it has no heights.
  *
+ * <pre>{@code
+ * Geometry geometry = new Geometry(20, 5, 20);
+ * geometry.addObject(new BoxObject(new Point(4, 0, 0), 0.2, 2, 6));                     // true
+ * geometry.addObject(new CylinderObject(new Point(0, 0, 0), 0.3, 1).moveable("robot")); // true
+ * geometry.getSonarDistance("robot", 1, 0, 0, 10, 15);                                  // 3.9
+ * geometry.simpleMove("robot", 2, 0, 0);                                                // true
+ * geometry.simpleMove("robot", 5, 0, 0);                                                // false: the wall
+ * }</pre>
+ *
  * <h2>Long runs</h2>
  *
  * A moveable object's centre and heading are kept as sums together with the rounding that they lost; every query sees
@@ -76,13 +85,31 @@ public final class Geometry {
      * @param accuracy  what stands for an object where a query does not say
      */
     public Geometry(double width, double height, double length, Dimension dimension, Accuracy accuracy) {
-        this.width = Arguments.worldSize("width", width);
-        this.height = Arguments.worldSize("height", height);
-        this.length = Arguments.worldSize("length", length);
-        this.dimension = Arguments.present("dimension", dimension);
-        this.accuracy = Arguments.present("accuracy", accuracy);
-        Scratch scratch = new Scratch();
-        population = new Population(width, height, length, dimension, accuracy, scratch);
+        this(
+                Arguments.worldSize("width", width),
+                Arguments.worldSize("height", height),
+                Arguments.worldSize("length", length),
+                Arguments.present("dimension", dimension),
+                Arguments.present("accuracy", accuracy),
+                null,
+                new Scratch());
+    }
+
+    /** The world of a snapshot before anything moveable is in it, with working memory that others of its thread may use. */
+    Geometry(
+            double width,
+            double height,
+            double length,
+            Dimension dimension,
+            Accuracy accuracy,
+            @Nullable Statics shared,
+            Scratch scratch) {
+        this.width = width;
+        this.height = height;
+        this.length = length;
+        this.dimension = dimension;
+        this.accuracy = accuracy;
+        population = new Population(width, height, length, dimension, accuracy, shared, scratch);
         bodies = population.bodies;
         level = population.level;
         ranging = new Ranging(bodies, scratch);
@@ -177,6 +204,25 @@ public final class Geometry {
     /** All objects at their present places, in the order in which they were added. */
     public List<GeometryObject> objects() {
         return population.present();
+    }
+
+    /**
+     * The world as it is now, for good: many threads may make copies of it that share its static objects and what is
+     * built over them. Takes about as long as adding the static objects did, unless this world is itself a copy of a
+     * snapshot and its static objects are still the same.
+     */
+    public Snapshot snapshot() {
+        return Snapshot.of(this, bodies);
+    }
+
+    /** Puts an object of a snapshot back where it was; for a world that is being made of it. */
+    void restore(GeometryObject object, long arrival) {
+        population.restore(object, arrival);
+    }
+
+    /** Ends what {@link #restore} began: so many objects have come. */
+    void restored(long arrivals) {
+        bodies.arriveAt(arrivals);
     }
 
     /**

@@ -29,9 +29,15 @@ final class Level {
     /** More than any place or size in the plane. */
     final double extent;
 
-    private LeafColumn leaves = new LeafColumn(16);
-    private final Spans spans = new Spans();
-    private double[] bounds = new double[6 * 16];
+    /** What ids of other objects have beside their number here: 0, or {@link Bodies#SHARED} in a view of what is shared. */
+    final int mark;
+
+    /** The static objects that are shared with other worlds, as they are seen at this accuracy; null where there are none. */
+    private @Nullable Level shared;
+
+    private LeafColumn leaves;
+    private final Spans spans;
+    private double[] bounds;
 
     /** Up to so many moveable objects are as quickly asked one by one; where there are more, the quadtree has them too. */
     private static final int FEW_MOVERS = 16;
@@ -43,7 +49,7 @@ final class Level {
     private @Nullable Form[] forms = new Form[0];
 
     /** What is known of each object beforehand. */
-    private byte[] shapes = new byte[16];
+    private byte[] shapes;
 
     /** It moves, and convex leaves that go with it as they are stand for it. */
     private static final byte CONVEX = 1;
@@ -84,14 +90,62 @@ final class Level {
         }
     }
 
-    Level(Bodies bodies, Accuracy accuracy, Dimension dimension, double width, double length) {
+    Level(Bodies bodies, Accuracy accuracy, Dimension dimension, double width, double length, @Nullable Level shared) {
         this.bodies = bodies;
+        this.shared = shared;
+        mark = 0;
+        leaves = new LeafColumn(16);
+        spans = new Spans();
+        bounds = new double[6 * 16];
+        shapes = new byte[16];
         this.accuracy = accuracy;
         this.dimension = dimension;
         tree = new QuadTree(-width / 2, -length / 2, width / 2, length / 2, this::trim);
         cursor = tree.cursor();
         stacks = new Stacks(dimension == Dimension.SPATIAL);
         extent = width + length;
+    }
+
+    private Level(Level of) {
+        bodies = of.bodies;
+        accuracy = of.accuracy;
+        dimension = of.dimension;
+        extent = of.extent;
+        mark = Bodies.SHARED;
+        tree = of.tree.view();
+        cursor = tree.cursor();
+        stacks = of.stacks.view();
+        leaves = of.leaves.view();
+        spans = of.spans;
+        bounds = of.bounds;
+        shapes = of.shapes;
+    }
+
+    /** Makes ready what is made when first asked: from now on nothing may change here, and many may ask its views. */
+    void freeze() {
+        tree.freeze();
+        trim();
+    }
+
+    /** The same static objects as in a frozen level, for one more thread to ask. */
+    Level view() {
+        return new Level(this);
+    }
+
+    /** The level of the static objects that are shared; null where there are none. */
+    @Nullable
+    Level shared() {
+        return shared;
+    }
+
+    void unshare() {
+        shared = null;
+    }
+
+    /** The level in which an object is, this one or that of what is shared; there it has its {@link Bodies#bare} id. */
+    Level of(int id) {
+        Level other = shared;
+        return id < Bodies.SHARED || other == null ? this : other;
     }
 
     /** Writes the leaves of an object at a place into a column that has room. */

@@ -151,11 +151,13 @@ final class Motion {
         double least = Double.POSITIVE_INFINITY;
         for (int k = 0; k < near.count(); k++) {
             int other = near.id(k);
-            for (int j = level.first(other); j < level.first(other) + level.count(other); j++) {
+            Level of = level.of(other);
+            int first = of.first(Bodies.bare(other));
+            for (int j = first; j < first + of.count(Bodies.bare(other)); j++) {
                 for (int i = 0; i < atStart.size(); i++) {
-                    double free = phase.sweep.free(atStart, i, level.leaves(), j);
+                    double free = phase.sweep.free(atStart, i, of.leaves(), j);
                     if (free != Double.POSITIVE_INFINITY && clearance > 0) {
-                        free = standOff.share(level, i, j, Math.min(free, 1), clearance);
+                        free = standOff.share(of, i, j, Math.min(free, 1), clearance);
                     }
                     if (free < least || (free == least && isBefore(other, free))) {
                         least = free;
@@ -182,13 +184,13 @@ final class Motion {
         double least = Double.POSITIVE_INFINITY;
         for (int k = 0; k < near.count(); k++) {
             int other = near.id(k);
-            if (level.meets(other, box) && deepens(other, box)) {
+            if (meets(other) && deepens(other, box)) {
                 double low = 0;
                 double high = 1;
                 for (int halving = 0; halving < 50; halving++) {
                     double middle = low / 2 + high / 2;
                     phase.sweptBox(middle, box);
-                    if (level.meets(other, box) && deepens(other, box)) {
+                    if (meets(other) && deepens(other, box)) {
                         high = middle;
                     } else {
                         low = middle;
@@ -197,11 +199,15 @@ final class Motion {
                 phase.sweptBox(1, box);
                 if (low < least || (low == least && isBefore(other, low))) {
                     least = low;
-                    blame(other, 0, level.first(other));
+                    blame(other, 0, level.of(other).first(Bodies.bare(other)));
                 }
             }
         }
         return least;
+    }
+
+    private boolean meets(int other) {
+        return level.of(other).meets(Bodies.bare(other), box);
     }
 
     /** Whether a box overlaps an object's bounds more deeply than the object does at the start. */
@@ -213,11 +219,12 @@ final class Motion {
     }
 
     private double depth(int other, double[] of) {
-        double[] b = level.bounds();
+        double[] b = level.of(other).bounds();
+        int at = 6 * Bodies.bare(other);
         double least = Double.POSITIVE_INFINITY;
         for (int k = 0; k < 3; k += level.dimension == Dimension.PLANAR ? 2 : 1) {
-            double one = of[3 + k] - b[6 * other + k];
-            double two = b[6 * other + 3 + k] - of[k];
+            double one = of[3 + k] - b[at + k];
+            double two = b[at + 3 + k] - of[k];
             least = Math.min(least, Math.min(one, two));
         }
         return least;
@@ -274,10 +281,12 @@ final class Motion {
         LeafColumn probe = phase.after(share);
         for (int k = 0; k < near.count(); k++) {
             int other = near.id(k);
-            for (int j = level.first(other); j < level.first(other) + level.count(other); j++) {
+            Level of = level.of(other);
+            int first = of.first(Bodies.bare(other));
+            for (int j = first; j < first + of.count(Bodies.bare(other)); j++) {
                 for (int i = 0; i < probe.size(); i++) {
-                    if (Overlap.test(level.dimension, probe, i, level.leaves(), j, s)
-                            && !Overlap.test(level.dimension, atStart, i, level.leaves(), j, s)) {
+                    if (Overlap.test(level.dimension, probe, i, of.leaves(), j, s)
+                            && !Overlap.test(level.dimension, atStart, i, of.leaves(), j, s)) {
                         if (obstacle == NOTHING) {
                             blame(other, i, j);
                         }
@@ -310,6 +319,7 @@ final class Motion {
             border.contact(swept, part, out);
             return;
         }
-        distance.contact(level.dimension, phase.atEnd(), ownLeaf, level.leaves(), obstacleLeaf, out);
+        distance.contact(
+                level.dimension, phase.atEnd(), ownLeaf, level.of(obstacle).leaves(), obstacleLeaf, out);
     }
 }

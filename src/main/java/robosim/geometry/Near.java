@@ -27,10 +27,25 @@ final class Near {
     /** Finds all but one, or all with -1. */
     void find(Level level, double[] box, int but) {
         count = 0;
+        gather(level, box, but);
+        Level shared = level.shared();
+        if (shared != null) {
+            gather(shared, box, but);
+        }
+    }
+
+    /** Finds all but one of those that are a level's own. */
+    void findIn(Level level, double[] box, int but) {
+        count = 0;
+        gather(level, box, but);
+    }
+
+    private void gather(Level level, double[] box, int but) {
+        int mark = level.mark;
         level.cursor.startBox(box[0], box[2], box[3], box[5]);
         for (int id = level.cursor.next(); id >= 0; id = level.cursor.next()) {
-            if (id != but && level.meets(id, box)) {
-                add(id);
+            if ((id | mark) != but && level.meets(id, box)) {
+                add(id | mark);
             }
         }
         OctTree.@Nullable Cursor stacked = level.stacks.cursor();
@@ -38,7 +53,7 @@ final class Near {
             keys.startBox(box);
             stacked.start(level.bounds(), keys);
             for (int id = stacked.next(0); id >= 0; id = stacked.next(0)) {
-                add(id);
+                add(id | mark);
             }
         }
         for (int k = 0; k < level.moversBesideTree(); k++) {

@@ -2,9 +2,9 @@ package robosim.geometry;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
@@ -21,7 +21,7 @@ import robosim.geometry.narrow.Scratch;
  * What is refused changes nothing.
  */
 final class Population {
-    final Bodies bodies = new Bodies();
+    final Bodies bodies;
     final Border border;
 
     /** The world as it is seen where a query does not say how. */
@@ -41,15 +41,29 @@ final class Population {
 
     private final double[] box = new double[6];
 
-    Population(double width, double height, double length, Dimension dimension, Accuracy accuracy, Scratch scratch) {
+    Population(
+            double width,
+            double height,
+            double length,
+            Dimension dimension,
+            Accuracy accuracy,
+            @Nullable Statics shared,
+            Scratch scratch) {
         this.width = width;
         this.length = length;
         this.dimension = dimension;
         s = scratch;
         border = new Border(width, height, length, dimension);
-        level = new Level(bodies, accuracy, dimension, width, length);
+        bodies = shared == null ? new Bodies() : new Bodies(shared);
+        level = new Level(bodies, accuracy, dimension, width, length, view(accuracy));
         levels = new Level[] {level};
         near = new Near(bodies);
+    }
+
+    /** What is shared as it is seen at an accuracy. */
+    private @Nullable Level view(Accuracy accuracy) {
+        Statics shared = bodies.shared();
+        return shared == null ? null : shared.view(accuracy);
     }
 
     /** The world as it is seen at an accuracy, made when it is first asked. */
@@ -60,7 +74,7 @@ final class Population {
                 return each;
             }
         }
-        Level made = new Level(bodies, asked, dimension, width, length);
+        Level made = new Level(bodies, asked, dimension, width, length, view(asked));
         IntStream.range(0, bodies.limit()).filter(bodies::isPresent).forEach(id -> made.add(id, bodies.present(id)));
         levels = Arrays.copyOf(levels, levels.length + 1);
         levels[levels.length - 1] = made;
@@ -73,7 +87,7 @@ final class Population {
         if (name != null && bodies.find(name) >= 0) {
             throw new IllegalArgumentException("name must be unique in its world (got: \"" + name + "\" again)");
         }
-        if (!fitsAsPlaced(object) || (checked && touchesAny(level, -1))) {
+        if (!fitsAsPlaced(object) || (checked && touchesAny())) {
             return false;
         }
         int id = bodies.add(object);
@@ -82,6 +96,28 @@ final class Population {
             levels[k].add(id, object);
         }
         return true;
+    }
+
+    /** Adds an object that has been in such a world, at its place among the arrivals there. */
+    void restore(GeometryObject object, long arrival) {
+        bodies.arriveAt(arrival);
+        int id = bodies.add(object);
+        for (Level each : levels) {
+            each.add(id, object);
+        }
+    }
+
+    /** Makes static objects that are shared with other worlds this world's own, so that they can be taken out. */
+    private void unshare(Statics statics) {
+        bodies.unshare();
+        for (Level each : levels) {
+            each.unshare();
+        }
+        long arrivals = bodies.arrivals();
+        for (int id = 0; id < statics.bodies.limit(); id++) {
+            restore(statics.bodies.value(id), statics.arrival(id));
+        }
+        bodies.arriveAt(arrivals);
     }
 
     /** Places an object at the world's own level, with its bounds; false where the object itself is not in the world. */
@@ -95,12 +131,17 @@ final class Population {
         return !isExact || border.clearlyHolds(box) || border.holds(candidate, 0, candidate.size());
     }
 
-    /** Whether what has been placed touches or overlaps any object in the world but one. */
-    private boolean touchesAny(Level at, int but) {
+    /** Whether what has been placed touches or overlaps any object in the world. */
+    private boolean touchesAny() {
+        Level shared = level.shared();
+        return touchesAny(level) || (shared != null && touchesAny(shared));
+    }
+
+    private boolean touchesAny(Level at) {
         if (at.stacks.cursor() != null) {
-            return collidesAnywhere(at, but);
+            return collidesAnywhere(at, -1);
         }
-        int near = at.cursor.gather(box[0], box[2], box[3], box[5], but);
+        int near = at.cursor.gather(box[0], box[2], box[3], box[5], -1);
         for (int k = 0; k < near; k++) {
             int other = at.cursor.gathered(k);
             if ((dimension == Dimension.PLANAR || at.meets(other, box)) && touches(at, other)) {
@@ -109,7 +150,7 @@ final class Population {
         }
         for (int k = 0; k < at.moversBesideTree(); k++) {
             int other = bodies.mover(k);
-            if (other != but && at.meets(other, box) && touches(at, other)) {
+            if (at.meets(other, box) && touches(at, other)) {
                 return true;
             }
         }
@@ -120,6 +161,11 @@ final class Population {
         int id = bodies.find(Arguments.present("name", name));
         if (id < 0) {
             return false;
+        }
+        Statics shared = bodies.shared();
+        if (id >= Bodies.SHARED && shared != null) {
+            unshare(shared);
+            id = bodies.find(name);
         }
         for (Level each : levels) {
             each.remove(id);
@@ -173,15 +219,19 @@ final class Population {
         } else {
             at.boundsOf(candidate, 0, candidate.size(), box, 0);
         }
-        if (at.stacks.cursor() != null || !at.cursor.startNear(box[0], box[2], box[3], box[5])) {
-            return collidesAnywhere(at, but);
-        }
-        return collidesNear(at, but);
+        Level shared = at.shared();
+        return collidesIn(at, but) || (shared != null && collidesIn(shared, but));
+    }
+
+    private boolean collidesIn(Level at, int but) {
+        boolean isNear = at.stacks.cursor() == null && at.cursor.startNear(box[0], box[2], box[3], box[5]);
+        return isNear ? collidesNear(at, but) : collidesAnywhere(at, but);
     }
 
     private boolean collidesNear(Level at, int but) {
         for (int id = at.cursor.nextNear(); id >= 0; id = at.cursor.nextNear()) {
-            if (id != but && (dimension == Dimension.PLANAR || at.meets(id, box)) && touches(at, id)) {
+            boolean isOther = (id | at.mark) != but;
+            if (isOther && (dimension == Dimension.PLANAR || at.meets(id, box)) && touches(at, id)) {
                 return true;
             }
         }
@@ -195,9 +245,9 @@ final class Population {
     }
 
     private boolean collidesAnywhere(Level at, int but) {
-        near.find(at, box, but);
+        near.findIn(at, box, but);
         for (int k = 0; k < near.count(); k++) {
-            if (touches(at, near.id(k))) {
+            if (touches(at, Bodies.bare(near.id(k)))) {
                 return true;
             }
         }
@@ -218,16 +268,8 @@ final class Population {
     /** All objects at their present places, in the order in which they were added. */
     List<GeometryObject> present() {
         List<GeometryObject> objects = new ArrayList<>(bodies.size());
-        IntStream.range(0, bodies.limit())
-                .filter(bodies::isPresent)
-                .boxed()
-                .sorted(earlierFirst())
-                .forEach(id -> objects.add(bodies.present(id)));
+        bodies.ids().forEach(id -> objects.add(bodies.present(id)));
         return List.copyOf(objects);
-    }
-
-    private Comparator<Integer> earlierFirst() {
-        return (a, b) -> a.equals(b) ? 0 : bodies.isEarlier(a, b) ? -1 : 1;
     }
 
     /** The id of an object that must be there. */

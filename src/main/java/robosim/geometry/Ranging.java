@@ -41,6 +41,9 @@ final class Ranging {
     /** What stands for the object whose distance to others is asked. */
     private final LeafColumn own = new LeafColumn(1);
 
+    /** And its bounds. */
+    private final double[] box = new double[6];
+
     /** The sides of the cone seen from above: outward normals; both zero where it has none. */
     private double leftX;
 
@@ -121,24 +124,9 @@ final class Ranging {
 
     private double nearestOnLine(Level level, double limit, int but) {
         best = Double.POSITIVE_INFINITY;
-        double reach = nearestInStacks(level, limit);
-        double dx = cast.way(0);
-        double dz = cast.way(2);
-        if (dx == 0 && dz == 0) {
-            reach = nearestAboveOrBelow(level, reach, but);
-        } else {
-            double slack = slack(level);
-            double inverse = 1 / cast.length();
-            QuadCursor cursor = level.cursor;
-            cursor.startRay(ox, oz, dx, dz, loose(reach, slack) * inverse);
-            for (int id = cursor.next(loose(reach, slack) * inverse);
-                    id >= 0;
-                    id = cursor.next(loose(reach, slack) * inverse)) {
-                if (id != but && isAtHeight(level, id, reach)) {
-                    reach = tryBody(level, id, reach);
-                }
-            }
-        }
+        Level shared = level.shared();
+        double reach = shared == null ? limit : nearestOfTrees(shared, limit, but);
+        reach = nearestOfTrees(level, reach, but);
         int movers = level.moversBesideTree();
         if (movers > 0) {
             takeUnit();
@@ -150,6 +138,29 @@ final class Ranging {
             }
         }
         return best <= limit ? best : none();
+    }
+
+    /** Tries what stands in a level's trees along the line; answers how far there is still to look. */
+    private double nearestOfTrees(Level level, double limit, int but) {
+        int ignored = but ^ level.mark;
+        double reach = nearestInStacks(level, limit, ignored);
+        double dx = cast.way(0);
+        double dz = cast.way(2);
+        if (dx == 0 && dz == 0) {
+            return nearestAboveOrBelow(level, reach, ignored);
+        }
+        double slack = slack(level);
+        double inverse = 1 / cast.length();
+        QuadCursor cursor = level.cursor;
+        cursor.startRay(ox, oz, dx, dz, loose(reach, slack) * inverse);
+        for (int id = cursor.next(loose(reach, slack) * inverse);
+                id >= 0;
+                id = cursor.next(loose(reach, slack) * inverse)) {
+            if (id != ignored && isAtHeight(level, id, reach)) {
+                reach = tryBody(level, id, reach);
+            }
+        }
+        return reach;
     }
 
     private double nearestAboveOrBelow(Level level, double limit, int but) {
@@ -178,14 +189,10 @@ final class Ranging {
 
     private double nearestInCone(Level level, double limit, int but) {
         best = Double.POSITIVE_INFINITY;
-        double reach = nearestInStacks(level, limit);
         double slack = slack(level);
-        level.cursor.startSector(ox, oz, leftX, leftZ, rightX, rightZ, loose(reach, slack));
-        for (int id = level.cursor.next(loose(reach, slack)); id >= 0; id = level.cursor.next(loose(reach, slack))) {
-            if (id != but && coneMeets(level, id, loose(reach, slack)) && isAtHeight(level, id, reach)) {
-                reach = tryBody(level, id, reach);
-            }
-        }
+        Level shared = level.shared();
+        double reach = shared == null ? limit : nearestOfTreesInCone(shared, limit, but);
+        reach = nearestOfTreesInCone(level, reach, but);
         for (int k = 0; k < level.moversBesideTree(); k++) {
             int id = bodies.mover(k);
             if (id != but && coneMeets(level, id, loose(reach, slack))) {
@@ -195,8 +202,21 @@ final class Ranging {
         return best <= limit ? best : none();
     }
 
+    private double nearestOfTreesInCone(Level level, double limit, int but) {
+        int ignored = but ^ level.mark;
+        double reach = nearestInStacks(level, limit, ignored);
+        double slack = slack(level);
+        level.cursor.startSector(ox, oz, leftX, leftZ, rightX, rightZ, loose(reach, slack));
+        for (int id = level.cursor.next(loose(reach, slack)); id >= 0; id = level.cursor.next(loose(reach, slack))) {
+            if (id != ignored && coneMeets(level, id, loose(reach, slack)) && isAtHeight(level, id, reach)) {
+                reach = tryBody(level, id, reach);
+            }
+        }
+        return reach;
+    }
+
     /** Tries what stands in an octree, which are no moveable objects; answers how far there is still to look. */
-    private double nearestInStacks(Level level, double limit) {
+    private double nearestInStacks(Level level, double limit, int but) {
         OctTree.@Nullable Cursor stacked = level.stacks.cursor();
         hasHeights = level.dimension == Dimension.SPATIAL && (stacked != null || level.tree.size() > FEW);
         if (!hasHeights) {
@@ -215,7 +235,9 @@ final class Ranging {
             double slack = slack(level) + highest;
             stacked.start(level.bounds(), keys);
             for (int id = stacked.next(loose(reach, slack)); id >= 0; id = stacked.next(loose(reach, slack))) {
-                reach = tryBody(level, id, reach);
+                if (id != but) {
+                    reach = tryBody(level, id, reach);
+                }
             }
         }
         return reach;
@@ -237,9 +259,9 @@ final class Ranging {
         int last = first + level.count(id);
         for (int leaf = first; leaf < last; leaf++) {
             double found = cast.distance(level.leaves(), leaf, best < reach ? best : reach);
-            if (found < best || (found == best && hit >= 0 && bodies.isEarlier(id, hit))) {
+            if (found < best || (found == best && hit >= 0 && bodies.isEarlier(id | level.mark, hit))) {
                 best = found;
-                hit = id;
+                hit = id | level.mark;
                 hitLeaf = leaf;
             }
         }
@@ -284,7 +306,7 @@ final class Ranging {
 
     /** The unit normal where the line met what it hit. */
     void normal(Level level, double at, double[] out) {
-        cast.normal(level.leaves(), hitLeaf, at, out);
+        cast.normal(level.of(hit).leaves(), hitLeaf, at, out);
     }
 
     /** A coordinate (0 to 2) of the point on the line at a distance. */
@@ -298,51 +320,63 @@ final class Ranging {
 
     /** The least distance of an object to any other, +Infinity where that is beyond the limit. */
     double proximity(Level level, int id, double limit) {
-        double[] b = level.bounds();
-        int k = 6 * id;
-        double x = b[k] / 2 + b[k + 3] / 2;
-        double z = b[k + 2] / 2 + b[k + 5] / 2;
-        double hx = Math.max(b[k + 3] - x, x - b[k]);
-        double hz = Math.max(b[k + 5] - z, z - b[k + 2]);
-        double radius = Math.sqrt(hx * hx + hz * hz + UNDERFLOW) * (1 + 0x1p-50);
+        Level home = level.of(id);
+        System.arraycopy(home.bounds(), 6 * Bodies.bare(id), box, 0, 6);
         own.clear();
-        own.appendWhole(level.leaves(), level.first(id), level.count(id));
+        own.appendWhole(home.leaves(), home.first(Bodies.bare(id)), home.count(Bodies.bare(id)));
         best = Double.POSITIVE_INFINITY;
         hit = -1;
-        double reach = limit;
-        level.cursor.startPoint(x, z, reach + radius);
-        for (int other = level.cursor.next(reach + radius); other >= 0; other = level.cursor.next(reach + radius)) {
-            if (other != id) {
-                reach = tryPair(level, id, other, reach);
-            }
-        }
-        OctTree.@Nullable Cursor stacked = level.stacks.cursor();
-        if (stacked != null) {
-            double y = b[k + 1] / 2 + b[k + 4] / 2;
-            double hy = Math.max(b[k + 4] - y, y - b[k + 1]);
-            double all = Math.sqrt(hx * hx + hy * hy + hz * hz + UNDERFLOW) * (1 + 0x1p-50);
-            keys.startPoint(x, y, z);
-            stacked.start(b, keys);
-            for (int other = stacked.next(reach + all); other >= 0; other = stacked.next(reach + all)) {
-                if (other != id) {
-                    reach = tryPair(level, id, other, reach);
-                }
-            }
-        }
+        Level shared = level.shared();
+        double reach = shared == null ? limit : nearestToOwn(shared, limit, id);
+        reach = nearestToOwn(level, reach, id);
         for (int m = 0; m < level.moversBesideTree(); m++) {
             if (bodies.mover(m) != id) {
-                reach = tryPair(level, id, bodies.mover(m), reach);
+                reach = tryPair(level, bodies.mover(m), reach);
             }
         }
         return best <= limit ? best : none();
     }
 
-    private double tryPair(Level level, int id, int other, double reach) {
-        if (boxGap(level, id, other) > reach) {
+    /** Tries what stands in a level's trees near the object in question; answers how far there is still to look. */
+    private double nearestToOwn(Level level, double limit, int but) {
+        int ignored = but ^ level.mark;
+        double x = box[0] / 2 + box[3] / 2;
+        double z = box[2] / 2 + box[5] / 2;
+        double hx = Math.max(box[3] - x, x - box[0]);
+        double hz = Math.max(box[5] - z, z - box[2]);
+        double radius = Math.sqrt(hx * hx + hz * hz + UNDERFLOW) * (1 + 0x1p-50);
+        double reach = limit;
+        level.cursor.startPoint(x, z, reach + radius);
+        for (int other = level.cursor.next(reach + radius); other >= 0; other = level.cursor.next(reach + radius)) {
+            if (other != ignored) {
+                reach = tryPair(level, other, reach);
+            }
+        }
+        OctTree.@Nullable Cursor stacked = level.stacks.cursor();
+        if (stacked == null) {
             return reach;
         }
+        double y = box[1] / 2 + box[4] / 2;
+        double hy = Math.max(box[4] - y, y - box[1]);
+        double all = Math.sqrt(hx * hx + hy * hy + hz * hz + UNDERFLOW) * (1 + 0x1p-50);
+        keys.startPoint(x, y, z);
+        stacked.start(level.bounds(), keys);
+        for (int other = stacked.next(reach + all); other >= 0; other = stacked.next(reach + all)) {
+            if (other != ignored) {
+                reach = tryPair(level, other, reach);
+            }
+        }
+        return reach;
+    }
+
+    private double tryPair(Level level, int other, double reach) {
+        if (boxGap(level, other) > reach) {
+            return reach;
+        }
+        int first = level.first(other);
+        int last = first + level.count(other);
         for (int i = 0; i < own.size(); i++) {
-            for (int j = level.first(other); j < level.first(other) + level.count(other); j++) {
+            for (int j = first; j < last; j++) {
                 double found = distance.between(level.dimension, own, i, level.leaves(), j, Math.min(reach, best));
                 best = Math.min(best, found);
             }
@@ -350,13 +384,13 @@ final class Ranging {
         return Math.min(reach, best);
     }
 
-    /** A lower bound of the distance of two objects: that of their bounds. */
-    private static double boxGap(Level level, int id, int other) {
+    /** A lower bound of the distance of another object: that of their bounds. */
+    private double boxGap(Level level, int other) {
         double[] b = level.bounds();
+        int k = 6 * other;
         double squared = 0;
         for (int axis = 0; axis < 3; axis += level.dimension == Dimension.PLANAR ? 2 : 1) {
-            double gap =
-                    Math.max(b[6 * id + axis] - b[6 * other + 3 + axis], b[6 * other + axis] - b[6 * id + 3 + axis]);
+            double gap = Math.max(box[axis] - b[k + 3 + axis], b[k + axis] - box[3 + axis]);
             if (gap > 0) {
                 squared += gap * gap;
             }

@@ -18,7 +18,7 @@ final class Stacks {
     private static final double SPREAD = 1.5;
 
     private final boolean hasHeights;
-    private final BitSet ids = new BitSet();
+    private final BitSet ids = new BitSet(0);
     private int count;
     private double sum;
     private double squares;
@@ -33,6 +33,15 @@ final class Stacks {
 
     Stacks(boolean hasHeights) {
         this.hasHeights = hasHeights;
+    }
+
+    /** The same objects, of which none comes or goes any more, for one more thread to ask. */
+    Stacks view() {
+        Stacks view = new Stacks(hasHeights);
+        view.most = most;
+        view.tree = tree;
+        view.cursor = tree == null ? null : tree.cursor();
+        return view;
     }
 
     /** The cursor over the octree; null where there is none, and all stand in the quadtree. */

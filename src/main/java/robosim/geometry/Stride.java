@@ -103,36 +103,47 @@ final class Stride {
     }
 
     private boolean passesAll() {
-        QuadCursor cursor = level.cursor;
-        int near = cursor.gather(box[0], box[2], box[3], box[5], id);
-        double[] boxes = cursor.boxes();
-        for (int k = 0; k < near; k++) {
-            int other = cursor.gathered(k);
-            if (!passes(other, quickly(other, boxes))) {
-                return false;
-            }
+        if (!passesTrees(level)) {
+            return false;
         }
-        OctTree.@Nullable Cursor stacked = level.stacks.cursor();
-        if (stacked != null) {
-            keys.startBox(box);
-            stacked.start(level.bounds(), keys);
-            for (int other = stacked.next(0); other >= 0; other = stacked.next(0)) {
-                if (!passesExactly(other)) {
-                    return false;
-                }
-            }
+        Level shared = level.shared();
+        if (shared != null && !passesTrees(shared)) {
+            return false;
         }
         for (int k = 0; k < level.moversBesideTree(); k++) {
             int other = bodies.mover(k);
-            if (other != id && !passes(other, DiscWay.UNSURE)) {
+            if (other != id && !passes(level, other, DiscWay.UNSURE)) {
                 return false;
             }
         }
         return true;
     }
 
-    private boolean passes(int other, int quick) {
-        return quick == DiscWay.UNSURE ? !level.meets(other, box) || passesExactly(other) : quick == DiscWay.CLEAR;
+    private boolean passesTrees(Level of) {
+        QuadCursor cursor = of.cursor;
+        int near = cursor.gather(box[0], box[2], box[3], box[5], id ^ of.mark);
+        double[] boxes = cursor.boxes();
+        for (int k = 0; k < near; k++) {
+            int other = cursor.gathered(k);
+            if (!passes(of, other, quickly(of, other, boxes))) {
+                return false;
+            }
+        }
+        OctTree.@Nullable Cursor stacked = of.stacks.cursor();
+        if (stacked != null) {
+            keys.startBox(box);
+            stacked.start(of.bounds(), keys);
+            for (int other = stacked.next(0); other >= 0; other = stacked.next(0)) {
+                if (!passesExactly(of, other)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    private boolean passes(Level of, int other, int quick) {
+        return quick == DiscWay.UNSURE ? !of.meets(other, box) || passesExactly(of, other) : quick == DiscWay.CLEAR;
     }
 
     /** The disc around the object, as seen from above. */
@@ -153,14 +164,14 @@ final class Stride {
      * What doubles can tell, as seen from above, of the discs around the object and around the bounds of another: a disc's
      * own, or that through the corners.
      */
-    private int quickly(int other, double[] boxes) {
+    private int quickly(Level of, int other, double[] boxes) {
         double minX = boxes[4 * other];
         double minZ = boxes[4 * other + 1];
         double maxX = boxes[4 * other + 2];
         double maxZ = boxes[4 * other + 3];
         double halfX = 0.5 * maxX - 0.5 * minX;
         double halfZ = 0.5 * maxZ - 0.5 * minZ;
-        boolean isDisc = level.isDisc(other);
+        boolean isDisc = of.isDisc(other);
         double radius = isDisc ? Math.max(halfX, halfZ) : Math.sqrt(halfX * halfX + halfZ * halfZ);
         double slack = 0x1p-50 * (Math.abs(minX) + Math.abs(maxX) + Math.abs(minZ) + Math.abs(maxZ)) + ownSlack;
         double qx = 0.5 * minX + 0.5 * maxX - ownX;
@@ -170,16 +181,17 @@ final class Stride {
         return DiscWay.past(qx, qz, dx, dz, ownRadius + radius, slack, isAll);
     }
 
-    private boolean passesExactly(int other) {
+    private boolean passesExactly(Level of, int other) {
         LeafColumn leaves = level.leaves();
+        LeafColumn theirs = of.leaves();
         int own = level.first(id);
         int ownEnd = own + level.count(id);
-        int others = level.first(other);
-        int othersEnd = others + level.count(other);
+        int others = of.first(other);
+        int othersEnd = others + of.count(other);
         sweep.translation(level.dimension, dx, dy, dz);
         for (int j = others; j < othersEnd; j++) {
             for (int i = own; i < ownEnd; i++) {
-                if (sweep.free(leaves, i, leaves, j) != Double.POSITIVE_INFINITY) {
+                if (sweep.free(leaves, i, theirs, j) != Double.POSITIVE_INFINITY) {
                     return false;
                 }
             }
@@ -187,8 +199,8 @@ final class Stride {
         placeProbe();
         for (int j = others; j < othersEnd; j++) {
             for (int i = own; i < ownEnd; i++) {
-                if (Overlap.test(level.dimension, probe, i - own, leaves, j, s)
-                        && !Overlap.test(level.dimension, leaves, i, leaves, j, s)) {
+                if (Overlap.test(level.dimension, probe, i - own, theirs, j, s)
+                        && !Overlap.test(level.dimension, leaves, i, theirs, j, s)) {
                     return false;
                 }
             }

@@ -32,9 +32,12 @@ import picocli.CommandLine.Command;
             DemoCommand.class,
             CheckCommand.class,
             RenderCommand.class,
+            ViewCommand.class,
+            ConvertCommand.class,
             ServeCommand.class,
             ConnectCommand.class,
             ReplayCommand.class,
+            SweepCommand.class,
             CompletionCommand.class
         })
 final class Commands {

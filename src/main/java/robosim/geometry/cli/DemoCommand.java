@@ -17,7 +17,9 @@ import picocli.CommandLine.Spec;
 import robosim.geometry.net.GeometryClient;
 import robosim.geometry.net.GeometryServer;
 import robosim.geometry.net.NetOptions;
+import robosim.geometry.scenario.WireReader;
 import robosim.geometry.viewer.Painter;
+import robosim.geometry.viewer.Pictures;
 import robosim.geometry.viewer.Scene;
 import robosim.geometry.viewer.Theme;
 import robosim.geometry.world.World;
@@ -118,8 +120,10 @@ final class DemoCommand implements Callable<Integer> {
         }
         Summary summary = new Summary(output, timings);
         Scene scene = Pictures.of(loaded, Pictures.title(worldFile));
-        scene = Playback.read(output.resolve("to-module.bin"), output.resolve("from-module.bin"))
-                .over(scene.described(summary.line(audited == 0), Pictures.unit(loaded)));
+        scene = scene.described(summary.line(audited == 0), Pictures.unit(loaded));
+        try (WireReader talk = WireReader.open(output.resolve("to-module.bin"), output.resolve("from-module.bin"))) {
+            scene = Pictures.whole(talk, scene);
+        }
         Painter.write(scene, Theme.LIGHT, output.resolve("world.svg"));
         Painter.write(scene, Theme.LIGHT, output.resolve("world.png"));
         String text = summary.text(verdict);

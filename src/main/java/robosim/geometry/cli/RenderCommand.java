@@ -10,6 +10,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.viewer.Painter;
+import robosim.geometry.viewer.Pictures;
 import robosim.geometry.viewer.Theme;
 import robosim.geometry.world.WorldReader;
 

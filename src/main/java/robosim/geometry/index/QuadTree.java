@@ -25,7 +25,7 @@ public final class QuadTree {
     private final Cells cells;
 
     // By id: the box; the first number is NaN where there is none.
-    double[] boxes = new double[4 * 64];
+    double[] boxes;
     private int size;
 
     private final Runnable laidOut;
@@ -33,7 +33,7 @@ public final class QuadTree {
     /** No coordinate of a box was ever of a greater magnitude. */
     double most;
 
-    final TileLayers tiles = new TileLayers();
+    final TileLayers tiles;
     private final double[] before = new double[4];
     RegionTree regions;
     private boolean hasRegions;
@@ -45,6 +45,9 @@ public final class QuadTree {
     private int leastForGrid;
 
     private boolean hasMoved;
+
+    /** What this is a view of, which makes the regions for all of its views; null where it is none. */
+    private final @Nullable QuadTree frozen;
 
     /** Who has moved since the tiles were up to date. */
     private final Moved moved = new Moved();
@@ -59,7 +62,40 @@ public final class QuadTree {
         laidOut = whenLaidOut;
         cells = new Cells(minX, minZ, maxX, maxZ);
         regions = new RegionTree(cells);
+        tiles = new TileLayers();
+        frozen = null;
+        boxes = new double[4 * 64];
         Arrays.fill(boxes, Double.NaN);
+    }
+
+    private QuadTree(QuadTree of) {
+        laidOut = () -> {};
+        cells = of.cells;
+        boxes = of.boxes;
+        size = of.size;
+        most = of.most;
+        tiles = of.tiles;
+        regions = of.regions;
+        frozen = of;
+    }
+
+    /** Lays out what would be laid out when first asked: from now on nobody may change this tree, and many may ask its views. */
+    public void freeze() {
+        grid = null;
+        leastForGrid = Integer.MAX_VALUE;
+        settle();
+        grid = null;
+    }
+
+    /** The same objects as in a frozen tree, for one more thread to ask. */
+    public QuadTree view() {
+        return new QuadTree(this);
+    }
+
+    /** The regions of a frozen tree, made when the first of its views asks. */
+    private synchronized RegionTree frozenRegions() {
+        growRegions();
+        return regions;
     }
 
     public int size() {
@@ -226,6 +262,10 @@ public final class QuadTree {
     }
 
     void growRegions() {
+        if (!hasRegions && frozen != null) {
+            regions = frozen.frozenRegions();
+            hasRegions = true;
+        }
         if (!hasRegions) {
             regions = new RegionTree(cells);
             for (int id = 0, found = 0; found < size; id++) {

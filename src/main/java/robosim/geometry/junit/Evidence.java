@@ -8,10 +8,12 @@ import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.ScenarioReader;
+import robosim.geometry.viewer.Pictures;
 
 /** What a failed test leaves in its folder. */
 final class Evidence {
     private static final String REPLAY = "replay" + ScenarioReader.ENDING;
+    private static final String PICTURE = "last-moments.svg";
     private static final String WORDS = "failure.txt";
 
     private final Path folder;
@@ -23,9 +25,11 @@ final class Evidence {
     /** Takes away what an earlier run left. */
     void clear() throws IOException {
         Files.deleteIfExists(folder.resolve(REPLAY));
+        Files.deleteIfExists(folder.resolve(PICTURE));
         Files.deleteIfExists(folder.resolve(WORDS));
         int connection = 1;
         while (Files.deleteIfExists(talk(connection))) {
+            Files.deleteIfExists(picture(connection));
             connection++;
         }
     }
@@ -34,11 +38,16 @@ final class Evidence {
         return folder.resolve("connection-" + connection + ScenarioReader.ENDING);
     }
 
+    private Path picture(int connection) {
+        return folder.resolve("connection-" + connection + ".svg");
+    }
+
     /** Leaves all there is and answers the lines of the message that name it. Nothing is thrown: the failure goes first. */
     String leave(String failure, long seed, @Nullable RobotWorld world, Talks talks, String title) {
         String lines = "\n  seed:   " + seed + " (as @Seed(" + seed + "L) or -Drobosim.seed=" + seed + ")";
         if (world != null) {
             lines += "\n  replay: " + replay(world, title);
+            lines += "\n  image:  " + picture(world.scenario(title), folder.resolve(PICTURE));
         }
         int connection = 0;
         for (byte[] recording : talks.recorded()) {
@@ -60,7 +69,8 @@ final class Evidence {
         }
         try {
             Files.createDirectories(folder);
-            return Files.write(file, recording).toString();
+            Files.write(file, recording);
+            return file + "\n  image:  " + picture(Scenario.read(file), picture(connection));
         } catch (IOException | RuntimeException e) {
             return "none, for it could not be written: " + e;
         }
@@ -76,9 +86,20 @@ final class Evidence {
             }
             return file.toString();
         } catch (NoClassDefFoundError e) {
-            return "none, for jackson-core is not on the class path (" + e.getMessage() + ")";
+            return "none, for jackson-core is not on the class path, nor added to the modules (" + e.getMessage() + ")";
         } catch (IOException | RuntimeException e) {
             return "none, for it could not be written: " + e;
+        }
+    }
+
+    /** The robots at the end, with their last ways, what they sensed and what refused them. */
+    private String picture(Scenario scenario, Path file) {
+        try {
+            Files.createDirectories(folder);
+            Pictures.lastMoments(scenario, file);
+            return file.toString();
+        } catch (IOException | RuntimeException e) {
+            return "none, for it could not be drawn: " + e;
         }
     }
 }

@@ -19,6 +19,7 @@ import robosim.geometry.scenario.ScenarioReader;
 /**
  * A folder of scenario files as tests: each is replayed, and fails where an answer is another than the file expects.
  *
+ * <!-- java: compiled -->
  * <pre>{@code
  * @TestFactory
  * Stream<DynamicTest> scenarios() {

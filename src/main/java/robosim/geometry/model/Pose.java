@@ -89,6 +89,45 @@ public final class Pose {
         return given;
     }
 
+    /**
+     * From the {@link #PLACE} numbers of a place that comes from outside.
+     *
+     * @throws IllegalArgumentException where no pose has these numbers
+     */
+    static Pose checked(double[] places, int at) {
+        Pose pose = of(places, at);
+        double[] given = pose.attitude;
+        double heading = Attitude.heading(given, 0);
+        double rest = pose.lostHeading();
+        Pose made = of(pose.center, 0).oriented(pose.rotation());
+        boolean isRead = rest == 0 && made.heading() == heading;
+        if (!isRead && made.isUpright() && Math.abs(heading) <= 180 && Math.abs(rest) <= Math.ulp(180.0)) {
+            double[] entry = Attitude.identity();
+            Attitude.setHeading(entry, 0, heading, rest);
+            isRead = Arrays.equals(entry, withoutNegativeZero(given));
+        }
+        if (!isRead) {
+            throw new IllegalArgumentException("heading must be that of its rotation (got: " + heading + " and " + rest
+                    + " degrees for " + Arrays.toString(pose.rotation()) + ")");
+        }
+        for (int axis = 0; axis < 3; axis++) {
+            double place = axis == 0 ? pose.center.x() : axis == 1 ? pose.center.y() : pose.center.z();
+            if (!(Math.abs(pose.lost[axis]) <= Math.ulp(place) / 2)) {
+                throw new IllegalArgumentException("what a coordinate has lost must be at most half an ulp of it (got: "
+                        + pose.lost[axis] + " of " + place + ")");
+            }
+        }
+        return pose;
+    }
+
+    private static double[] withoutNegativeZero(double[] numbers) {
+        double[] plain = numbers.clone();
+        for (int k = 0; k < plain.length; k++) {
+            plain[k] += 0.0;
+        }
+        return plain;
+    }
+
     /** The rounding that the heading has lost, in degrees: {@code heading() + lostHeading()} is the angle that is kept. */
     public double lostHeading() {
         return attitude[Attitude.STRIDE - 1];

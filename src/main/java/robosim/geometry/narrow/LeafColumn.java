@@ -37,6 +37,19 @@ public final class LeafColumn {
         rows = new double[kinds.length * Leaf.STRIDE];
     }
 
+    private LeafColumn(LeafColumn of) {
+        size = of.size;
+        kinds = of.kinds;
+        rows = of.rows;
+        meshes = of.meshes;
+        upright = of.upright.view();
+    }
+
+    /** The same leaves, which nobody may change any more, for one more thread to read. */
+    public LeafColumn view() {
+        return new LeafColumn(this);
+    }
+
     /** How many leaves of whole rows there are. */
     public int size() {
         return size;

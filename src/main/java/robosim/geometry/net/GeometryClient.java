@@ -15,6 +15,7 @@ import org.jspecify.annotations.Nullable;
  * Dials RoboSim's environment module and answers it until it ends the connection; with {@link Redial} again and again,
  * until it is closed. Every connection begins without a world.
  *
+ * <!-- java: compiled -->
  * <pre>{@code
  * new Thread(new GeometryClient("localhost", 5555)).start();
  * }</pre>

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GeometryObject;
@@ -76,6 +77,24 @@ public final class Session {
         this(options, listener, name, log, World::of);
     }
 
+    /**
+     * In a world that is there already, until an {@link InitBundle} comes.
+     *
+     * @param world the session's own from now on
+     * @param log   takes the session's warnings
+     */
+    public Session(Geometry world, SessionOptions options, SessionListener listener, String name, System.Logger log) {
+        this(options, listener, name, log, World::of);
+        this.world = World.over(Arguments.present("world", world));
+        moveable = new HashSet<>();
+        for (GeometryObject object : world.objects()) {
+            String mover = object.name();
+            if (object.isMoveable() && mover != null) {
+                moveable.add(mover);
+            }
+        }
+    }
+
     Session(SessionOptions options, SessionListener listener, String name, World.Maker maker) {
         this(options, listener, name, LOG, maker);
     }
@@ -118,6 +137,14 @@ public final class Session {
         Reply reply = carryOut(request);
         listener.replied(request, reply, System.nanoTime() - start);
         return reply;
+    }
+
+    /**
+     * The world as it is, for who looks on; null before the first {@link InitBundle}. It belongs to the session's thread,
+     * and what is changed in it the session sees.
+     */
+    public @Nullable Geometry world() {
+        return world == null ? null : world.geometry();
     }
 
     private @Nullable Reply carryOut(Bundle request) {

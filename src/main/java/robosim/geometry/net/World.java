@@ -1,5 +1,6 @@
 package robosim.geometry.net;
 
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
 import robosim.geometry.model.GeometryObject;
@@ -15,6 +16,11 @@ interface World {
 
     double sonar(String name, double x, double z, double min, double max, double width);
 
+    /** What it is made of; null where it is none of the module's own. */
+    default @Nullable Geometry geometry() {
+        return null;
+    }
+
     /** Makes worlds. */
     @FunctionalInterface
     interface Maker {
@@ -23,8 +29,12 @@ interface World {
 
     /** The module's own. */
     static World of(WorldSettings settings) {
-        Geometry geometry = new Geometry(
-                settings.width(), settings.height(), settings.length(), settings.dimension(), settings.accuracy());
+        return over(new Geometry(
+                settings.width(), settings.height(), settings.length(), settings.dimension(), settings.accuracy()));
+    }
+
+    /** One that is there already. */
+    static World over(Geometry geometry) {
         return new World() {
             @Override
             public boolean add(GeometryObject object) {
@@ -39,6 +49,11 @@ interface World {
             @Override
             public double sonar(String name, double x, double z, double min, double max, double width) {
                 return geometry.getSonarDistance(name, x, z, min, max, width);
+            }
+
+            @Override
+            public Geometry geometry() {
+                return geometry;
             }
         };
     }

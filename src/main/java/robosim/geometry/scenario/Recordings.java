@@ -18,6 +18,7 @@ import robosim.geometry.net.SessionOptions;
  * Records the sessions of a server or a client, one file for each, which is made when its first request comes. A file that
  * is there is never written over.
  *
+ * <!-- java: compiled -->
  * <pre>{@code
  * NetOptions options = NetOptions.defaults();
  * options = options.withListeners(Recordings.inFolder(Path.of("recordings"), options.session()));

@@ -1,6 +1,5 @@
 package robosim.geometry.scenario;
 
-import java.io.Closeable;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -20,7 +19,7 @@ import robosim.geometry.protocol.Reply;
  * every exception names file and line. Only a last line that breaks off, as a killed writer leaves it, is passed over, and
  * {@link #torn()} tells it.
  */
-public final class ScenarioReader implements Closeable {
+public final class ScenarioReader implements StepReader {
     /** How the name of a scenario's file ends. */
     public static final String ENDING = ".scenario.jsonl";
 
@@ -86,7 +85,7 @@ public final class ScenarioReader implements Closeable {
         return new ScenarioReader(in, source, WorldFiles.none());
     }
 
-    /** What the scenario begins with. */
+    @Override
     public ScenarioHeader header() {
         return header;
     }
@@ -97,6 +96,7 @@ public final class ScenarioReader implements Closeable {
      * @return null at the end
      * @throws ScenarioException where the file fails or is no scenario; then nothing more can be read
      */
+    @Override
     public @Nullable Step next() throws ScenarioException {
         String line = peek();
         if (line == null) {

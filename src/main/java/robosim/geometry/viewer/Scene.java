@@ -16,6 +16,9 @@ import robosim.geometry.model.Point;
  * @param trails   where moveable objects have been
  * @param pings    measured distances
  * @param refusals moves that were not made
+ * @param blocked  what refused those of them that are fresh
+ * @param marks    objects that a viewer points at
+ * @param farthest the least distance at the end of the ramp of colours, so that it does not change with each step; or 0
  */
 public record Scene(
         String title,
@@ -25,7 +28,10 @@ public record Scene(
         List<Thing> things,
         List<Trail> trails,
         List<Ping> pings,
-        List<Refusal> refusals) {
+        List<Refusal> refusals,
+        List<Blocked> blocked,
+        List<Mark> marks,
+        double farthest) {
 
     /** Copies the lists. */
     public Scene {
@@ -33,21 +39,39 @@ public record Scene(
         trails = List.copyOf(trails);
         pings = List.copyOf(pings);
         refusals = List.copyOf(refusals);
+        blocked = List.copyOf(blocked);
+        marks = List.copyOf(marks);
     }
 
     /** A world and what stands in it. */
     public static Scene of(String title, View view, List<Thing> things) {
-        return new Scene(title, "", "", view, things, List.of(), List.of(), List.of());
+        return new Scene(title, "", "", view, things, List.of(), List.of(), List.of(), List.of(), List.of(), 0);
     }
 
     /** This scene with a line below its title and with the name of its unit. */
     public Scene described(String newSubtitle, String newUnit) {
-        return new Scene(title, newSubtitle, newUnit, view, things, trails, pings, refusals);
+        return new Scene(title, newSubtitle, newUnit, view, things, trails, pings, refusals, blocked, marks, farthest);
+    }
+
+    /** This scene under another title. */
+    public Scene titled(String newTitle) {
+        return new Scene(newTitle, subtitle, unit, view, things, trails, pings, refusals, blocked, marks, farthest);
     }
 
     /** This scene with what happened in it. */
     public Scene with(List<Trail> newTrails, List<Ping> newPings, List<Refusal> newRefusals) {
-        return new Scene(title, subtitle, unit, view, things, newTrails, newPings, newRefusals);
+        return new Scene(
+                title, subtitle, unit, view, things, newTrails, newPings, newRefusals, blocked, marks, farthest);
+    }
+
+    /** This scene with what refused its fresh moves. */
+    public Scene blocked(List<Blocked> newBlocked) {
+        return new Scene(title, subtitle, unit, view, things, trails, pings, refusals, newBlocked, marks, farthest);
+    }
+
+    /** This scene with objects pointed at, and with a ramp of colours that ends no nearer than that. */
+    public Scene marked(List<Mark> newMarks, double newFarthest) {
+        return new Scene(title, subtitle, unit, view, things, trails, pings, refusals, blocked, newMarks, newFarthest);
     }
 
     /**
@@ -67,6 +91,15 @@ public record Scene(
         /** A whole world of that width and length, centred at the origin. */
         public static View world(double width, double length) {
             return new View(-width / 2, -length / 2, width / 2, length / 2, true);
+        }
+
+        /** A whole world; where its things fill less than a quarter of it, only what holds them. */
+        public static View of(double width, double length, List<Thing> things) {
+            View around = around(things.stream().map(Thing::object).toList());
+            double across = around.maxX() - around.minX();
+            double down = around.maxZ() - around.minZ();
+            boolean whole = things.isEmpty() || across * down * 4 >= width * length;
+            return whole ? world(width, length) : around;
         }
 
         /** What holds every object, and a margin around them. */
@@ -120,4 +153,31 @@ public record Scene(
      * @param heading degrees about the vertical from the world's X to where it wanted to go
      */
     public record Refusal(Point place, double heading) {}
+
+    /**
+     * What refused a move just now.
+     *
+     * @param mover    where it stayed
+     * @param obstacle null for the border of the world
+     * @param strength from 0 to 1; the fresher, the stronger it is marked
+     */
+    public record Blocked(GeometryObject mover, @Nullable GeometryObject obstacle, double strength) {
+        /** Refuses a strength that is none. */
+        public Blocked {
+            if (!(strength >= 0 && strength <= 1)) {
+                throw new IllegalArgumentException("strength must be 0 to 1 (got: " + strength + ")");
+            }
+        }
+    }
+
+    /** An object that a viewer points at. */
+    public record Mark(GeometryObject object, Why why) {
+        /** What for. */
+        public enum Why {
+            /** It is looked at. */
+            PICKED,
+            /** It may not stand there. */
+            REFUSED
+        }
+    }
 }

@@ -50,7 +50,7 @@ final class ThingPainter {
         canvas.close();
     }
 
-    private static void draw(GeometryObject object, Style style, MapFrame frame, Canvas canvas) {
+    static void draw(GeometryObject object, Style style, MapFrame frame, Canvas canvas) {
         List<double[]> polygons = new ArrayList<>();
         for (Outline outline : Outline.of(object)) {
             if (outline instanceof Outline.Disc disc) {

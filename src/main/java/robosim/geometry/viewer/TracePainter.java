@@ -5,6 +5,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 
 /** What happened: trails, measured distances, refused moves. */
@@ -94,6 +95,53 @@ final class TracePainter {
         canvas.line(x, y, endX, endY, echo ? line : line.dashed(4));
         if (echo) {
             canvas.circle(endX, endY, 2.4, Style.filled(ink, 1));
+        }
+        canvas.close();
+    }
+
+    /** What refused the moves that are fresh, and who they were. */
+    void blocked() {
+        canvas.open("blocked", "");
+        for (Scene.Blocked each : scene.blocked()) {
+            GeometryObject obstacle = each.obstacle();
+            canvas.open("block", Labels.name(each.mover()));
+            Style style = Style.filled(Palette.REFUSED, 0.35 * each.strength())
+                    .outlined(Palette.REFUSED, 2.5, each.strength());
+            if (obstacle == null) {
+                canvas.rectangle(
+                        frame.left(),
+                        frame.top(),
+                        frame.right() - frame.left(),
+                        frame.bottom() - frame.top(),
+                        Style.line(Palette.REFUSED, 6, each.strength()));
+            } else {
+                ThingPainter.draw(obstacle, style, frame, canvas);
+            }
+            Bounds bounds = new Bounds();
+            Outline.of(each.mover()).forEach(bounds::add);
+            double radius = frame.scale * StrictMath.hypot(bounds.width(), bounds.length()) / 2 + 4;
+            canvas.circle(
+                    frame.x(bounds.middleX()),
+                    frame.y(bounds.middleZ()),
+                    radius,
+                    Style.line(Palette.REFUSED, 2, each.strength()));
+            canvas.close();
+        }
+        canvas.close();
+    }
+
+    /** What is pointed at. */
+    void marks() {
+        canvas.open("marks-on-objects", "");
+        for (Scene.Mark mark : scene.marks()) {
+            canvas.open(mark.why() == Scene.Mark.Why.PICKED ? "picked" : "refused", Labels.name(mark.object()));
+            Style style = mark.why() == Scene.Mark.Why.PICKED
+                    ? Style.line(Palette.PICKED, 2.5, 1)
+                    : Style.filled(Palette.REFUSED, 0.12)
+                            .outlined(Palette.REFUSED, 1.8, 0.9)
+                            .dashed(5);
+            ThingPainter.draw(mark.object(), style, frame, canvas);
+            canvas.close();
         }
         canvas.close();
     }

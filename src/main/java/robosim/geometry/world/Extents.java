@@ -1,23 +1,66 @@
 package robosim.geometry.world;
 
+import java.util.List;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.narrow.LeafColumn;
 import robosim.geometry.narrow.OwnLeaves;
 
-/** The box along the world's axes around an object, rounded outwards: what it spans along each axis. */
-record Extents(double minX, double minY, double minZ, double maxX, double maxY, double maxZ) {
+/**
+ * The box along the world's axes around objects, rounded outwards: how far they reach.
+ *
+ * @param minX the least X of any of them, in world units; above {@code maxX} where there is none
+ */
+public record Extents(double minX, double minY, double minZ, double maxX, double maxY, double maxZ) {
+    private static final Extents NONE = new Extents(1 / 0.0, 1 / 0.0, 1 / 0.0, -1 / 0.0, -1 / 0.0, -1 / 0.0);
+
+    /** Of all objects of a world. */
+    public static Extents of(List<WorldObject> objects) {
+        Extents extents = NONE;
+        for (WorldObject object : objects) {
+            extents = extents.and(of(object.object()));
+        }
+        return extents;
+    }
+
     static Extents of(GeometryObject object) {
         LeafColumn leaves = OwnLeaves.placed(object);
-        double[] all = {1 / 0.0, 1 / 0.0, 1 / 0.0, -1 / 0.0, -1 / 0.0, -1 / 0.0};
-        double[] one = new double[6];
+        Extents extents = NONE;
+        double[] b = new double[6];
         for (int leaf = 0; leaf < leaves.size(); leaf++) {
-            leaves.bounds(leaf, one);
-            for (int axis = 0; axis < 3; axis++) {
-                all[axis] = Math.min(all[axis], one[axis]);
-                all[axis + 3] = Math.max(all[axis + 3], one[axis + 3]);
-            }
+            leaves.bounds(leaf, b);
+            extents = extents.and(new Extents(b[0], b[1], b[2], b[3], b[4], b[5]));
         }
-        return new Extents(all[0], all[1], all[2], all[3], all[4], all[5]);
+        return extents;
+    }
+
+    private Extents and(Extents other) {
+        return new Extents(
+                Math.min(minX, other.minX),
+                Math.min(minY, other.minY),
+                Math.min(minZ, other.minZ),
+                Math.max(maxX, other.maxX),
+                Math.max(maxY, other.maxY),
+                Math.max(maxZ, other.maxZ));
+    }
+
+    /** Whether there is nothing. */
+    public boolean isEmpty() {
+        return minX > maxX;
+    }
+
+    /** The least X (0), Y (1) or Z (2). */
+    public double least(int axis) {
+        return axis == 0 ? minX : axis == 1 ? minY : minZ;
+    }
+
+    /** The greatest X (0), Y (1) or Z (2). */
+    public double most(int axis) {
+        return axis == 0 ? maxX : axis == 1 ? maxY : maxZ;
+    }
+
+    /** The farthest from the origin along an axis, on either side. */
+    double farthest(int axis) {
+        return isEmpty() ? 0 : Math.max(Math.abs(least(axis)), Math.abs(most(axis)));
     }
 
     /** Along X and Z, from corner to corner. */

@@ -11,6 +11,18 @@ final class Limits {
     /** Boxes, cylinders, spheres, meshes and groups of one world, members too. The warehouse has some 2,700. */
     static final int MAX_OBJECTS = 200_000;
 
+    /** Elements of one file of SDFormat that matter. A world of 3,000 shapes has some 30,000. */
+    static final int MAX_ELEMENTS = 2_000_000;
+
+    /** Models, links, frames and joints of one world with what it includes. A world of 3,000 shapes has 6,000. */
+    static final int MAX_FRAMES = 500_000;
+
+    /** Bytes of all files that one file of SDFormat brings in: models and meshes. */
+    static final long MAX_INCLUDED_BYTES = 4 * MAX_BYTES;
+
+    /** Vertices of all meshes of one file of SDFormat; each scale of a mesh counts anew. */
+    static final long MAX_VERTICES = 20_000_000;
+
     /** Characters of one attribute. The longest that has a use, a rotation with 9 exact numbers, has some 220. */
     static final int MAX_ATTRIBUTE = 1000;
 

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -176,7 +175,7 @@ final class ObjectBuilder {
         if (known == null) {
             MeshKey plain = new MeshKey(key.file, key.scale, false, null);
             if (key.equals(plain)) {
-                known = surface(key.file, key.scale);
+                known = MeshFiles.read(key.file, key.scale);
             } else if (key.bounds == null) {
                 known = fromFile(plain).solid();
             } else {
@@ -186,13 +185,6 @@ final class ObjectBuilder {
             files.put(key, known);
         }
         return known;
-    }
-
-    /** The surface of a file, in the format that its name ends in; OBJ where that tells nothing. */
-    private static MeshObject surface(Path file, double scale) throws WorldException {
-        return file.toString().toLowerCase(Locale.ROOT).endsWith(".stl")
-                ? StlReader.read(file, scale)
-                : ObjReader.read(file, scale);
     }
 
     /** The first mesh that is equal, so that all placements of one share their triangles, also those written out. */

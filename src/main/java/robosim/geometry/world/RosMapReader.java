@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -75,7 +74,17 @@ public final class RosMapReader {
 
     static MapSettings settings(Path yaml) throws WorldException {
         byte[] bytes = bytes(yaml, Limits.MAX_SETTINGS);
-        return MapSettings.parse(new String(bytes, StandardCharsets.UTF_8), yaml.toString());
+        try {
+            return MapSettings.parse(new String(bytes, StandardCharsets.UTF_8), yaml.toString());
+        } catch (NoClassDefFoundError e) {
+            throw new WorldException(
+                    yaml.toString(),
+                    0,
+                    0,
+                    "maps of ROS need snakeyaml-engine, which is not on the class path: add"
+                            + " org.snakeyaml:snakeyaml-engine:3.0.1 or newer (missing: " + e.getMessage() + ")",
+                    e);
+        }
     }
 
     static OccupancyGrid grid(Path yaml, MapSettings settings) throws WorldException {
@@ -101,12 +110,8 @@ public final class RosMapReader {
                         file.toString(), 0, 0, "the file must have at most " + most + " bytes (got: more)");
             }
             return bytes;
-        } catch (WorldException e) {
-            throw e;
-        } catch (NoSuchFileException e) {
-            throw new WorldException(file.toString(), 0, 0, "there is no such file; check the path", e);
         } catch (IOException e) {
-            throw new WorldException(file.toString(), 0, 0, "the file could not be read: " + e, e);
+            throw WorldException.unreadable(file, e);
         }
     }
 

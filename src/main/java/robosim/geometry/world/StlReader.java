@@ -4,8 +4,6 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -51,15 +49,7 @@ public final class StlReader {
      * @throws WorldException naming file and line, where the file cannot be read or holds no surface
      */
     public static MeshObject read(Path file, double scale) throws WorldException {
-        try (InputStream in = Files.newInputStream(file)) {
-            return read(in, file.toString(), scale);
-        } catch (WorldException e) {
-            throw e;
-        } catch (NoSuchFileException e) {
-            throw new WorldException(file.toString(), 0, 0, "there is no such file; check the path", e);
-        } catch (IOException e) {
-            throw new WorldException(file.toString(), 0, 0, "the file could not be read: " + e, e);
-        }
+        return MeshFiles.read(file, scale, StlReader::read);
     }
 
     /**
@@ -71,9 +61,7 @@ public final class StlReader {
      *     surface
      */
     public static MeshObject read(InputStream in, String source, double scale) throws WorldException {
-        if (!(scale > 0 && scale <= 0x1p100)) {
-            throw new IllegalArgumentException("scale must be a number above 0, up to 2^100 (got: " + scale + ")");
-        }
+        MeshFiles.checkScale(scale);
         byte[] bytes;
         try {
             bytes = new Bounded(in).readAllBytes();

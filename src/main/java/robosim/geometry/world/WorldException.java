@@ -1,6 +1,8 @@
 package robosim.geometry.world;
 
 import java.io.IOException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 
 /** Says why a file of a world could not be read or written: the file, the line and column, and what to do about it. */
@@ -20,6 +22,17 @@ public final class WorldException extends IOException {
 
     WorldException(String source, int line, int column, String problem) {
         this(source, line, column, problem, null);
+    }
+
+    /** The failure of a file that could not be read: as it is, where it already says what is wrong. */
+    static WorldException unreadable(Path file, IOException failure) {
+        if (failure instanceof WorldException told) {
+            return told;
+        }
+        String problem = failure instanceof NoSuchFileException
+                ? "there is no such file; check the path"
+                : "the file could not be read: " + failure;
+        return new WorldException(file.toString(), 0, 0, problem, failure);
     }
 
     private static String place(String source, int line, int column) {

@@ -234,11 +234,7 @@ final class WorldHandler extends DefaultHandler {
 
     @Override
     public void fatalError(SAXParseException e) throws SAXException {
-        String message = String.valueOf(e.getMessage());
-        String problem = message.contains("disallow-doctype-decl")
-                ? "a document type is not accepted; remove <!DOCTYPE ...>, a world has no entities"
-                : "this is no well-formed XML: " + message;
-        throw new SAXException(new WorldException(source, e.getLineNumber(), e.getColumnNumber(), problem, e));
+        throw new SAXException(SafeXml.refusal(source, e));
     }
 
     /** Nothing outside the file is ever read, whatever a feature's default may be. */

@@ -5,14 +5,11 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.net.URL;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import javax.xml.XMLConstants;
-import javax.xml.parsers.ParserConfigurationException;
-import javax.xml.parsers.SAXParserFactory;
 import javax.xml.validation.Schema;
 import javax.xml.validation.SchemaFactory;
 import javax.xml.validation.ValidatorHandler;
@@ -27,27 +24,55 @@ import org.xml.sax.XMLReader;
  * <p>A file from a stranger costs no more than its size: there is no document type, no entity and no address that the
  * parser would follow, mesh files come from the world file's own folder tree, and what is too large, too deep or too long
  * is refused. A world is read whole or not at all.
+ *
+ * <pre>{@code
+ * String xml = """
+ *         <world xmlns="urn:robosim:world:1" width="10" height="4" length="10" unit="m">
+ *           <box name="wall" center="2 0 0" width="10cm" height="2" length="4"/>
+ *         </world>""";
+ * World world = WorldReader.read(new ByteArrayInputStream(xml.getBytes("UTF-8")), "here", null);
+ * world.objects().size(); // 1
+ * String fault = "";
+ * try {
+ *     WorldReader.read(new ByteArrayInputStream(xml.replace("10cm", "-1").getBytes("UTF-8")), "here", null);
+ * } catch (WorldException e) {
+ *     fault = e.getMessage();
+ * }
+ * fault.startsWith("here:2:"); // true: it names line and column, and what should be there
+ * }</pre>
  */
 public final class WorldReader {
-    /** Parser and validator are made to speak English, their root language: it is what {@link SchemaErrors} reads. */
-    private static final String LOCALE = "http://apache.org/xml/properties/locale";
+    private static final int MOST_WARNINGS = 10;
+    private static final System.Logger LOG = System.getLogger(WorldReader.class.getPackageName());
 
     private WorldReader() {}
 
     /**
-     * Reads a world file.
+     * Reads a world file of any format that {@link WorldImport#read} knows, with its default options. What a file of
+     * another format has and the world has not is told to the system's logger of this package as a warning each.
      *
      * @throws WorldException naming file, line, column and remedy, where the file cannot be read or is no world
      */
     public static World read(Path file) throws WorldException {
+        WorldImport imported = WorldImport.read(file, ImportOptions.DEFAULT);
+        List<Skipped> skipped = imported.skipped();
+        for (Skipped each : skipped.subList(0, Math.min(MOST_WARNINGS, skipped.size()))) {
+            LOG.log(System.Logger.Level.WARNING, each);
+        }
+        if (skipped.size() > MOST_WARNINGS) {
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    () -> file + ": left out " + (skipped.size() - MOST_WARNINGS) + " more, which convert names");
+        }
+        return imported.world();
+    }
+
+    /** Reads a world of this module's own format. */
+    static World readXml(Path file) throws WorldException {
         try (InputStream in = Files.newInputStream(file)) {
             return read(in, file.toString(), file.toAbsolutePath().getParent());
-        } catch (WorldException e) {
-            throw e;
-        } catch (NoSuchFileException e) {
-            throw new WorldException(file.toString(), 0, 0, "there is no such file; check the path", e);
         } catch (IOException e) {
-            throw new WorldException(file.toString(), 0, 0, "the file could not be read: " + e, e);
+            throw WorldException.unreadable(file, e);
         }
     }
 
@@ -92,8 +117,8 @@ public final class WorldReader {
         ValidatorHandler validator = SchemaHolder.SCHEMA.newValidatorHandler();
         WorldHandler handler = new WorldHandler(source, base, validator, problems);
         try {
-            validator.setProperty(LOCALE, Locale.ROOT);
-            XMLReader reader = hardenedReader();
+            validator.setProperty(SafeXml.LOCALE, Locale.ROOT);
+            XMLReader reader = SafeXml.reader();
             reader.setContentHandler(handler);
             reader.setErrorHandler(handler);
             reader.setEntityResolver(handler);
@@ -107,23 +132,7 @@ public final class WorldReader {
         } catch (IOException e) {
             throw new WorldException(
                     source, handler.line(), handler.column(), "the file could not be read: " + e.getMessage(), e);
-        } catch (ParserConfigurationException e) {
-            throw new IllegalStateException("the JDK's XML parser refuses to be hardened", e);
         }
-    }
-
-    private static XMLReader hardenedReader() throws ParserConfigurationException, SAXException {
-        // The JDK's own, whatever else is on the class path.
-        SAXParserFactory factory = SAXParserFactory.newDefaultNSInstance();
-        factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);
-        factory.setFeature("http://apache.org/xml/features/disallow-doctype-decl", true);
-        factory.setFeature("http://xml.org/sax/features/external-general-entities", false);
-        factory.setFeature("http://xml.org/sax/features/external-parameter-entities", false);
-        factory.setFeature("http://apache.org/xml/features/nonvalidating/load-external-dtd", false);
-        factory.setXIncludeAware(false);
-        XMLReader reader = factory.newSAXParser().getXMLReader();
-        reader.setProperty(LOCALE, Locale.ROOT);
-        return reader;
     }
 
     /** Loaded when the first world is read. */

@@ -1,0 +1,240 @@
+package robosim.geometry;
+
+import java.io.InvalidObjectException;
+import java.io.ObjectInputStream;
+import java.io.Serial;
+import java.io.Serializable;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.ObjectRows;
+import robosim.geometry.narrow.Border;
+import robosim.geometry.narrow.LeafColumn;
+import robosim.geometry.narrow.OwnLeaves;
+import robosim.geometry.narrow.Scratch;
+
+/**
+ * A world at one moment, for good. Its static objects and the trees over them are built once and shared by all worlds that
+ * are made of it: each of these costs as much as its moveable objects and its working memory do, and answers to the bit
+ * what the world would that the snapshot is of.
+ *
+ * <p>Immutable: many threads may make worlds of one snapshot at once, and each ask its own. A world made of it may be changed
+ * like any other, and nobody else sees that. A static object that is added to it is its own; before one is taken out that is
+ * shared, the world builds all of them for itself, which takes as long as adding them.
+ *
+ * <p>Serialized as plain values: settings, shapes, names and places, with what a place has lost to rounding, so worlds on the
+ * other side give the same bits. Placements of one mesh share its triangles there too. What is read is checked as it is in a
+ * new world. As with all of Java's serialization, read only what comes from someone you trust.
+ */
+public final class Snapshot implements Serializable {
+    private static final long serialVersionUID = 1;
+
+    private final transient double width;
+    private final transient double height;
+    private final transient double length;
+    private final transient Dimension dimension;
+    private final transient Accuracy accuracy;
+    private final transient Statics statics;
+    private final transient GeometryObject[] movers;
+
+    /** When each of the moveable objects came, in arrivals before it. */
+    private final transient long[] arrivals;
+
+    /** How many objects had come. */
+    private final transient long time;
+
+    private Snapshot(Settings settings, Statics statics, GeometryObject[] movers, long[] arrivals, long time) {
+        width = settings.width;
+        height = settings.height;
+        length = settings.length;
+        dimension = settings.dimension;
+        accuracy = settings.accuracy;
+        this.statics = statics;
+        this.movers = movers;
+        this.arrivals = arrivals;
+        this.time = time;
+        statics.view(accuracy); // whoever comes first would have to wait for it
+    }
+
+    private record Settings(double width, double height, double length, Dimension dimension, Accuracy accuracy) {
+        Statics statics(GeometryObject[] objects, long[] arrivals) {
+            return new Statics(width, length, dimension, objects, arrivals);
+        }
+    }
+
+    static Snapshot of(Geometry world, Bodies bodies) {
+        Settings settings =
+                new Settings(world.width(), world.height(), world.length(), world.dimension(), world.accuracy());
+        Statics shared = bodies.shared();
+        if (shared == null || bodies.ownStatics() > 0) {
+            int[] ids = bodies.ids().filter(id -> !bodies.isMoveable(id)).toArray();
+            shared = settings.statics(present(bodies, ids), times(bodies, ids));
+        }
+        int[] ids = bodies.ids().filter(bodies::isMoveable).toArray();
+        return new Snapshot(settings, shared, present(bodies, ids), times(bodies, ids), bodies.arrivals());
+    }
+
+    private static GeometryObject[] present(Bodies bodies, int[] ids) {
+        return Arrays.stream(ids).mapToObj(bodies::present).toArray(GeometryObject[]::new);
+    }
+
+    private static long[] times(Bodies bodies, int[] ids) {
+        return Arrays.stream(ids).mapToLong(bodies::arrival).toArray();
+    }
+
+    /** Extent along X in world units. */
+    public double width() {
+        return width;
+    }
+
+    /** Extent along Y in world units. */
+    public double height() {
+        return height;
+    }
+
+    /** Extent along Z in world units. */
+    public double length() {
+        return length;
+    }
+
+    /** Whether heights count. */
+    public Dimension dimension() {
+        return dimension;
+    }
+
+    /** What stands for an object where a query does not say. */
+    public Accuracy accuracy() {
+        return accuracy;
+    }
+
+    /** How many objects there are. */
+    public int size() {
+        return movers.length + statics.bodies.size();
+    }
+
+    /** All objects at their places, in the order in which they were added. */
+    public List<GeometryObject> objects() {
+        record Arrival(GeometryObject object, long time) {}
+        Stream<Arrival> fixed = IntStream.range(0, statics.bodies.size())
+                .mapToObj(id -> new Arrival(statics.bodies.value(id), statics.arrival(id)));
+        Stream<Arrival> moving = IntStream.range(0, movers.length).mapToObj(k -> new Arrival(movers[k], arrivals[k]));
+        return Stream.concat(fixed, moving)
+                .sorted(Comparator.comparingLong(Arrival::time))
+                .map(Arrival::object)
+                .toList();
+    }
+
+    /** A world of its own thread, as it was. Safe to call from many threads at once. */
+    public Geometry toGeometry() {
+        return toGeometry(new Scratch());
+    }
+
+    /**
+     * Many worlds for one thread, which therefore need working memory once only: a fifth of what {@link #toGeometry()} takes
+     * for each. All of them belong to the same thread at a time.
+     *
+     * @param count how many; at least 0
+     */
+    public List<Geometry> toGeometries(int count) {
+        Arguments.count(count);
+        Scratch scratch = new Scratch();
+        List<Geometry> worlds = new ArrayList<>(count);
+        for (int k = 0; k < count; k++) {
+            worlds.add(toGeometry(scratch));
+        }
+        return List.copyOf(worlds);
+    }
+
+    private Geometry toGeometry(Scratch scratch) {
+        Geometry world = new Geometry(width, height, length, dimension, accuracy, statics, scratch);
+        for (int k = 0; k < movers.length; k++) {
+            world.restore(movers[k], arrivals[k]);
+        }
+        world.restored(time);
+        return world;
+    }
+
+    /** A snapshot in a stream. */
+    private record Form(
+            double width, double height, double length, Dimension dimension, Accuracy accuracy, ObjectRows objects)
+            implements Serializable {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        @Serial
+        private Object readResolve() throws InvalidObjectException {
+            try {
+                return snapshot();
+            } catch (IllegalArgumentException e) {
+                InvalidObjectException invalid = new InvalidObjectException("no snapshot: " + e.getMessage());
+                invalid.initCause(e);
+                throw invalid;
+            }
+        }
+
+        private Snapshot snapshot() {
+            Settings settings = new Settings(
+                    Arguments.worldSize("width", width),
+                    Arguments.worldSize("height", height),
+                    Arguments.worldSize("length", length),
+                    Arguments.present("dimension", dimension),
+                    Arguments.present("accuracy", accuracy));
+            List<GeometryObject> all = Arguments.present("objects", objects).objects();
+            check(all);
+            int[] fixed = ids(all, false);
+            int[] moving = ids(all, true);
+            Statics statics = settings.statics(at(all, fixed), times(fixed));
+            return new Snapshot(settings, statics, at(all, moving), times(moving), all.size());
+        }
+
+        /** Refuses what a world would. */
+        private void check(List<GeometryObject> all) {
+            Border border = new Border(width, height, length, dimension);
+            LeafColumn leaves = new LeafColumn(1);
+            Set<String> names = new HashSet<>();
+            for (GeometryObject object : all) {
+                String name = object.name();
+                if (name != null && !names.add(name)) {
+                    throw new IllegalArgumentException(
+                            "name must be unique in its world (got: \"" + name + "\" again)");
+                }
+                OwnLeaves.placed(object, leaves);
+                if (!border.holds(leaves, 0, leaves.size())) {
+                    throw new IllegalArgumentException("every object must be within the world (got: " + object + ")");
+                }
+            }
+        }
+
+        private static int[] ids(List<GeometryObject> all, boolean moveable) {
+            return IntStream.range(0, all.size())
+                    .filter(k -> all.get(k).isMoveable() == moveable)
+                    .toArray();
+        }
+
+        private static GeometryObject[] at(List<GeometryObject> all, int[] ids) {
+            return Arrays.stream(ids).mapToObj(all::get).toArray(GeometryObject[]::new);
+        }
+
+        private static long[] times(int[] ids) {
+            return Arrays.stream(ids).asLongStream().toArray();
+        }
+    }
+
+    @Serial
+    private Object writeReplace() {
+        return new Form(width, height, length, dimension, accuracy, ObjectRows.of(objects()));
+    }
+
+    @Serial
+    private void readObject(ObjectInputStream in) throws InvalidObjectException {
+        throw new InvalidObjectException("a snapshot must come as its serial form (got: its own class)");
+    }
+}

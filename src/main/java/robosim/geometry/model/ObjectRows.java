@@ -1,0 +1,187 @@
+package robosim.geometry.model;
+
+import java.io.Serial;
+import java.io.Serializable;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Many objects as columns of plain values, for a stream: sizes, names and places to the last bit, with what a centre has
+ * lost. What placements of one mesh or group share is written once, and shared again by those that are read.
+ *
+ * <p>Made for the module itself. Nothing is believed: {@link #objects()} makes each object through its constructor.
+ *
+ * @param kinds    by object: which constructor makes it
+ * @param sizes    by object: three numbers of a box, two of a cylinder, one of a sphere
+ * @param shapes   the meshes and groups, each once
+ * @param shapeOf  by object: its place among those; unused for others
+ * @param names    by object: null where it has none
+ * @param moveable by object
+ * @param places   by object: the {@link Pose#PLACE} numbers of its place
+ */
+@SuppressWarnings("ArrayRecordComponent") // never compared; the numbers are checked on the way out
+public record ObjectRows(
+        byte[] kinds,
+        double[] sizes,
+        GeometryObject[] shapes,
+        int[] shapeOf,
+        @Nullable String[] names,
+        boolean[] moveable,
+        double[] places)
+        implements Serializable {
+    @Serial
+    private static final long serialVersionUID = 1;
+
+    private static final byte BOX = 0;
+    private static final byte CYLINDER = 1;
+    private static final byte SPHERE = 2;
+    private static final byte OTHER = 3;
+    private static final int SIZES = 3;
+
+    /** What placements of one mesh or group have in common, by identity. */
+    private static final class Shape {
+        private final Object parts;
+        private final boolean solid;
+        private final @Nullable GeometryObject boundingVolume;
+
+        Shape(Object parts, boolean solid, @Nullable GeometryObject boundingVolume) {
+            this.parts = parts;
+            this.solid = solid;
+            this.boundingVolume = boundingVolume;
+        }
+
+        @Override
+        public boolean equals(@Nullable Object other) {
+            return other instanceof Shape that
+                    && parts == that.parts
+                    && solid == that.solid
+                    && boundingVolume == that.boundingVolume;
+        }
+
+        @Override
+        public int hashCode() {
+            return System.identityHashCode(parts);
+        }
+    }
+
+    /** The rows of some objects. */
+    public static ObjectRows of(List<GeometryObject> objects) {
+        int count = objects.size();
+        byte[] kinds = new byte[count];
+        double[] sizes = new double[SIZES * count];
+        int[] shapeOf = new int[count];
+        @Nullable String[] names = new String[count];
+        boolean[] moveable = new boolean[count];
+        double[] places = new double[Pose.PLACE * count];
+        List<GeometryObject> shapes = new ArrayList<>();
+        Map<Shape, Integer> seen = new HashMap<>();
+        for (int k = 0; k < count; k++) {
+            GeometryObject object = objects.get(k);
+            names[k] = object.name();
+            moveable[k] = object.isMoveable();
+            object.pose().place(places, Pose.PLACE * k);
+            kinds[k] = size(object, sizes, SIZES * k);
+            if (kinds[k] == OTHER) {
+                shapeOf[k] = seen.computeIfAbsent(shape(object), s -> {
+                    shapes.add(with(object, Tag.NONE, Pose.ORIGIN));
+                    return shapes.size() - 1;
+                });
+            }
+        }
+        return new ObjectRows(kinds, sizes, shapes.toArray(GeometryObject[]::new), shapeOf, names, moveable, places);
+    }
+
+    private static Shape shape(GeometryObject object) {
+        return object instanceof MeshObject mesh
+                ? new Shape(mesh.triangles(), mesh.isSolid(), mesh.boundingVolume())
+                : new Shape(((ObjectGroup) object).members(), false, ((ObjectGroup) object).boundingVolume());
+    }
+
+    private static byte size(GeometryObject object, double[] sizes, int at) {
+        return switch (object.kind()) {
+            case BOX -> {
+                BoxObject box = (BoxObject) object;
+                sizes[at] = box.width();
+                sizes[at + 1] = box.height();
+                sizes[at + 2] = box.length();
+                yield BOX;
+            }
+            case CYLINDER -> {
+                sizes[at] = ((CylinderObject) object).radius();
+                sizes[at + 1] = ((CylinderObject) object).height();
+                yield CYLINDER;
+            }
+            case SPHERE -> {
+                sizes[at] = ((SphereObject) object).radius();
+                yield SPHERE;
+            }
+            case MESH, GROUP -> OTHER;
+        };
+    }
+
+    private static GeometryObject with(GeometryObject object, Tag tag, Pose pose) {
+        return switch (object.kind()) {
+            case BOX -> ((BoxObject) object).with(tag, pose);
+            case CYLINDER -> ((CylinderObject) object).with(tag, pose);
+            case SPHERE -> ((SphereObject) object).with(tag, pose);
+            case MESH -> ((MeshObject) object).with(tag, pose);
+            case GROUP -> ((ObjectGroup) object).with(tag, pose);
+        };
+    }
+
+    /**
+     * The objects.
+     *
+     * @throws IllegalArgumentException where a column is missing or too short, or an object's numbers are none
+     */
+    public List<GeometryObject> objects() {
+        int count = Checks.present("kinds", kinds).length;
+        checkLength("sizes", Checks.present("sizes", sizes).length, (long) SIZES * count);
+        checkLength("shapeOf", Checks.present("shapeOf", shapeOf).length, count);
+        checkLength("names", Checks.present("names", names).length, count);
+        checkLength("moveable", Checks.present("moveable", moveable).length, count);
+        checkLength("places", Checks.present("places", places).length, (long) Pose.PLACE * count);
+        Checks.present("shapes", shapes);
+        List<GeometryObject> objects = new ArrayList<>(count);
+        for (int k = 0; k < count; k++) {
+            objects.add(object(k, new Tag(names[k], moveable[k]), Pose.checked(places, Pose.PLACE * k)));
+        }
+        return objects;
+    }
+
+    private static void checkLength(String column, long length, long wanted) {
+        if (length != wanted) {
+            throw new IllegalArgumentException(column + " must have " + wanted + " entries (got: " + length + ")");
+        }
+    }
+
+    private GeometryObject object(int k, Tag tag, Pose pose) {
+        int at = SIZES * k;
+        return switch (kinds[k]) {
+            case BOX -> new BoxObject(tag, pose, sizes[at], sizes[at + 1], sizes[at + 2]);
+            case CYLINDER -> new CylinderObject(tag, pose, sizes[at], sizes[at + 1]);
+            case SPHERE -> new SphereObject(tag, pose, sizes[at]);
+            case OTHER -> with(shape(k), tag, pose);
+            default -> throw new IllegalArgumentException("kinds[" + k + "] must be 0 to 3 (got: " + kinds[k] + ")");
+        };
+    }
+
+    private GeometryObject shape(int k) {
+        int of = shapeOf[k];
+        if (of < 0 || of >= shapes.length) {
+            throw new IllegalArgumentException(
+                    "shapeOf[" + k + "] must be one of the " + shapes.length + " shapes (got: " + of + ")");
+        }
+        return Checks.present("shapes[" + of + "]", shapes[of]);
+    }
+
+    /** For people. */
+    @Override
+    public String toString() {
+        return kinds.length + " objects, shapes " + Arrays.toString(shapes);
+    }
+}

@@ -1,0 +1,317 @@
+package robosim.geometry.viewer;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+
+/**
+ * A conversation to go back and forth in: frames by their number, from 0, and the world at any of them without playing it
+ * from its beginning. It belongs to one thread at a time.
+ */
+final class Film {
+    /** Frames for which a refused move is seen to be fresh. */
+    static final int FRESH = 8;
+
+    /** Places and distances that are kept, some 400 MB; the oldest quarter of a longer film is let go. */
+    private static final int MOST = 4_000_000;
+
+    private final List<Frame> frames = new ArrayList<>();
+    private final List<Chapter> chapters = new ArrayList<>();
+    private final int most;
+    private int first;
+    private long weight;
+
+    Film() {
+        this(MOST);
+    }
+
+    /** That keeps another number of places and distances. */
+    Film(int most) {
+        this.most = most;
+    }
+
+    /**
+     * How much of the past a picture shows.
+     *
+     * @param trail    frames of the ways, {@code Integer.MAX_VALUE} for all of them
+     * @param refusals frames of the marks of refused moves
+     */
+    record Look(int trail, int refusals) {
+        static final Look WHOLE = new Look(Integer.MAX_VALUE, Integer.MAX_VALUE);
+    }
+
+    /** Adds what happened last. */
+    void append(Frame frame) {
+        int number = size();
+        frames.add(frame);
+        weight += frame.weight();
+        if (frame.opening() != null) {
+            chapters.add(new Chapter(number, frame.opening()));
+        }
+        if (!chapters.isEmpty()) {
+            chapters.get(chapters.size() - 1).append(number, frame);
+        }
+        if (weight > most && frames.size() > 1) {
+            forget(first + Math.max(1, frames.size() / 4));
+        }
+    }
+
+    /** Lets all frames before one go. */
+    private void forget(int before) {
+        List<Frame> past = frames.subList(0, before - first);
+        for (Frame frame : past) {
+            weight -= frame.weight();
+        }
+        past.clear();
+        first = before;
+        while (chapters.size() > 1 && chapters.get(1).begin <= before) {
+            chapters.remove(0);
+        }
+        if (!chapters.isEmpty()) {
+            chapters.get(0).forget(before);
+        }
+    }
+
+    /** One more than the number of the last frame. */
+    int size() {
+        return first + frames.size();
+    }
+
+    /** The number of the first frame that is kept. */
+    int first() {
+        return first;
+    }
+
+    Frame frame(int number) {
+        return frames.get(number - first);
+    }
+
+    /** The longest distance that was measured in the world of a frame; 0 where none was. */
+    double farthest(int number) {
+        Chapter chapter = chapter(number);
+        return chapter == null ? 0 : chapter.farthest;
+    }
+
+    /** Whether a move was refused from one frame up to, not including, another. */
+    boolean isRefused(int from, int to) {
+        for (int k = Math.max(first, from); k < Math.min(size(), to); k++) {
+            if (!frame(k).bumps().isEmpty()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** The world of a frame; null before the first. */
+    Frame.@Nullable Setting setting(int number) {
+        Chapter chapter = chapter(number);
+        return chapter == null ? null : chapter.setting;
+    }
+
+    /** Which world that is: the number of the frame that it began with; -1 before the first. */
+    int world(int number) {
+        Chapter chapter = chapter(number);
+        return chapter == null ? -1 : chapter.begin;
+    }
+
+    /** The objects that can move, where they are after a frame. */
+    List<Scene.Thing> movers(int number) {
+        Chapter chapter = chapter(number);
+        return chapter == null ? List.of() : chapter.movers(number);
+    }
+
+    private @Nullable Chapter chapter(int number) {
+        int at = chapters.size() - 1;
+        while (at >= 0 && chapters.get(at).begin > number) {
+            at--;
+        }
+        return at < 0 ? null : chapters.get(at);
+    }
+
+    /** All that there is to see after a frame; nothing before the first world. */
+    Scene at(int number, Look look) {
+        Chapter chapter = chapter(number);
+        if (chapter == null) {
+            return Scene.of("", new Scene.View(-0.5, -0.5, 0.5, 0.5, false), List.of());
+        }
+        List<Scene.Thing> things = new ArrayList<>(chapter.setting.statics());
+        things.addAll(chapter.movers(number));
+        Scene.View view = Scene.View.of(chapter.setting.width(), chapter.setting.length(), things);
+        return happened(chapter, number, look, Scene.of("", view, things)).described(moment(number), "");
+    }
+
+    /** What there is to see of what moves, after a frame; nothing before the first world. */
+    Scene life(int number, Look look) {
+        Chapter chapter = chapter(number);
+        if (chapter == null) {
+            return Scene.of("", new Scene.View(-0.5, -0.5, 0.5, 0.5, false), List.of());
+        }
+        Scene movers = Scene.of("", chapter.setting.border(), chapter.movers(number));
+        return happened(chapter, number, look, movers).marked(List.of(), chapter.farthest);
+    }
+
+    /** All that happened up to a frame, in a world that is drawn already: its things take their places. */
+    Scene over(Scene world, int number) {
+        Chapter chapter = chapter(number);
+        if (chapter == null) {
+            return world;
+        }
+        Map<String, Pose> places = new LinkedHashMap<>();
+        for (Scene.Thing mover : chapter.movers(number)) {
+            places.put(String.valueOf(mover.object().name()), mover.object().pose());
+        }
+        List<Scene.Thing> things = new ArrayList<>();
+        for (Scene.Thing thing : world.things()) {
+            String name = thing.object().name();
+            Pose pose = name == null ? null : places.get(name);
+            things.add(pose == null ? thing : new Scene.Thing(thing.object().at(pose), thing.colour()));
+        }
+        Scene placed = Scene.of(world.title(), world.view(), things).described(world.subtitle(), world.unit());
+        return happened(chapter, number, Look.WHOLE, placed).blocked(List.of());
+    }
+
+    /** A scene with trails, distances, refused moves and what refused those that are fresh. */
+    private static Scene happened(Chapter chapter, int number, Look look, Scene scene) {
+        List<Scene.Trail> trails = new ArrayList<>();
+        List<Scene.Ping> pings = new ArrayList<>();
+        for (Map.Entry<String, Track> each : chapter.tracks.entrySet()) {
+            List<Point> path = each.getValue().path(earliest(number, look.trail()), number);
+            trails.add(new Scene.Trail(each.getKey(), path));
+            pings.addAll(each.getValue().heard(number));
+        }
+        List<Scene.Refusal> refusals = new ArrayList<>();
+        List<Scene.Blocked> blocked = new ArrayList<>();
+        int from = earliest(number, Math.max(look.refusals(), FRESH));
+        for (int k = chapter.bumps.size() - 1; k >= 0 && chapter.bumps.get(k).number >= from; k--) {
+            NumberedBump numbered = chapter.bumps.get(k);
+            if (numbered.number > number) {
+                continue;
+            }
+            Frame.Bump bump = numbered.bump;
+            if (numbered.number >= earliest(number, look.refusals())) {
+                refusals.add(new Scene.Refusal(bump.mover().center(), bump.heading()));
+            }
+            int age = number - numbered.number;
+            if (age < FRESH && bump.result() != null) {
+                blocked.add(new Scene.Blocked(bump.mover(), bump.result().obstacle(), 1 - (double) age / FRESH));
+            }
+        }
+        return scene.with(trails, pings, refusals).blocked(blocked);
+    }
+
+    /** The first of so many frames up to a number. */
+    private static int earliest(int number, int count) {
+        return (int) Math.max(0, (long) number + 1 - count);
+    }
+
+    /** Which frame that is and what happened, for people. */
+    String moment(int number) {
+        return "step " + (number + 1) + " of " + size() + ": " + story(number);
+    }
+
+    /** What happened in a frame; where nothing was refused there, also the last refusal while it is fresh. */
+    private String story(int number) {
+        Frame frame = frame(number);
+        StringBuilder story = new StringBuilder(frame.words());
+        for (int k = number - 1; frame.bumps().isEmpty() && k >= first && k > number - FRESH; k--) {
+            if (!frame(k).bumps().isEmpty()) {
+                return story.append("; before, ").append(frame(k).words()).toString();
+            }
+        }
+        return story.toString();
+    }
+
+    private record NumberedBump(int number, Frame.Bump bump) {}
+
+    /** One world, and what happened in it. */
+    private static final class Chapter {
+        private final int begin;
+        private final Frame.Setting setting;
+        private final Map<String, Track> tracks = new LinkedHashMap<>();
+        private final List<NumberedBump> bumps = new ArrayList<>();
+        private double farthest;
+
+        Chapter(int begin, Frame.Setting setting) {
+            this.begin = begin;
+            this.setting = setting;
+            for (Scene.Thing mover : setting.movers()) {
+                GeometryObject object = mover.object();
+                tracks.put(String.valueOf(object.name()), new Track(begin, object.pose()));
+            }
+        }
+
+        void append(int number, Frame frame) {
+            frame.placed().forEach((name, pose) -> {
+                Track track = tracks.get(name);
+                if (track != null) {
+                    track.poses.add(number, pose);
+                }
+            });
+            frame.heard().forEach((name, pings) -> {
+                Track track = tracks.get(name);
+                if (track != null) {
+                    track.pings.add(number, pings);
+                    farthest = Math.max(farthest, longest(pings));
+                }
+            });
+            frame.bumps().forEach(bump -> bumps.add(new NumberedBump(number, bump)));
+        }
+
+        private static double longest(List<Scene.Ping> pings) {
+            double longest = 0;
+            for (Scene.Ping ping : pings) {
+                longest = Double.isFinite(ping.distance()) ? Math.max(longest, ping.distance()) : longest;
+            }
+            return longest;
+        }
+
+        void forget(int before) {
+            bumps.removeIf(bump -> bump.number < before);
+            for (Track track : tracks.values()) {
+                track.poses.forget(before);
+                track.pings.forget(before);
+            }
+        }
+
+        List<Scene.Thing> movers(int number) {
+            List<Scene.Thing> movers = new ArrayList<>();
+            for (Scene.Thing mover : setting.movers()) {
+                Track track = tracks.get(String.valueOf(mover.object().name()));
+                Pose pose = track == null ? null : track.poses.at(number);
+                movers.add(pose == null ? mover : new Scene.Thing(mover.object().at(pose), mover.colour()));
+            }
+            return movers;
+        }
+    }
+
+    /** One object that can move. */
+    private static final class Track {
+        private final Column<Pose> poses = new Column<>();
+        private final Column<List<Scene.Ping>> pings = new Column<>();
+
+        Track(int begin, Pose pose) {
+            poses.add(begin, pose);
+        }
+
+        /** Its places from before a frame to another. */
+        List<Point> path(int from, int to) {
+            List<Point> path = new ArrayList<>();
+            int first = Math.max(0, poses.index(from - 1));
+            for (int k = first; k <= poses.index(to); k++) {
+                path.add(poses.value(k).center());
+            }
+            return path;
+        }
+
+        /** The distances that it heard last. */
+        List<Scene.Ping> heard(int number) {
+            List<Scene.Ping> heard = pings.at(number);
+            return heard == null ? List.of() : heard;
+        }
+    }
+}

@@ -1,0 +1,41 @@
+package robosim.geometry.world;
+
+import java.nio.file.Path;
+import java.util.List;
+
+/**
+ * What the files of other formats do not say for themselves.
+ *
+ * @param wallHeight metres of the walls of a map of ROS, which has none of its own; above 0
+ * @param scale      world units for each unit of a mesh file; above 0
+ * @param up         which axis of a mesh file points up
+ * @param models     folders whose subfolders are models, for SDFormat's {@code model://}
+ */
+public record ImportOptions(double wallHeight, double scale, Up up, List<Path> models) {
+    /** Walls as high as a door, meshes as they are, no folders of models. */
+    public static final ImportOptions DEFAULT = new ImportOptions(RosMapReader.WALL_HEIGHT, 1, Up.Y, List.of());
+
+    /** An axis of a mesh file. */
+    public enum Up {
+        Y,
+        Z
+    }
+
+    /** Refuses sizes that are none. */
+    public ImportOptions {
+        if (!(wallHeight > 0 && wallHeight <= 0x1p100)) { // written so that NaN fails it
+            throw new IllegalArgumentException(
+                    "the walls' height must be above 0 and at most 2^100 (got: " + wallHeight + ")");
+        }
+        MeshFiles.checkScale(scale);
+        if (up == null) {
+            throw new IllegalArgumentException("up must be given (got: null)");
+        }
+        models = List.copyOf(models);
+    }
+
+    /** These with other folders of models. */
+    public ImportOptions withModels(List<Path> folders) {
+        return new ImportOptions(wallHeight, scale, up, folders);
+    }
+}

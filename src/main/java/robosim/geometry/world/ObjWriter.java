@@ -1,0 +1,169 @@
+package robosim.geometry.world;
+
+import java.io.BufferedWriter;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.function.LongConsumer;
+import robosim.geometry.exact.Degrees;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+import robosim.geometry.model.SphereObject;
+
+/**
+ * Writes the surfaces of a world as a Wavefront OBJ file, for other programs to look at: world units, Y up, an {@code o}
+ * for each object. Boxes and meshes are what they are; a cylinder has {@link #SIDES} flat sides and a sphere as many
+ * around, with their corners on the true surface, so that what is round is a little too small.
+ */
+public final class ObjWriter {
+    /** Flat sides of what is round. */
+    public static final int SIDES = 48;
+
+    private static final int RINGS = SIDES / 2;
+
+    private final BufferedWriter out;
+
+    /** How many vertices there are so far; OBJ counts them through the file, from 1. */
+    private long vertices;
+
+    private ObjWriter(BufferedWriter out) {
+        this.out = out;
+    }
+
+    /**
+     * Writes a file, all of it or nothing: an earlier file of the name stays as it was until the new one is whole.
+     *
+     * @param progress told how many objects are written, now and then
+     * @throws WorldException where the file cannot be written
+     */
+    public static void write(World world, Path file, LongConsumer progress) throws WorldException {
+        Path target = file.toAbsolutePath();
+        Path whole = target.resolveSibling(target.getFileName() + ".new");
+        try {
+            try (BufferedWriter out = Files.newBufferedWriter(whole, StandardCharsets.UTF_8)) {
+                new ObjWriter(out).world(world, progress);
+            }
+            Files.move(whole, target, StandardCopyOption.REPLACE_EXISTING);
+        } catch (IOException e) {
+            throw new WorldException(file.toString(), 0, 0, "the file could not be written: " + e, e);
+        }
+    }
+
+    private void world(World world, LongConsumer progress) throws IOException {
+        out.write("# " + world.width() + " x " + world.height() + " x " + world.length() + ", Y up"
+                + (world.unit() == null ? "" : ", in " + world.unit().symbol()) + "\n");
+        long done = 0;
+        for (WorldObject each : world.objects()) {
+            progress.accept(done++);
+            String name = each.object().name();
+            out.write("o " + (name == null ? "object_" + done : name.strip().replaceAll("\\s", "_")) + "\n");
+            object(each.object(), Placement.NONE);
+        }
+    }
+
+    private void object(GeometryObject object, Placement frame) throws IOException {
+        Pose pose = object.pose();
+        Placement place = frame.then(Placement.turned(pose.center(), pose.rotation()));
+        switch (object.kind()) {
+            case BOX -> box((BoxObject) object, place);
+            case CYLINDER -> cylinder((CylinderObject) object, place);
+            case SPHERE -> sphere(((SphereObject) object).radius(), place);
+            case MESH -> mesh((MeshObject) object, place);
+            case GROUP -> {
+                for (GeometryObject member : ((ObjectGroup) object).members()) {
+                    object(member, place);
+                }
+            }
+        }
+    }
+
+    private void box(BoxObject box, Placement place) throws IOException {
+        for (int k = 0; k < 8; k++) {
+            vertex(
+                    place,
+                    box.width() / 2 * ((k & 1) == 0 ? -1 : 1),
+                    box.height() / 2 * ((k & 2) == 0 ? -1 : 1),
+                    box.length() / 2 * ((k & 4) == 0 ? -1 : 1));
+        }
+        face(8, 0, 4, 6, 2);
+        face(8, 1, 3, 7, 5);
+        face(8, 0, 1, 5, 4);
+        face(8, 2, 6, 7, 3);
+        face(8, 0, 2, 3, 1);
+        face(8, 4, 5, 7, 6);
+    }
+
+    private void cylinder(CylinderObject cylinder, Placement place) throws IOException {
+        int[] bottom = new int[SIDES];
+        int[] top = new int[SIDES];
+        for (int k = 0; k < SIDES; k++) {
+            double x = cylinder.radius() * Degrees.cos(360.0 / SIDES * k);
+            double z = -cylinder.radius() * Degrees.sin(360.0 / SIDES * k);
+            vertex(place, x, -cylinder.height() / 2, z);
+            vertex(place, x, cylinder.height() / 2, z);
+            bottom[SIDES - 1 - k] = 2 * k;
+            top[k] = 2 * k + 1;
+        }
+        for (int k = 0; k < SIDES; k++) {
+            int next = (k + 1) % SIDES;
+            face(2 * SIDES, 2 * k, 2 * next, 2 * next + 1, 2 * k + 1);
+        }
+        face(2 * SIDES, bottom);
+        face(2 * SIDES, top);
+    }
+
+    private void sphere(double radius, Placement place) throws IOException {
+        vertex(place, 0, -radius, 0);
+        for (int ring = 1; ring < RINGS; ring++) {
+            double y = -radius * Degrees.cos(180.0 / RINGS * ring);
+            double across = radius * Degrees.sin(180.0 / RINGS * ring);
+            for (int k = 0; k < SIDES; k++) {
+                vertex(place, across * Degrees.cos(360.0 / SIDES * k), y, -across * Degrees.sin(360.0 / SIDES * k));
+            }
+        }
+        vertex(place, 0, radius, 0);
+        int count = 2 + (RINGS - 1) * SIDES;
+        for (int k = 0; k < SIDES; k++) {
+            int next = (k + 1) % SIDES;
+            face(count, 0, 1 + next, 1 + k);
+            for (int ring = 0; ring < RINGS - 2; ring++) {
+                int here = 1 + ring * SIDES;
+                face(count, here + k, here + next, here + SIDES + next, here + SIDES + k);
+            }
+            int last = 1 + (RINGS - 2) * SIDES;
+            face(count, last + k, last + next, count - 1);
+        }
+    }
+
+    private void mesh(MeshObject mesh, Placement place) throws IOException {
+        for (Point vertex : mesh.vertices()) {
+            vertex(place, vertex.x(), vertex.y(), vertex.z());
+        }
+        int count = mesh.vertices().size();
+        for (int[] face : mesh.faces()) {
+            face(count, face);
+        }
+    }
+
+    private void vertex(Placement place, double x, double y, double z) throws IOException {
+        Point at = place.apply(new Point(x, y, z));
+        out.write("v " + at.x() + " " + at.y() + " " + at.z() + "\n");
+        vertices++;
+    }
+
+    /** A face over the last so many vertices, counted from 0. */
+    private void face(int last, int... corners) throws IOException {
+        out.write("f");
+        for (int corner : corners) {
+            out.write(" " + (vertices - last + corner + 1));
+        }
+        out.write("\n");
+    }
+}

@@ -1,0 +1,170 @@
+package robosim.geometry.world;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The files that a file of SDFormat names: beside it, or in folders of models that were given. Nothing outside their trees
+ * is opened, and no address in a network is followed.
+ */
+final class SdfFiles {
+    private final Path main;
+    private final List<Path> folders = new ArrayList<>();
+    private final Map<Path, SdfElement> roots = new HashMap<>();
+    private final Map<Path, Boolean> counted = new HashMap<>();
+    private long bytes;
+
+    /** For a file of SDFormat, with folders whose subfolders are models. */
+    SdfFiles(Path main, List<Path> models) throws WorldException {
+        try {
+            this.main = main.toRealPath();
+            folders.add(folder(this.main));
+            for (Path folder : models) {
+                folders.add(folder.toRealPath());
+            }
+        } catch (IOException e) {
+            throw WorldException.unreadable(main, e);
+        }
+    }
+
+    private static Path folder(Path file) {
+        Path folder = file.getParent();
+        return folder == null ? file : folder;
+    }
+
+    /** The file itself, under the name that its user gave. */
+    SdfElement main(String shown) throws WorldException {
+        return open(main, shown);
+    }
+
+    private SdfElement open(Path real, String shown) throws WorldException {
+        SdfElement known = roots.get(real);
+        if (known == null) {
+            known = SdfParser.read(new SdfFile(real, folder(real), shown));
+            roots.put(real, known);
+        }
+        return known;
+    }
+
+    /** Whether a file is where no reader goes: an address in a network. */
+    static boolean isRemote(String uri) {
+        return uri.matches("(?i)(https?|ftp|fuel)://.*");
+    }
+
+    /** The root of an included model: of a file, or of the file that a folder's model.config names. Null where it is not there. */
+    @Nullable
+    SdfElement included(SdfElement uri) throws WorldException {
+        Path found = find(uri);
+        if (found == null) {
+            return null;
+        }
+        Path file = Files.isDirectory(found) ? modelOf(found) : found;
+        count(uri, file);
+        return open(file, file.toString());
+    }
+
+    /** The file of the model in a folder. */
+    static Path modelOf(Path folder) throws WorldException {
+        Path manifest = folder.resolve(SdfManifest.NAME);
+        boolean isNamed = Files.isRegularFile(manifest);
+        if (!isNamed && !Files.isRegularFile(folder.resolve("model.sdf"))) {
+            throw new WorldException(
+                    folder.toString(), 0, 0, "a model's folder must have " + SdfManifest.NAME + " (got: none)");
+        }
+        try {
+            String name = isNamed ? SdfManifest.read(manifest) : "model.sdf";
+            return Folder.locate(folder.toRealPath(), name, "model", "SDFormat");
+        } catch (IllegalArgumentException e) {
+            throw new WorldException(manifest.toString(), 0, 0, String.valueOf(e.getMessage()), e);
+        } catch (IOException e) {
+            throw WorldException.unreadable(manifest, e);
+        }
+    }
+
+    /** A file that is named and there; null where it is nowhere. */
+    @Nullable
+    Path find(SdfElement uri) throws WorldException {
+        String name = uri.value();
+        if (name.isEmpty() || name.indexOf('\\') >= 0) {
+            throw uri.wrong("<uri> must be a path with /, or model://NAME (got: " + name + ")");
+        }
+        try {
+            for (Path candidate : candidates(name, uri.file.folder())) {
+                if (Files.exists(candidate)) {
+                    Path real = candidate.toRealPath();
+                    if (folders.stream().noneMatch(real::startsWith)) {
+                        throw uri.wrong(
+                                "<uri> must lead to a file below the folder of the file that is read, or below a"
+                                        + " folder of models that was given (got: " + name + ")");
+                    }
+                    return real;
+                }
+            }
+            return null;
+        } catch (InvalidPathException e) {
+            throw uri.wrong("<uri> must be a path (got: " + name + ")");
+        } catch (IOException e) {
+            throw new WorldException(uri.file.shown(), uri.line, uri.column, name + " could not be read: " + e, e);
+        }
+    }
+
+    private List<Path> candidates(String name, Path from) {
+        List<Path> candidates = new ArrayList<>();
+        int scheme = name.indexOf("://");
+        if (scheme < 0) {
+            candidates.add(from.resolve(name).normalize());
+            for (Path folder : folders) {
+                candidates.add(folder.resolve(name).normalize());
+            }
+        } else if (name.startsWith("file://")) {
+            candidates.add(from.resolve(name.substring(scheme + 3)).normalize());
+        } else {
+            String rest = name.substring(scheme + 3);
+            int slash = rest.indexOf('/');
+            String model = slash < 0 ? rest : rest.substring(0, slash);
+            Path last = from.getFileName();
+            if (last != null && last.toString().equals(model)) { // a model's own files
+                candidates.add(
+                        from.resolve(slash < 0 ? "" : rest.substring(slash + 1)).normalize());
+            }
+            candidates.add(from.resolve(rest).normalize());
+            for (Path folder : folders) {
+                candidates.add(folder.resolve(rest).normalize());
+            }
+        }
+        return candidates;
+    }
+
+    /** Says where a file was looked for in vain. */
+    WorldException missing(SdfElement uri) {
+        StringBuilder searched = new StringBuilder();
+        for (Path folder : folders) {
+            searched.append(searched.isEmpty() ? "" : ", ").append(folder);
+        }
+        return uri.wrong("there is no such file or folder below " + searched + "; check the name, or give the folder"
+                + " that holds the model (got: " + uri.value() + ")");
+    }
+
+    /** Counts the bytes of a file that is going to be read. */
+    void count(SdfElement uri, Path file) throws WorldException {
+        if (counted.putIfAbsent(file, true) != null) {
+            return;
+        }
+        try {
+            bytes += Files.size(file);
+        } catch (IOException e) {
+            throw WorldException.unreadable(file, e);
+        }
+        if (bytes > Limits.MAX_INCLUDED_BYTES) {
+            throw uri.wrong("all files that a file of SDFormat brings in must have at most " + Limits.MAX_INCLUDED_BYTES
+                    + " bytes together (got: more, with " + file + ")");
+        }
+    }
+}

@@ -1,0 +1,101 @@
+package robosim.geometry.world;
+
+import java.io.BufferedInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
+import org.xml.sax.Attributes;
+import org.xml.sax.InputSource;
+import org.xml.sax.SAXException;
+import org.xml.sax.SAXParseException;
+import org.xml.sax.XMLReader;
+import org.xml.sax.helpers.DefaultHandler;
+
+/** The file model.config of a model's folder, which says which file holds the model: that of the highest version. */
+final class SdfManifest extends DefaultHandler {
+    /** Its name in each folder. */
+    static final String NAME = "model.config";
+
+    private final Path file;
+    private final StringBuilder text = new StringBuilder();
+    private int depth;
+    private boolean named;
+    private int version;
+    private int best = -1;
+    private @Nullable String model;
+
+    private SdfManifest(Path file) {
+        this.file = file;
+    }
+
+    /** The name of the model's file. */
+    static String read(Path file) throws WorldException {
+        SdfManifest manifest = new SdfManifest(file);
+        try (InputStream in = Files.newInputStream(file)) {
+            XMLReader reader = SafeXml.reader();
+            reader.setContentHandler(manifest);
+            reader.setErrorHandler(manifest);
+            reader.parse(new InputSource(new Bounded(new BufferedInputStream(in))));
+        } catch (SAXException e) {
+            if (e.getException() instanceof WorldException refusal) {
+                throw refusal;
+            }
+            throw new WorldException(file.toString(), 0, 0, "the XML was refused: " + e, e);
+        } catch (IOException e) {
+            throw WorldException.unreadable(file, e);
+        }
+        if (manifest.model == null) {
+            throw new WorldException(
+                    file.toString(), 0, 0, "<model> must have <sdf version=\"1.x\"> with a file's name (got: none)");
+        }
+        return manifest.model;
+    }
+
+    /** The second number of a version that begins with 1; -1 where it is none. */
+    static int minor(String version) {
+        if (!version.matches("1\\.\\d{1,3}")) {
+            return -1;
+        }
+        return Integer.parseInt(version.substring(2));
+    }
+
+    @Override
+    public void startElement(String uri, String local, String name, Attributes attributes) {
+        depth++;
+        named = depth == 2 && name.equals("sdf");
+        if (named) {
+            String given = attributes.getValue("version");
+            version = given == null ? 0 : minor(given.strip());
+            text.setLength(0);
+        }
+    }
+
+    @Override
+    public void characters(char[] characters, int start, int length) {
+        if (named && text.length() <= Limits.MAX_ATTRIBUTE) {
+            text.append(characters, start, length);
+        }
+    }
+
+    @Override
+    public void endElement(String uri, String local, String name) {
+        if (named && version > best && text.length() <= Limits.MAX_ATTRIBUTE) {
+            best = version;
+            model = text.toString().strip();
+        }
+        named = false;
+        depth--;
+    }
+
+    @Override
+    public void error(SAXParseException e) throws SAXException {
+        fatalError(e);
+    }
+
+    @Override
+    public void fatalError(SAXParseException e) throws SAXException {
+        throw new SAXException(SafeXml.refusal(file.toString(), e));
+    }
+}

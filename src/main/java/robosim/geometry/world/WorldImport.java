@@ -1,0 +1,146 @@
+package robosim.geometry.world;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.MeshObject;
+
+/**
+ * A world from a file of any format that is known, and the account of what became of the file: what was read, what was
+ * passed over because it says nothing about what is solid, and what was left out although it may.
+ *
+ * @param world      what was made of the file
+ * @param format     its format, by name
+ * @param read       how many of what the file has and the world was made of, by the format's names
+ * @param passedOver how many of what is no matter of a world, by the format's names
+ * @param skipped    what is missing in the world, each with its place and reason
+ * @param remarks    what else its reader should know
+ */
+public record WorldImport(
+        World world,
+        String format,
+        Map<String, Integer> read,
+        Map<String, Integer> passedOver,
+        List<Skipped> skipped,
+        List<String> remarks) {
+
+    /** Keeps copies, in the order of their names. */
+    public WorldImport {
+        read = Collections.unmodifiableMap(new TreeMap<>(read));
+        passedOver = Collections.unmodifiableMap(new TreeMap<>(passedOver));
+        skipped = List.copyOf(skipped);
+        remarks = List.copyOf(remarks);
+    }
+
+    /** With nothing left out. */
+    WorldImport(World world, String format, Map<String, Integer> read) {
+        this(world, format, read, Map.of(), List.of(), List.of());
+    }
+
+    /** Whether all of the file that matters is in the world. */
+    public boolean isWhole() {
+        return skipped.isEmpty();
+    }
+
+    /**
+     * Reads a file in the format that its name ends in: a world of this module ({@code .xml}), a map of ROS ({@code
+     * .yaml}, {@code .yml}), SDFormat ({@code .sdf}, {@code .world}, {@code model.config} or the folder of a model), or a
+     * mesh ({@code .obj}, {@code .stl}). What has another name is read as a world of this module.
+     *
+     * @throws WorldException naming file, line and remedy, where the file cannot be read or is of no such format
+     */
+    public static WorldImport read(Path file, ImportOptions options) throws WorldException {
+        Path last = file.getFileName();
+        String name = last == null ? "" : last.toString().toLowerCase(Locale.ROOT);
+        if (Files.isDirectory(file)) {
+            return SdfReader.read(SdfFiles.modelOf(file), options.models());
+        }
+        if (name.equals(SdfManifest.NAME)) {
+            return SdfReader.read(SdfFiles.modelOf(file.toAbsolutePath().resolveSibling("")), options.models());
+        }
+        return switch (ending(name)) {
+            case "sdf", "world" -> SdfReader.read(file, options.models());
+            case "obj" -> mesh(file, "Wavefront OBJ", options);
+            case "stl" -> mesh(file, "STL", options);
+            case "yaml", "yml" -> {
+                World world = RosMapReader.read(file, options.wallHeight());
+                yield new WorldImport(
+                        world, "ROS map", Map.of("wall", world.objects().size()));
+            }
+            case "pgm", "png" ->
+                throw new WorldException(
+                        file.toString(), 0, 0, "a map is read from its .yaml, which says how large a cell is");
+            case "dae", "gltf", "glb", "fbx", "urdf", "xacro", "gz", "zip" ->
+                throw new WorldException(
+                        file.toString(),
+                        0,
+                        0,
+                        "files of this format are not read; unpack it, or export it as SDFormat, OBJ or STL (got: ."
+                                + ending(name) + ")");
+            default -> {
+                World world = WorldReader.readXml(file);
+                yield new WorldImport(
+                        world, "world", Map.of("object", world.objects().size()));
+            }
+        };
+    }
+
+    private static String ending(String name) {
+        return name.substring(name.lastIndexOf('.') + 1);
+    }
+
+    /** A mesh at the origin of its own coordinates, in a world that leaves a quarter of its size around it. */
+    private static WorldImport mesh(Path file, String format, ImportOptions options) throws WorldException {
+        MeshObject mesh = MeshFiles.read(file, options.scale());
+        if (options.up() == ImportOptions.Up.Z) {
+            mesh = mesh.turned(-90, 0);
+        }
+        Path last = file.getFileName();
+        String name = last == null ? "mesh" : last.toString().replaceFirst("\\.[^.]*$", "");
+        List<WorldObject> objects = List.of(new WorldObject(name.isBlank() ? mesh : mesh.named(name)));
+        Extents extents = Extents.of(objects);
+        double most = Math.max(extents.farthest(0), Math.max(extents.farthest(1), extents.farthest(2)));
+        double margin = most > 0 ? most / 4 : 1;
+        World world = new World(
+                2 * (extents.farthest(0) + margin),
+                2 * (extents.farthest(1) + margin),
+                2 * (extents.farthest(2) + margin),
+                null,
+                Dimension.SPATIAL,
+                Accuracy.EXACT,
+                objects);
+        return new WorldImport(world, format, Map.of("vertex", mesh.vertices().size(), "face", mesh.faces().length));
+    }
+
+    /** What was read and what not, in lines for people; what is left out comes first, at most so many of it. */
+    public List<String> lines(int most) {
+        List<String> lines = new ArrayList<>();
+        lines.add("Read " + format + ": " + counted(read));
+        if (!passedOver.isEmpty()) {
+            lines.add("Passed over, for it says nothing about what is solid: " + counted(passedOver));
+        }
+        shown(lines, skipped.stream().map(Skipped::toString).toList(), most);
+        shown(lines, remarks, most);
+        return lines;
+    }
+
+    private static void shown(List<String> lines, List<String> all, int most) {
+        lines.addAll(all.subList(0, Math.min(most, all.size())));
+        if (all.size() > most) {
+            lines.add("... and " + (all.size() - most) + " more of these");
+        }
+    }
+
+    private static String counted(Map<String, Integer> counts) {
+        List<String> parts = new ArrayList<>();
+        counts.forEach((name, count) -> parts.add(name + " " + count));
+        return parts.isEmpty() ? "nothing" : String.join(", ", parts);
+    }
+}

@@ -1,0 +1,101 @@
+package robosim.geometry.junit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import javax.xml.parsers.DocumentBuilderFactory;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.w3c.dom.Document;
+import org.w3c.dom.Element;
+import org.w3c.dom.NodeList;
+
+/** The picture that a failed test leaves. */
+class LastMomentsTest {
+    private static Path run(Class<?> tests, String test, Path folder) {
+        Launched.run(tests, Map.of("robosim.evidence", folder.toString()));
+        return folder.resolve(tests.getName().replace('$', '.') + "." + test);
+    }
+
+    private static Document parse(Path file) throws Exception {
+        return DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(file.toFile());
+    }
+
+    /** The groups of a class, for objects of that name; empty is any. */
+    private static List<Element> groups(Document picture, String role, String name) {
+        List<Element> found = new ArrayList<>();
+        NodeList all = picture.getElementsByTagName("g");
+        for (int k = 0; k < all.getLength(); k++) {
+            Element group = (Element) all.item(k);
+            NodeList titles = group.getElementsByTagName("title");
+            String title = titles.getLength() == 0 ? "" : titles.item(0).getTextContent();
+            if (List.of(group.getAttribute("class").split(" ")).contains(role)
+                    && (name.isEmpty() || title.equals(name))) {
+                found.add(group);
+            }
+        }
+        return found;
+    }
+
+    @Test
+    void itShowsTheRobotItsWayAndWhatRefusedIt(@TempDir Path folder) throws Exception {
+        Path file = run(Doomed.Failing.class, "blocked", folder).resolve("last-moments.svg");
+        Document picture = parse(file);
+        assertThat(picture.getDocumentElement().getTagName()).isEqualTo("svg");
+        assertThat(groups(picture, "robot", "r1")).hasSize(1);
+        assertThat(groups(picture, "robot", "r2")).hasSize(1);
+        assertThat(groups(picture, "object", "wall")).hasSize(1);
+
+        // It went by 0.5 to 1, along X.
+        List<Element> trails = groups(picture, "trail", "r1");
+        assertThat(trails).hasSize(1);
+        String path = ((Element) trails.get(0).getElementsByTagName("path").item(0)).getAttribute("d");
+        assertThat(path).matches("M([\\d.]+) ([\\d.]+)L(?!\\1 )[\\d.]+ \\2");
+
+        // The wall's own outline, again, and the robot's cross.
+        List<Element> blocks = groups(picture, "block", "r1");
+        assertThat(blocks).hasSize(1);
+        String flash = ((Element) blocks.get(0).getElementsByTagName("path").item(0)).getAttribute("d");
+        Element wall = groups(picture, "object", "wall").get(0);
+        assertThat(((Element) wall.getElementsByTagName("path").item(0)).getAttribute("d"))
+                .isEqualTo(flash);
+        assertThat(Files.readString(file)).contains("1 refused: r1 by wall", "Failing.blocked, seed 7");
+    }
+
+    @Test
+    void whatATestDidToTheWorldItselfIsSeen(@TempDir Path folder) throws Exception {
+        Path file = run(Doomed.Failing.class, "broken", folder).resolve("last-moments.svg");
+        assertThat(groups(parse(file), "robot", "")).hasSize(2);
+        assertThat(groups(parse(file), "block", "")).isEmpty();
+    }
+
+    @Test
+    void aConversationWithAServerHasOneToo(@TempDir Path folder) throws Exception {
+        Path file = run(Doomed.Talking.class, "talks", folder).resolve("connection-1.svg");
+        assertThat(groups(parse(file), "robot", "r1")).hasSize(1);
+        assertThat(groups(parse(file), "ping", "")).hasSize(1);
+    }
+
+    @Test
+    void whatPassesLeavesNone(@TempDir Path folder) throws Exception {
+        Path stale = folder.resolve(Doomed.class.getName() + ".Failing.passes/last-moments.svg");
+        Files.createDirectories(stale.getParent());
+        Files.writeString(stale, "of a run before");
+        assertThat(run(Doomed.Failing.class, "passes", folder)).isEmptyDirectory();
+    }
+
+    /** docs/scenario-tests.md tells what truly happens. */
+    @Test
+    void theGuideShowsARealFailure(@TempDir Path folder) throws Exception {
+        Path left = run(Doomed.DoorTest.class, "itLeavesTheRoom", folder);
+        String failure = Files.readAllLines(left.resolve("failure.txt")).get(1);
+        assertThat(Path.of("docs", "scenario-tests.md")).content().contains(failure + "\n  seed:   7 (as");
+        for (Path picture : List.of(left.resolve("last-moments.svg"), Path.of("docs", "images", "last-moments.svg"))) {
+            assertThat(picture).content().contains("1 refused: robot by wall north");
+        }
+    }
+}

@@ -1,0 +1,112 @@
+package robosim.geometry.viewer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.net.SessionOptions;
+
+class FilmTest {
+    private static final Film.Look WHOLE = Film.Look.WHOLE;
+
+    @Test
+    void everyFrameIsWhatPlayingUpToItShows() {
+        // A film of all, looked at anywhere, against a film that ends there.
+        SplittableRandom random = new SplittableRandom(6);
+        Talk talk = Talk.begun();
+        for (int k = 0; k < 60; k++) {
+            switch (random.nextInt(k % 20 == 19 ? 5 : 4)) {
+                case 0 -> talk.turns(random.nextInt(-180, 181), null);
+                case 1 -> talk.looks((Double) null);
+                case 4 ->
+                    talk.world(Talk.WALL, new CylinderObject(new Point(k / 10.0 - 8, 0, 3), 0.3, 1).moveable("drum"));
+                default -> talk.drives(random.nextDouble(3), null);
+            }
+        }
+        Film all = talk.film();
+        Film.Look look = new Film.Look(9, 5);
+        Film sofar = new Film();
+        Stage stage = new Stage(SessionOptions.ROBOSIM);
+        int refused = 0;
+        for (int k = 0; k < all.size(); k++) {
+            sofar.append(stage.play(talk.steps().get(k)));
+            assertThat(all.at(k, look).described("", ""))
+                    .as("frame %d", k)
+                    .isEqualTo(sofar.at(k, look).described("", ""));
+            refused += all.frame(k).bumps().size();
+        }
+        assertThat(refused).isBetween(5, 30);
+    }
+
+    @Test
+    void trailsAreAsLongAsAskedFor() {
+        Talk talk = Talk.begun();
+        for (int k = 0; k < 20; k++) {
+            talk.drives(0.25, true);
+        }
+        Film film = talk.film();
+        assertThat(path(film, 20, WHOLE)).hasSize(21).startsWith(new Point(-5, 0, 0));
+        // Three moves have four places.
+        assertThat(path(film, 20, new Film.Look(3, 3)))
+                .containsExactly(
+                        new Point(-0.75, 0, 0), new Point(-0.5, 0, 0), new Point(-0.25, 0, 0), new Point(0, 0, 0));
+        assertThat(path(film, 20, new Film.Look(0, 0))).containsExactly(new Point(0, 0, 0));
+        assertThat(path(film, 0, WHOLE)).containsExactly(new Point(-5, 0, 0));
+    }
+
+    private static List<Point> path(Film film, int number, Film.Look look) {
+        return film.at(number, look).trails().get(0).path();
+    }
+
+    @Test
+    void aNewWorldForgetsTheOneBefore() {
+        Film film = Talk.begun()
+                .drives(9, false)
+                .looks(2.0)
+                .world(Talk.DRUM)
+                .drives(1, true)
+                .film();
+        Scene before = film.at(2, WHOLE);
+        assertThat(before.refusals()).hasSize(1);
+        assertThat(before.pings()).hasSize(1);
+        assertThat(before.things()).hasSize(2);
+        Scene after = film.at(4, WHOLE);
+        assertThat(after.refusals()).isEmpty();
+        assertThat(after.blocked()).isEmpty();
+        assertThat(after.pings()).isEmpty();
+        assertThat(after.things()).hasSize(1);
+        assertThat(path(film, 4, WHOLE)).containsExactly(new Point(-5, 0, 0), new Point(-4, 0, 0));
+    }
+
+    @Test
+    void whatRefusedFadesWithAge() {
+        Talk talk = Talk.begun().drives(9, false);
+        for (int k = 0; k < 10; k++) {
+            talk.turns(1, true);
+        }
+        Film film = talk.film();
+        List<Double> strengths = new ArrayList<>();
+        for (int k = 0; k < film.size(); k++) {
+            List<Scene.Blocked> blocked = film.at(k, WHOLE).blocked();
+            strengths.add(blocked.isEmpty() ? 0 : blocked.get(0).strength());
+        }
+        assertThat(strengths).startsWith(0.0, 1.0, 0.875).element(8).isEqualTo(0.125);
+        assertThat(strengths.get(9)).isZero();
+        assertThat(film.at(1, WHOLE).blocked().get(0).obstacle()).isEqualTo(Talk.WALL);
+        assertThat(film.at(5, WHOLE).subtitle()).contains("before, 1 move, 1 refused: drum by wall");
+        assertThat(film.at(9, WHOLE).subtitle()).doesNotContain("refused");
+    }
+
+    @Test
+    void beforeTheFirstWorldThereIsNothing() {
+        Film film = new Talk().drives(1, false).looks(Double.NaN).film();
+        assertThat(film.at(1, WHOLE).things()).isEmpty();
+        assertThat(film.setting(1)).isNull();
+        assertThat(film.movers(1)).isEmpty();
+        assertThat(new Film().at(-1, WHOLE).things()).isEmpty();
+    }
+}
