@@ -2,6 +2,9 @@ package robosim.geometry.world;
 
 /** How much a file may ask of its reader, with the size of the real thing. */
 final class Limits {
+    /** Most problems of one file that are told; who has as many begins with the first. */
+    static final int MAX_PROBLEMS = 100;
+
     /** Bytes of one file of any format. A mesh of a million triangles takes some 60 MB as XML, OBJ or binary STL. */
     static final long MAX_BYTES = 128L << 20;
 
