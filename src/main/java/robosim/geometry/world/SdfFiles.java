@@ -76,7 +76,10 @@ final class SdfFiles {
         boolean isNamed = Files.isRegularFile(manifest);
         if (!isNamed && !Files.isRegularFile(folder.resolve("model.sdf"))) {
             throw new WorldException(
-                    folder.toString(), 0, 0, "a model's folder must have " + SdfManifest.NAME + " (got: none)");
+                    folder.toString(),
+                    0,
+                    0,
+                    "a folder must be that of a model, with " + SdfManifest.NAME + "; name a file in it (got: none)");
         }
         try {
             String name = isNamed ? SdfManifest.read(manifest) : "model.sdf";

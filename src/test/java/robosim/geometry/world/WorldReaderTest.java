@@ -467,7 +467,7 @@ class WorldReaderTest {
                 .hasMessage(folder.resolve("no.xml") + ": there is no such file; check the path");
         assertThatThrownBy(() -> WorldReader.read(folder))
                 .isInstanceOf(WorldException.class)
-                .hasMessageContaining("could not be read");
+                .hasMessageContaining("a folder must be that of a model, with model.config");
     }
 
     @Test
