@@ -58,7 +58,10 @@ final class SdfFiles {
         return uri.matches("(?i)(https?|ftp|fuel)://.*");
     }
 
-    /** The root of an included model: of a file, or of the file that a folder's model.config names. Null where it is not there. */
+    /**
+     * The root of an included model: of a file, or of the file that a folder's model.config names. Null where it is not
+     * there.
+     */
     @Nullable
     SdfElement included(SdfElement uri) throws WorldException {
         Path found = find(uri);
