@@ -30,7 +30,7 @@ class DirectionsTest {
             Map.entry("world", Set.of("", "model", "exact")),
             Map.entry("protocol", Set.of("model")),
             Map.entry("net", Set.of("", "protocol", "model", "exact")),
-            Map.entry("scenario", Set.of("net", "world", "protocol", "model")),
+            Map.entry("scenario", Set.of("", "net", "world", "protocol", "model")),
             Map.entry(
                     "junit",
                     Set.of("", "viewer", "scenario", "net", "protocol", "world", "collision", "model", "exact")),
