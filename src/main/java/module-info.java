@@ -16,6 +16,7 @@ module robosim.geometry {
     exports robosim.geometry.net;
     exports robosim.geometry.protocol;
     exports robosim.geometry.scenario;
+    exports robosim.geometry.sweep;
     exports robosim.geometry.world;
 
     uses robosim.geometry.protocol.MessageTranslator;

@@ -77,6 +77,24 @@ public final class Session {
         this(options, listener, name, log, World::of);
     }
 
+    /**
+     * In a world that is there already, until an {@link InitBundle} comes.
+     *
+     * @param world the session's own from now on
+     * @param log   takes the session's warnings
+     */
+    public Session(Geometry world, SessionOptions options, SessionListener listener, String name, System.Logger log) {
+        this(options, listener, name, log, World::of);
+        this.world = World.over(Arguments.present("world", world));
+        moveable = new HashSet<>();
+        for (GeometryObject object : world.objects()) {
+            String mover = object.name();
+            if (object.isMoveable() && mover != null) {
+                moveable.add(mover);
+            }
+        }
+    }
+
     Session(SessionOptions options, SessionListener listener, String name, World.Maker maker) {
         this(options, listener, name, LOG, maker);
     }

@@ -29,8 +29,12 @@ interface World {
 
     /** The module's own. */
     static World of(WorldSettings settings) {
-        Geometry geometry = new Geometry(
-                settings.width(), settings.height(), settings.length(), settings.dimension(), settings.accuracy());
+        return over(new Geometry(
+                settings.width(), settings.height(), settings.length(), settings.dimension(), settings.accuracy()));
+    }
+
+    /** One that is there already. */
+    static World over(Geometry geometry) {
         return new World() {
             @Override
             public boolean add(GeometryObject object) {

@@ -60,6 +60,11 @@ public final class JsonRecord {
         return this;
     }
 
+    /** The names of all fields, in their order. */
+    public List<String> names() {
+        return List.copyOf(fields.keySet());
+    }
+
     /** Whether there is such a field. */
     public boolean has(String field) {
         return fields.containsKey(field);

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.Geometry;
 import robosim.geometry.net.Session;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.net.SessionOptions;
@@ -31,6 +32,15 @@ public final class Replay {
     /** With somebody who sees what the session does, such as a {@link Recorder}. */
     public Replay(SessionOptions options, SessionListener listener) {
         this.session = new Session(options, listener, "replay", new QuietLog());
+    }
+
+    /**
+     * In a world that is there already, until an init comes.
+     *
+     * @param world the replay's own from now on
+     */
+    public Replay(Geometry world, SessionOptions options, SessionListener listener) {
+        this.session = new Session(world, options, listener, "replay", new QuietLog());
     }
 
     /** Replays a scenario and answers what is other than it expects; empty is good. */

@@ -1,0 +1,49 @@
+package robosim.geometry.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Option;
+import robosim.geometry.sweep.SweepPlot;
+import robosim.geometry.sweep.SweepResults;
+import robosim.geometry.sweep.SweepSummary;
+
+/** What is told of the results of a sweep. */
+final class SweepOutput {
+    @Option(names = "--table", paramLabel = "FILE.md", description = "also write the table, Markdown, to a file")
+    private @Nullable Path table;
+
+    @Option(names = "--plot", paramLabel = "FILE.svg", description = "draw the means over the values of a parameter")
+    private @Nullable Path plot;
+
+    @Option(
+            names = "--digest",
+            description = "print a digest of all results: the same on any number of threads, shards and machines")
+    private boolean digest;
+
+    private SweepOutput() {}
+
+    /** Tells it; answers the exit code. */
+    int tell(SweepResults results, PrintWriter out) throws IOException {
+        SweepSummary summary = new SweepSummary();
+        results.forEach(summary);
+        String text = summary.markdown();
+        out.print(text);
+        if (table != null) {
+            Files.writeString(table, text);
+        }
+        if (plot != null) {
+            Files.writeString(plot, SweepPlot.svg(results.header(), summary));
+        }
+        if (summary.failures() > 0) {
+            out.printf("%,d replicates failed; their lines in the results tell why%n", summary.failures());
+        }
+        if (digest) {
+            out.println("digest " + results.digest());
+        }
+        out.flush();
+        return summary.failures() > 0 ? ExitCodes.FINDINGS : ExitCodes.FINE;
+    }
+}

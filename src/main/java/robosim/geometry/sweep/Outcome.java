@@ -1,0 +1,105 @@
+package robosim.geometry.sweep;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.protocol.JsonRecord;
+import robosim.geometry.protocol.ProtocolException;
+
+/**
+ * What became of one replicate.
+ *
+ * @param index      of the replicate in its sweep
+ * @param world      by name
+ * @param parameters the values, by name
+ * @param replicate  which of its cell, from 0
+ * @param seed       of its own chance
+ * @param values     what it found out; empty where it failed
+ * @param error      why it failed; null where it did not
+ */
+public record Outcome(
+        long index,
+        String world,
+        Map<String, String> parameters,
+        long replicate,
+        long seed,
+        Map<String, Double> values,
+        @Nullable String error) {
+    private static final long MOST = 1L << 53;
+
+    static Outcome of(
+            long index, String world, SortedMap<String, String> parameters, long replicate, long seed, Result result) {
+        return new Outcome(index, world, parameters, replicate, seed, result.values(), null);
+    }
+
+    static Outcome failed(
+            long index, String world, SortedMap<String, String> parameters, long replicate, long seed, String error) {
+        return new Outcome(index, world, parameters, replicate, seed, Map.of(), error);
+    }
+
+    /** Whether it failed. */
+    public boolean isFailed() {
+        return error != null;
+    }
+
+    /** The line of a file, without its check sum. */
+    public String line() {
+        Map<String, @Nullable Object> fields = new LinkedHashMap<>();
+        fields.put("type", isFailed() ? "failure" : "result");
+        fields.put("index", index);
+        fields.put("world", world);
+        fields.put("parameters", parameters);
+        fields.put("replicate", replicate);
+        fields.put("seed", hex(seed));
+        if (error == null) {
+            fields.put("values", values);
+        } else {
+            fields.put("error", error);
+        }
+        return JsonRecord.write(fields);
+    }
+
+    /**
+     * Reads a line that has no check sum.
+     *
+     * @throws ProtocolException where it is none
+     */
+    public static Outcome of(String line) throws ProtocolException {
+        JsonRecord record = JsonRecord.read(line);
+        boolean isFailed = record.text("type").equals("failure");
+        if (!isFailed && !record.text("type").equals("result")) {
+            throw record.refused("type must be result or failure (got: " + record.text("type") + ")");
+        }
+        record.only("type index world parameters replicate seed " + (isFailed ? "error" : "values"), "");
+        return new Outcome(
+                record.whole("index", 0, MOST),
+                record.text("world"),
+                new TreeMap<>(SweepHeader.texts(record.record("parameters"))),
+                record.whole("replicate", 0, MOST),
+                unhex(record, "seed"),
+                isFailed ? Map.of() : numbers(record.record("values")),
+                isFailed ? record.text("error") : null);
+    }
+
+    private static Map<String, Double> numbers(JsonRecord record) throws ProtocolException {
+        Map<String, Double> numbers = new LinkedHashMap<>();
+        for (String name : record.names()) {
+            numbers.put(name, record.isNull(name) ? Double.POSITIVE_INFINITY : record.number(name));
+        }
+        return numbers;
+    }
+
+    static String hex(long number) {
+        return String.format("0x%016x", number);
+    }
+
+    static long unhex(JsonRecord record, String field) throws ProtocolException {
+        String text = record.text(field);
+        if (!text.matches("0x[0-9a-f]{16}")) {
+            throw record.refused(field + " must be 0x and 16 hexadecimal digits (got: " + text + ")");
+        }
+        return Long.parseUnsignedLong(text.substring(2), 16);
+    }
+}

@@ -1,0 +1,255 @@
+package robosim.geometry.sweep;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.Geometry;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.net.Session;
+import robosim.geometry.net.SessionListener;
+import robosim.geometry.net.SessionOptions;
+import robosim.geometry.protocol.Beam;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.protocol.MoveRequest;
+import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.SonarRequest;
+import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.scenario.Replay;
+import robosim.geometry.scenario.Scenario;
+import robosim.geometry.scenario.ScenarioException;
+import robosim.geometry.scenario.Step;
+
+/**
+ * A recorded conversation, carried out anew with chance in it: robots that start elsewhere, moves that slip, beams that are
+ * held askew, distances with noise. How much of each is a parameter, 0 where it is not given. All draws come from
+ * {@link Replicate#pairedRandom()}: replicates of one number differ by their parameters alone.
+ */
+public final class ScenarioSweep implements SweepScenario {
+    /** World units: every moveable object starts anywhere in a disc of this radius about its place, where it is free. */
+    public static final String PLACE = "place";
+
+    /** Degrees: and is turned by up to as much to either side. */
+    public static final String HEADING = "heading";
+
+    /** Standard deviation of the length of a move and of its turn, as a share of it. */
+    public static final String SLIP = "slip";
+
+    /** Degrees: standard deviation of a beam's direction about the vertical. */
+    public static final String AIM = "aim";
+
+    /** World units: standard deviation of what is added to a distance. */
+    public static final String RANGE = "range";
+
+    private static final long serialVersionUID = 1;
+
+    /** So often a free place is looked for, before an object stays where it is. */
+    private static final int TRIES = 100;
+
+    private final String name;
+    private final Dimension dimension;
+    private final Accuracy accuracy;
+    private final Beam beam;
+    private final InitBundle init;
+
+    /** What is asked after the world is there. */
+    private final ArrayList<Bundle> requests = new ArrayList<>();
+
+    /** What was answered; null where that is not known. */
+    private final ArrayList<@Nullable Bundle> answers = new ArrayList<>();
+
+    private ScenarioSweep(String name, SessionOptions options, InitBundle init) {
+        this.name = Names.check("name of a scenario", name);
+        this.dimension = options.dimension();
+        this.accuracy = options.accuracy();
+        this.beam = options.beam();
+        this.init = init;
+    }
+
+    /**
+     * Reads a scenario, which is called as its file without the ending.
+     *
+     * @throws ScenarioException where it cannot be read, or has not one world, at its beginning
+     */
+    public static ScenarioSweep read(Path file) throws IOException {
+        Scenario scenario = Scenario.read(file);
+        List<Step> steps = scenario.steps();
+        if (steps.isEmpty() || !(steps.get(0).request() instanceof InitBundle first)) {
+            throw new SweepException(file + ": a scenario that is swept must begin with its world (got: "
+                    + (steps.isEmpty() ? "no step" : "another step") + ")");
+        }
+        ScenarioSweep sweep =
+                new ScenarioSweep(Names.of(file), scenario.header().options(), first);
+        for (Step step : steps.subList(1, steps.size())) {
+            if (step.request() instanceof InitBundle) {
+                throw new SweepException(file + " line " + step.line()
+                        + ": a scenario that is swept must have one world (got: another)");
+            }
+            Reply expected = step.expected();
+            sweep.requests.add(step.request());
+            sweep.answers.add(expected == null ? null : expected.bundle());
+        }
+        return sweep;
+    }
+
+    @Override
+    public String name() {
+        return name;
+    }
+
+    /** The world of the conversation, under the scenario's name. */
+    public SweepWorld world() {
+        Session session = new Session(options(), SessionListener.NONE, name);
+        session.reply(init);
+        Geometry world = session.world();
+        if (world == null) {
+            throw new IllegalArgumentException("the world of " + name + " cannot be; a replay tells why");
+        }
+        return new SweepWorld(name, world.snapshot());
+    }
+
+    /**
+     * Another world for the conversation: all that is in it, and those moveable objects of the conversation that it has not.
+     *
+     * @throws IllegalArgumentException where one of these would leave it
+     */
+    public SweepWorld in(SweepWorld other) {
+        Geometry world = other.snapshot().toGeometry();
+        for (GeometryObject object : init.objects()) {
+            String mover = object.name();
+            if (object.isMoveable() && mover != null && !world.hasObject(mover) && !world.addObjectUnchecked(object)) {
+                throw new IllegalArgumentException("the robots of " + name + " must be within the world " + other.name()
+                        + " (got: " + object + ")");
+            }
+        }
+        return new SweepWorld(other.name(), world.snapshot());
+    }
+
+    private SessionOptions options() {
+        return new SessionOptions(dimension, accuracy, beam);
+    }
+
+    @Override
+    public Result run(Replicate replicate) {
+        double place = amount(replicate, PLACE);
+        double heading = amount(replicate, HEADING);
+        SeededRandom places = replicate.pairedRandom();
+        SeededRandom noise = new SeededRandom(places.nextLong());
+        int stuck = place == 0 && heading == 0 ? 0 : scatter(replicate.world(), places, place, heading);
+        Noise errors =
+                new Noise(noise, amount(replicate, SLIP), amount(replicate, AIM), amount(replicate, RANGE), beam);
+        Replay replay = new Replay(replicate.world(), options(), SessionListener.NONE);
+        ScenarioTally tally = new ScenarioTally();
+        for (int k = 0; k < requests.size(); k++) {
+            Bundle asked = requests.get(k);
+            Bundle request = asked instanceof MoveBundle moves
+                    ? errors.slipped(moves)
+                    : errors.askew((SonarRequestBundle) asked);
+            replay.step(new Step(request, null));
+            Reply reply = replay.reply();
+            if (reply == null) {
+                throw new IllegalStateException("the module itself failed at step " + (k + 2));
+            }
+            tally.take(asked, request, reply, answers.get(k), errors);
+        }
+        return tally.result(stuck);
+    }
+
+    private static double amount(Replicate replicate, String parameter) {
+        double amount = replicate.number(parameter, 0);
+        if (!(amount >= 0 && amount < Double.POSITIVE_INFINITY)) {
+            throw new IllegalArgumentException(parameter + " must be at least 0 (got: " + amount + ")");
+        }
+        return amount;
+    }
+
+    /** Puts all upright moveable objects elsewhere nearby, one after the other; answers how many found no free place. */
+    private static int scatter(Geometry world, SeededRandom random, double radius, double turn) {
+        int stuck = 0;
+        for (GeometryObject object : world.objects()) {
+            String mover = object.name();
+            if (object.isMoveable() && mover != null && object.pose().isUpright()) {
+                stuck += isPlaced(world, object, mover, random, radius, turn) ? 0 : 1;
+            }
+        }
+        return stuck;
+    }
+
+    private static boolean isPlaced(
+            Geometry world, GeometryObject object, String mover, SeededRandom random, double radius, double turn) {
+        for (int k = 0; k < TRIES; k++) {
+            double x;
+            double z;
+            do {
+                x = 2 * random.nextDouble() - 1;
+                z = 2 * random.nextDouble() - 1;
+            } while (x * x + z * z > 1);
+            double heading = object.heading() + turn * (2 * random.nextDouble() - 1);
+            Point from = object.center();
+            Point to = new Point(from.x() + radius * x, from.y(), from.z() + radius * z);
+            if (world.placeObject(mover, to, heading)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** What goes wrong with a request. */
+    static final class Noise {
+        private final SeededRandom random;
+        private final double slip;
+        private final double aim;
+        private final double range;
+        private final Beam beam;
+
+        Noise(SeededRandom random, double slip, double aim, double range, Beam beam) {
+            this.random = random;
+            this.slip = slip;
+            this.aim = aim;
+            this.range = range;
+            this.beam = beam;
+        }
+
+        MoveBundle slipped(MoveBundle moves) {
+            List<MoveRequest> slipped = new ArrayList<>();
+            for (MoveRequest move : moves.moves()) {
+                double way = 1 + slip * random.nextGaussian();
+                double turn = 1 + slip * random.nextGaussian();
+                slipped.add(new MoveRequest(
+                        move.objectName(),
+                        way * move.x(),
+                        way * move.y(),
+                        way * move.z(),
+                        turn * move.rx(),
+                        turn * move.ry()));
+            }
+            return new MoveBundle(slipped);
+        }
+
+        SonarRequestBundle askew(SonarRequestBundle sonars) {
+            List<SonarRequest> askew = new ArrayList<>();
+            for (SonarRequest sonar : sonars.requests()) {
+                double by = StrictMath.toRadians(aim * random.nextGaussian());
+                double cos = StrictMath.cos(by);
+                double sin = StrictMath.sin(by);
+                double x = sonar.xOffset() * cos + sonar.zOffset() * sin;
+                double z = sonar.zOffset() * cos - sonar.xOffset() * sin;
+                askew.add(by == 0 ? sonar : new SonarRequest(sonar.objectName(), x, z, sonar.beam()));
+            }
+            return new SonarRequestBundle(askew);
+        }
+
+        /** What a sensor tells of a distance: not below its blind range. */
+        double read(SonarRequest sonar, double distance) {
+            double off = range * random.nextGaussian();
+            Beam own = sonar.beam() == null ? beam : sonar.beam();
+            return Double.isFinite(distance) ? Math.max(own.min(), distance + off) : distance;
+        }
+    }
+}

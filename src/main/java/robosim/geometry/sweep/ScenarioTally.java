@@ -1,0 +1,90 @@
+package robosim.geometry.sweep;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.DistanceBundle;
+import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.protocol.MoveRequest;
+import robosim.geometry.protocol.Problem;
+import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.SonarRequest;
+import robosim.geometry.protocol.SonarRequestBundle;
+
+/** What came of a conversation, in numbers. */
+final class ScenarioTally {
+    private int made;
+    private int refused;
+    private double way;
+    private int echoes;
+    private int silent;
+    private int unanswered;
+    private double nearest = Double.POSITIVE_INFINITY;
+    private double sum;
+    private int changed;
+
+    /** Takes a step in: what was asked when it was recorded, what was asked now, and what came of both. */
+    void take(Bundle recorded, Bundle request, Reply reply, @Nullable Bundle answer, ScenarioSweep.Noise noise) {
+        if (request instanceof MoveBundle moves) {
+            takeMoves(((MoveBundle) recorded).moves(), moves.moves(), reply, (MoveBundle) answer);
+        } else {
+            takeDistances(((SonarRequestBundle) request).requests(), reply, (DistanceBundle) answer, noise);
+        }
+    }
+
+    private void takeMoves(
+            List<MoveRequest> recorded, List<MoveRequest> moves, Reply reply, @Nullable MoveBundle answer) {
+        Set<Integer> problems = new HashSet<>();
+        for (Problem problem : reply.problems()) {
+            problems.add(problem.index());
+        }
+        int before = 0;
+        for (int k = 0; k < moves.size(); k++) {
+            MoveRequest move = moves.get(k);
+            boolean isMade = !problems.contains(k);
+            made += isMade ? 1 : 0;
+            refused += isMade ? 0 : 1;
+            way += isMade ? Math.sqrt(move.x() * move.x() + move.y() * move.y() + move.z() * move.z()) : 0;
+            if (answer != null) {
+                boolean wasMade = before < answer.moves().size()
+                        && answer.moves().get(before).equals(recorded.get(k));
+                before += wasMade ? 1 : 0;
+                changed += wasMade == isMade ? 0 : 1;
+            }
+        }
+    }
+
+    private void takeDistances(
+            List<SonarRequest> sonars, Reply reply, @Nullable DistanceBundle answer, ScenarioSweep.Noise noise) {
+        List<Double> distances = ((DistanceBundle) reply.bundle()).distances();
+        for (int k = 0; k < distances.size(); k++) {
+            double read = noise.read(sonars.get(k), distances.get(k));
+            if (Double.isNaN(read)) {
+                unanswered++;
+            } else if (Double.isInfinite(read)) {
+                silent++;
+            } else {
+                echoes++;
+                sum += read;
+                nearest = Math.min(nearest, read);
+            }
+            changed += answer == null || answer.distances().get(k).equals(read) ? 0 : 1;
+        }
+    }
+
+    /** All of it; {@code stuck} objects found no free place to start from. */
+    Result result(int stuck) {
+        return Result.of("moves made", made)
+                .and("moves refused", refused)
+                .and("way [world units]", way)
+                .and("echoes", echoes)
+                .and("no echo", silent)
+                .and("nearest [world units]", nearest)
+                .and("mean distance [world units]", echoes == 0 ? Double.POSITIVE_INFINITY : sum / echoes)
+                .and("not answered", unanswered)
+                .and("other than recorded", changed)
+                .and("no free start", stuck);
+    }
+}

@@ -1,0 +1,88 @@
+package robosim.geometry.sweep;
+
+import java.util.random.RandomGenerator;
+
+/**
+ * A stream of chance that is the same bits on every JVM for a seed: SplitMix64 (Steele, Lea and Flood 2014). The methods
+ * written out here are fixed for good; what else {@link RandomGenerator} offers is the JDK's and may change with it.
+ */
+public final class SeededRandom implements RandomGenerator {
+    private static final long GOLDEN = 0x9E3779B97F4A7C15L;
+
+    private long state;
+    private double spare;
+    private boolean hasSpare;
+
+    /** A stream from its beginning. */
+    public SeededRandom(long seed) {
+        state = seed;
+    }
+
+    @Override
+    public long nextLong() {
+        state += GOLDEN;
+        return Seeds.mix(state);
+    }
+
+    @Override
+    public int nextInt() {
+        return (int) (nextLong() >>> 32);
+    }
+
+    /** A whole number from 0 up to, not including, a bound above 0; even. */
+    @Override
+    public int nextInt(int bound) {
+        if (bound <= 0) {
+            throw new IllegalArgumentException("bound must be above 0 (got: " + bound + ")");
+        }
+        // 31 bits of chance are cut to a multiple of the bound, so that none comes more often.
+        int most = Integer.MAX_VALUE - (int) ((Integer.MAX_VALUE - bound + 1L) % bound);
+        int drawn = (int) (nextLong() >>> 33);
+        while (drawn > most) {
+            drawn = (int) (nextLong() >>> 33);
+        }
+        return drawn % bound;
+    }
+
+    @Override
+    public boolean nextBoolean() {
+        return nextLong() < 0;
+    }
+
+    /** A multiple of 2<sup>-53</sup> from 0 up to, not including, 1. */
+    @Override
+    public double nextDouble() {
+        return (nextLong() >>> 11) * 0x1p-53;
+    }
+
+    /** A number from {@code from} up to {@code to}, which rounding may reach. */
+    @Override
+    public double nextDouble(double from, double to) {
+        if (!(from < to && to - from < Double.POSITIVE_INFINITY)) {
+            throw new IllegalArgumentException(
+                    "from must be below to, and both finite (got: " + from + " and " + to + ")");
+        }
+        return from + nextDouble() * (to - from);
+    }
+
+    /** Normally distributed about 0 with a standard deviation of 1: Marsaglia's polar method. */
+    @Override
+    public double nextGaussian() {
+        if (hasSpare) {
+            hasSpare = false;
+            return spare;
+        }
+        double u;
+        double v;
+        double square;
+        do {
+            u = 2 * nextDouble() - 1;
+            v = 2 * nextDouble() - 1;
+            square = u * u + v * v;
+        } while (square >= 1 || square == 0);
+        double scale = Math.sqrt(-2 * StrictMath.log(square) / square);
+        spare = v * scale;
+        hasSpare = true;
+        return u * scale;
+    }
+}

@@ -1,0 +1,54 @@
+package robosim.geometry.sweep;
+
+import java.util.Map;
+import java.util.SortedMap;
+
+/**
+ * How the seed of a replicate is made: from the root seed, the scenario's name, the world's name, the parameters and the
+ * number of the replicate, and from nothing else. So a replicate has its seed on whatever thread, shard or machine it is
+ * carried out, and keeps it where worlds, values or replicates are added to a sweep.
+ *
+ * <p>The words are taken in one after the other by {@code h = mix(h ^ word)}, where {@code mix} is the step of SplitMix64
+ * (Steele, Lea and Flood 2014, with Stafford's constants): the root seed; each text as its UTF-16 units and then the word
+ * 0x10000, which is no unit; the number of the replicate.
+ */
+public final class Seeds {
+    private static final long GOLDEN = 0x9E3779B97F4A7C15L;
+    private static final long END = 0x10000;
+
+    private Seeds() {}
+
+    /** The seed of a replicate; the parameters in the order of their names, each a name and a value. */
+    public static long of(
+            long root, String scenario, String world, SortedMap<String, String> parameters, long replicate) {
+        long h = take(take(take(0, root), scenario), world);
+        for (Map.Entry<String, String> parameter : parameters.entrySet()) {
+            h = take(take(h, parameter.getKey()), parameter.getValue());
+        }
+        return take(h, replicate);
+    }
+
+    /** The seed that replicates of one number have in common in all worlds and for all parameters. */
+    public static long paired(long root, String scenario, long replicate) {
+        return take(take(take(0, root), scenario), replicate);
+    }
+
+    private static long take(long h, String text) {
+        long taken = h;
+        for (int k = 0; k < text.length(); k++) {
+            taken = take(taken, text.charAt(k));
+        }
+        return take(taken, END);
+    }
+
+    private static long take(long h, long word) {
+        return mix((h ^ word) + GOLDEN);
+    }
+
+    /** Scatters all 64 bits; one to one. */
+    static long mix(long number) {
+        long z = (number ^ (number >>> 30)) * 0xBF58476D1CE4E5B9L;
+        z = (z ^ (z >>> 27)) * 0x94D049BB133111EBL;
+        return z ^ (z >>> 31);
+    }
+}

@@ -1,0 +1,46 @@
+package robosim.geometry.sweep;
+
+import java.io.Serializable;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * A part of a sweep that one machine carries out: the shards of one count have no replicate in common and together have all.
+ * Every shard has replicates of every world and parameter, so none is left with the long ones.
+ *
+ * @param number which, from 0
+ * @param count  of how many
+ */
+public record Shard(int number, int count) implements Serializable {
+    private static final long serialVersionUID = 1;
+    private static final Pattern FORM = Pattern.compile("(\\d{1,9})/(\\d{1,9})");
+
+    /** Everything. */
+    public static final Shard ALL = new Shard(0, 1);
+
+    /** Refuses a number that is not below the count. */
+    public Shard {
+        if (number < 0 || number >= count) {
+            throw new IllegalArgumentException(
+                    "shard must be from 0/n to (n - 1)/n, as in 0/4 (got: " + number + "/" + count + ")");
+        }
+    }
+
+    /** Reads a text such as {@code 0/4}. */
+    public static Shard parse(String text) {
+        Matcher matcher = FORM.matcher(text);
+        if (!matcher.matches()) {
+            throw new IllegalArgumentException("shard must be a number and a count, as in 0/4 (got: " + text + ")");
+        }
+        return new Shard(Integer.parseInt(matcher.group(1)), Integer.parseInt(matcher.group(2)));
+    }
+
+    boolean has(long cell, long replicate) {
+        return (cell + replicate) % count == number;
+    }
+
+    @Override
+    public String toString() {
+        return number + "/" + count;
+    }
+}

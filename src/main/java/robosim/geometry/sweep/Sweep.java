@@ -1,0 +1,199 @@
+package robosim.geometry.sweep;
+
+import java.io.IOException;
+import java.io.ObjectInputStream;
+import java.io.Serial;
+import java.io.Serializable;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import robosim.geometry.Snapshot;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
+
+/**
+ * A scenario over worlds, parameters and seeds: every world with every combination of values is a cell, and every cell is
+ * carried out so many times. A replicate is known by its index, and its outcome depends on nothing else. A value: each
+ * method answers another sweep.
+ *
+ * <p>Safe to use from many threads at once, and serializable where its scenario is; the worlds' static objects are shared by
+ * all replicates. The parameters {@link #ACCURACY} and {@link #DIMENSION} set the world's own; all others are the scenario's.
+ */
+public final class Sweep implements Serializable {
+    /** The parameter whose value is an {@link Accuracy}, and is the world's. */
+    public static final String ACCURACY = "accuracy";
+
+    /** The parameter whose value is a {@link Dimension}, and is the world's. */
+    public static final String DIMENSION = "dimension";
+
+    private static final long serialVersionUID = 1;
+
+    private final SweepScenario scenario;
+    private final List<SweepWorld> worlds;
+    private final SortedMap<String, List<String>> parameters;
+    private final long replicates;
+    private final long seed;
+    private transient SweepWorld.Views views = new SweepWorld.Views();
+
+    private Sweep(
+            SweepScenario scenario,
+            List<SweepWorld> worlds,
+            Map<String, List<String>> parameters,
+            long replicates,
+            long seed) {
+        this.scenario = scenario;
+        this.worlds = List.copyOf(worlds);
+        this.parameters = new TreeMap<>(parameters);
+        this.replicates = replicates;
+        this.seed = seed;
+    }
+
+    /** A scenario, over no worlds yet; one replicate of each cell, root seed 0. */
+    public static Sweep of(SweepScenario scenario) {
+        if (scenario == null) {
+            throw new IllegalArgumentException("scenario must be given (got: null)");
+        }
+        return new Sweep(scenario, List.of(), Map.of(), 1, 0);
+    }
+
+    /** Over one world more. */
+    public Sweep over(SweepWorld world) {
+        if (worlds.stream().anyMatch(each -> each.name().equals(world.name()))) {
+            throw new IllegalArgumentException("worlds must have names of their own (got twice: " + world.name() + ")");
+        }
+        List<SweepWorld> more = new ArrayList<>(worlds);
+        more.add(world);
+        return new Sweep(scenario, more, parameters, replicates, seed);
+    }
+
+    /** Over the values of a parameter, in this order; they take the place of earlier ones. */
+    public Sweep vary(String parameter, String... values) {
+        Names.check("name of a parameter", parameter);
+        if (values.length == 0 || Arrays.stream(values).distinct().count() < values.length) {
+            throw new IllegalArgumentException("values of " + parameter + " must be at least one, and each once (got: "
+                    + Arrays.toString(values) + ")");
+        }
+        for (String value : values) {
+            Names.check("value of " + parameter, value);
+            if (parameter.equals(ACCURACY)) {
+                constant(ACCURACY, Accuracy.class, value);
+            } else if (parameter.equals(DIMENSION)) {
+                constant(DIMENSION, Dimension.class, value);
+            }
+        }
+        Map<String, List<String>> more = new TreeMap<>(parameters);
+        more.put(parameter, List.of(values));
+        return new Sweep(scenario, worlds, more, replicates, seed);
+    }
+
+    private static <E extends Enum<E>> E constant(String parameter, Class<E> type, String value) {
+        try {
+            return Enum.valueOf(type, value.toUpperCase(Locale.ROOT));
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException(
+                    parameter + " must be one of " + Arrays.toString(type.getEnumConstants()) + " (got: " + value + ")",
+                    e);
+        }
+    }
+
+    /** With so many replicates of each cell, at least 1. */
+    public Sweep replicates(long number) {
+        if (number < 1 || number > Integer.MAX_VALUE) {
+            throw new IllegalArgumentException(
+                    "replicates must be from 1 to " + Integer.MAX_VALUE + " (got: " + number + ")");
+        }
+        return new Sweep(scenario, worlds, parameters, number, seed);
+    }
+
+    /** With another root seed. */
+    public Sweep seed(long root) {
+        return new Sweep(scenario, worlds, parameters, replicates, root);
+    }
+
+    /** What its results are filed under, and what makes it this sweep. */
+    public SweepHeader header() {
+        Map<String, String> prints = new LinkedHashMap<>();
+        worlds.forEach(world -> prints.put(world.name(), Fingerprint.of(world.snapshot())));
+        Map<String, String> values = new LinkedHashMap<>();
+        parameters.forEach((name, each) -> values.put(name, String.join(",", each)));
+        return new SweepHeader(scenario.name(), seed, replicates, prints, values);
+    }
+
+    /** How many worlds with how many combinations of values there are. */
+    public long cells() {
+        long cells = worlds.size();
+        for (List<String> values : parameters.values()) {
+            cells = Math.multiplyExact(cells, values.size());
+        }
+        return cells;
+    }
+
+    /** How many replicates there are in all. */
+    public long size() {
+        return Math.multiplyExact(cells(), replicates);
+    }
+
+    /** Whether a replicate is of a shard. */
+    public boolean isOf(Shard shard, long index) {
+        return shard.has(index % cells(), index / cells());
+    }
+
+    /** The parameters' values of a cell. */
+    private SortedMap<String, String> values(long cell) {
+        SortedMap<String, String> values = new TreeMap<>();
+        long rest = cell / worlds.size();
+        for (Map.Entry<String, List<String>> parameter : parameters.entrySet()) {
+            int count = parameter.getValue().size();
+            values.put(parameter.getKey(), parameter.getValue().get((int) (rest % count)));
+            rest /= count;
+        }
+        return values;
+    }
+
+    /**
+     * Carries out one replicate. Safe to call from many threads at once.
+     *
+     * @param index from 0 up to, not including, {@link #size()}
+     */
+    public Outcome run(long index) {
+        if (index < 0 || index >= size()) {
+            throw new IllegalArgumentException("index must be from 0 to " + (size() - 1) + " (got: " + index + ")");
+        }
+        long cell = index % cells();
+        long number = index / cells();
+        int at = (int) (cell % worlds.size());
+        SweepWorld world = worlds.get(at);
+        SortedMap<String, String> values = values(cell);
+        long own = Seeds.of(seed, scenario.name(), world.name(), values, number);
+        long paired = Seeds.paired(seed, scenario.name(), number);
+        try {
+            Snapshot snapshot = snapshot(at, world, values);
+            Result result =
+                    scenario.run(new Replicate(snapshot.toGeometry(), world.name(), values, number, own, paired));
+            return Outcome.of(index, world.name(), values, number, own, result);
+        } catch (Exception | StackOverflowError e) {
+            return Outcome.failed(index, world.name(), values, number, own, e.toString());
+        }
+    }
+
+    private Snapshot snapshot(int at, SweepWorld world, SortedMap<String, String> values) {
+        String accuracy = values.get(ACCURACY);
+        String dimension = values.get(DIMENSION);
+        return views.of(
+                at,
+                world,
+                dimension == null ? world.snapshot().dimension() : constant(DIMENSION, Dimension.class, dimension),
+                accuracy == null ? world.snapshot().accuracy() : constant(ACCURACY, Accuracy.class, accuracy));
+    }
+
+    @Serial
+    private void readObject(ObjectInputStream in) throws IOException, ClassNotFoundException {
+        in.defaultReadObject();
+        views = new SweepWorld.Views();
+    }
+}

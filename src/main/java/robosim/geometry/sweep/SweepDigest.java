@@ -1,0 +1,46 @@
+package robosim.geometry.sweep;
+
+import java.util.Map;
+import java.util.TreeMap;
+
+/**
+ * A digest of a whole sweep's results: the same wherever and in whatever parts they were found. It takes in the header and
+ * each outcome in the order of their indices, numbers by their bits.
+ */
+public final class SweepDigest {
+    private final Fingerprint print = new Fingerprint();
+    private long last = -1;
+
+    /** Of a sweep's header, and no outcome yet. */
+    public SweepDigest(SweepHeader header) {
+        print.add(header.scenario()).add(header.seed()).add(header.replicates());
+        add(header.worlds());
+        add(header.parameters());
+    }
+
+    private void add(Map<String, String> texts) {
+        print.add(texts.size());
+        texts.forEach((name, text) -> print.add(name).add(text));
+    }
+
+    /** Takes in the next outcome. */
+    public void add(Outcome outcome) {
+        if (outcome.index() <= last) {
+            throw new IllegalArgumentException(
+                    "outcomes must come by ascending index (got: " + outcome.index() + " after " + last + ")");
+        }
+        last = outcome.index();
+        print.add(outcome.index()).add(outcome.world());
+        add(new TreeMap<>(outcome.parameters()));
+        print.add(outcome.replicate()).add(outcome.seed());
+        print.add(outcome.values().size());
+        outcome.values().forEach((name, value) -> print.add(name).add(value));
+        String error = outcome.error();
+        print.add(error == null ? "" : error);
+    }
+
+    /** The digest, 64 hexadecimal digits; ends the taking in. */
+    public String hex() {
+        return print.hex();
+    }
+}

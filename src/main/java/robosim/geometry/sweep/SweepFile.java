@@ -1,0 +1,120 @@
+package robosim.geometry.sweep;
+
+import java.io.BufferedInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.protocol.JsonRecord;
+import robosim.geometry.protocol.ProtocolException;
+
+/** Reads a file of results once, line by line. A last line that broke off, as a killed writer leaves it, is passed over. */
+final class SweepFile {
+    /** A line longer than this is no outcome. */
+    private static final int MOST_BYTES = 1 << 24;
+
+    private static final String HEADER = "{\"type\":\"sweep\",";
+
+    private final Path file;
+    private @Nullable SweepHeader header;
+    private long end;
+    private long torn;
+
+    /** Sees an outcome and where its line stands. */
+    @FunctionalInterface
+    interface Reader {
+        void read(Outcome outcome, long offset, int length) throws IOException;
+    }
+
+    private SweepFile(Path file) {
+        this.file = file;
+    }
+
+    /** Reads all of a file. */
+    static SweepFile read(Path file, Reader reader) throws IOException {
+        SweepFile read = new SweepFile(file);
+        try (InputStream in = new BufferedInputStream(Files.newInputStream(file), 1 << 16)) {
+            read.read(in, reader);
+        } catch (NoSuchFileException e) {
+            throw new SweepException(file + ": there is no such file; check the path", e);
+        }
+        return read;
+    }
+
+    /** Which sweep the results are of; null where nothing but a torn line is here. */
+    @Nullable
+    SweepHeader header() {
+        return header;
+    }
+
+    /** Where the last whole line ends. */
+    long end() {
+        return end;
+    }
+
+    /** The number of the last line where that breaks off; 0 otherwise. */
+    long torn() {
+        return torn;
+    }
+
+    private void read(InputStream in, Reader reader) throws IOException {
+        long number = 0;
+        for (byte[] line = line(in); line != null; line = line(in)) {
+            number++;
+            boolean isEnded = line[line.length - 1] == '\n';
+            String open = isEnded ? Sealed.open(new String(line, 0, line.length - 1, StandardCharsets.UTF_8)) : null;
+            if (open == null) {
+                if (in.read() >= 0) {
+                    throw new SweepException(
+                            file + " line " + number
+                                    + ": it must be as it was written, with its check sum; restore the file or remove the line");
+                }
+                torn = number;
+                return;
+            }
+            try {
+                if (number == 1 || open.startsWith(HEADER)) {
+                    header = header(open, header);
+                } else {
+                    reader.read(Outcome.of(open), end, line.length);
+                }
+            } catch (ProtocolException | IllegalArgumentException e) {
+                throw new SweepException(file + " line " + number + ": " + e.getMessage(), e);
+            }
+            end += line.length;
+        }
+    }
+
+    /** The first line, or one that another run began with that goes on with more replicates. */
+    private static SweepHeader header(String line, @Nullable SweepHeader before) throws ProtocolException {
+        JsonRecord record = JsonRecord.read(line);
+        if (!record.has("type") || !record.text("type").equals("sweep")) {
+            throw record.refused("a file of results must begin with its header, of type sweep (got: another line)");
+        }
+        SweepHeader header = SweepHeader.of(record);
+        if (before != null && !header.isOfSame(before)) {
+            throw record.refused(
+                    "a file must hold the results of one sweep (got: " + header + " after " + before + ")");
+        }
+        return before == null || header.replicates() > before.replicates() ? header : before;
+    }
+
+    /** The next line with its line feed, without one where it breaks off; null at the end. */
+    private byte @Nullable [] line(InputStream in) throws IOException {
+        ByteArrayOutputStream line = new ByteArrayOutputStream(512);
+        for (int next = in.read(); next >= 0; next = in.read()) {
+            line.write(next);
+            if (next == '\n') {
+                break;
+            }
+            if (line.size() > MOST_BYTES) {
+                throw new SweepException(file + ": a line must have at most " + MOST_BYTES + " bytes (got: more)");
+            }
+        }
+        return line.size() == 0 ? null : line.toByteArray();
+    }
+}

@@ -1,0 +1,76 @@
+package robosim.geometry.sweep;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.protocol.JsonRecord;
+import robosim.geometry.protocol.ProtocolException;
+
+/**
+ * What a file of results begins with: which sweep they are of.
+ *
+ * @param scenario   its name
+ * @param seed       the root seed
+ * @param replicates of each cell
+ * @param worlds     by name, what tells one world from another: a digest of its objects
+ * @param parameters by name, the values with commas between them
+ */
+public record SweepHeader(
+        String scenario, long seed, long replicates, Map<String, String> worlds, Map<String, String> parameters) {
+    /** Of the format. */
+    public static final int VERSION = 1;
+
+    private static final long MOST = 1L << 53;
+
+    /** How many replicates the whole sweep has. */
+    public long size() {
+        long cells = worlds.size();
+        for (String values : parameters.values()) {
+            cells *= values.split(",", -1).length;
+        }
+        return cells * replicates;
+    }
+
+    /** Whether another sweep is the same but for how many replicates there are of each cell. */
+    public boolean isOfSame(SweepHeader other) {
+        return line(0).equals(other.line(0));
+    }
+
+    /** The line of a file, without its check sum. */
+    String line() {
+        return line(replicates);
+    }
+
+    private String line(long number) {
+        Map<String, @Nullable Object> fields = new LinkedHashMap<>();
+        fields.put("type", "sweep");
+        fields.put("version", VERSION);
+        fields.put("scenario", scenario);
+        fields.put("seed", Outcome.hex(seed));
+        fields.put("replicates", number);
+        fields.put("worlds", worlds);
+        fields.put("parameters", parameters);
+        return JsonRecord.write(fields);
+    }
+
+    static SweepHeader of(JsonRecord line) throws ProtocolException {
+        line.only("type version scenario seed replicates worlds parameters", "");
+        if (line.number("version") != VERSION) {
+            throw line.refused("version must be " + VERSION + " (got: " + line.number("version") + ")");
+        }
+        return new SweepHeader(
+                line.text("scenario"),
+                Outcome.unhex(line, "seed"),
+                line.whole("replicates", 1, MOST),
+                texts(line.record("worlds")),
+                texts(line.record("parameters")));
+    }
+
+    static Map<String, String> texts(JsonRecord record) throws ProtocolException {
+        Map<String, String> texts = new LinkedHashMap<>();
+        for (String name : record.names()) {
+            texts.put(name, record.text(name));
+        }
+        return texts;
+    }
+}

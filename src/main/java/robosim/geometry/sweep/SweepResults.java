@@ -1,0 +1,192 @@
+package robosim.geometry.sweep;
+
+import java.io.BufferedOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.RandomAccessFile;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The results of one sweep, in one file or in those of its shards; read from there whenever they are asked for, in the order
+ * of their indices.
+ */
+public final class SweepResults {
+    private final List<Path> files;
+    private final SweepHeader header;
+    private final List<Entry> entries;
+    private long torn;
+
+    /** Where the line of an outcome stands. */
+    private record Entry(long index, int file, long offset, int length) {}
+
+    private SweepResults(List<Path> files, SweepHeader header, List<Entry> entries) {
+        this.files = files;
+        this.header = header;
+        this.entries = entries;
+    }
+
+    /**
+     * Reads files of results. Where two have the same replicate, both must say the same of it.
+     *
+     * @throws SweepException naming file and line, where one is none, is damaged, or is of another sweep
+     */
+    public static SweepResults read(List<Path> files) throws IOException {
+        List<Entry> all = new ArrayList<>();
+        SweepHeader header = null;
+        long torn = 0;
+        for (int k = 0; k < files.size(); k++) {
+            int number = k;
+            SweepFile file = SweepFile.read(
+                    files.get(k),
+                    (outcome, offset, length) -> all.add(new Entry(outcome.index(), number, offset, length)));
+            torn += file.torn() > 0 ? 1 : 0;
+            SweepHeader own = file.header();
+            if (own == null) {
+                continue; // it was killed before it had written anything
+            }
+            if (header != null && !own.isOfSame(header)) {
+                throw new SweepException(files.get(k) + ": it must be of the same sweep as the others; it is of " + own
+                        + " and not of " + header);
+            }
+            header = header == null || own.replicates() > header.replicates() ? own : header;
+        }
+        if (header == null) {
+            throw new SweepException("there must be at least one whole line of results (got: none in " + files + ")");
+        }
+        all.sort(Comparator.comparingLong(Entry::index).thenComparingInt(Entry::file));
+        SweepResults results = new SweepResults(List.copyOf(files), header, new ArrayList<>());
+        results.torn = torn;
+        results.takeOnce(all);
+        return results;
+    }
+
+    private void takeOnce(List<Entry> all) throws IOException {
+        try (Lines lines = new Lines()) {
+            Entry before = null;
+            for (Entry entry : all) {
+                if (entry.index >= header.size()) {
+                    throw new SweepException(files.get(entry.file) + ": an index must be below " + header.size()
+                            + " (got: " + entry.index + ")");
+                }
+                if (before == null || before.index != entry.index) {
+                    entries.add(entry);
+                } else if (!lines.line(before).equals(lines.line(entry))) {
+                    throw new SweepException(
+                            "two results of replicate " + entry.index + " must be the same (got: others in "
+                                    + files.get(before.file) + " and " + files.get(entry.file) + ")");
+                }
+                before = entry;
+            }
+        }
+    }
+
+    /** Which sweep they are of. */
+    public SweepHeader header() {
+        return header;
+    }
+
+    /** How many there are. */
+    public long size() {
+        return entries.size();
+    }
+
+    /** How many files end in a line that broke off, which was passed over. */
+    public long torn() {
+        return torn;
+    }
+
+    /** Whether the replicate of an index is among them. */
+    boolean has(long index) {
+        return find(index) >= 0;
+    }
+
+    private int find(long index) {
+        int low = 0;
+        int high = entries.size() - 1;
+        while (low <= high) {
+            int middle = (low + high) >>> 1;
+            long at = entries.get(middle).index;
+            if (at == index) {
+                return middle;
+            }
+            if (at < index) {
+                low = middle + 1;
+            } else {
+                high = middle - 1;
+            }
+        }
+        return -1;
+    }
+
+    /** Shows all outcomes by ascending index. */
+    public void forEach(Consumer<Outcome> consumer) throws IOException {
+        try (Lines lines = new Lines()) {
+            for (Entry entry : entries) {
+                String open = Sealed.open(lines.line(entry));
+                if (open == null) {
+                    throw new SweepException(files.get(entry.file) + ": it must not change while it is read");
+                }
+                consumer.accept(Outcome.of(open));
+            }
+        }
+    }
+
+    /** A digest of all of them: see {@link SweepDigest}. */
+    public String digest() throws IOException {
+        SweepDigest digest = new SweepDigest(header);
+        forEach(digest::add);
+        return digest.hex();
+    }
+
+    /** Writes all of them into one file by ascending index, which is there when it is whole. */
+    public void write(Path file) throws IOException {
+        write(file, header);
+    }
+
+    void write(Path file, SweepHeader as) throws IOException {
+        Path absolute = file.toAbsolutePath();
+        Path half = absolute.resolveSibling(absolute.getFileName() + ".half");
+        try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(half));
+                Lines lines = new Lines()) {
+            out.write((Sealed.seal(as.line()) + "\n").getBytes(StandardCharsets.UTF_8));
+            for (Entry entry : entries) {
+                out.write((lines.line(entry) + "\n").getBytes(StandardCharsets.UTF_8));
+            }
+        }
+        Files.move(half, absolute, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
+    }
+
+    /** The files, one open at a time: shards come in turns, but one file is the usual case. */
+    private final class Lines implements AutoCloseable {
+        private final @Nullable RandomAccessFile[] open = new RandomAccessFile[files.size()];
+
+        String line(Entry entry) throws IOException {
+            RandomAccessFile in = open[entry.file];
+            if (in == null) {
+                in = new RandomAccessFile(files.get(entry.file).toFile(), "r");
+                open[entry.file] = in;
+            }
+            byte[] bytes = new byte[entry.length - 1];
+            in.seek(entry.offset);
+            in.readFully(bytes);
+            return new String(bytes, StandardCharsets.UTF_8);
+        }
+
+        @Override
+        public void close() throws IOException {
+            for (RandomAccessFile each : open) {
+                if (each != null) {
+                    each.close();
+                }
+            }
+        }
+    }
+}

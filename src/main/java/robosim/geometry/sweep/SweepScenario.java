@@ -1,0 +1,25 @@
+package robosim.geometry.sweep;
+
+import java.io.Serializable;
+
+/**
+ * What is carried out in each replicate of a sweep. Many threads run it at once, each with a replicate of its own: an
+ * implementation keeps nothing from one run to the next, and takes chance from its replicate alone.
+ *
+ * <p>Serializable, so that an engine can send it to other machines. The command {@code sweep} makes one by its class's
+ * constructor without arguments.
+ */
+@FunctionalInterface
+public interface SweepScenario extends Serializable {
+    /**
+     * Carries out one replicate.
+     *
+     * @throws Exception where it fails; that becomes the replicate's outcome, and the sweep goes on
+     */
+    Result run(Replicate replicate) throws Exception;
+
+    /** What results are filed under; seeds are made from it too. */
+    default String name() {
+        return getClass().getName();
+    }
+}

@@ -1,0 +1,181 @@
+package robosim.geometry.sweep;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.Consumer;
+
+/** What the replicates of each cell found out, on average: to be shown all outcomes by ascending index. */
+public final class SweepSummary implements Consumer<Outcome> {
+    private final Map<Cell, Map<String, Spread>> cells = new LinkedHashMap<>();
+    private final Map<Cell, Integer> failed = new LinkedHashMap<>();
+
+    /** Of no outcome yet. */
+    public SweepSummary() {}
+
+    /**
+     * A world with one combination of values.
+     *
+     * @param world      by name
+     * @param parameters the values, by name
+     */
+    public record Cell(String world, Map<String, String> parameters) {}
+
+    /** One number over the replicates of a cell; what has no value, a beam without an echo, is counted for itself. */
+    public static final class Spread {
+        private long count;
+        private long none;
+        private double mean;
+        private double squares;
+        private double min = Double.POSITIVE_INFINITY;
+        private double max = Double.NEGATIVE_INFINITY;
+
+        private Spread() {}
+
+        private void add(double value) {
+            if (value == Double.POSITIVE_INFINITY) {
+                none++;
+                return;
+            }
+            // Welford 1962: no sum of squares to take another from.
+            count++;
+            double off = value - mean;
+            mean += off / count;
+            squares += off * (value - mean);
+            min = Math.min(min, value);
+            max = Math.max(max, value);
+        }
+
+        /** How many values there are. */
+        public long count() {
+            return count;
+        }
+
+        /** In how many replicates there was none. */
+        public long none() {
+            return none;
+        }
+
+        /** Their mean; NaN where there is none. */
+        public double mean() {
+            return count == 0 ? Double.NaN : mean;
+        }
+
+        /** Their standard deviation, of a sample; 0 for a single one. */
+        public double deviation() {
+            return count < 2 ? 0 : Math.sqrt(squares / (count - 1));
+        }
+
+        /** Half the width of the interval that holds the true mean 95 times of 100, where there are many. */
+        public double margin() {
+            return count < 2 ? 0 : 1.96 * deviation() / Math.sqrt((double) count);
+        }
+
+        /** The least, {@code +Infinity} where there is none. */
+        public double min() {
+            return min;
+        }
+
+        /** The greatest. */
+        public double max() {
+            return max;
+        }
+    }
+
+    @Override
+    public void accept(Outcome outcome) {
+        Cell cell = new Cell(outcome.world(), Map.copyOf(outcome.parameters()));
+        Map<String, Spread> spreads = cells.computeIfAbsent(cell, c -> new LinkedHashMap<>());
+        failed.merge(cell, outcome.isFailed() ? 1 : 0, Integer::sum);
+        outcome.values()
+                .forEach((name, value) ->
+                        spreads.computeIfAbsent(name, n -> new Spread()).add(value));
+    }
+
+    /** By cell and number, in the order in which they came first. */
+    public Map<Cell, Map<String, Spread>> cells() {
+        return Collections.unmodifiableMap(cells);
+    }
+
+    /** How many replicates failed. */
+    public long failures() {
+        return failed.values().stream().mapToLong(Integer::longValue).sum();
+    }
+
+    /** A table for people, in Markdown: a row for each cell and number. */
+    public String markdown() {
+        List<String> parameters = cells.keySet().stream()
+                .flatMap(cell -> cell.parameters().keySet().stream())
+                .distinct()
+                .sorted()
+                .toList();
+        List<String> heads = new ArrayList<>(List.of("world"));
+        heads.addAll(parameters);
+        heads.addAll(List.of("result", "replicates", "mean", "+-", "deviation", "least", "greatest", "none"));
+        List<List<String>> rows = new ArrayList<>(List.of(heads));
+        cells.forEach((cell, spreads) -> {
+            spreads.forEach((name, spread) -> rows.add(row(cell, parameters, name, spread)));
+            int failures = failed.getOrDefault(cell, 0);
+            if (failures > 0) {
+                List<String> row = key(cell, parameters);
+                row.addAll(List.of("failures", String.valueOf(failures), "", "", "", "", "", ""));
+                rows.add(row);
+            }
+        });
+        return table(rows, 2 + parameters.size());
+    }
+
+    private static List<String> key(Cell cell, List<String> parameters) {
+        List<String> row = new ArrayList<>(List.of(cell.world()));
+        parameters.forEach(name -> row.add(cell.parameters().getOrDefault(name, "")));
+        return row;
+    }
+
+    private static List<String> row(Cell cell, List<String> parameters, String name, Spread spread) {
+        List<String> row = key(cell, parameters);
+        row.add(name.replace("|", "\\|"));
+        row.add(String.valueOf(spread.count + spread.none));
+        boolean hasAny = spread.count > 0;
+        for (double number :
+                new double[] {spread.mean(), spread.margin(), spread.deviation(), spread.min, spread.max}) {
+            row.add(hasAny ? number(number) : "");
+        }
+        row.add(spread.none == 0 ? "" : String.valueOf(spread.none));
+        return row;
+    }
+
+    /** Five digits, without needless zeros. */
+    static String number(double number) {
+        if (number == Math.rint(number) && Math.abs(number) < 1e9) {
+            return String.valueOf((long) number);
+        }
+        return String.format(Locale.ROOT, "%.5g", number);
+    }
+
+    private static String table(List<List<String>> rows, int left) {
+        int columns = rows.get(0).size();
+        int[] widths = new int[columns];
+        rows.forEach(row -> {
+            for (int k = 0; k < columns; k++) {
+                widths[k] = Math.max(widths[k], row.get(k).length());
+            }
+        });
+        StringBuilder text = new StringBuilder();
+        for (int r = 0; r < rows.size(); r++) {
+            for (int k = 0; k < columns; k++) {
+                String cell = rows.get(r).get(k);
+                String space = " ".repeat(widths[k] - cell.length());
+                text.append("| ").append(k < left ? cell + space : space + cell).append(' ');
+            }
+            text.append("|\n");
+            for (int k = 0; r == 0 && k < columns; k++) {
+                text.append('|').append(k < left ? ' ' : '-').append("-".repeat(widths[k]));
+                text.append(k < left ? " " : ":").append(k == columns - 1 ? "|\n" : "");
+            }
+        }
+        return text.toString();
+    }
+}

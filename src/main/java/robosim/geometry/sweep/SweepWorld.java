@@ -1,0 +1,67 @@
+package robosim.geometry.sweep;
+
+import java.io.IOException;
+import java.io.Serializable;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import robosim.geometry.Geometry;
+import robosim.geometry.Snapshot;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.world.WorldReader;
+
+/**
+ * A world of a sweep under a name.
+ *
+ * @param name     what results are filed under, without the characters {@code /}, {@code ,} and blanks; seeds are made from it
+ * @param snapshot the world as every replicate finds it
+ */
+public record SweepWorld(String name, Snapshot snapshot) implements Serializable {
+    private static final long serialVersionUID = 1;
+
+    /** Refuses a name that could not be told from two. */
+    public SweepWorld {
+        Names.check("name of a world", name);
+        if (snapshot == null) {
+            throw new IllegalArgumentException("snapshot must be given (got: null)");
+        }
+    }
+
+    /**
+     * Reads a world file; the world is called as the file without its ending.
+     *
+     * @throws IOException where it cannot be read or is no world
+     */
+    public static SweepWorld read(Path file) throws IOException {
+        return new SweepWorld(
+                Names.of(file), WorldReader.read(file).toGeometry().snapshot());
+    }
+
+    /** This world in the dimension and accuracy that parameters ask for, built once for all threads. */
+    static final class Views {
+        private record View(int world, Dimension dimension, Accuracy accuracy) {}
+
+        private final Map<View, Snapshot> made = new ConcurrentHashMap<>();
+
+        Snapshot of(int index, SweepWorld world, Dimension dimension, Accuracy accuracy) {
+            Snapshot plain = world.snapshot();
+            return dimension == plain.dimension() && accuracy == plain.accuracy()
+                    ? plain
+                    : made.computeIfAbsent(
+                            new View(index, dimension, accuracy), view -> made(world.snapshot(), dimension, accuracy));
+        }
+
+        private static Snapshot made(Snapshot from, Dimension dimension, Accuracy accuracy) {
+            Geometry world = new Geometry(from.width(), from.height(), from.length(), dimension, accuracy);
+            for (GeometryObject object : from.objects()) {
+                if (!world.addObjectUnchecked(object)) {
+                    throw new IllegalArgumentException(
+                            "every object must be within the world, in " + dimension + " too (got: " + object + ")");
+                }
+            }
+            return world.snapshot();
+        }
+    }
+}

@@ -1,0 +1,19 @@
+/**
+ * A scenario carried out over worlds, parameters and seeds, on any number of threads and machines, with the same results to
+ * the bit. {@code docs/sweep.md} tells the formats and how seeds are made.
+ *
+ * <pre>{@code
+ * Sweep sweep = Sweep.of(new WayOut())
+ *         .over(SweepWorld.read(Path.of("worlds/maze.xml")))
+ *         .vary("step", "0.25", "0.5")
+ *         .replicates(1000)
+ *         .seed(42);
+ * SweepRun.of(sweep, Path.of("way-out.jsonl")).threads(4).run();
+ * }</pre>
+ *
+ * <p>Needs Jackson's core beside the module, as JSON lines do.
+ */
+@NullMarked
+package robosim.geometry.sweep;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,143 @@
+package robosim.geometry.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import robosim.geometry.sweep.Wander;
+
+@Timeout(60)
+class SweepCommandTest {
+    private static final String SCENARIO = "worlds/scenarios/wandering.scenario.jsonl";
+    private static final Pattern DIGEST = Pattern.compile("digest ([0-9a-f]{64})");
+
+    @TempDir
+    Path folder;
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter err = new StringWriter();
+
+    private int run(Object... arguments) {
+        String[] line = new String[arguments.length];
+        for (int k = 0; k < line.length; k++) {
+            line[k] = arguments[k].toString();
+        }
+        out.getBuffer().setLength(0);
+        err.getBuffer().setLength(0);
+        return Commands.run(new PrintWriter(out, true), new PrintWriter(err, true), line);
+    }
+
+    private String digest() {
+        Matcher digest = DIGEST.matcher(out.toString());
+        assertThat(digest.find()).as(out.toString()).isTrue();
+        return digest.group(1);
+    }
+
+    @Test
+    void aScenarioFile() throws IOException {
+        Path results = folder.resolve("results.jsonl");
+        Path plot = folder.resolve("plot.svg");
+        Path table = folder.resolve("table.md");
+        int code = run(
+                "sweep",
+                SCENARIO,
+                "-n",
+                5,
+                "-p",
+                "place=0,0.5",
+                "-p",
+                "aim=0,5",
+                "--threads",
+                2,
+                "-o",
+                results,
+                "--plot",
+                plot,
+                "--table",
+                table,
+                "--digest");
+        assertThat(err.toString()).isEmpty();
+        assertThat(code).isZero();
+        assertThat(out.toString()).contains("| moves made", "20 replicates on 2 threads");
+        assertThat(Files.readAllLines(results)).hasSize(21);
+        assertThat(Files.readString(plot)).startsWith("<svg").contains("[world units]");
+        assertThat(out.toString()).startsWith(Files.readString(table));
+        String digest = digest();
+        assertThat(run(
+                        "sweep",
+                        SCENARIO,
+                        "-n",
+                        5,
+                        "-p",
+                        "place=0,0.5",
+                        "-p",
+                        "aim=0,5",
+                        "-o",
+                        results,
+                        "--resume",
+                        "--digest"))
+                .isZero();
+        assertThat(out.toString()).contains("0 replicates on", "20 were there");
+        assertThat(digest()).isEqualTo(digest);
+        assertThat(run("sweep", SCENARIO, "-n", 5, "-o", results)).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains("must be a new file");
+    }
+
+    @Test
+    void shardsOfAClassAreMerged() {
+        String name = Wander.class.getName();
+        Path whole = folder.resolve("whole.jsonl");
+        // One in 40 fails, which is told.
+        assertThat(run("sweep", name, "worlds/rooms.xml", "worlds/maze.xml", "-n", 40, "-o", whole, "--digest"))
+                .isEqualTo(ExitCodes.FINDINGS);
+        assertThat(out.toString()).contains("replicates failed; their lines in the results tell why");
+        String digest = digest();
+        Path[] parts = new Path[3];
+        for (int k = 0; k < 3; k++) {
+            parts[k] = folder.resolve("part-" + k);
+            run("sweep", name, "worlds/rooms.xml", "worlds/maze.xml", "-n", 40, "--shard", k + "/3", "-o", parts[k]);
+        }
+        assertThat(run("sweep", "merge", parts[2], parts[0], "--digest")).isEqualTo(ExitCodes.FINDINGS);
+        assertThat(out.toString()).containsPattern("2[5-8] of 80 replicates are missing");
+        assertThat(digest()).isNotEqualTo(digest);
+        Path merged = folder.resolve("merged.jsonl");
+        run("sweep", "merge", parts[2], parts[0], parts[1], "--digest", "-o", merged);
+        assertThat(digest()).isEqualTo(digest);
+        assertThat(merged).hasSameTextualContentAs(whole);
+    }
+
+    @Test
+    void badUsageIsToldInASentence() {
+        assertThat(run("sweep")).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains("SCENARIO must be given");
+        assertThat(run("sweep", "no.such.Scenario", "worlds/rooms.xml")).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains("there is none of that name");
+        assertThat(run("sweep", "java.lang.Object", "worlds/rooms.xml")).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains("must be a class that implements");
+        assertThat(run("sweep", Wander.class.getName())).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains("WORLD must be given for a class");
+        assertThat(run("sweep", "missing.scenario.jsonl")).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains("there is none, check the path");
+        assertThat(run("sweep", SCENARIO, "--shard", "3/3")).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains("shard must be from 0/n to (n - 1)/n");
+        assertThat(run("sweep", "merge", "missing.jsonl")).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(run("sweep", "--help")).isZero();
+        assertThat(out.toString()).contains("--shard=I/N", "merge", "Parameters of a scenario file");
+    }
+
+    @Test
+    void tellsHowLongItStillTakes() {
+        assertThat(SweepCommand.left(1_000_000_000L, 0, 10)).isEmpty();
+        assertThat(SweepCommand.left(10_000_000_000L, 10, 30)).isEqualTo("30 s left");
+        assertThat(SweepCommand.left(10_000_000_000L, 10, 90)).isEqualTo("1 min 30 s left");
+        assertThat(SweepCommand.left(10_000_000_000L, 10, 7260)).isEqualTo("2 h 1 min left");
+    }
+}

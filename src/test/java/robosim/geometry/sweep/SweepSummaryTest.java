@@ -1,0 +1,97 @@
+package robosim.geometry.sweep;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.StringReader;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import javax.xml.parsers.DocumentBuilderFactory;
+import org.assertj.core.data.Offset;
+import org.junit.jupiter.api.Test;
+import org.w3c.dom.Document;
+import org.w3c.dom.NodeList;
+import org.xml.sax.InputSource;
+
+/** Means and deviations are those of decimals without an end; the plot has all of them. */
+class SweepSummaryTest {
+    private static Outcome outcome(long index, String step, double value) {
+        return new Outcome(
+                index, "rooms", Map.of("step", step), index, index, Map.of("nearest [m]", value, "made", 3.0), null);
+    }
+
+    @Test
+    void againstDecimals() {
+        SeededRandom random = new SeededRandom(4);
+        SweepSummary summary = new SweepSummary();
+        List<BigDecimal> values = new ArrayList<>();
+        int none = 0;
+        for (int k = 0; k < 500; k++) {
+            double value = random.nextInt(10) == 0 ? Double.POSITIVE_INFINITY : 1e6 + random.nextGaussian();
+            if (Double.isInfinite(value)) {
+                none++;
+            } else {
+                values.add(new BigDecimal(value));
+            }
+            summary.accept(outcome(k, "1", value));
+        }
+        BigDecimal count = BigDecimal.valueOf(values.size());
+        BigDecimal mean =
+                values.stream().reduce(BigDecimal.ZERO, BigDecimal::add).divide(count, MathContext.DECIMAL128);
+        BigDecimal squares =
+                values.stream().map(value -> value.subtract(mean).pow(2)).reduce(BigDecimal.ZERO, BigDecimal::add);
+        double deviation = squares.divide(count.subtract(BigDecimal.ONE), MathContext.DECIMAL128)
+                .sqrt(MathContext.DECIMAL128)
+                .doubleValue();
+        SweepSummary.Spread spread = summary.cells()
+                .get(new SweepSummary.Cell("rooms", Map.of("step", "1")))
+                .get("nearest [m]");
+        assertThat(spread).isNotNull();
+        assertThat(spread.mean()).isCloseTo(mean.doubleValue(), Offset.offset(1e-8));
+        assertThat(spread.deviation()).isCloseTo(deviation, Offset.offset(1e-8));
+        assertThat(spread.margin()).isCloseTo(1.96 * deviation / Math.sqrt(values.size()), Offset.offset(1e-8));
+        assertThat(spread.none()).isEqualTo(none).isBetween(25L, 80L);
+        assertThat(spread.count()).isEqualTo(values.size());
+    }
+
+    @Test
+    void aPointForEachCellAndNumber() throws Exception {
+        SweepSummary summary = new SweepSummary();
+        int index = 0;
+        for (String step : new String[] {"2", "0.5", "1"}) {
+            for (double value : new double[] {1, 2, 4}) {
+                summary.accept(outcome(index++, step, value));
+            }
+        }
+        SweepHeader header = new SweepHeader("s<1>", 0, 3, Map.of("rooms", "0"), Map.of("step", "2,0.5,1"));
+        String svg = SweepPlot.svg(header, summary);
+        Document document =
+                DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(new InputSource(new StringReader(svg)));
+        NodeList circles = document.getElementsByTagName("circle");
+        assertThat(circles.getLength())
+                .as("3 places x 2 numbers, and the legend")
+                .isEqualTo(7);
+        assertThat(svg)
+                .contains("mean of nearest [m]", ">step<", "s&lt;1&gt;, 3 replicates each")
+                .doesNotContain("NaN", "Infinity");
+        assertThat(SweepPlot.svg(header, summary)).isEqualTo(svg);
+    }
+
+    @Test
+    void ticksAreRoundAndWithin() {
+        SeededRandom random = new SeededRandom(9);
+        for (int k = 0; k < 500; k++) {
+            double low = random.nextGaussian() * Math.pow(10, random.nextInt(9) - 4);
+            double high = low + Math.abs(random.nextGaussian()) * Math.pow(10, random.nextInt(9) - 4);
+            SweepAxis axis = new SweepAxis(low, high, 100, 700);
+            assertThat(axis.ticks()).hasSizeBetween(2, 13);
+            assertThat(axis.at(low)).isLessThanOrEqualTo(axis.at(high)).isBetween(100.0, 700.0);
+            for (double tick : axis.ticks()) {
+                assertThat(axis.at(tick)).isBetween(100 - 1e-6, 700 + 1e-6);
+                assertThat(new BigDecimal(axis.label(tick)).doubleValue()).isEqualTo(tick);
+            }
+        }
+    }
+}
