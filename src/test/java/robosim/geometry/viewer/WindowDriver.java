@@ -8,6 +8,8 @@ import java.awt.Robot;
 import java.awt.Toolkit;
 import java.awt.Window;
 import java.awt.event.InputEvent;
+import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
 import java.awt.event.WindowEvent;
 import java.nio.file.Path;
 import java.util.List;
@@ -30,9 +32,11 @@ final class WindowDriver {
 
     private final Robot robot;
     private final Path picture;
+    private final boolean onX;
     private JFrame window;
 
-    private WindowDriver(Path picture) throws Exception {
+    private WindowDriver(boolean onX, Path picture) throws Exception {
+        this.onX = onX;
         this.picture = picture;
         this.robot = new Robot();
         robot.setAutoDelay(20);
@@ -41,13 +45,14 @@ final class WindowDriver {
     /**
      * Runs.
      *
-     * @param arguments where a picture of the screen goes; an environment's two recorded files
+     * @param arguments a class to be loaded first, or nothing; where a picture of the screen goes; an environment's two
+     *                  recorded files
      */
     public static void main(String[] arguments) throws Exception {
         if (!arguments[0].isEmpty()) {
             Class.forName(arguments[0]); // which puts a display of its own in the place of the system's
         }
-        WindowDriver driver = new WindowDriver(Path.of(arguments[1]));
+        WindowDriver driver = new WindowDriver(arguments[0].isEmpty(), Path.of(arguments[1]));
         driver.world();
         driver.recording(WireReader.open(Path.of(arguments[2]), Path.of(arguments[3])));
         System.out.println("all as it should be");
@@ -71,8 +76,7 @@ final class WindowDriver {
         robot.mouseRelease(InputEvent.BUTTON1_DOWN_MASK);
         expect("the drum stayed where it could", () -> at(2, 1.3).equals(Color.RED) && !isFloor(-2.2, 1.63));
         int wide = red();
-        pointAt(2, 0);
-        robot.mouseWheel(-3);
+        wheel(2, 0, -3);
         expect("the wheel makes it larger", () -> red() > 1.5 * wide);
         close(shown);
     }
@@ -137,7 +141,7 @@ final class WindowDriver {
         long end = System.nanoTime() + PATIENCE_NANOS;
         while (!isSo.getAsBoolean()) {
             if (System.nanoTime() > end) {
-                System.out.println("not so: " + what);
+                System.out.println("not so: " + what + "; the window says: " + status());
                 picture();
                 System.exit(1);
             }
@@ -182,7 +186,9 @@ final class WindowDriver {
 
     private Color at(double worldX, double worldZ) {
         Point point = onScreen(worldX, worldZ);
-        return robot.getPixelColor(point.x, point.y);
+        // Not getPixelColor, which is always black on cacio.
+        return new Color(
+                robot.createScreenCapture(new Rectangle(point.x, point.y, 1, 1)).getRGB(0, 0));
     }
 
     private boolean isFloor(double worldX, double worldZ) {
@@ -206,6 +212,20 @@ final class WindowDriver {
         Point point = onScreen(worldX, worldZ);
         robot.mouseMove(point.x, point.y);
         robot.waitForIdle();
+    }
+
+    /** Cacio's robot has no wheel: there the window is given what a wheel would give it. */
+    private void wheel(double worldX, double worldZ, int notches) throws Exception {
+        pointAt(worldX, worldZ);
+        if (onX) {
+            robot.mouseWheel(notches);
+            return;
+        }
+        Point point = onScreen(worldX, worldZ);
+        SwingUtilities.convertPointFromScreen(point, map());
+        MouseWheelEvent event = new MouseWheelEvent(
+                map(), MouseEvent.MOUSE_WHEEL, 0, 0, point.x, point.y, 0, false, MouseWheelEvent.WHEEL_UNIT_SCROLL, 1, notches);
+        SwingUtilities.invokeAndWait(() -> map().dispatchEvent(event));
     }
 
     private void hold(double worldX, double worldZ) {
