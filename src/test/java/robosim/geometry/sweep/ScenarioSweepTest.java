@@ -104,8 +104,7 @@ class ScenarioSweepTest {
                         maze.snapshot().size() + scenario.world().snapshot().size());
         Sweep sweep = Sweep.of(scenario).over(both).over(scenario.world()).vary("accuracy", "EXACT", "SPHERE");
         for (long index = 0; index < 4; index++) {
-            assertThat(value(sweep, index, "not answered"))
-                    .isEqualTo(value(sweep, 1, "not answered"));
+            assertThat(value(sweep, index, "not answered")).isEqualTo(value(sweep, 1, "not answered"));
         }
     }
 
