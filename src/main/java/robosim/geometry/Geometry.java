@@ -18,6 +18,15 @@ import robosim.geometry.narrow.Scratch;
  * leaves the world, on the way or at the end: such a call answers false. The border is closed (touching it is inside),
  * is always judged on the exact shape, and echoes nothing. In {@link Dimension#PLANAR} it has no heights.
  *
+ * <pre>{@code
+ * Geometry geometry = new Geometry(20, 5, 20);
+ * geometry.addObject(new BoxObject(new Point(4, 0, 0), 0.2, 2, 6));                     // true
+ * geometry.addObject(new CylinderObject(new Point(0, 0, 0), 0.3, 1).moveable("robot")); // true
+ * geometry.getSonarDistance("robot", 1, 0, 0, 10, 15);                                  // 3.9
+ * geometry.simpleMove("robot", 2, 0, 0);                                                // true
+ * geometry.simpleMove("robot", 5, 0, 0);                                                // false: the wall
+ * }</pre>
+ *
  * <h2>Long runs</h2>
  *
  * A moveable object's centre and heading are kept as sums together with the rounding that they lost; every query sees

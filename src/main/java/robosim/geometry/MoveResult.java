@@ -7,6 +7,18 @@ import robosim.geometry.model.Point;
 /**
  * What became of a move.
  *
+ * <pre>{@code
+ * Geometry geometry = new Geometry();
+ * geometry.addObject(new BoxObject(new Point(4, 0, 0), 2, 2, 2).named("crate"));
+ * geometry.addObject(new SphereObject(new Point(0, 0, 0), 1).moveable("ball"));
+ * MoveResult result = geometry.move("ball", new Move(4, 0, 0, 0, 0));
+ * result.allowed();         // false
+ * result.fraction();        // 0.5: it is 2 to the crate, of 4
+ * result.obstacle().name(); // "crate"
+ * result.contact().x();     // 3.0
+ * result.normal().x();      // -1: the crate pushes back
+ * }</pre>
+ *
  * @param allowed      whether it was made; a move is all or nothing, a refused one leaves the object where it was
  * @param fraction     the share of the translation that is free, from 0 to 1: strictly before contact, rounded down, and
  *                     that place has been verified free

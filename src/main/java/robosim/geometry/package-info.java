@@ -1,4 +1,83 @@
-/** A world of objects, and the answers to where an object may be, how far it may move and what is next. */
+/**
+ * A world of objects, and the answers to three questions: may this be here, how far may it move, how far away is the next
+ * surface? This page is a tour; all its code is run by a test, which compares the values in its comments.
+ *
+ * <h2>A world</h2>
+ *
+ * A {@link robosim.geometry.Geometry} is a box around the origin with objects in it. Y is up, X and Z span the floor, angles
+ * are degrees, forward is an object's own +X ({@link robosim.geometry.model} says it in full). What moves has a name.
+ *
+ * <pre>{@code
+ * Geometry geometry = new Geometry(20, 5, 20);
+ * BoxObject wall = new BoxObject(new Point(4, 0, 0), 0.5, 2, 6).named("wall");
+ * geometry.addObject(wall);                                                             // true
+ * geometry.addObject(new CylinderObject(new Point(0, 0, 0), 0.3, 1).moveable("robot")); // true
+ * geometry.testObject(new SphereObject(new Point(2.75, 0, 0), 1));                      // true: it would touch at x = 3.75
+ * geometry.addObject(new SphereObject(new Point(2.75, 0, 0), 1));                       // false: it was not added
+ * }</pre>
+ *
+ * <h2>Moves</h2>
+ *
+ * A move is swept from its beginning to its end: it is made if nothing is touched anywhere on the way, however long its
+ * stride, or not made at all. {@link robosim.geometry.MoveResult} tells what blocks it, where, and how much is free.
+ *
+ * <!-- java: continues -->
+ * <pre>{@code
+ * geometry.simpleMove("robot", 2, 0, 0);  // true
+ * geometry.simpleMove("robot", 50, 0, 0); // false: the wall is in the way, and the robot stays
+ * MoveResult result = geometry.move("robot", new Move(2.9, 0, 0, 0, 0));
+ * result.fraction();                      // 0.5: half the way is free
+ * result.obstacle().name();               // "wall"
+ * geometry.moveToContact("robot", new Move(50, 0, 0, 0, 0), 0.1);
+ * geometry.getProximity("robot", 10);     // 0.1
+ * geometry.simpleTurn("robot", 90);       // true
+ * geometry.getObject("robot").heading();  // 90
+ * }</pre>
+ *
+ * <h2>Sensors</h2>
+ *
+ * A beam has a range and an opening angle: 0 is a line, more is a cone, answered as its nearest point. Nothing heard is
+ * {@code +Infinity}, and no robot hears itself.
+ *
+ * <!-- java: continues -->
+ * <pre>{@code
+ * geometry.placeObject("robot", new Point(0, 0, 0), 0);
+ * geometry.getSonarDistance("robot", 1, 0, 0, 10, 15); // 3.75: straight ahead, in a cone of 15 degrees
+ * geometry.getSonarDistance("robot", -1, 0, 0, 10, 0); // Infinity: nothing is behind it within 10
+ * double[] ring = geometry.scan("robot", 0, 1, 360, 0, 10);
+ * double ahead = ring[0];                              // 3.75
+ * RayHit hit = geometry.castRay(new Ray(new Point(0, 0, 2), new Point(1, 0, 0)), 10);
+ * hit.object().equals(wall);                           // true
+ * hit.normal().x();                                    // -1
+ * }</pre>
+ *
+ * <h2>Exactness</h2>
+ *
+ * Answers are those of the real geometry of the stored numbers, without a tolerance; where that is out of reach, "free" is a
+ * proof. A coarser {@link robosim.geometry.model.Accuracy}, for a world or one question, may report collisions that are none
+ * and never misses one. In {@link robosim.geometry.model.Dimension#PLANAR} only the floor plan counts.
+ *
+ * <!-- java: continues -->
+ * <pre>{@code
+ * SphereObject ball = new SphereObject(new Point(-5, 0, 0), 1);
+ * geometry.addObject(ball);                         // true
+ * BoxObject post = new BoxObject(new Point(-4.1, 0, 0.9), 0.1, 1, 0.1);
+ * geometry.testObject(post);                        // false: it stands beside the ball
+ * geometry.testObject(post, Accuracy.AABB);         // true: it stands in the ball's box
+ * CollisionDetection.intersects(ball, post);        // false: the same question without a world
+ * }</pre>
+ *
+ * <h2>Where to go on</h2>
+ *
+ * <ul>
+ *   <li>{@link robosim.geometry.model}: the objects, and what their numbers mean
+ *   <li>{@link robosim.geometry.collision}: two objects, or a ray and an object, without a world; contacts and distances
+ *   <li>{@link robosim.geometry.world}: worlds, meshes and maps from files
+ *   <li>{@link robosim.geometry.net} and {@link robosim.geometry.protocol}: the module beside a simulator, over TCP
+ *   <li>{@link robosim.geometry.scenario}: recorded conversations, and their replay
+ *   <li>{@link robosim.geometry.junit}: tests of robots
+ * </ul>
+ */
 @NullMarked
 package robosim.geometry;
 

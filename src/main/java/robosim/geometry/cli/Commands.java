@@ -24,12 +24,15 @@ import picocli.CommandLine.Command;
         footerHeading = "%nExamples:%n",
         footer = {
             "  robosim-geometry demo",
-            "  robosim-geometry render rooms.xml -o rooms.svg",
+            "  robosim-geometry check robosim-demo/rooms.xml",
+            "  robosim-geometry render robosim-demo/rooms.xml -o rooms.svg",
             "  robosim-geometry COMMAND --help"
         },
         subcommands = {
             DemoCommand.class,
+            CheckCommand.class,
             RenderCommand.class,
+            ViewCommand.class,
             ConvertCommand.class,
             ServeCommand.class,
             ConnectCommand.class,

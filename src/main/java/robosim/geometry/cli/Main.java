@@ -1,5 +1,6 @@
 package robosim.geometry.cli;
 
+import java.util.Arrays;
 import java.util.Map;
 
 /** The command line: {@code --help} tells its commands. */
@@ -31,8 +32,10 @@ public final class Main {
      * @param arguments the command and what it takes
      */
     public static void main(String[] arguments) {
-        // No command needs a screen.
-        System.setProperty("java.awt.headless", "true");
+        // No command but one needs a screen.
+        if (!Arrays.asList(arguments).contains(ViewCommand.NAME)) {
+            System.setProperty("java.awt.headless", "true");
+        }
         int code;
         try {
             code = Commands.run(arguments);

@@ -29,24 +29,7 @@ final class Timings implements SessionListener {
         if (obstacle == null) {
             return "the world's border";
         }
-        String name = obstacle.name();
-        // An unnamed object is known by its place.
-        return name != null ? name : "a " + shape(obstacle.kind()) + " at " + place(obstacle);
-    }
-
-    private static String shape(GeometryObject.Kind kind) {
-        return switch (kind) {
-            case BOX -> "box";
-            case CYLINDER -> "cylinder";
-            case SPHERE -> "sphere";
-            case MESH -> "mesh";
-            case GROUP -> "group";
-        };
-    }
-
-    private static String place(GeometryObject object) {
-        return "(" + (float) object.center().x() + ", "
-                + (float) object.center().z() + ")";
+        return Things.text(obstacle);
     }
 
     @Override

@@ -17,6 +17,14 @@ import robosim.geometry.narrow.Scratch;
 /**
  * Two questions about objects in space as they are, whatever their shapes: do two of them collide, and how far along a
  * ray is one. A world of many objects asks them of its neighbours only: {@link robosim.geometry.Geometry}.
+ *
+ * <pre>{@code
+ * BoxObject crate = new BoxObject(new Point(0, 0, 0), 2, 2, 2);
+ * CollisionDetection.intersects(crate, new SphereObject(new Point(2, 0, 0), 1));   // true: they touch
+ * CollisionDetection.intersects(crate, new SphereObject(new Point(2.1, 0, 0), 1)); // false
+ * Ray ray = new Ray(new Point(-5, 0, 0), new Point(1, 0, 0));
+ * CollisionDetection.rayDistance(ray, crate);                                      // 4.0
+ * }</pre>
  */
 public final class CollisionDetection {
     private static final ThreadLocal<Scratch> SCRATCH = ThreadLocal.withInitial(Scratch::new);

@@ -24,6 +24,18 @@ import robosim.geometry.narrow.Scratch;
  * is a solid mesh that holds the other inside, that is one contact more: of the solid no face is named; of a mesh inside
  * the first face of a piece of it that is inside. How deep things are in each other is not told.
  *
+ * <pre>{@code
+ * BoxObject floor = new BoxObject(new Point(0, 0, 0), 10, 1, 10);
+ * MeshObject roof = new MeshObject(
+ *         List.of(new Point(0, 2, 0), new Point(1, 0.5, 0), new Point(0, 0.5, 1)), new int[][] {{0, 1, 2}});
+ * List<Contact> contacts = ContactQuery.contacts(floor, roof);
+ * contacts.size();                     // 1: the edge of the triangle lies on the floor
+ * contacts.get(0).certainty();         // EXACT
+ * MeshObject above = roof.movedTo(new Point(0, 3, 0));
+ * ContactQuery.distance(floor, above, Budget.UNLIMITED).low(); // 3.0
+ * ContactQuery.ask(floor, above, Budget.steps(100)).answer();  // NO
+ * }</pre>
+ *
  * <p>All questions mean the same for (a, b) and (b, a). Methods may be called from any number of threads. An argument that
  * is null or out of its range is refused with an {@code IllegalArgumentException} that names it.
  */

@@ -1,4 +1,16 @@
-/** Questions about two objects, or a ray and an object, outside any world. */
+/**
+ * Questions about two objects, or a ray and an object, outside any world: {@link
+ * robosim.geometry.collision.CollisionDetection} answers yes or no and a distance, {@link
+ * robosim.geometry.collision.ContactQuery} names the faces that meet and measures gaps, within a budget of work.
+ *
+ * <pre>{@code
+ * BoxObject table = new BoxObject(new Point(0, 0, 0), 2, 1, 1);
+ * SphereObject ball = new SphereObject(new Point(0, 0.75, 0), 0.25);
+ * CollisionDetection.intersects(table, ball);                           // true: it lies on the table
+ * CollisionDetection.rayDistance(
+ *         new Ray(new Point(0, 5, 0), new Point(0, -1, 0)), ball);      // 4.0
+ * }</pre>
+ */
 @NullMarked
 package robosim.geometry.collision;
 

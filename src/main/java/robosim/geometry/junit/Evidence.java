@@ -86,7 +86,7 @@ final class Evidence {
             }
             return file.toString();
         } catch (NoClassDefFoundError e) {
-            return "none, for jackson-core is not on the class path (" + e.getMessage() + ")";
+            return "none, for jackson-core is not on the class path, nor added to the modules (" + e.getMessage() + ")";
         } catch (IOException | RuntimeException e) {
             return "none, for it could not be written: " + e;
         }

@@ -24,6 +24,12 @@ import robosim.geometry.scenario.Scenario;
  * A world with robots that can be told by name what they do, and a clock. What they do is written down, so that a failed
  * test can leave a scenario that replays it. It belongs to one thread at a time.
  *
+ * <pre>{@code
+ * RobotWorld world = RobotWorld.of(WorldReader.read(Path.of("worlds/rooms.xml")).toGeometry());
+ * world.robot("drum 1").drives(2.0).turns(90).senses(0, 3.0).rangeTo("bench 1").isAtLeast(0.5);
+ * world.robots().size(); // 8
+ * }</pre>
+ *
  * <p>Angles are degrees, counter-clockwise seen from above. A turn is carried out as a peer's request would be, which comes
  * in radians: quarter turns are exact, any other angle is to within its last bits.
  */

@@ -1,6 +1,7 @@
 /**
  * Tests for people who write robots, on JUnit Jupiter 5 or 6: a world from a file, robots by name, a clock that only steps
- * move, a random source whose seed a failure tells, and on failure a scenario file that replays what happened.
+ * move, a random source whose seed a failure tells, and on failure a scenario file that replays what happened and a picture of its
+ * last moments.
  *
  * <pre>{@code
  * @World("worlds/rooms.xml")

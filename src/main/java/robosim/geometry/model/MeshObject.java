@@ -14,6 +14,16 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Vertices are given in the mesh's own frame, whose origin is its centre: (0, 0, 0) until it is moved. All placements
  * of one mesh share its triangles and their tree. Degenerate faces are legal: each is the segment or point that it is.
+ *
+ * <pre>{@code
+ * List<Point> corners = List.of(new Point(0, 0, 0), new Point(2, 0, 0), new Point(0, 2, 0), new Point(0, 0, 2));
+ * int[][] faces = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+ * MeshObject shell = new MeshObject(corners, faces);
+ * MeshObject block = shell.solid();                            // closed, so that its inside counts too
+ * SphereObject inside = new SphereObject(new Point(0.4, 0.4, 0.4), 0.1);
+ * CollisionDetection.intersects(shell, inside);                // false: a surface is hollow
+ * CollisionDetection.intersects(block, inside);                // true
+ * }</pre>
  */
 public final class MeshObject implements GeometryObject {
     private static final long serialVersionUID = 1;

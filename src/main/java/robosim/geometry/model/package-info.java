@@ -13,6 +13,16 @@
  * {@linkplain robosim.geometry.model.MeshObject#solid() solid}, and a group is the union of its members. Sizes of zero
  * and degenerate faces are legal: they are the flat set, segment or point that they are.
  *
+ * <pre>{@code
+ * CylinderObject robot = new CylinderObject(new Point(1, 0, 0), 0.3, 1).moveable("robot");
+ * BoxObject plank = new BoxObject(new Point(0, 0, 0), 2, 0.1, 0.3).turned(0, 90); // by 90 about the vertical
+ * plank.heading();                                                               // 90
+ * plank.movedTo(new Point(0, 2, 0)).center().y();                                // 2
+ * ObjectGroup table = new ObjectGroup(List.of(
+ *         new BoxObject(new Point(0, 0.7, 0), 1.6, 0.05, 0.8),
+ *         new CylinderObject(new Point(0, 0.35, 0), 0.1, 0.7))).named("table");
+ * }</pre>
+ *
  * <h2>Values</h2>
  *
  * All types here are immutable, compare by value and may be shared between threads. Coordinates and sizes reach up to

@@ -17,6 +17,13 @@ import robosim.geometry.protocol.MessageChannel;
  *
  * <p>It listens from the moment that it is made until it is closed; its threads keep the process alive. On the
  * loopback address nobody is asked who he is; elsewhere it wants {@link Access}.
+ *
+ * <pre>{@code
+ * NetOptions options = NetOptions.defaults().withConnections(4);
+ * try (GeometryServer server = new GeometryServer(InetAddress.getLoopbackAddress(), 0, options)) {
+ *     server.connections(); // 0: nobody has dialled server.port() yet
+ * }
+ * }</pre>
  */
 public final class GeometryServer implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(GeometryServer.class.getPackageName());

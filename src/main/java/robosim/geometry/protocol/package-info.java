@@ -5,6 +5,15 @@
  * is in degrees; {@code robosim.geometry.net.Session} converts, in one place. Objects carry rotations, not angles.
  *
  * <p>The bundles are immutable records: none can exist that its constructor would refuse, however it was made.
+ *
+ * <pre>{@code
+ * ByteArrayOutputStream wire = new ByteArrayOutputStream();
+ * MoveBundle asked = new MoveBundle(List.of(new MoveRequest("robot", 1, 0, 0, 0, Math.PI / 2)));
+ * new MessageWriter(wire).write(asked);
+ * new MessageReader(new ByteArrayInputStream(wire.toByteArray())).read().equals(asked); // true
+ * }</pre>
+ *
+ * <p>{@code docs/protocol.md} tells what they mean, byte by byte, and how they look in JSON.
  */
 @NullMarked
 package robosim.geometry.protocol;

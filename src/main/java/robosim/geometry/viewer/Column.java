@@ -30,6 +30,13 @@ final class Column<T> {
         return found >= 0 ? found : -found - 2;
     }
 
+    /** Lets go what holds no more in a frame and from there on. */
+    void forget(int before) {
+        int keep = Math.max(0, index(before));
+        values.subList(0, keep).clear();
+        System.arraycopy(numbers, keep, numbers, 0, values.size());
+    }
+
     T value(int index) {
         return values.get(index);
     }

@@ -17,8 +17,23 @@ final class Film {
     /** Frames for which a refused move is seen to be fresh. */
     static final int FRESH = 8;
 
+    /** Places and distances that are kept, some 400 MB; the oldest quarter of a longer film is let go. */
+    private static final int MOST = 4_000_000;
+
     private final List<Frame> frames = new ArrayList<>();
     private final List<Chapter> chapters = new ArrayList<>();
+    private final int most;
+    private int first;
+    private long weight;
+
+    Film() {
+        this(MOST);
+    }
+
+    /** That keeps another number of places and distances. */
+    Film(int most) {
+        this.most = most;
+    }
 
     /**
      * How much of the past a picture shows.
@@ -32,29 +47,76 @@ final class Film {
 
     /** Adds what happened last. */
     void append(Frame frame) {
-        int number = frames.size();
+        int number = size();
         frames.add(frame);
+        weight += frame.weight();
         if (frame.opening() != null) {
             chapters.add(new Chapter(number, frame.opening()));
         }
         if (!chapters.isEmpty()) {
             chapters.get(chapters.size() - 1).append(number, frame);
         }
+        if (weight > most && frames.size() > 1) {
+            forget(first + Math.max(1, frames.size() / 4));
+        }
     }
 
-    /** How many frames there are. */
+    /** Lets all frames before one go. */
+    private void forget(int before) {
+        List<Frame> past = frames.subList(0, before - first);
+        for (Frame frame : past) {
+            weight -= frame.weight();
+        }
+        past.clear();
+        first = before;
+        while (chapters.size() > 1 && chapters.get(1).begin <= before) {
+            chapters.remove(0);
+        }
+        if (!chapters.isEmpty()) {
+            chapters.get(0).forget(before);
+        }
+    }
+
+    /** One more than the number of the last frame. */
     int size() {
-        return frames.size();
+        return first + frames.size();
+    }
+
+    /** The number of the first frame that is kept. */
+    int first() {
+        return first;
     }
 
     Frame frame(int number) {
-        return frames.get(number);
+        return frames.get(number - first);
+    }
+
+    /** The longest distance that was measured in the world of a frame; 0 where none was. */
+    double farthest(int number) {
+        Chapter chapter = chapter(number);
+        return chapter == null ? 0 : chapter.farthest;
+    }
+
+    /** Whether a move was refused from one frame up to, not including, another. */
+    boolean isRefused(int from, int to) {
+        for (int k = Math.max(first, from); k < Math.min(size(), to); k++) {
+            if (!frame(k).bumps().isEmpty()) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** The world of a frame; null before the first. */
     Frame.@Nullable Setting setting(int number) {
         Chapter chapter = chapter(number);
         return chapter == null ? null : chapter.setting;
+    }
+
+    /** Which world that is: the number of the frame that it began with; -1 before the first. */
+    int world(int number) {
+        Chapter chapter = chapter(number);
+        return chapter == null ? -1 : chapter.begin;
     }
 
     /** The objects that can move, where they are after a frame. */
@@ -79,10 +141,18 @@ final class Film {
         }
         List<Scene.Thing> things = new ArrayList<>(chapter.setting.statics());
         things.addAll(chapter.movers(number));
-        Scene.View border = chapter.setting.border();
-        Scene.View view = Scene.View.of(border.maxX() - border.minX(), border.maxZ() - border.minZ(), things);
-        return happened(chapter, number, look, Scene.of("", view, things))
-                .described("step " + (number + 1) + " of " + size() + ": " + story(number), "");
+        Scene.View view = Scene.View.of(chapter.setting.width(), chapter.setting.length(), things);
+        return happened(chapter, number, look, Scene.of("", view, things)).described(moment(number), "");
+    }
+
+    /** What there is to see of what moves, after a frame; nothing before the first world. */
+    Scene life(int number, Look look) {
+        Chapter chapter = chapter(number);
+        if (chapter == null) {
+            return Scene.of("", new Scene.View(-0.5, -0.5, 0.5, 0.5, false), List.of());
+        }
+        Scene movers = Scene.of("", chapter.setting.border(), chapter.movers(number));
+        return happened(chapter, number, look, movers).marked(List.of(), chapter.farthest);
     }
 
     /** All that happened up to a frame, in a world that is drawn already: its things take their places. */
@@ -102,7 +172,7 @@ final class Film {
             things.add(pose == null ? thing : new Scene.Thing(thing.object().at(pose), thing.colour()));
         }
         Scene placed = Scene.of(world.title(), world.view(), things).described(world.subtitle(), world.unit());
-        return happened(chapter, number, Look.WHOLE, placed).with(List.of());
+        return happened(chapter, number, Look.WHOLE, placed).blocked(List.of());
     }
 
     /** A scene with trails, distances, refused moves and what refused those that are fresh. */
@@ -131,7 +201,7 @@ final class Film {
                 blocked.add(new Scene.Blocked(bump.mover(), bump.result().obstacle(), 1 - (double) age / FRESH));
             }
         }
-        return scene.with(trails, pings, refusals).with(blocked);
+        return scene.with(trails, pings, refusals).blocked(blocked);
     }
 
     /** The first of so many frames up to a number. */
@@ -139,13 +209,18 @@ final class Film {
         return (int) Math.max(0, (long) number + 1 - count);
     }
 
+    /** Which frame that is and what happened, for people. */
+    String moment(int number) {
+        return "step " + (number + 1) + " of " + size() + ": " + story(number);
+    }
+
     /** What happened in a frame; where nothing was refused there, also the last refusal while it is fresh. */
     private String story(int number) {
-        Frame frame = frames.get(number);
+        Frame frame = frame(number);
         StringBuilder story = new StringBuilder(frame.words());
-        for (int k = number - 1; frame.bumps().isEmpty() && k >= 0 && k > number - FRESH; k--) {
-            if (!frames.get(k).bumps().isEmpty()) {
-                return story.append("; before, ").append(frames.get(k).words()).toString();
+        for (int k = number - 1; frame.bumps().isEmpty() && k >= first && k > number - FRESH; k--) {
+            if (!frame(k).bumps().isEmpty()) {
+                return story.append("; before, ").append(frame(k).words()).toString();
             }
         }
         return story.toString();
@@ -159,6 +234,7 @@ final class Film {
         private final Frame.Setting setting;
         private final Map<String, Track> tracks = new LinkedHashMap<>();
         private final List<NumberedBump> bumps = new ArrayList<>();
+        private double farthest;
 
         Chapter(int begin, Frame.Setting setting) {
             this.begin = begin;
@@ -180,9 +256,26 @@ final class Film {
                 Track track = tracks.get(name);
                 if (track != null) {
                     track.pings.add(number, pings);
+                    farthest = Math.max(farthest, longest(pings));
                 }
             });
             frame.bumps().forEach(bump -> bumps.add(new NumberedBump(number, bump)));
+        }
+
+        private static double longest(List<Scene.Ping> pings) {
+            double longest = 0;
+            for (Scene.Ping ping : pings) {
+                longest = Double.isFinite(ping.distance()) ? Math.max(longest, ping.distance()) : longest;
+            }
+            return longest;
+        }
+
+        void forget(int before) {
+            bumps.removeIf(bump -> bump.number < before);
+            for (Track track : tracks.values()) {
+                track.poses.forget(before);
+                track.pings.forget(before);
+            }
         }
 
         List<Scene.Thing> movers(int number) {

@@ -11,6 +11,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Pose;
 import robosim.geometry.scenario.Timing;
+import robosim.geometry.world.World;
 
 /**
  * What one step of a conversation changed.
@@ -31,6 +32,11 @@ record Frame(
         String words,
         List<String> notes,
         @Nullable Timing timing) {
+
+    /** Of nothing but a world. */
+    static Frame of(Setting opening, String words) {
+        return new Frame(opening, Map.of(), List.of(), Map.of(), words, List.of(), null);
+    }
 
     /** How much of memory it takes, in places and distances. */
     int weight() {
@@ -63,13 +69,16 @@ record Frame(
     /**
      * A world as it begins.
      *
-     * @param border  its edge
+     * @param width   of the world, along X
+     * @param height  along Y
+     * @param length  along Z
      * @param statics what cannot move
      * @param movers  what can, where it begins
      */
     record Setting(
-            Scene.View border,
+            double width,
             double height,
+            double length,
             Dimension dimension,
             Accuracy accuracy,
             List<Scene.Thing> statics,
@@ -81,14 +90,36 @@ record Frame(
             for (GeometryObject object : world.objects()) {
                 (object.isMoveable() ? movers : statics).add(new Scene.Thing(object, null));
             }
-            Scene.View border = Scene.View.world(world.width(), world.length());
             return new Setting(
-                    border,
+                    world.width(),
                     world.height(),
+                    world.length(),
                     world.dimension(),
                     world.accuracy(),
                     List.copyOf(statics),
                     List.copyOf(movers));
+        }
+
+        /** As a file has it. */
+        static Setting of(World world) {
+            List<Scene.Thing> statics = new ArrayList<>();
+            List<Scene.Thing> movers = new ArrayList<>();
+            for (Scene.Thing thing : Pictures.things(world)) {
+                (thing.object().isMoveable() ? movers : statics).add(thing);
+            }
+            return new Setting(
+                    world.width(),
+                    world.height(),
+                    world.length(),
+                    world.dimension(),
+                    world.accuracy(),
+                    List.copyOf(statics),
+                    List.copyOf(movers));
+        }
+
+        /** Its edge. */
+        Scene.View border() {
+            return Scene.View.world(width, length);
         }
 
         /** All of it, what can move last. */

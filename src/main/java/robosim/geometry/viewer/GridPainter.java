@@ -18,12 +18,12 @@ final class GridPainter {
     void paint() {
         canvas.open("grid", "");
         double left = frame.left();
-        double top = MapFrame.TOP;
+        double top = frame.top();
         double right = frame.right();
         double bottom = frame.bottom();
         canvas.rectangle(left, top, right - left, bottom - top, Style.filled(Palette.FLOOR, 1));
         double step = MapFrame.roundLength(110 / frame.scale);
-        Scene.View view = scene.view();
+        Scene.View view = frame.visible();
         for (long k = (long) Math.ceil(view.minX() / step); k * step <= view.maxX(); k++) {
             double x = frame.x(k * step);
             canvas.line(x, top, x, bottom, Style.line(Palette.GRID, k == 0 ? 1.6 : 0.8, 1));
@@ -36,17 +36,34 @@ final class GridPainter {
         }
         canvas.text(right + 22, bottom + 17, "x", Canvas.Anchor.START, 12, Palette.QUIET);
         canvas.text(left - 8, top - 12, "z", Canvas.Anchor.END, 12, Palette.QUIET);
-        canvas.rectangle(
-                left,
-                top,
-                right - left,
-                bottom - top,
-                Style.line(Palette.BORDER, view.bordered() ? 2.5 : 0.8, view.bordered() ? 1 : 0.5));
+        canvas.rectangle(left, top, right - left, bottom - top, Style.line(Palette.BORDER, 0.8, 0.5));
+        if (scene.view().bordered()) {
+            border(left, top, right, bottom);
+        }
         canvas.close();
+    }
+
+    /** The world's edge; on a window's map only where it is to be seen. */
+    private void border(double left, double top, double right, double bottom) {
+        Scene.View world = scene.view();
+        boolean whole = world.equals(frame.visible());
+        if (!whole) {
+            canvas.clip(left, top, right - left, bottom - top);
+        }
+        double x = frame.x(world.minX());
+        double y = frame.y(world.minZ());
+        canvas.rectangle(
+                x, y, frame.x(world.maxX()) - x, frame.y(world.maxZ()) - y, Style.line(Palette.BORDER, 2.5, 1));
+        if (!whole) {
+            canvas.unclip();
+        }
+    }
+
+    void title() {
         canvas.open("title", "");
-        canvas.text(left, 36, scene.title(), Canvas.Anchor.START, 22, Palette.TEXT);
+        canvas.text(frame.left(), 36, scene.title(), Canvas.Anchor.START, 22, Palette.TEXT);
         if (!scene.subtitle().isEmpty()) {
-            canvas.text(left, 58, scene.subtitle(), Canvas.Anchor.START, 13, Palette.QUIET);
+            canvas.text(frame.left(), 58, scene.subtitle(), Canvas.Anchor.START, 13, Palette.QUIET);
         }
         canvas.close();
     }

@@ -11,23 +11,29 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
+import java.util.function.Consumer;
 
 /** Draws on an image, in one theme. */
 final class ImageCanvas implements Canvas {
-    private final BufferedImage image;
     private final Graphics2D graphics;
     private final Theme theme;
+    private final Shape whole;
 
-    ImageCanvas(double width, double height, Theme theme) {
+    /** On what a part of a window or an image is drawn with; its settings are this one's from now on. */
+    ImageCanvas(Graphics2D graphics, double width, double height, Theme theme) {
+        this.graphics = graphics;
         this.theme = theme;
-        this.image = new BufferedImage((int) Math.ceil(width), (int) Math.ceil(height), BufferedImage.TYPE_INT_RGB);
-        this.graphics = image.createGraphics();
+        this.whole = new Rectangle2D.Double(0, 0, width, height);
         graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         graphics.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
     }
 
-    /** What was drawn. */
-    BufferedImage finish() {
+    /** Draws an image. */
+    static BufferedImage image(double width, double height, Theme theme, Consumer<Canvas> drawing) {
+        BufferedImage image =
+                new BufferedImage((int) Math.ceil(width), (int) Math.ceil(height), BufferedImage.TYPE_INT_RGB);
+        Graphics2D graphics = image.createGraphics();
+        drawing.accept(new ImageCanvas(graphics, image.getWidth(), image.getHeight(), theme));
         graphics.dispose();
         return image;
     }
@@ -45,7 +51,7 @@ final class ImageCanvas implements Canvas {
 
     @Override
     public void unclip() {
-        graphics.setClip(null);
+        graphics.setClip(whole);
     }
 
     @Override

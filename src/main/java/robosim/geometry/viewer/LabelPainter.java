@@ -91,7 +91,7 @@ final class LabelPainter {
 
     private boolean take(double x, double y, double width, double size) {
         double[] box = {x - 1, y - size, x + width + 1, y + 0.25 * size};
-        if (box[0] < frame.left() || box[2] > frame.right() || box[1] < MapFrame.TOP || box[3] > frame.bottom()) {
+        if (box[0] < frame.left() || box[2] > frame.right() || box[1] < frame.top() || box[3] > frame.bottom()) {
             return false;
         }
         for (double[] other : taken) {

@@ -19,7 +19,7 @@ final class LegendPainter {
     }
 
     void paint() {
-        double y = frame.bottom() + 64;
+        double y = frame.legend();
         double x = frame.left();
         x = scaleBar(x, y) + 48;
         if (farthest > 0) {

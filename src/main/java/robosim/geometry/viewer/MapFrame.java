@@ -16,28 +16,72 @@ final class MapFrame {
     static final double TOP = 74;
     static final double BOTTOM = 116;
 
+    /** Room along the edges of a window: numbers on the left, and below them the legend. */
+    private static final double SCREEN_LEFT = 46;
+
+    private static final double SCREEN_TOP = 10;
+    private static final double SCREEN_RIGHT = 12;
+    private static final double SCREEN_BOTTOM = 82;
+
     final double scale;
     final double width;
     final double height;
-    private final Scene.View view;
+    private final Scene.View visible;
     private final double left;
+    private final double top;
+    private final double below;
 
+    /** A page around a part of the world. */
     MapFrame(Scene.View view) {
-        this.view = view;
+        this.visible = view;
         double across = view.maxX() - view.minX();
         double down = view.maxZ() - view.minZ();
         this.scale = Math.min(MAX_WIDTH / across, MAX_HEIGHT / down);
         this.width = Math.ceil(Math.max(MIN_WIDTH, across * scale) + 2 * SIDE);
         this.height = Math.ceil(down * scale + TOP + BOTTOM);
         this.left = (width - across * scale) / 2;
+        this.top = TOP;
+        this.below = 64;
+    }
+
+    private MapFrame(double width, double height, double centerX, double centerZ, double scale) {
+        this.scale = scale;
+        this.width = width;
+        this.height = height;
+        this.left = SCREEN_LEFT;
+        this.top = SCREEN_TOP;
+        this.below = 54;
+        double across = Math.max(1, width - SCREEN_LEFT - SCREEN_RIGHT) / scale;
+        double down = Math.max(1, height - SCREEN_TOP - SCREEN_BOTTOM) / scale;
+        this.visible = new Scene.View(
+                centerX - across / 2, centerZ - down / 2, centerX + across / 2, centerZ + down / 2, false);
+    }
+
+    /** A window of that size in pixels, with a place of the world in the middle of its map. */
+    static MapFrame screen(double width, double height, double centerX, double centerZ, double scale) {
+        return new MapFrame(width, height, centerX, centerZ, scale);
+    }
+
+    /** What a window of that size leaves for its map, in pixels. */
+    static double screenWidth(double width) {
+        return Math.max(1, width - SCREEN_LEFT - SCREEN_RIGHT);
+    }
+
+    static double screenHeight(double height) {
+        return Math.max(1, height - SCREEN_TOP - SCREEN_BOTTOM);
+    }
+
+    /** The part of the world that is on the map. */
+    Scene.View visible() {
+        return visible;
     }
 
     double x(double worldX) {
-        return left + (worldX - view.minX()) * scale;
+        return left + (worldX - visible.minX()) * scale;
     }
 
     double y(double worldZ) {
-        return TOP + (worldZ - view.minZ()) * scale;
+        return top + (worldZ - visible.minZ()) * scale;
     }
 
     double x(Point p) {
@@ -48,8 +92,20 @@ final class MapFrame {
         return y(p.z());
     }
 
+    double worldX(double x) {
+        return visible.minX() + (x - left) / scale;
+    }
+
+    double worldZ(double y) {
+        return visible.minZ() + (y - top) / scale;
+    }
+
+    double top() {
+        return top;
+    }
+
     double right() {
-        return x(view.maxX());
+        return x(visible.maxX());
     }
 
     double left() {
@@ -57,7 +113,12 @@ final class MapFrame {
     }
 
     double bottom() {
-        return y(view.maxZ());
+        return y(visible.maxZ());
+    }
+
+    /** The line on which the legend stands, below the map. */
+    double legend() {
+        return bottom() + below;
     }
 
     /** A polygon of the world on the page. */

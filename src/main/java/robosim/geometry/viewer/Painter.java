@@ -6,10 +6,10 @@ import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import javax.imageio.ImageIO;
-import robosim.geometry.model.GeometryObject;
 
 /** Draws a {@link Scene}. The same scene gives the same picture, to the byte in SVG. */
 public final class Painter {
@@ -25,11 +25,13 @@ public final class Painter {
         this.scene = scene;
         this.frame = frame;
         this.canvas = canvas;
-        this.farthest = scene.pings().stream()
-                .mapToDouble(Scene.Ping::distance)
-                .filter(Double::isFinite)
-                .max()
-                .orElse(0);
+        this.farthest = Math.max(
+                scene.farthest(),
+                scene.pings().stream()
+                        .mapToDouble(Scene.Ping::distance)
+                        .filter(Double::isFinite)
+                        .max()
+                        .orElse(0));
         for (Scene.Thing thing : scene.things()) {
             String name = thing.object().name();
             if (thing.object().isMoveable() && name != null) {
@@ -49,9 +51,7 @@ public final class Painter {
     /** The scene as an image; this needs the JDK's {@code java.desktop}, but no screen. */
     public static BufferedImage image(Scene scene, Theme theme) {
         MapFrame frame = new MapFrame(scene.view());
-        ImageCanvas canvas = new ImageCanvas(frame.width, frame.height, theme);
-        new Painter(scene, frame, canvas).paint();
-        return canvas.finish();
+        return ImageCanvas.image(frame.width, frame.height, theme, canvas -> new Painter(scene, frame, canvas).paint());
     }
 
     /**
@@ -73,40 +73,84 @@ public final class Painter {
         }
     }
 
+    /** Draws what changes with the place that is looked at alone: the floor, what cannot move, its names. */
+    static void ground(Scene scene, MapFrame frame, Canvas canvas) {
+        Painter painter = new Painter(scene, frame, canvas);
+        painter.paintFloor();
+        painter.clip();
+        painter.paintStatics();
+        canvas.unclip();
+        new LabelPainter(frame, canvas).paint(painter.statics());
+    }
+
+    /** Draws over that what changes with each step: what moves, what is measured and refused, and the legend. */
+    static void life(Scene scene, MapFrame frame, Canvas canvas) {
+        Painter painter = new Painter(scene, frame, canvas);
+        painter.clip();
+        painter.paintLife();
+        canvas.unclip();
+        new LabelPainter(frame, canvas).paint(painter.movers());
+        new LegendPainter(scene, frame, canvas, painter.farthest).paint();
+    }
+
     private void paint() {
-        canvas.open("page", "");
-        canvas.rectangle(0, 0, frame.width, frame.height, Style.filled(Palette.PAPER, 1));
-        canvas.close();
-        new GridPainter(scene, frame, canvas).paint();
-        canvas.clip(frame.left(), MapFrame.TOP, frame.right() - frame.left(), frame.bottom() - MapFrame.TOP);
-        paintMap();
+        paintFloor();
+        new GridPainter(scene, frame, canvas).title();
+        clip();
+        paintStatics();
+        paintLife();
         canvas.unclip();
         new LabelPainter(frame, canvas).paint(scene.things());
         new LegendPainter(scene, frame, canvas, farthest).paint();
     }
 
-    private void paintMap() {
+    private void clip() {
+        canvas.clip(frame.left(), frame.top(), frame.right() - frame.left(), frame.bottom() - frame.top());
+    }
+
+    private void paintFloor() {
+        canvas.open("page", "");
+        canvas.rectangle(0, 0, frame.width, frame.height, Style.filled(Palette.PAPER, 1));
+        canvas.close();
+        new GridPainter(scene, frame, canvas).paint();
+    }
+
+    private List<Scene.Thing> movers() {
+        return scene.things().stream()
+                .filter(thing -> thing.object().isMoveable())
+                .toList();
+    }
+
+    private List<Scene.Thing> statics() {
+        return scene.things().stream()
+                .filter(thing -> !thing.object().isMoveable())
+                .toList();
+    }
+
+    private void paintStatics() {
         canvas.open("objects", "");
-        for (Scene.Thing thing : scene.things()) {
-            if (!thing.object().isMoveable()) {
-                ThingPainter.paintStatic(thing, frame, canvas);
-            }
+        for (Scene.Thing thing : statics()) {
+            ThingPainter.paintStatic(thing, frame, canvas);
         }
         canvas.close();
+    }
+
+    private void paintLife() {
         TracePainter traces = new TracePainter(scene, frame, canvas, farthest);
         traces.trails(robots);
         traces.pings();
         canvas.open("robots", "");
-        for (Scene.Thing thing : scene.things()) {
-            GeometryObject object = thing.object();
-            if (object.isMoveable()) {
-                ThingPainter.paintMoveable(thing, robots.getOrDefault(object.name(), Palette.robot(0)), frame, canvas);
-            }
+        for (Scene.Thing thing : movers()) {
+            Ink ink = robots.getOrDefault(thing.object().name(), Palette.robot(0));
+            ThingPainter.paintMoveable(thing, ink, frame, canvas);
         }
         canvas.close();
         if (!scene.blocked().isEmpty()) {
             traces.blocked();
         }
         traces.refusals();
+        if (!scene.marks().isEmpty()) {
+            traces.marks();
+        }
     }
 }

@@ -22,10 +22,7 @@ public final class Pictures {
 
     /** A world as its file has it. */
     public static Scene of(World world, String title) {
-        List<Scene.Thing> things = new ArrayList<>();
-        for (WorldObject object : world.objects()) {
-            things.add(new Scene.Thing(object.object(), colour(object)));
-        }
+        List<Scene.Thing> things = things(world);
         String subtitle = things.size()
                 + (things.size() == 1 ? " object, " : " objects, ")
                 + world.dimension().name().toLowerCase(Locale.ROOT);
@@ -37,6 +34,14 @@ public final class Pictures {
     public static String unit(World world) {
         Unit unit = world.unit();
         return unit == null ? "" : unit.symbol();
+    }
+
+    static List<Scene.Thing> things(World world) {
+        List<Scene.Thing> things = new ArrayList<>();
+        for (WorldObject object : world.objects()) {
+            things.add(new Scene.Thing(object.object(), colour(object)));
+        }
+        return things;
     }
 
     private static @Nullable Integer colour(WorldObject object) {

@@ -17,6 +17,8 @@ import robosim.geometry.model.Point;
  * @param pings    measured distances
  * @param refusals moves that were not made
  * @param blocked  what refused those of them that are fresh
+ * @param marks    objects that a viewer points at
+ * @param farthest the least distance at the end of the ramp of colours, so that it does not change with each step; or 0
  */
 public record Scene(
         String title,
@@ -27,7 +29,9 @@ public record Scene(
         List<Trail> trails,
         List<Ping> pings,
         List<Refusal> refusals,
-        List<Blocked> blocked) {
+        List<Blocked> blocked,
+        List<Mark> marks,
+        double farthest) {
 
     /** Copies the lists. */
     public Scene {
@@ -36,31 +40,38 @@ public record Scene(
         pings = List.copyOf(pings);
         refusals = List.copyOf(refusals);
         blocked = List.copyOf(blocked);
+        marks = List.copyOf(marks);
     }
 
     /** A world and what stands in it. */
     public static Scene of(String title, View view, List<Thing> things) {
-        return new Scene(title, "", "", view, things, List.of(), List.of(), List.of(), List.of());
+        return new Scene(title, "", "", view, things, List.of(), List.of(), List.of(), List.of(), List.of(), 0);
     }
 
     /** This scene with a line below its title and with the name of its unit. */
     public Scene described(String newSubtitle, String newUnit) {
-        return new Scene(title, newSubtitle, newUnit, view, things, trails, pings, refusals, blocked);
-    }
-
-    /** This scene with what happened in it. */
-    public Scene with(List<Trail> newTrails, List<Ping> newPings, List<Refusal> newRefusals) {
-        return new Scene(title, subtitle, unit, view, things, newTrails, newPings, newRefusals, blocked);
-    }
-
-    /** This scene with what refused its fresh moves. */
-    public Scene with(List<Blocked> newBlocked) {
-        return new Scene(title, subtitle, unit, view, things, trails, pings, refusals, newBlocked);
+        return new Scene(title, newSubtitle, newUnit, view, things, trails, pings, refusals, blocked, marks, farthest);
     }
 
     /** This scene under another title. */
     public Scene titled(String newTitle) {
-        return new Scene(newTitle, subtitle, unit, view, things, trails, pings, refusals, blocked);
+        return new Scene(newTitle, subtitle, unit, view, things, trails, pings, refusals, blocked, marks, farthest);
+    }
+
+    /** This scene with what happened in it. */
+    public Scene with(List<Trail> newTrails, List<Ping> newPings, List<Refusal> newRefusals) {
+        return new Scene(
+                title, subtitle, unit, view, things, newTrails, newPings, newRefusals, blocked, marks, farthest);
+    }
+
+    /** This scene with what refused its fresh moves. */
+    public Scene blocked(List<Blocked> newBlocked) {
+        return new Scene(title, subtitle, unit, view, things, trails, pings, refusals, newBlocked, marks, farthest);
+    }
+
+    /** This scene with objects pointed at, and with a ramp of colours that ends no nearer than that. */
+    public Scene marked(List<Mark> newMarks, double newFarthest) {
+        return new Scene(title, subtitle, unit, view, things, trails, pings, refusals, blocked, newMarks, newFarthest);
     }
 
     /**
@@ -156,6 +167,17 @@ public record Scene(
             if (!(strength >= 0 && strength <= 1)) {
                 throw new IllegalArgumentException("strength must be 0 to 1 (got: " + strength + ")");
             }
+        }
+    }
+
+    /** An object that a viewer points at. */
+    public record Mark(GeometryObject object, Why why) {
+        /** What for. */
+        public enum Why {
+            /** It is looked at. */
+            PICKED,
+            /** It may not stand there. */
+            REFUSED
         }
     }
 }

@@ -110,9 +110,9 @@ final class TracePainter {
             if (obstacle == null) {
                 canvas.rectangle(
                         frame.left(),
-                        MapFrame.TOP,
+                        frame.top(),
                         frame.right() - frame.left(),
-                        frame.bottom() - MapFrame.TOP,
+                        frame.bottom() - frame.top(),
                         Style.line(Palette.REFUSED, 6, each.strength()));
             } else {
                 ThingPainter.draw(obstacle, style, frame, canvas);
@@ -125,6 +125,22 @@ final class TracePainter {
                     frame.y(bounds.middleZ()),
                     radius,
                     Style.line(Palette.REFUSED, 2, each.strength()));
+            canvas.close();
+        }
+        canvas.close();
+    }
+
+    /** What is pointed at. */
+    void marks() {
+        canvas.open("marks-on-objects", "");
+        for (Scene.Mark mark : scene.marks()) {
+            canvas.open(mark.why() == Scene.Mark.Why.PICKED ? "picked" : "refused", Labels.name(mark.object()));
+            Style style = mark.why() == Scene.Mark.Why.PICKED
+                    ? Style.line(Palette.PICKED, 2.5, 1)
+                    : Style.filled(Palette.REFUSED, 0.12)
+                            .outlined(Palette.REFUSED, 1.8, 0.9)
+                            .dashed(5);
+            ThingPainter.draw(mark.object(), style, frame, canvas);
             canvas.close();
         }
         canvas.close();

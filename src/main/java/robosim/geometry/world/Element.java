@@ -28,6 +28,9 @@ final class Element {
     @Nullable
     GeometryObject bounds;
 
+    /** Whether it was refused, or what is in it: nothing can be made of it. */
+    boolean broken;
+
     Element(@Nullable Element parent, String namespace, String name, Attributes attributes, int line, int column) {
         this.parent = parent;
         this.namespace = namespace;

@@ -2,17 +2,20 @@ package robosim.geometry.world;
 
 /** How much a file may ask of its reader, with the size of the real thing. */
 final class Limits {
+    /** Most problems of one file that are told; who has as many begins with the first. */
+    static final int MAX_PROBLEMS = 100;
+
     /** Bytes of one file of any format. A mesh of a million triangles takes some 60 MB as XML, OBJ or binary STL. */
     static final long MAX_BYTES = 128L << 20;
 
     /** Boxes, cylinders, spheres, meshes and groups of one world, members too. The warehouse has some 2,700. */
     static final int MAX_OBJECTS = 200_000;
 
-    /**
-     * Elements of one file of SDFormat that matter, and models, links and frames of one world with what it includes. A
-     * world of 3,000 shapes has some 30,000.
-     */
+    /** Elements of one file of SDFormat that matter. A world of 3,000 shapes has some 30,000. */
     static final int MAX_ELEMENTS = 2_000_000;
+
+    /** Models, links, frames and joints of one world with what it includes. A world of 3,000 shapes has 6,000. */
+    static final int MAX_FRAMES = 500_000;
 
     /** Bytes of all files that one file of SDFormat brings in: models and meshes. */
     static final long MAX_INCLUDED_BYTES = 4 * MAX_BYTES;

@@ -202,7 +202,7 @@ final class SdfObjects {
         }
         String given = name;
         while (!names.add(given)) {
-            given = name + " (" + namesakes.merge(name, 1, (before, one) -> before + one) + ")";
+            given = name + " (" + namesakes.merge(name, 2, (before, two) -> before + 1) + ")";
         }
         if (!given.equals(name)) {
             remarks.add(place.file.shown() + ":" + place.line + ": another object is named " + name

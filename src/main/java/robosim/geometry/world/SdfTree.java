@@ -93,8 +93,8 @@ final class SdfTree {
                     + " within each other, included ones too (got: one more)");
         }
         for (SdfElement child : element.children) {
-            if (++nodes > Limits.MAX_ELEMENTS) {
-                throw child.wrong("a world must have at most " + Limits.MAX_ELEMENTS
+            if (++nodes > Limits.MAX_FRAMES) {
+                throw child.wrong("a world must have at most " + Limits.MAX_FRAMES
                         + " models, links and frames, with all that it includes (got: more)");
             }
             switch (child.name) {

@@ -25,6 +25,7 @@ final class WorldHandler extends DefaultHandler {
     private final String source;
     private final ValidatorHandler validator;
     private final ObjectBuilder builder;
+    private final @Nullable List<WorldException> problems;
     private final Map<String, Integer> linesOfNames = new HashMap<>();
     private final List<WorldObject> objects = new ArrayList<>();
 
@@ -32,10 +33,18 @@ final class WorldHandler extends DefaultHandler {
     private @Nullable Element open;
     private @Nullable World world;
     private @Nullable SAXParseException detail;
+    private boolean mute;
     private int count;
 
-    WorldHandler(String source, @Nullable Path base, ValidatorHandler validator) {
+    /**
+     * A handler of one file.
+     *
+     * @param problems takes what is refused, and the file is read on; null where the first refusal is thrown
+     */
+    WorldHandler(
+            String source, @Nullable Path base, ValidatorHandler validator, @Nullable List<WorldException> problems) {
         this.source = source;
+        this.problems = problems;
         this.builder = new ObjectBuilder(source, base);
         this.validator = validator;
         validator.setErrorHandler(new DefaultHandler() {
@@ -121,8 +130,8 @@ final class WorldHandler extends DefaultHandler {
         }
         Integer earlier = linesOfNames.putIfAbsent(name, element.line);
         if (earlier != null) {
-            throw refusal("names must be unique in a world; rename this object or the one in line " + earlier
-                    + " (got twice: " + name + ")");
+            refuse("names must be unique in a world; rename this object or the one in line " + earlier + " (got twice: "
+                    + name + ")");
         }
     }
 
@@ -150,23 +159,45 @@ final class WorldHandler extends DefaultHandler {
         if (element == null) {
             throw new IllegalStateException("an element ends that did not begin: " + name);
         }
-        try {
-            builder.readText(element); // before the validator, which would not say which number is wrong
-            validator.endElement(uri, name, qualified);
-            flushDetail();
-            finish(element);
-        } catch (WorldException e) {
-            throw new SAXException(e);
-        } catch (IllegalArgumentException e) {
-            throw new SAXException(new WorldException(
-                    source, element.line, element.column, "<" + element.name + ">: " + e.getMessage(), e));
+        // Before the validator, which would not say which number is wrong, and then need not say that one is.
+        mute = !succeeds(element, () -> builder.readText(element));
+        validator.endElement(uri, name, qualified);
+        flushDetail();
+        mute = false;
+        if (!element.broken) {
+            succeeds(element, () -> finish(element));
         }
         open = element.parent;
+        if (element.broken && open != null && open.parent != null) {
+            open.broken = true;
+        }
+    }
+
+    /** A step that an element's own content may make fail. */
+    @FunctionalInterface
+    private interface Step {
+        void take() throws WorldException;
+    }
+
+    private boolean succeeds(Element element, Step step) throws SAXException {
+        try {
+            step.take();
+            return true;
+        } catch (WorldException e) {
+            refuse(e);
+        } catch (IllegalArgumentException e) {
+            refuse(new WorldException(
+                    source, element.line, element.column, "<" + element.name + ">: " + e.getMessage(), e));
+        }
+        return false;
     }
 
     private void finish(Element element) throws WorldException {
         Element parent = element.parent;
         if (parent == null) {
+            if (problems != null && !problems.isEmpty()) {
+                return; // some objects are missing
+            }
             world = new World(
                     builder.length(element, "width", "0"),
                     builder.length(element, "height", "0"),
@@ -218,22 +249,41 @@ final class WorldHandler extends DefaultHandler {
         if (SchemaErrors.isDetail(e)) {
             detail = detail == null ? e : detail;
         } else {
-            throw explained(e);
+            detail = null;
+            explain(e);
         }
     }
 
     private void flushDetail() throws SAXException {
-        if (detail != null) {
-            throw explained(detail);
+        SAXParseException left = detail;
+        detail = null;
+        if (left != null) {
+            explain(left);
         }
     }
 
-    private SAXException explained(SAXParseException e) {
+    private void explain(SAXParseException e) throws SAXException {
+        if (mute) {
+            return;
+        }
         Element element = open;
-        return element == null
-                ? refusal(String.valueOf(e.getMessage()))
-                : new SAXException(new WorldException(
-                        source, e.getLineNumber(), e.getColumnNumber(), SchemaErrors.explain(e, element), e));
+        String problem = element == null ? String.valueOf(e.getMessage()) : SchemaErrors.explain(e, element);
+        refuse(new WorldException(source, e.getLineNumber(), e.getColumnNumber(), problem, e));
+    }
+
+    private void refuse(String problem) throws SAXException {
+        refuse(new WorldException(source, line(), column(), problem));
+    }
+
+    /** Throws the refusal, or keeps it where the file is to be read on. */
+    private void refuse(WorldException refusal) throws SAXException {
+        if (problems == null || problems.size() == Limits.MAX_PROBLEMS - 1) {
+            throw new SAXException(refusal);
+        }
+        problems.add(refusal);
+        if (open != null) {
+            open.broken = true;
+        }
     }
 
     private SAXException refusal(String problem) {

@@ -6,6 +6,7 @@ import java.io.InputStream;
 import java.net.URL;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import javax.xml.XMLConstants;
@@ -23,6 +24,22 @@ import org.xml.sax.XMLReader;
  * <p>A file from a stranger costs no more than its size: there is no document type, no entity and no address that the
  * parser would follow, mesh files come from the world file's own folder tree, and what is too large, too deep or too long
  * is refused. A world is read whole or not at all.
+ *
+ * <pre>{@code
+ * String xml = """
+ *         <world xmlns="urn:robosim:world:1" width="10" height="4" length="10" unit="m">
+ *           <box name="wall" center="2 0 0" width="10cm" height="2" length="4"/>
+ *         </world>""";
+ * World world = WorldReader.read(new ByteArrayInputStream(xml.getBytes("UTF-8")), "here", null);
+ * world.objects().size(); // 1
+ * String fault = "";
+ * try {
+ *     WorldReader.read(new ByteArrayInputStream(xml.replace("10cm", "-1").getBytes("UTF-8")), "here", null);
+ * } catch (WorldException e) {
+ *     fault = e.getMessage();
+ * }
+ * fault.startsWith("here:2:"); // true: it names line and column, and what should be there
+ * }</pre>
  */
 public final class WorldReader {
     private static final int MOST_WARNINGS = 10;
@@ -67,8 +84,38 @@ public final class WorldReader {
      * @throws WorldException naming source, line, column and remedy, where the stream fails or holds no world
      */
     public static World read(InputStream in, String source, @Nullable Path base) throws WorldException {
+        return parse(in, source, base, null).world();
+    }
+
+    /**
+     * All that is wrong with a world file, in the order of its lines: where {@link #read(Path)} stops at the first
+     * problem, this reads on as far as it can, to at most 100 of them. Empty where the file is a world.
+     */
+    public static List<WorldException> problems(Path file) {
+        try {
+            read(file);
+            return List.of();
+        } catch (WorldException first) {
+            List<WorldException> problems = new ArrayList<>();
+            try (InputStream in = Files.newInputStream(file)) {
+                parse(in, file.toString(), file.toAbsolutePath().getParent(), problems);
+            } catch (WorldException last) {
+                problems.add(last);
+            } catch (IOException e) {
+                return List.of(first);
+            }
+            // Another format than this one has other problems.
+            boolean same = !problems.isEmpty()
+                    && String.valueOf(first.getMessage()).equals(problems.get(0).getMessage());
+            return same ? List.copyOf(problems) : List.of(first);
+        }
+    }
+
+    private static WorldHandler parse(
+            InputStream in, String source, @Nullable Path base, @Nullable List<WorldException> problems)
+            throws WorldException {
         ValidatorHandler validator = SchemaHolder.SCHEMA.newValidatorHandler();
-        WorldHandler handler = new WorldHandler(source, base, validator);
+        WorldHandler handler = new WorldHandler(source, base, validator, problems);
         try {
             validator.setProperty(SafeXml.LOCALE, Locale.ROOT);
             XMLReader reader = SafeXml.reader();
@@ -76,7 +123,7 @@ public final class WorldReader {
             reader.setErrorHandler(handler);
             reader.setEntityResolver(handler);
             reader.parse(new InputSource(new Bounded(new BufferedInputStream(in))));
-            return handler.world();
+            return handler;
         } catch (SAXException e) {
             if (e.getException() instanceof WorldException refusal) {
                 throw refusal;

@@ -4,6 +4,14 @@
  * <p>{@link robosim.geometry.world.WorldReader} turns a file into a {@link robosim.geometry.world.World}, a value;
  * {@link robosim.geometry.world.World#toGeometry()} makes a world of it that moves and measures. The format's schema is
  * {@code worlds/world.xsd}, which is also in the jar beside this package's classes.
+ *
+ * <pre>{@code
+ * World world = WorldReader.read(Path.of("worlds/rooms.xml"));
+ * world.width();                                  // 40
+ * Geometry geometry = world.toGeometry();
+ * geometry.simpleMove("drum 1", 0.2, 0, 0);       // true
+ * WorldWriter.toXml(world).lines().findFirst().get(); // "<?xml version="1.0" encoding="UTF-8"?>"
+ * }</pre>
  */
 @NullMarked
 package robosim.geometry.world;

@@ -27,14 +27,14 @@ class DirectionsTest {
             Map.entry("narrow", Set.of("model", "exact", "index")),
             Map.entry("collision", Set.of("narrow", "model", "exact", "index")),
             Map.entry("", Set.of("collision", "narrow", "model", "exact", "index")),
-            Map.entry("world", Set.of("", "model", "exact")),
+            Map.entry("world", Set.of("", "collision", "narrow", "model", "exact", "index")),
             Map.entry("protocol", Set.of("model")),
             Map.entry("net", Set.of("", "protocol", "model", "exact")),
             Map.entry("scenario", Set.of("", "net", "world", "protocol", "model")),
             Map.entry(
                     "junit",
                     Set.of("", "viewer", "scenario", "net", "protocol", "world", "collision", "model", "exact")),
-            Map.entry("viewer", Set.of("", "scenario", "net", "protocol", "world", "collision", "model", "exact")),
+            Map.entry("viewer", Set.of("", "scenario", "net", "protocol", "world", "model", "exact")),
             Map.entry("sweep", Set.of("", "scenario", "net", "protocol", "world", "model")),
             Map.entry("cli", Set.of("", "sweep", "viewer", "scenario", "net", "protocol", "world", "model")));
 

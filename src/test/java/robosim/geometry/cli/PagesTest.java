@@ -89,10 +89,7 @@ class PagesTest {
         String what = name.substring(name.indexOf(' ') + 1);
         return switch (name.substring(0, name.indexOf(' '))) {
             case "type" -> isType(what) ? null : "there is no such class or package";
-            case "file" -> // of the project, or of the one of a user that it has as an example
-                Files.exists(Path.of(what)) || Files.exists(Path.of("examples/scenario-tests", what))
-                        ? null
-                        : "there is no such file";
+            case "file" -> isFile(what) ? null : "there is no such file";
             case "command" -> command(what);
             case "profile" ->
                 Files.readString(Path.of("pom.xml")).contains("<id>" + what + "</id>")
@@ -100,6 +97,12 @@ class PagesTest {
                         : "there is no such profile";
             default -> hasTest(what) ? null : "there is no such test";
         };
+    }
+
+    /** Of the project, or of the user's project that it has as an example. */
+    private static boolean isFile(String name) {
+        return Stream.of("", "examples/scenario-tests", "examples/scenario-tests/src/test/resources")
+                .anyMatch(root -> Files.exists(Path.of(root, name)));
     }
 
     private static boolean isType(String name) {

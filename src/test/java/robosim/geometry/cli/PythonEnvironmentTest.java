@@ -119,6 +119,27 @@ class PythonEnvironmentTest {
         }
     }
 
+    /** The program of docs/guide-robosim.md, but for its port. */
+    @Test
+    void theProgramOfTheGuideTalks() throws Exception {
+        String page = Files.readString(Path.of("docs", "guide-robosim.md"));
+        Matcher block = Pattern.compile("```python\n(.*?)```", Pattern.DOTALL).matcher(page);
+        assertThat(block.find()).isTrue();
+        try (GeometryServer server = new GeometryServer(InetAddress.getLoopbackAddress(), 0, options)) {
+            String program = block.group(1).replace("7575", String.valueOf(server.port()));
+            Process process = new ProcessBuilder("python3", "-c", program)
+                    .redirectErrorStream(true)
+                    .start();
+            String text = rest(output(process));
+            assertThat(process.waitFor()).as(text).isZero();
+            assertThat(text.lines())
+                    .containsExactly(
+                            "robosim-geometry 1.0.0-SNAPSHOT",
+                            "[2.9]",
+                            "[{'index': 0, 'reason': 'blocked by \"wall\" after 0.529 of the way'}]");
+        }
+    }
+
     /** Of a file the module and the environment take the first line, as it is. */
     @Test
     void tellsTheSecretOfAFile(@TempDir Path folder) throws Exception {

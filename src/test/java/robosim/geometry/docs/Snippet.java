@@ -40,8 +40,8 @@ final class Snippet {
             import robosim.geometry.net.*;
             import robosim.geometry.protocol.*;
             import robosim.geometry.scenario.*;
+            import robosim.geometry.world.*;
             """;
-    private static final String WORLDS = "import robosim.geometry.world.*;\n";
     private static final String TESTS = """
             import static org.junit.jupiter.api.Assertions.*;
             import org.junit.jupiter.api.*;
@@ -79,7 +79,9 @@ final class Snippet {
         isTest = Pattern.compile("@(?:Test|ScenarioTest|TestFactory|World)\\b|RobotWorld")
                 .matcher(text)
                 .find();
-        String all = imports + IMPORTS + (isTest ? TESTS : WORLDS);
+        // Two packages have a World: that of files, and the annotation.
+        String world = "import robosim.geometry." + (text.contains("@World") ? "junit" : "world") + ".World;\n";
+        String all = imports + IMPORTS + (isTest ? TESTS : "") + world;
         if (type.find()) {
             shape = Shape.TYPE;
             className = type.group(1);

@@ -60,6 +60,16 @@ final class Doomed {
         }
     }
 
+    /** The one of docs/scenario-tests.md. */
+    @World("examples/scenario-tests/src/test/resources/worlds/two-rooms.xml")
+    static class DoorTest {
+        @Test
+        @Seed(7)
+        void itLeavesTheRoom(RobotWorld world) {
+            world.robot("robot").drives(1).turns(10).senses(30, 10).drives(4);
+        }
+    }
+
     @World("nowhere.xml")
     static class Misplaced {
         @Test

@@ -87,4 +87,15 @@ class LastMomentsTest {
         Files.writeString(stale, "of a run before");
         assertThat(run(Doomed.Failing.class, "passes", folder)).isEmptyDirectory();
     }
+
+    /** docs/scenario-tests.md tells what truly happens. */
+    @Test
+    void theGuideShowsARealFailure(@TempDir Path folder) throws Exception {
+        Path left = run(Doomed.DoorTest.class, "itLeavesTheRoom", folder);
+        String failure = Files.readAllLines(left.resolve("failure.txt")).get(1);
+        assertThat(Path.of("docs", "scenario-tests.md")).content().contains(failure + "\n  seed:   7 (as");
+        for (Path picture : List.of(left.resolve("last-moments.svg"), Path.of("docs", "images", "last-moments.svg"))) {
+            assertThat(picture).content().contains("1 refused: robot by wall north");
+        }
+    }
 }

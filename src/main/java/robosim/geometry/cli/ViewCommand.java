@@ -1,0 +1,102 @@
+package robosim.geometry.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import robosim.geometry.scenario.ScenarioReader;
+import robosim.geometry.scenario.StepReader;
+import robosim.geometry.scenario.WireReader;
+import robosim.geometry.viewer.Pictures;
+import robosim.geometry.viewer.Theme;
+import robosim.geometry.viewer.Viewer;
+import robosim.geometry.world.ImportOptions;
+import robosim.geometry.world.World;
+import robosim.geometry.world.WorldImport;
+
+/** Shows a world, a recording or a session in a window. */
+@Command(
+        name = ViewCommand.NAME,
+        description = "Shows a world, a recording or a running session from above, in a window.",
+        mixinStandardHelpOptions = true,
+        versionProvider = Version.class,
+        exitCodeListHeading = ExitCodes.HEADING,
+        exitCodeList = {ExitCodes.DONE, ExitCodes.UNUSABLE + ":not shown: there is no display, or no such file"},
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  robosim-geometry view worlds/rooms.xml",
+            "  robosim-geometry view recordings/session.scenario.jsonl",
+            "  robosim-geometry view target/demo"
+        })
+final class ViewCommand implements Callable<Integer> {
+    static final String NAME = "view";
+
+    /** The two files that the demonstration leaves. */
+    private static final String TO_MODULE = "to-module.bin";
+
+    private static final String FROM_MODULE = "from-module.bin";
+
+    @Spec
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private CommandSpec spec;
+
+    @Parameters(
+            arity = "0..1",
+            paramLabel = "FILE",
+            description = "a world of any format that convert reads, a recording (*" + ScenarioReader.ENDING
+                    + "), or a folder with the demo's " + TO_MODULE + " and " + FROM_MODULE)
+    private @Nullable Path file;
+
+    @Option(names = "--dark", description = "on dark paper; D changes it in the window")
+    private boolean dark;
+
+    private ViewCommand() {}
+
+    @Override
+    public Integer call() throws Exception {
+        Path shown = file;
+        if (shown == null || !Files.exists(shown)) {
+            throw refused("FILE must be there to be viewed (got: " + shown + ")");
+        }
+        if (!Viewer.hasDisplay()) {
+            spec.commandLine()
+                    .getErr()
+                    .println("view needs a display to open its window on, and there is none here; `render " + shown
+                            + " -o picture.svg` draws a world without one.");
+            return ExitCodes.UNUSABLE;
+        }
+        view(shown);
+        return 0;
+    }
+
+    private void view(Path shown) throws IOException, InterruptedException {
+        String name = shown.toString().toLowerCase(Locale.ROOT);
+        String title = Pictures.title(shown);
+        Path toModule = name.endsWith(TO_MODULE) ? shown : shown.resolve(TO_MODULE);
+        if (Files.isRegularFile(toModule)) {
+            StepReader recording = WireReader.open(toModule, toModule.resolveSibling(FROM_MODULE));
+            Viewer.recording(recording, title, theme());
+        } else if (name.endsWith(".jsonl")) {
+            Viewer.recording(ScenarioReader.open(shown), title, theme());
+        } else {
+            World world = WorldImport.read(shown, ImportOptions.DEFAULT).world();
+            Viewer.world(world, title, theme());
+        }
+    }
+
+    private Theme theme() {
+        return dark ? Theme.DARK : Theme.LIGHT;
+    }
+
+    private ParameterException refused(String message) {
+        return new ParameterException(spec.commandLine(), message);
+    }
+}

@@ -1,0 +1,81 @@
+package robosim.geometry.viewer;
+
+import java.io.IOException;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.BlockingQueue;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.scenario.Step;
+import robosim.geometry.scenario.StepReader;
+
+/** Reads a conversation on a thread of its own, so that nobody waits for it. */
+final class Feed implements AutoCloseable {
+    private static final int QUEUE = 2048;
+
+    private final StepReader reader;
+    private final BlockingQueue<Frame> queue = new ArrayBlockingQueue<>(QUEUE);
+    private final Thread thread;
+    private volatile boolean ended;
+    private volatile @Nullable String problem;
+
+    /** Begins to read; closes the reader at its end. */
+    Feed(StepReader reader) {
+        this.reader = reader;
+        this.thread = new Thread(this::read, "viewer-feed");
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    private void read() {
+        try (reader) {
+            Stage stage = new Stage(reader.header().options());
+            for (Step step = reader.next(); step != null; step = reader.next()) {
+                queue.put(stage.play(step));
+            }
+        } catch (IOException | RuntimeException e) {
+            problem = String.valueOf(e.getMessage());
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        } finally {
+            ended = true;
+        }
+    }
+
+    /**
+     * Moves to a film what has been read, so many frames at most.
+     *
+     * @return how many
+     */
+    int drain(Film film, int most) {
+        int drained = 0;
+        for (Frame frame = queue.poll(); frame != null; frame = queue.poll()) {
+            film.append(frame);
+            drained++;
+            if (drained == most) {
+                break;
+            }
+        }
+        return drained;
+    }
+
+    /** Whether nothing more will come. */
+    boolean isEnded() {
+        return ended && queue.isEmpty();
+    }
+
+    /** Why no more could be read; null where nothing was wrong so far. */
+    @Nullable
+    String problem() {
+        return problem;
+    }
+
+    /** Reads no more. */
+    @Override
+    public void close() {
+        thread.interrupt();
+        try {
+            reader.close();
+        } catch (IOException e) {
+            problem = String.valueOf(e.getMessage());
+        }
+    }
+}

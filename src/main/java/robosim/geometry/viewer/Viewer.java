@@ -1,0 +1,89 @@
+package robosim.geometry.viewer;
+
+import java.awt.AWTError;
+import java.awt.GraphicsEnvironment;
+import java.awt.HeadlessException;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.util.concurrent.CountDownLatch;
+import javax.swing.JFrame;
+import javax.swing.SwingUtilities;
+import javax.swing.Timer;
+import javax.swing.WindowConstants;
+import robosim.geometry.scenario.StepReader;
+import robosim.geometry.world.World;
+
+/**
+ * The window from above: of a world whose robots can be dragged, of a recording to go back and forth in, or of a session
+ * as it is held. It alone needs a display.
+ */
+public final class Viewer {
+    private static final int TICK_MILLIS = 33;
+
+    private Viewer() {}
+
+    /** Whether there is a display to show a window on. */
+    public static boolean hasDisplay() {
+        try {
+            return !GraphicsEnvironment.isHeadless()
+                    && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
+        } catch (HeadlessException | AWTError | NoClassDefFoundError noneThatAnswers) {
+            return false;
+        }
+    }
+
+    /** Shows a world until the window is closed. */
+    public static void world(World world, String title, Theme theme) throws InterruptedException {
+        show(Viewing.ofWorld(world, title), theme);
+    }
+
+    /** Shows a recording until the window is closed, and closes it. */
+    public static void recording(StepReader recording, String title, Theme theme) throws InterruptedException {
+        show(recording, title, theme, false);
+    }
+
+    /** Shows a session as it is held until the window is closed, and closes the reader. Nothing is told to the session. */
+    public static void live(StepReader session, String title, Theme theme) throws InterruptedException {
+        show(session, title, theme, true);
+    }
+
+    private static void show(StepReader reader, String title, Theme theme, boolean live) throws InterruptedException {
+        Feed feed = new Feed(reader);
+        try {
+            show(live ? Viewing.ofLive(feed, title) : Viewing.ofRecording(feed, title), theme);
+        } finally {
+            feed.close();
+        }
+    }
+
+    private static void show(Viewing viewing, Theme theme) throws InterruptedException {
+        CountDownLatch closed = new CountDownLatch(1);
+        SwingUtilities.invokeLater(() -> open(viewing, theme, closed));
+        closed.await();
+    }
+
+    private static void open(Viewing viewing, Theme theme, CountDownLatch closed) {
+        ViewerPane pane = new ViewerPane(viewing, theme);
+        JFrame window = new JFrame(viewing.title() + " - RoboSim viewer");
+        window.setName("viewer");
+        window.setDefaultCloseOperation(WindowConstants.DISPOSE_ON_CLOSE);
+        window.setContentPane(pane);
+        window.pack();
+        window.setLocationByPlatform(true);
+        long[] last = {System.nanoTime()};
+        Timer timer = new Timer(TICK_MILLIS, event -> {
+            long now = System.nanoTime();
+            pane.tick(now - last[0]);
+            last[0] = now;
+        });
+        window.addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosed(WindowEvent event) {
+                timer.stop();
+                closed.countDown();
+            }
+        });
+        timer.start();
+        window.setVisible(true);
+    }
+}

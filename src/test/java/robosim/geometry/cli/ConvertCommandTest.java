@@ -1,0 +1,136 @@
+package robosim.geometry.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import robosim.geometry.world.ImportOptions;
+import robosim.geometry.world.ObjReader;
+import robosim.geometry.world.RosMapReader;
+import robosim.geometry.world.SdfReader;
+import robosim.geometry.world.WorldImport;
+import robosim.geometry.world.WorldReader;
+
+@Timeout(60)
+class ConvertCommandTest {
+    private static final Path FILES = Path.of("src/test/resources/robosim/geometry/world");
+
+    @TempDir
+    Path folder;
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter err = new StringWriter();
+
+    private int run(Object... arguments) {
+        String[] line = new String[arguments.length];
+        for (int k = 0; k < line.length; k++) {
+            line[k] = arguments[k].toString();
+        }
+        out.getBuffer().setLength(0);
+        err.getBuffer().setLength(0);
+        return Commands.run(new PrintWriter(out, true), new PrintWriter(err, true), line);
+    }
+
+    @Test
+    void sdfBecomesAWorld() throws IOException {
+        Path in = FILES.resolve("sdf/shapes.sdf");
+        Path xml = folder.resolve("shapes.xml");
+        assertThat(run("convert", in, xml)).isEqualTo(ExitCodes.FINE);
+        assertThat(err.toString()).isEmpty();
+        assertThat(out.toString().lines())
+                .hasSize(6)
+                .contains(
+                        "Read SDFormat: box 1, capsule 1, collision 7, cylinder 1, link 7, model 7, sphere 1",
+                        "Wrote " + xml + ": 4 objects, 4 of them moveable; the world is 4.0 x 4.0 x 10.0 m, the objects"
+                                + " reach X -0.500000 to 0.500000, Y 0.00000 to 1.00000, Z -2.00000 to 3.20000");
+        assertThat(WorldReader.read(xml))
+                .isEqualTo(SdfReader.read(in, List.of()).world());
+        assertThat(Files.list(folder)).containsExactly(xml);
+    }
+
+    @Test
+    void strictWritesNothingWhereSomethingIsLeftOut() throws IOException {
+        Path xml = Files.writeString(folder.resolve("old.xml"), "old");
+        assertThat(run("convert", "--strict", FILES.resolve("sdf/shapes.sdf"), xml))
+                .isEqualTo(ExitCodes.FINDINGS);
+        assertThat(out.toString()).contains("Wrote nothing: --strict, and 3 left out");
+        assertThat(xml).hasContent("old");
+        assertThat(run("convert", "--strict", FILES.resolve("sdf/inner_walls"), xml))
+                .isEqualTo(ExitCodes.FINE);
+        assertThat(WorldReader.read(xml).objects()).hasSize(7);
+    }
+
+    @Test
+    void theOptionsReachTheReaders() throws IOException {
+        Path xml = folder.resolve("w.xml");
+        Path map = FILES.resolve("maps/tb3_sandbox.yaml");
+        assertThat(run("convert", map, xml, "--wall-height", "0.5")).isZero();
+        assertThat(WorldReader.read(xml)).isEqualTo(RosMapReader.read(map, 0.5));
+        Path stl = FILES.resolve("20mm-xyz-cube.stl");
+        assertThat(run("convert", stl, xml, "--scale", "0.001", "--up", "z")).isZero();
+        assertThat(WorldReader.read(xml))
+                .isEqualTo(WorldImport.read(stl, new ImportOptions(2, 0.001, ImportOptions.Up.Z, List.of()))
+                        .world());
+        Path sdf = Files.writeString(
+                folder.resolve("w.sdf"),
+                "<sdf version='1.7'><world name='w'><include><uri>model://inner_walls</uri></include></world></sdf>");
+        assertThat(run("convert", sdf, xml)).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString())
+                .startsWith(sdf + ":1:50: there is no such file or folder below ")
+                .endsWith("give the folder that holds the model (got: model://inner_walls)" + System.lineSeparator());
+        assertThat(run("convert", sdf, xml, "--models", FILES.resolve("sdf"))).isZero();
+        assertThat(WorldReader.read(xml).objects()).hasSize(7);
+    }
+
+    @Test
+    void trianglesForOtherViewers() throws IOException {
+        Path obj = folder.resolve("rooms.obj");
+        assertThat(run("convert", "worlds/rooms.xml", obj)).isZero();
+        assertThat(out.toString()).contains("Read world: object 113", "Wrote " + obj + ": 113 objects, 8 of them");
+        assertThat(ObjReader.read(obj).faces().length).isGreaterThan(5000);
+    }
+
+    @Test
+    void manyThingsLeftOutAreCutShort() throws IOException {
+        StringBuilder text = new StringBuilder("<sdf version='1.7'><world name='w'>");
+        text.append("<actor name='a'/>".repeat(30)).append("</world></sdf>");
+        Path sdf = Files.writeString(folder.resolve("w.sdf"), text);
+        Path xml = folder.resolve("w.xml");
+        assertThat(run("convert", sdf, xml)).isZero();
+        assertThat(out.toString().lines().filter(line -> line.contains("left out")))
+                .hasSize(20);
+        assertThat(out.toString()).contains("... and 10 more of these");
+        assertThat(run("convert", sdf, xml, "--all")).isZero();
+        assertThat(out.toString().lines().filter(line -> line.contains("left out")))
+                .hasSize(30);
+    }
+
+    @Test
+    void badUsageAndBadFiles() throws IOException {
+        Path xml = folder.resolve("w.xml");
+        assertThat(run("convert", "no.sdf", xml)).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).startsWith("IN must be a file; there is none, check the path (got: no.sdf)");
+        assertThat(run("convert", FILES.resolve("sdf/shapes.sdf"), folder.resolve("w.png")))
+                .isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).startsWith("OUT must end in .xml or .obj (got: ");
+        assertThat(run("convert", FILES.resolve("sdf/shapes.sdf"), Files.createDirectory(folder.resolve("d.xml"))))
+                .isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).startsWith("OUT must be a file; this is a folder (got: ");
+        assertThat(run("convert", FILES.resolve("sdf/shapes.sdf"), xml, "--scale", "0"))
+                .isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).startsWith("scale must be a number above 0, up to 2^100 (got: 0.0)");
+        assertThat(run("convert", FILES.resolve("sdf/shapes.sdf"), xml, "--models", "no"))
+                .isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).startsWith("--models must be a folder; there is none (got: no)");
+        assertThat(run("convert", FILES.resolve("sdf/sensors.sdf"), xml)).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).startsWith(FILES.resolve("sdf/sensors.sdf") + ":41:11: this is no well-formed XML");
+        assertThat(xml).doesNotExist();
+    }
+}

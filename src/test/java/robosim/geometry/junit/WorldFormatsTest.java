@@ -1,0 +1,34 @@
+package robosim.geometry.junit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import robosim.geometry.Geometry;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Ray;
+
+/** A test's world may be a file of a simulator or a map. */
+class WorldFormatsTest {
+    private static double ahead(Geometry geometry, double x, double y, double z) {
+        return geometry.getRayDistance(new Ray(new Point(x, y, z), new Point(1, 0, 0)), 0, Double.POSITIVE_INFINITY, 0);
+    }
+
+    @Test
+    @World("src/test/resources/robosim/geometry/world/sdf/inner_walls/model.sdf")
+    void sdf(Geometry geometry) {
+        assertThat(ahead(geometry, -4, 0.25, 1.5)).isEqualTo(1.5);
+    }
+
+    @Test
+    @World("src/test/resources/robosim/geometry/world/maps/TenByTen.yaml")
+    void map(Geometry geometry) {
+        assertThat(ahead(geometry, 0, 0, -6)).isCloseTo(4, within(1e-12));
+    }
+
+    @Test
+    @World("src/test/resources/robosim/geometry/world/unit_cube.STL")
+    void mesh(Geometry geometry) {
+        assertThat(ahead(geometry, -0.6, 0.25, 0.125)).isCloseTo(0.1, within(1e-12));
+    }
+}

@@ -1,0 +1,119 @@
+package robosim.geometry.world;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.SphereObject;
+
+class ObjWriterTest {
+    @TempDir
+    Path folder;
+
+    private MeshObject written(GeometryObject... objects) throws IOException {
+        List<WorldObject> all = new ArrayList<>();
+        for (GeometryObject object : objects) {
+            all.add(new WorldObject(object));
+        }
+        Path file = folder.resolve("w.obj");
+        ObjWriter.write(new World(100, 100, 100, all), file, done -> {});
+        return ObjReader.read(file);
+    }
+
+    /** Six times the volume inside, by the divergence theorem: positive where all faces look out. */
+    private static double volume(MeshObject mesh) {
+        double sum = 0;
+        List<Point> vertices = mesh.vertices();
+        for (int[] face : mesh.faces()) {
+            for (int k = 2; k < face.length; k++) {
+                Point a = vertices.get(face[0]);
+                Point b = vertices.get(face[k - 1]);
+                Point c = vertices.get(face[k]);
+                sum += a.x() * (b.y() * c.z() - b.z() * c.y())
+                        + a.y() * (b.z() * c.x() - b.x() * c.z())
+                        + a.z() * (b.x() * c.y() - b.y() * c.x());
+            }
+        }
+        return sum / 6;
+    }
+
+    /** All are closed surfaces, which look outwards, of the volume that the shape has or a little less. */
+    @Test
+    void shapesAreClosedAndOfTheirVolume() throws IOException {
+        Point at = new Point(3, -4, 5);
+        MeshObject box = written(new BoxObject(at, 2, 3, 4).turned(20, 30));
+        assertThat(box.solid().isSolid()).isTrue();
+        assertThat(volume(box)).isCloseTo(24, within(1e-12));
+        double sides = ObjWriter.SIDES;
+        MeshObject cylinder = written(new CylinderObject(at, 2, 3).turned(50, 10));
+        assertThat(cylinder.solid().isSolid()).isTrue();
+        assertThat(volume(cylinder)).isCloseTo(3 * 4 * sides / 2 * StrictMath.sin(2 * Math.PI / sides), within(1e-12));
+        MeshObject ball = written(new SphereObject(at, 2).turned(50, 10));
+        assertThat(ball.solid().isSolid()).isTrue();
+        assertThat(volume(ball)).isBetween(0.99 * 32 / 3 * Math.PI, 32.0 / 3 * Math.PI);
+    }
+
+    @Test
+    void groupsAndMeshesStandWhereTheyAre() throws IOException {
+        MeshObject wedge = new MeshObject(
+                List.of(new Point(0, 0, 0), new Point(1, 0, 0), new Point(0, 1, 0), new Point(0, 0, 1)),
+                new int[][] {{0, 1, 2}, {0, 2, 3}});
+        MeshObject read = written(
+                new ObjectGroup(List.of(wedge.movedTo(new Point(10, 0, 0))))
+                        .turned(0, 90)
+                        .movedTo(new Point(0, 5, 0)),
+                wedge);
+        assertThat(read.vertices())
+                .containsExactly(
+                        new Point(0, 5, -10),
+                        new Point(0, 5, -11),
+                        new Point(0, 6, -10),
+                        new Point(1, 5, -10),
+                        new Point(0, 0, 0),
+                        new Point(1, 0, 0),
+                        new Point(0, 1, 0),
+                        new Point(0, 0, 1));
+        assertThat(read.faces()).isDeepEqualTo(new int[][] {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {4, 6, 7}});
+    }
+
+    @Test
+    void objectsHaveNamesAndProgressIsTold() throws IOException {
+        List<WorldObject> all = List.of(
+                new WorldObject(new SphereObject(new Point(), 1).named("a ball\nof two lines")),
+                new WorldObject(new SphereObject(new Point(), 1)));
+        List<Long> told = new ArrayList<>();
+        Path file = folder.resolve("w.obj");
+        ObjWriter.write(new World(4, 4, 4, all), file, told::add);
+        assertThat(told).containsExactly(0L, 1L);
+        assertThat(Files.readAllLines(file))
+                .startsWith("# 4.0 x 4.0 x 4.0, Y up")
+                .contains("o a_ball_of_two_lines", "o object_2");
+    }
+
+    @Test
+    void allOrNothing() throws IOException {
+        Path file = Files.writeString(folder.resolve("old.obj"), "old");
+        World world = new World(4, 4, 4, List.of(new WorldObject(new SphereObject(new Point(), 1))));
+        assertThatThrownBy(() -> ObjWriter.write(world, file, done -> {
+                    throw new IllegalStateException("stopped");
+                }))
+                .hasMessage("stopped");
+        assertThat(file).hasContent("old");
+        assertThatThrownBy(() -> ObjWriter.write(world, folder.resolve("no/such.obj"), done -> {}))
+                .isInstanceOf(WorldException.class)
+                .hasMessageStartingWith(folder.resolve("no/such.obj") + ": the file could not be written: ");
+    }
+}

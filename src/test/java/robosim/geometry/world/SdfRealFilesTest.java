@@ -1,0 +1,272 @@
+package robosim.geometry.world;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.zip.GZIPInputStream;
+import javax.xml.parsers.DocumentBuilderFactory;
+import javax.xml.xpath.XPathFactory;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.w3c.dom.Document;
+import robosim.geometry.Geometry;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Ray;
+import robosim.geometry.model.SphereObject;
+
+/** Files of SDFormat that were made for simulators, counted by XPath beside the reader. */
+class SdfRealFilesTest {
+    private static final Path SDF = Path.of("src/test/resources/robosim/geometry/world/sdf");
+
+    @TempDir
+    Path folder;
+
+    private static WorldImport read(Path file) throws WorldException {
+        return SdfReader.read(file, List.of());
+    }
+
+    private static int count(Document document, String path) throws Exception {
+        return ((Double) XPathFactory.newDefaultInstance()
+                        .newXPath()
+                        .evaluateExpression("count(" + path + ")", document, Double.class))
+                .intValue();
+    }
+
+    private Path shapes3000() throws IOException {
+        Path file = folder.resolve("3k_shapes.sdf");
+        try (InputStream in = new GZIPInputStream(Files.newInputStream(SDF.resolve("3k_shapes.sdf.gz")))) {
+            Files.copy(in, file);
+        }
+        return file;
+    }
+
+    /** What is read and what is left out is all that the file has. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "shapes.sdf",
+                "nested_model.sdf",
+                "export_occupancy_grid.sdf",
+                "inner_walls/model.sdf",
+                "turtlebot3_world/model.sdf",
+                "3k_shapes.sdf"
+            })
+    void allIsAccountedFor(String name) throws Exception {
+        Path file = name.equals("3k_shapes.sdf") ? shapes3000() : SDF.resolve(name);
+        Document document =
+                DocumentBuilderFactory.newDefaultInstance().newDocumentBuilder().parse(file.toFile());
+        WorldImport read = read(file);
+        for (String kind : List.of("model", "link", "collision")) {
+            assertThat(read.read()).as("%s", kind).containsEntry(kind, count(document, "//" + kind));
+        }
+        int shapes = 0;
+        for (String shape : List.of("box", "cylinder", "sphere", "capsule", "mesh")) {
+            int read1 = read.read().getOrDefault(shape, 0);
+            long skipped = read.skipped().stream()
+                    .filter(each -> each.what().startsWith("<" + shape + ">"))
+                    .count();
+            assertThat(read1 + skipped).as("%s", shape).isEqualTo(count(document, "//collision/geometry/" + shape));
+            shapes += read1;
+        }
+        for (String shape : List.of("plane", "cone", "ellipsoid")) {
+            assertThat(read.skipped().stream().filter(each -> each.what().startsWith("<" + shape + ">")))
+                    .as("%s", shape)
+                    .hasSize(count(document, "//collision/geometry/" + shape));
+        }
+        assertThat(shapes + read.skipped().size())
+                .isEqualTo(count(document, "//collision"))
+                .isPositive();
+        for (String other : List.of("visual", "inertial", "plugin", "light", "joint")) {
+            assertThat(read.passedOver().getOrDefault(other, 0))
+                    .as("%s", other)
+                    .isEqualTo(count(document, "//world/" + other)
+                            + count(document, "//link/" + other)
+                            + count(document, "//model/" + other));
+        }
+        Geometry geometry = read.world().toGeometry(); // nothing reaches beyond the border
+        assertThat(geometry.width()).isEqualTo(read.world().width());
+    }
+
+    @Test
+    void threeThousandShapes() throws Exception {
+        List<WorldObject> objects = read(shapes3000()).world().objects();
+        assertThat(objects).hasSize(3003);
+        int boxes = 0;
+        int cylinders = 0;
+        int spheres = 0;
+        for (WorldObject each : objects) {
+            GeometryObject object = each.object();
+            assertThat(object.isMoveable()).isTrue();
+            boxes += object instanceof BoxObject ? 1 : 0;
+            cylinders += object instanceof CylinderObject ? 1 : 0;
+            spheres += object instanceof SphereObject ? 1 : 0;
+        }
+        assertThat(List.of(boxes, cylinders, spheres)).containsExactly(1001, 1001, 1001);
+    }
+
+    @Test
+    void theShapesAreWhereTheyAre() throws Exception {
+        WorldImport read = read(SDF.resolve("shapes.sdf"));
+        assertThat(read.world().unit()).isEqualTo(Unit.METRE);
+        assertThat(read.world().objects())
+                .extracting(WorldObject::object)
+                .satisfiesExactly(
+                        box -> assertThat(box).isEqualTo(new BoxObject(new Point(0, 0.5, 0), 1, 1, 1).moveable("box")),
+                        cylinder -> assertThat(cylinder)
+                                .isEqualTo(new CylinderObject(new Point(0, 0.5, 1.5), 0.5, 1).moveable("cylinder")),
+                        sphere -> assertThat(sphere)
+                                .isEqualTo(new SphereObject(new Point(0, 0.5, -1.5), 0.5).moveable("sphere")),
+                        capsule -> assertThat(capsule)
+                                .isEqualTo(new ObjectGroup(List.of(
+                                                new CylinderObject(new Point(), 0.2, 0.6),
+                                                new SphereObject(new Point(0, 0.3, 0), 0.2),
+                                                new SphereObject(new Point(0, -0.3, 0), 0.2)))
+                                        .movedTo(new Point(0, 0.5, 3))
+                                        .moveable("capsule")));
+        assertThat(read.skipped()).extracting(Skipped::line).containsExactly(36, 225, 253);
+    }
+
+    /** Rays at places that the file's numbers give: nine columns of radius 0.15, 1.1 apart. */
+    @Test
+    void raysThroughTheColumns() throws Exception {
+        for (String name : List.of("turtlebot3_world/model.sdf", "turtlebot3_world/turtlebot3_world.world")) {
+            WorldImport read = read(SDF.resolve(name));
+            assertThat(read.world().objects()).hasSize(9);
+            Geometry geometry = read.world().toGeometry();
+            double inf = Double.POSITIVE_INFINITY;
+            for (double row : new double[] {-1.1, 0, 1.1}) {
+                Ray east = new Ray(new Point(-2.5, 0.25, row), new Point(1, 0, 0));
+                assertThat(geometry.getRayDistance(east, 0, inf, 0)).isCloseTo(1.25, within(1e-15));
+                Ray aside = new Ray(new Point(-2.5, 0.25, row + 0.09), new Point(1, 0, 0));
+                assertThat(geometry.getRayDistance(aside, 0, inf, 0))
+                        .isCloseTo(1.4 - 0.12, within(1e-14)); // 9, 12, 15: a right angle
+                Ray between = new Ray(new Point(-2.5, 0.25, row + 0.16), new Point(1, 0, 0));
+                assertThat(geometry.getRayDistance(between, 0, inf, 0)).isEqualTo(inf);
+                Ray above = new Ray(new Point(-2.5, 0.51, row), new Point(1, 0, 0));
+                assertThat(geometry.getRayDistance(above, 0, inf, 0)).isEqualTo(inf);
+            }
+        }
+    }
+
+    /** A wall of 1 x 0.15 x 0.5 m at (1.9, 0.4), and one at (-0.5, -2) that was turned by -1.5708, which is no right angle. */
+    @Test
+    void raysAtTheInnerWalls() throws Exception {
+        Geometry geometry = read(SDF.resolve("inner_walls/model.sdf")).world().toGeometry();
+        double inf = Double.POSITIVE_INFINITY;
+        Ray down = new Ray(new Point(1.9, 3, -0.4), new Point(0, -1, 0));
+        assertThat(geometry.getRayDistance(down, 0, inf, 0)).isEqualTo(2.5);
+        Ray along = new Ray(new Point(1.9, 0.25, 0.5), new Point(0, 0, -1));
+        assertThat(geometry.getRayDistance(along, 0, inf, 0)).isCloseTo(0.9 - 0.075, within(1e-15));
+        Ray turned = new Ray(new Point(-2, 0.25, 2), new Point(1, 0, 0));
+        double off = 1.5708 - Math.PI / 2;
+        assertThat(geometry.getRayDistance(turned, 0, inf, 0))
+                .isCloseTo(1.5 - 0.075 / StrictMath.cos(off), within(1e-15))
+                .isNotCloseTo(1.425, within(1e-13));
+    }
+
+    @Test
+    void theNestedBoxIsInTheMovingModel() throws Exception {
+        List<WorldObject> objects =
+                read(SDF.resolve("nested_model.sdf")).world().objects();
+        assertThat(objects).hasSize(1);
+        ObjectGroup group = (ObjectGroup) objects.get(0).object();
+        assertThat(group.name()).isEqualTo("model_00");
+        assertThat(group.center()).isEqualTo(new Point(0, 0.5, 0));
+        GeometryObject box = group.members().get(1);
+        assertThat(box.center()).isEqualTo(new Point(1.25, 0, 0));
+        assertThat(box.pose().heading()).isCloseTo(StrictMath.toDegrees(0.785398), within(1e-13));
+    }
+
+    @Test
+    void aStaticModelRests() throws Exception {
+        List<WorldObject> objects =
+                read(SDF.resolve("export_occupancy_grid.sdf")).world().objects();
+        assertThat(objects)
+                .extracting(WorldObject::object)
+                .containsExactly(
+                        new BoxObject(new Point(-1, 0.5, 1), 0.1, 0.1, 0.1).named("model_with_lidar"),
+                        new BoxObject(new Point(1, 0.5, -1), 1, 1, 1).moveable("cube"));
+    }
+
+    @Test
+    void aFileThatIsNoXmlIsRefusedWithItsLine() {
+        Path file = SDF.resolve("sensors.sdf"); // an element is named gz::system_priority
+        assertThatThrownBy(() -> read(file))
+                .isInstanceOf(WorldException.class)
+                .hasMessageStartingWith(file + ":41:11: this is no well-formed XML: ")
+                .hasMessageContaining("\"gz:\"");
+    }
+
+    /** The addresses are not followed, the mesh files are not there: all of that is named, and the rest is read. */
+    @Test
+    void whatIsMissingIsNamed() throws Exception {
+        WorldImport read = read(SDF.resolve("turtlebot3_world/turtlebot3_world.world"));
+        assertThat(read.isWhole()).isFalse();
+        List<String> what = new ArrayList<>();
+        for (Skipped each : read.skipped()) {
+            what.add(each.line() + " " + each.what());
+        }
+        String hexagon = " <mesh> of turtlebot3_world::ros_symbol::symbol::";
+        assertThat(what)
+                .containsExactly(
+                        "46 <include> of https://fuel.gazebosim.org/1.0/OpenRobotics/models/Ground Plane",
+                        "50 <include> of https://fuel.gazebosim.org/1.0/OpenRobotics/models/Sun",
+                        "334" + hexagon + "head",
+                        "370" + hexagon + "left_hand",
+                        "406" + hexagon + "right_hand",
+                        "442" + hexagon + "left_foot",
+                        "478" + hexagon + "right_foot",
+                        "515" + hexagon + "body");
+        assertThat(read.skipped().get(2).reason())
+                .isEqualTo("model://turtlebot3_world/meshes/hexagon.dae is neither OBJ nor STL; export it as one of"
+                        + " them");
+    }
+
+    @Test
+    void aModelIsFoundByItsFolderAndByItsManifest() throws Exception {
+        WorldImport byFile = read(SDF.resolve("inner_walls/model.sdf"));
+        for (String name : List.of("inner_walls", "inner_walls/model.config")) {
+            WorldImport read = WorldImport.read(SDF.resolve(name), ImportOptions.DEFAULT);
+            assertThat(read.world()).isEqualTo(byFile.world());
+            assertThat(read.read()).isEqualTo(Map.of("model", 1, "link", 7, "collision", 7, "box", 7));
+        }
+    }
+
+    /** Two models from a folder of models, one of them twice. */
+    @Test
+    void aWorldOfModelsFromAFolder() throws Exception {
+        Path file = Files.writeString(folder.resolve("two.sdf"), """
+                <sdf version="1.7"><world name="w">
+                  <include><uri>model://inner_walls</uri></include>
+                  <include><name>more</name><uri>model://inner_walls/model.sdf</uri><pose>10 0 0 0 0 0</pose></include>
+                  <include><uri>model://turtlebot3_world</uri></include>
+                </world></sdf>
+                """);
+        assertThatThrownBy(() -> read(file))
+                .hasMessageStartingWith(file + ":2:17: there is no such file or folder below ")
+                .hasMessageEndingWith(
+                        "check the name, or give the folder that holds the model (got: model://inner_walls)");
+        WorldImport read = SdfReader.read(file, List.of(SDF));
+        assertThat(read.world().objects()).hasSize(7 + 7 + 9);
+        assertThat(read.skipped()).hasSize(6);
+        Point here = read.world().objects().get(3).object().center();
+        Point there = read.world().objects().get(10).object().center();
+        assertThat(there).isEqualTo(new Point(here.x() + 10, here.y(), here.z()));
+        assertThat(read.world().objects().get(10).object().name())
+                .isEqualTo("more::inner_wall_4::inner_wall_4_collision");
+    }
+}
