@@ -41,8 +41,8 @@ public final class Scale {
 
     /** Measures what the properties ask for. */
     public static void main(String[] args) throws Exception {
-        List<String> parts = List.of(
-                System.getProperty("parts", "threads,memory,sweep,objects,robots").split(",", -1));
+        List<String> parts = List.of(System.getProperty("parts", "threads,memory,sweep,objects,robots")
+                .split(",", -1));
         int threads = Integer.getInteger("threads", 2);
         if (parts.contains("threads")) {
             threads(threads);
@@ -211,7 +211,8 @@ public final class Scale {
             for (int threads = 1; threads <= most; threads++) {
                 Path file = Files.createTempFile("scale", ".jsonl");
                 long start = System.nanoTime();
-                String found = SweepRun.of(sweep, file).resume().threads(threads).run().digest();
+                String found =
+                        SweepRun.of(sweep, file).resume().threads(threads).run().digest();
                 best[threads] = Math.max(best[threads], sweep.size() / ((System.nanoTime() - start) / 1e9));
                 Files.delete(file);
                 if (!digest.isEmpty() && !digest.equals(found)) {
