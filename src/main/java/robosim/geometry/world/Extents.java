@@ -1,85 +1,109 @@
 package robosim.geometry.world;
 
 import java.util.List;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
-import robosim.geometry.narrow.LeafColumn;
-import robosim.geometry.narrow.OwnLeaves;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+import robosim.geometry.model.SphereObject;
 
-/**
- * The box along the world's axes around objects, rounded outwards: how far they reach.
- *
- * @param minX the least X of any of them, in world units; above {@code maxX} where there is none
- */
-public record Extents(double minX, double minY, double minZ, double maxX, double maxY, double maxZ) {
-    private static final Extents NONE = new Extents(1 / 0.0, 1 / 0.0, 1 / 0.0, -1 / 0.0, -1 / 0.0, -1 / 0.0);
+/** How far objects reach along the world's axes, but for rounding. */
+public final class Extents {
+    private final double[] least = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
+    private final double[] most = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
+
+    private Extents() {}
 
     /** Of all objects of a world. */
     public static Extents of(List<WorldObject> objects) {
-        Extents extents = NONE;
+        Extents extents = new Extents();
         for (WorldObject object : objects) {
-            extents = extents.and(of(object.object()));
+            extents.add(object.object(), Placement.NONE);
         }
         return extents;
-    }
-
-    static Extents of(GeometryObject object) {
-        LeafColumn leaves = OwnLeaves.placed(object);
-        Extents extents = NONE;
-        double[] b = new double[6];
-        for (int leaf = 0; leaf < leaves.size(); leaf++) {
-            leaves.bounds(leaf, b);
-            extents = extents.and(new Extents(b[0], b[1], b[2], b[3], b[4], b[5]));
-        }
-        return extents;
-    }
-
-    private Extents and(Extents other) {
-        return new Extents(
-                Math.min(minX, other.minX),
-                Math.min(minY, other.minY),
-                Math.min(minZ, other.minZ),
-                Math.max(maxX, other.maxX),
-                Math.max(maxY, other.maxY),
-                Math.max(maxZ, other.maxZ));
     }
 
     /** Whether there is nothing. */
     public boolean isEmpty() {
-        return minX > maxX;
+        return least[0] > most[0];
     }
 
     /** The least X (0), Y (1) or Z (2). */
     public double least(int axis) {
-        return axis == 0 ? minX : axis == 1 ? minY : minZ;
+        return least[axis];
     }
 
     /** The greatest X (0), Y (1) or Z (2). */
     public double most(int axis) {
-        return axis == 0 ? maxX : axis == 1 ? maxY : maxZ;
+        return most[axis];
     }
 
     /** The farthest from the origin along an axis, on either side. */
     double farthest(int axis) {
-        return isEmpty() ? 0 : Math.max(Math.abs(least(axis)), Math.abs(most(axis)));
+        return isEmpty() ? 0 : Math.max(Math.abs(least[axis]), Math.abs(most[axis]));
     }
 
-    /** Along X and Z, from corner to corner. */
-    double diagonal() {
-        return Math.hypot(maxX - minX, maxZ - minZ);
+    private void add(GeometryObject object, Placement frame) {
+        Pose pose = object.pose();
+        Placement place = frame.then(Placement.turned(pose.center(), pose.rotation()));
+        switch (object.kind()) {
+            case BOX -> {
+                BoxObject box = (BoxObject) object;
+                add(place, box.width() / 2, box.height() / 2, box.length() / 2);
+            }
+            case CYLINDER -> cylinder(place, (CylinderObject) object);
+            case SPHERE -> {
+                double radius = ((SphereObject) object).radius();
+                add(place.origin(), new Point(radius, radius, radius));
+            }
+            case MESH -> {
+                for (Point vertex : ((MeshObject) object).vertices()) {
+                    add(place.apply(vertex), new Point());
+                }
+            }
+            case GROUP -> {
+                for (GeometryObject member : ((ObjectGroup) object).members()) {
+                    add(member, place);
+                }
+            }
+        }
     }
 
-    /** The smaller one of those along X and Z. */
-    double narrow() {
-        return Math.min(maxX - minX, maxZ - minZ);
+    private void add(Placement place, double x, double y, double z) {
+        Point a = place.direction(x, 0, 0);
+        Point b = place.direction(0, y, 0);
+        Point c = place.direction(0, 0, z);
+        add(
+                place.origin(),
+                new Point(
+                        Math.abs(a.x()) + Math.abs(b.x()) + Math.abs(c.x()),
+                        Math.abs(a.y()) + Math.abs(b.y()) + Math.abs(c.y()),
+                        Math.abs(a.z()) + Math.abs(b.z()) + Math.abs(c.z())));
     }
 
-    /** Whether the two have a height in common. */
-    boolean meetsLevels(Extents other) {
-        return other.minY <= maxY && minY <= other.maxY;
+    private void cylinder(Placement place, CylinderObject cylinder) {
+        Point axis = place.direction(0, 1, 0);
+        double half = cylinder.height() / 2;
+        double r = cylinder.radius();
+        add(place.origin(), new Point(reach(axis.x(), half, r), reach(axis.y(), half, r), reach(axis.z(), half, r)));
     }
 
-    /** The largest of all three. */
-    double size() {
-        return Math.max(maxY - minY, Math.max(maxX - minX, maxZ - minZ));
+    private static double reach(double along, double half, double radius) {
+        double share = Math.min(1, Math.abs(along));
+        return half * share + radius * Math.sqrt((1 - share) * (1 + share));
+    }
+
+    private void add(Point middle, Point reach) {
+        add(0, middle.x(), reach.x());
+        add(1, middle.y(), reach.y());
+        add(2, middle.z(), reach.z());
+    }
+
+    private void add(int axis, double middle, double reach) {
+        least[axis] = Math.min(least[axis], middle - reach);
+        most[axis] = Math.max(most[axis], middle + reach);
     }
 }

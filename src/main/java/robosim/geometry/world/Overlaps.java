@@ -29,13 +29,13 @@ final class Overlaps {
     Overlaps(World world, WorldCheck.Watch watch) {
         objects = world.objects();
         dimension = world.dimension();
-        List<Extents> extents =
-                objects.stream().map(o -> Extents.of(o.object())).toList();
+        List<Enclosure> enclosures =
+                objects.stream().map(o -> Enclosure.of(o.object())).toList();
         QuadTree tree = new QuadTree(-world.width() / 2, -world.length() / 2, world.width() / 2, world.length() / 2);
         QuadCursor cursor = tree.cursor();
         for (int k = 0; k < objects.size(); k++) {
             watch.at("overlaps", k, objects.size());
-            Extents e = extents.get(k);
+            Enclosure e = enclosures.get(k);
             List<Integer> near = new ArrayList<>();
             cursor.startBox(e.minX(), e.minZ(), e.maxX(), e.maxZ());
             for (int other = cursor.next(); other >= 0; other = cursor.next()) {
@@ -43,12 +43,12 @@ final class Overlaps {
             }
             near.sort(null);
             for (int other : near) {
-                boolean level = dimension == Dimension.PLANAR || e.meetsLevels(extents.get(other));
+                boolean level = dimension == Dimension.PLANAR || e.meetsLevels(enclosures.get(other));
                 if (level) {
                     compare(
                             objects.get(other),
                             objects.get(k),
-                            Math.min(e.size(), extents.get(other).size()));
+                            Math.min(e.size(), enclosures.get(other).size()));
                 }
             }
             tree.add(k, e.minX(), e.minZ(), e.maxX(), e.maxZ());
@@ -98,7 +98,7 @@ final class Overlaps {
             return 0;
         }
         double least = reach;
-        double most = 2 * (Extents.of(first).size() + Extents.of(second).size()) + reach;
+        double most = 2 * (Enclosure.of(first).size() + Enclosure.of(second).size()) + reach;
         while (!isClear(first, second, normal, 2 * least)) {
             least *= 2;
             if (least > most) {

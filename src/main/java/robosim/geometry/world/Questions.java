@@ -164,7 +164,7 @@ final class Questions {
     }
 
     private void move(GeometryObject body, String name) {
-        double way = random.nextDouble() * FAR * Extents.of(body).diagonal();
+        double way = random.nextDouble() * FAR * Enclosure.of(body).diagonal();
         Move move =
                 random.nextBoolean() ? new Move(way, 0, 0, 0, 0) : new Move(0, 0, 0, 0, random.nextDouble(-180, 180));
         boolean right = moves(truth, body, name, move);
@@ -218,17 +218,17 @@ final class Questions {
 
     /** Whether heights can make no difference to anything that is level. */
     private boolean isProven(List<WorldObject> robots) {
-        List<Extents> extents = new ArrayList<>();
+        List<Enclosure> enclosures = new ArrayList<>();
         for (WorldObject object : world.objects()) {
             if (!isPrism(object.object())) {
                 return false;
             }
-            extents.add(Extents.of(object.object()));
+            enclosures.add(Enclosure.of(object.object()));
         }
         for (WorldObject robot : robots) {
             double height = robot.object().center().y();
-            for (Extents e : extents) {
-                // Extents are rounded outwards; so much further in lies the object itself.
+            for (Enclosure e : enclosures) {
+                // Enclosures are rounded outwards; so much further in lies the object itself.
                 double inset = Math.ulp(Math.max(Math.abs(e.minY()), Math.abs(e.maxY()))) * 8;
                 if (!(e.minY() + inset <= height && height <= e.maxY() - inset)) {
                     return false;

@@ -68,7 +68,7 @@ final class Rooms {
      */
     private List<Integer> toBeSent(int halvings) {
         Comparator<Integer> order = Comparator.<Integer, Boolean>comparing(k -> isMany(robots.get(k)))
-                .thenComparingDouble(k -> Extents.of(robots.get(k)).narrow());
+                .thenComparingDouble(k -> Enclosure.of(robots.get(k)).narrow());
         if (halvings > 0) {
             return groups().stream()
                     .map(group -> group.stream().min(order).orElseThrow())

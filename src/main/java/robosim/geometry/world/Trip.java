@@ -28,7 +28,7 @@ final class Trip {
     private final Geometry geometry;
     private final GeometryObject body;
     private final String name;
-    private final Extents extents;
+    private final Enclosure enclosure;
     private final boolean upright;
     private final int turns;
     private final double step;
@@ -56,12 +56,12 @@ final class Trip {
         this.geometry = geometry;
         this.body = robot;
         this.name = String.valueOf(robot.name());
-        this.extents = Extents.of(robot);
+        this.enclosure = Enclosure.of(robot);
         this.upright = robot.pose().isUpright();
         boolean round = robot instanceof SphereObject || (robot instanceof CylinderObject && upright);
         this.turns = round || !upright ? 1 : TURNS;
         double shortest = Math.min(world.width(), world.length());
-        double wanted = extents.narrow() > 0 ? extents.narrow() / 2 : shortest * POINT_STEP;
+        double wanted = enclosure.narrow() > 0 ? enclosure.narrow() / 2 : shortest * POINT_STEP;
         double affordable = Math.max(
                 Math.sqrt(world.width() / MOST) * Math.sqrt(world.length()) * Math.sqrt(turns),
                 Math.max(world.width(), world.length()) / MOST * turns);
@@ -90,7 +90,7 @@ final class Trip {
     }
 
     WorldCheck.Room room(List<String> names) {
-        double half = extents.narrow() / 2;
+        double half = enclosure.narrow() / 2;
         return new WorldCheck.Room(
                 names, x(leastX) - half, z(leastZ) - half, x(mostX) + half, z(mostZ) + half, area(), places, step);
     }
@@ -220,7 +220,7 @@ final class Trip {
         double z = z(place % countZ);
         for (int k = missing.nextSetBit(0); k >= 0; k = missing.nextSetBit(k + 1)) {
             Point other = others.get(k).center();
-            double near = (extents.diagonal() + Extents.of(others.get(k)).diagonal()) / 2 + 2 * step;
+            double near = (enclosure.diagonal() + Enclosure.of(others.get(k)).diagonal()) / 2 + 2 * step;
             if (Math.abs(other.x() - x) <= near
                     && Math.abs(other.z() - z) <= near
                     && isBetweenNothing(x, z, other, near)) {

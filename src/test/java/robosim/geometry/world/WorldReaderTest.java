@@ -467,7 +467,7 @@ class WorldReaderTest {
                 .hasMessage(folder.resolve("no.xml") + ": there is no such file; check the path");
         assertThatThrownBy(() -> WorldReader.read(folder))
                 .isInstanceOf(WorldException.class)
-                .hasMessageContaining("could not be read");
+                .hasMessage(folder + ": a model's folder must have model.config (got: none)");
     }
 
     @Test
