@@ -105,9 +105,7 @@ class SnapshotTest {
         assertThat(kind.ask(copyOfCopy, 600, 5)).as("a copy's copy").isEqualTo(truth);
         assertThat(kind.ask(siblings.get(0), 600, 5)).as("one of two").isEqualTo(truth);
         assertThat(kind.ask(siblings.get(1), 600, 5)).as("the other").isEqualTo(truth);
-        assertThat(kind.ask(read.toGeometry(), 600, 5))
-                .as("read from a stream")
-                .isEqualTo(truth);
+        assertThat(kind.ask(read.toGeometry(), 600, 5)).as("read from a stream").isEqualTo(truth);
         assertThat(kind.ask(snapshot.toGeometry(), 600, 6))
                 .as("other questions")
                 .isNotEqualTo(truth);
