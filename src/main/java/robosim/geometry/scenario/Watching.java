@@ -30,6 +30,7 @@ import robosim.geometry.protocol.WorldSettings;
  * <p>A session only hands over what it has in hand anyway, and waits for nobody: a watcher for whom too much waits is told
  * no more.
  *
+ * <!-- java: given InetAddress address -->
  * <pre>{@code
  * NetOptions options = NetOptions.defaults();
  * Watching watching = new Watching(options.session());
