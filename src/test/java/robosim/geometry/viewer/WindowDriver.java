@@ -224,7 +224,17 @@ final class WindowDriver {
         Point point = onScreen(worldX, worldZ);
         SwingUtilities.convertPointFromScreen(point, map());
         MouseWheelEvent event = new MouseWheelEvent(
-                map(), MouseEvent.MOUSE_WHEEL, 0, 0, point.x, point.y, 0, false, MouseWheelEvent.WHEEL_UNIT_SCROLL, 1, notches);
+                map(),
+                MouseEvent.MOUSE_WHEEL,
+                0,
+                0,
+                point.x,
+                point.y,
+                0,
+                false,
+                MouseWheelEvent.WHEEL_UNIT_SCROLL,
+                1,
+                notches);
         SwingUtilities.invokeAndWait(() -> map().dispatchEvent(event));
     }
 
