@@ -251,9 +251,20 @@ final class Bodies {
     /** The ids of all objects, in the order in which they were added. */
     IntStream ids() {
         int others = shared == null ? 0 : shared.bodies.limit();
-        IntStream own = IntStream.range(0, capacityUsed).filter(this::isPresent);
-        IntStream all = IntStream.concat(IntStream.range(0, others).map(id -> id | SHARED), own);
-        return all.boxed().sorted(Comparator.comparingLong(this::arrival)).mapToInt(Integer::intValue);
+        return inOrder(IntStream.concat(IntStream.range(0, others).map(id -> id | SHARED), own()));
+    }
+
+    /** The ids of the moveable objects, in the order in which they were added. */
+    IntStream moverIds() {
+        return inOrder(own().filter(this::isMoveable));
+    }
+
+    private IntStream own() {
+        return IntStream.range(0, capacityUsed).filter(this::isPresent);
+    }
+
+    private IntStream inOrder(IntStream ids) {
+        return ids.boxed().sorted(Comparator.comparingLong(this::arrival)).mapToInt(Integer::intValue);
     }
 
     /** The object as it was added. */

@@ -78,7 +78,7 @@ public final class Snapshot implements Serializable {
             int[] ids = bodies.ids().filter(id -> !bodies.isMoveable(id)).toArray();
             shared = settings.statics(present(bodies, ids), times(bodies, ids));
         }
-        int[] ids = bodies.ids().filter(bodies::isMoveable).toArray();
+        int[] ids = bodies.moverIds().toArray();
         return new Snapshot(settings, shared, present(bodies, ids), times(bodies, ids), bodies.arrivals());
     }
 

@@ -51,6 +51,19 @@
  * hit.normal().x();                                    // -1
  * }</pre>
  *
+ * <h2>Many worlds</h2>
+ *
+ * A {@link robosim.geometry.Snapshot} is a world for good. Worlds that are made of it share all that stands still, so thousands
+ * of them cost little, each for a thread of its own; {@code robosim.geometry.sweep} runs scenarios over them.
+ *
+ * <!-- java: continues -->
+ * <pre>{@code
+ * Snapshot snapshot = geometry.snapshot();
+ * Geometry copy = snapshot.toGeometry();
+ * copy.removeObject("robot");            // true
+ * geometry.hasObject("robot");           // true: it is another world
+ * }</pre>
+ *
  * <h2>Exactness</h2>
  *
  * Answers are those of the real geometry of the stored numbers, without a tolerance; where that is out of reach, "free" is a
@@ -76,6 +89,7 @@
  *   <li>{@link robosim.geometry.net} and {@link robosim.geometry.protocol}: the module beside a simulator, over TCP
  *   <li>{@link robosim.geometry.scenario}: recorded conversations, and their replay
  *   <li>{@link robosim.geometry.junit}: tests of robots
+ *   <li>{@link robosim.geometry.sweep}: scenarios over worlds, parameters and seeds, on threads and on many machines
  * </ul>
  */
 @NullMarked

@@ -19,9 +19,6 @@ import robosim.geometry.scenario.WireReader;
 import robosim.geometry.viewer.Pictures;
 import robosim.geometry.viewer.Theme;
 import robosim.geometry.viewer.Viewer;
-import robosim.geometry.world.ImportOptions;
-import robosim.geometry.world.World;
-import robosim.geometry.world.WorldImport;
 
 /** Shows a world, a recording or a session in a window. */
 @Command(
@@ -120,8 +117,7 @@ final class ViewCommand implements Callable<Integer> {
         } else if (name.endsWith(".jsonl")) {
             Viewer.recording(ScenarioReader.open(shown), title, lender(), theme());
         } else {
-            World world = WorldImport.read(shown, ImportOptions.DEFAULT).world();
-            Viewer.world(world, title, theme());
+            Viewer.world(Inputs.world(spec, shown), title, theme());
         }
     }
 

@@ -44,7 +44,7 @@ public record Outcome(
         return error != null;
     }
 
-    /** The line of a file, without its check sum. */
+    /** All of it as a line of JSON, without a check sum. */
     public String line() {
         Map<String, @Nullable Object> fields = new LinkedHashMap<>();
         fields.put("type", isFailed() ? "failure" : "result");
@@ -59,6 +59,11 @@ public record Outcome(
             fields.put("error", error);
         }
         return JsonRecord.write(fields);
+    }
+
+    /** The line of a file, with its check sum. */
+    public String sealed() {
+        return Sealed.seal(line());
     }
 
     /**

@@ -33,6 +33,7 @@ public final class Sweep implements Serializable {
 
     private static final long serialVersionUID = 1;
 
+    private final String name;
     private final SweepScenario scenario;
     private final List<SweepWorld> worlds;
     private final SortedMap<String, List<String>> parameters;
@@ -41,11 +42,13 @@ public final class Sweep implements Serializable {
     private transient SweepWorld.Views views = new SweepWorld.Views();
 
     private Sweep(
+            String name,
             SweepScenario scenario,
             List<SweepWorld> worlds,
             Map<String, List<String>> parameters,
             long replicates,
             long seed) {
+        this.name = Names.check("name of a scenario", name);
         this.scenario = scenario;
         this.worlds = List.copyOf(worlds);
         this.parameters = new TreeMap<>(parameters);
@@ -58,7 +61,15 @@ public final class Sweep implements Serializable {
         if (scenario == null) {
             throw new IllegalArgumentException("scenario must be given (got: null)");
         }
-        return new Sweep(scenario, List.of(), Map.of(), 1, 0);
+        return of(scenario.name(), scenario);
+    }
+
+    /** The same under a name of one's own, for a lambda that has none. */
+    public static Sweep of(String name, SweepScenario scenario) {
+        if (scenario == null) {
+            throw new IllegalArgumentException("scenario must be given (got: null)");
+        }
+        return new Sweep(name, scenario, List.of(), Map.of(), 1, 0);
     }
 
     /** Over one world more. */
@@ -68,7 +79,7 @@ public final class Sweep implements Serializable {
         }
         List<SweepWorld> more = new ArrayList<>(worlds);
         more.add(world);
-        return new Sweep(scenario, more, parameters, replicates, seed);
+        return new Sweep(name, scenario, more, parameters, replicates, seed);
     }
 
     /** Over the values of a parameter, in this order; they take the place of earlier ones. */
@@ -88,7 +99,7 @@ public final class Sweep implements Serializable {
         }
         Map<String, List<String>> more = new TreeMap<>(parameters);
         more.put(parameter, List.of(values));
-        return new Sweep(scenario, worlds, more, replicates, seed);
+        return new Sweep(name, scenario, worlds, more, replicates, seed);
     }
 
     private static <E extends Enum<E>> E constant(String parameter, Class<E> type, String value) {
@@ -107,12 +118,12 @@ public final class Sweep implements Serializable {
             throw new IllegalArgumentException(
                     "replicates must be from 1 to " + Integer.MAX_VALUE + " (got: " + number + ")");
         }
-        return new Sweep(scenario, worlds, parameters, number, seed);
+        return new Sweep(name, scenario, worlds, parameters, number, seed);
     }
 
     /** With another root seed. */
     public Sweep seed(long root) {
-        return new Sweep(scenario, worlds, parameters, replicates, root);
+        return new Sweep(name, scenario, worlds, parameters, replicates, root);
     }
 
     /** What its results are filed under, and what makes it this sweep. */
@@ -120,8 +131,8 @@ public final class Sweep implements Serializable {
         Map<String, String> prints = new LinkedHashMap<>();
         worlds.forEach(world -> prints.put(world.name(), Fingerprint.of(world.snapshot())));
         Map<String, String> values = new LinkedHashMap<>();
-        parameters.forEach((name, each) -> values.put(name, String.join(",", each)));
-        return new SweepHeader(scenario.name(), seed, replicates, prints, values);
+        parameters.forEach((parameter, each) -> values.put(parameter, String.join(",", each)));
+        return new SweepHeader(name, seed, replicates, prints, values);
     }
 
     /** How many worlds with how many combinations of values there are. */
@@ -169,8 +180,8 @@ public final class Sweep implements Serializable {
         int at = (int) (cell % worlds.size());
         SweepWorld world = worlds.get(at);
         SortedMap<String, String> values = values(cell);
-        long own = Seeds.of(seed, scenario.name(), world.name(), values, number);
-        long paired = Seeds.paired(seed, scenario.name(), number);
+        long own = Seeds.of(seed, name, world.name(), values, number);
+        long paired = Seeds.paired(seed, name, number);
         try {
             Snapshot snapshot = snapshot(at, world, values);
             Result result =

@@ -36,6 +36,11 @@ public record SweepHeader(
         return line(0).equals(other.line(0));
     }
 
+    /** The line that a file of results begins with, with its check sum. */
+    public String sealed() {
+        return Sealed.seal(line());
+    }
+
     /** The line of a file, without its check sum. */
     String line() {
         return line(replicates);

@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Results as a picture, SVG: a panel for each number, its mean over the values of the parameter with the most numeric ones,
  * a line for each world and combination of the others; bars are the interval of {@link SweepSummary.Spread#margin()}. Where
- * no parameter varies, the worlds stand side by side.
+ * no parameter varies, the worlds stand side by side. A number that is one and the same everywhere gets a line of text.
  */
 public final class SweepPlot {
     private static final int WIDTH = 760;
@@ -38,7 +38,7 @@ public final class SweepPlot {
         along = longest(header);
         title = header.scenario().substring(header.scenario().lastIndexOf('.') + 1) + ", "
                 + header.replicates() + (header.replicates() == 1 ? " replicate" : " replicates")
-                + " each; bars: 95 % interval of the mean";
+                + " each: means and their 95 % intervals";
         summary.cells().forEach(this::sort);
         if (along != null) {
             places.sort((a, b) -> Double.compare(Double.parseDouble(a), Double.parseDouble(b)));
@@ -101,8 +101,11 @@ public final class SweepPlot {
                 .flatMap(spreads -> spreads.keySet().stream())
                 .distinct()
                 .toList();
-        int legend = along == null ? 0 : LEGEND_ROW * lines.size();
-        int height = TOP + legend + numbers.size() * (PANEL + BELOW) + 10;
+        List<String> same = numbers.stream().filter(this::isOne).toList();
+        List<String> panels =
+                numbers.stream().filter(number -> !same.contains(number)).toList();
+        int legend = (along == null ? 0 : LEGEND_ROW * lines.size()) + LEGEND_ROW * same.size();
+        int height = TOP + legend + panels.size() * (PANEL + BELOW) + 10;
         add(
                 "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\""
                         + " font-family=\"sans-serif\" font-size=\"12\">",
@@ -116,10 +119,39 @@ public final class SweepPlot {
             add("<text x=\"%d\" y=\"%.1f\">%s</text>", LEFT + 14, y + 4, escaped(line));
             row++;
         }
-        for (int k = 0; k < numbers.size(); k++) {
-            panel(numbers.get(k), TOP + legend + k * (PANEL + BELOW));
+        for (String number : same) {
+            add(
+                    "<text x=\"%d\" y=\"%d\">%s: %s in every replicate</text>",
+                    LEFT, 48 + row++ * LEGEND_ROW, escaped(number), one(number));
+        }
+        for (int k = 0; k < panels.size(); k++) {
+            panel(panels.get(k), TOP + legend + k * (PANEL + BELOW));
         }
         svg.append("</svg>\n");
+    }
+
+    private List<SweepSummary.Spread> all(String number) {
+        List<SweepSummary.Spread> all = new ArrayList<>();
+        summary.cells().values().forEach(spreads -> {
+            SweepSummary.Spread spread = spreads.get(number);
+            if (spread != null) {
+                all.add(spread);
+            }
+        });
+        return all;
+    }
+
+    /** Whether a number is the same in all replicates, or there is none in any. */
+    private boolean isOne(String number) {
+        double first = all(number).get(0).min();
+        return all(number).stream()
+                .allMatch(spread -> spread.min() == first
+                        && (spread.count() == 0 || (spread.none() == 0 && spread.max() == first)));
+    }
+
+    private String one(String number) {
+        SweepSummary.Spread spread = all(number).get(0);
+        return spread.count() == 0 ? "none" : SweepSummary.number(spread.min());
     }
 
     private static String colour(int line) {
@@ -137,10 +169,6 @@ public final class SweepPlot {
                     high = Math.max(high, spread.mean() + spread.margin());
                 }
             }
-        }
-        if (low > high) {
-            add("<text x=\"%d\" y=\"%d\">%s: none in any replicate</text>", LEFT, top + 20, escaped(number));
-            return;
         }
         SweepAxis vertical = new SweepAxis(low, high, top + PANEL, top);
         frame(number, top, vertical);
@@ -168,7 +196,7 @@ public final class SweepPlot {
                 "<rect x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\" fill=\"none\" stroke=\"#444444\"/>",
                 LEFT, top, WIDTH - LEFT - RIGHT, PANEL);
         add(
-                "<text transform=\"translate(18 %d) rotate(-90)\" text-anchor=\"middle\">mean of %s</text>",
+                "<text transform=\"translate(18 %d) rotate(-90)\" text-anchor=\"middle\">%s</text>",
                 top + PANEL / 2, escaped(number));
     }
 
@@ -214,7 +242,9 @@ public final class SweepPlot {
             if (spread == null || spread.count() == 0) {
                 continue;
             }
-            double x = horizontal.at(along == null ? k : Double.parseDouble(places.get(k)));
+            // Side by side where lines meet.
+            double aside = 5 * (row - (lines.size() - 1) / 2.0);
+            double x = horizontal.at(along == null ? k : Double.parseDouble(places.get(k))) + aside;
             double y = vertical.at(spread.mean());
             points.append(String.format(Locale.ROOT, "%.1f,%.1f ", x, y));
             add(

@@ -156,7 +156,7 @@ public final class SweepResults {
         Path half = absolute.resolveSibling(absolute.getFileName() + ".half");
         try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(half));
                 Lines lines = new Lines()) {
-            out.write((Sealed.seal(as.line()) + "\n").getBytes(StandardCharsets.UTF_8));
+            out.write((as.sealed() + "\n").getBytes(StandardCharsets.UTF_8));
             for (Entry entry : entries) {
                 out.write((lines.line(entry) + "\n").getBytes(StandardCharsets.UTF_8));
             }

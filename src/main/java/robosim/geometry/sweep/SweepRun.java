@@ -137,12 +137,12 @@ public final class SweepRun {
         out.truncate(before.end());
         out.position(before.end());
         if (old == null || old.replicates() != header.replicates()) {
-            append(out, header.line());
+            append(out, header.sealed());
         }
     }
 
     private static void append(FileChannel out, String line) throws IOException {
-        ByteBuffer bytes = ByteBuffer.wrap((Sealed.seal(line) + "\n").getBytes(StandardCharsets.UTF_8));
+        ByteBuffer bytes = ByteBuffer.wrap((line + "\n").getBytes(StandardCharsets.UTF_8));
         while (bytes.hasRemaining()) {
             out.write(bytes);
         }
@@ -167,7 +167,7 @@ public final class SweepRun {
                         index < sweep.size() && !isOver.get();
                         index = next.getAndIncrement()) {
                     if (sweep.isOf(shard, index) && !done.get((int) index)) {
-                        String line = sweep.run(index).line();
+                        String line = sweep.run(index).sealed();
                         synchronized (out) {
                             append(out, line);
                         }

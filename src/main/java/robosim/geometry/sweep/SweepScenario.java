@@ -18,8 +18,15 @@ public interface SweepScenario extends Serializable {
      */
     Result run(Replicate replicate) throws Exception;
 
-    /** What results are filed under; seeds are made from it too. */
+    /**
+     * What results are filed under; seeds are made from it too. A class's own name; what was written as a lambda has another
+     * one in each run, and is given one by {@link Sweep#of(String, SweepScenario)}.
+     */
     default String name() {
-        return getClass().getName();
+        Class<?> type = getClass();
+        if (type.isHidden() || type.isSynthetic()) {
+            throw new IllegalArgumentException("a scenario that is a lambda must be given a name (got: " + type + ")");
+        }
+        return type.getName();
     }
 }

@@ -213,6 +213,14 @@ final class Viewing {
         return film.moment(player.position()) + note + end;
     }
 
+    /** How fast it goes, for people. */
+    String pace() {
+        if (live) {
+            return player.isFollowing() ? "live" : "paused";
+        }
+        return Labels.number(player.speed()) + " steps/s";
+    }
+
     private String end() {
         String problem = feed == null ? "" : feed.problem();
         if (!problem.isEmpty()) {

@@ -97,18 +97,16 @@ class SnapshotTest {
         Geometry copyOfCopy = copy.snapshot().toGeometry();
         List<Geometry> siblings = snapshot.toGeometries(2);
 
-        List<String> truth = kind.ask(world, 1500, 5);
+        List<String> truth = kind.ask(world, 600, 5);
         assertThat(truth).anyMatch(line -> line.contains("go true")).anyMatch(line -> line.contains("go false"));
         assertThat(truth).anyMatch(line -> line.contains("test true")).anyMatch(line -> line.contains("test false"));
-        assertThat(kind.ask(anew, 1500, 5)).as("built anew").isEqualTo(truth);
-        assertThat(kind.ask(copy, 1500, 5)).as("a copy").isEqualTo(truth);
-        assertThat(kind.ask(copyOfCopy, 1500, 5)).as("a copy's copy").isEqualTo(truth);
-        assertThat(kind.ask(siblings.get(0), 1500, 5)).as("one of two").isEqualTo(truth);
-        assertThat(kind.ask(siblings.get(1), 1500, 5)).as("the other").isEqualTo(truth);
-        assertThat(kind.ask(read.toGeometry(), 1500, 5))
-                .as("read from a stream")
-                .isEqualTo(truth);
-        assertThat(kind.ask(snapshot.toGeometry(), 1500, 6))
+        assertThat(kind.ask(anew, 600, 5)).as("built anew").isEqualTo(truth);
+        assertThat(kind.ask(copy, 600, 5)).as("a copy").isEqualTo(truth);
+        assertThat(kind.ask(copyOfCopy, 600, 5)).as("a copy's copy").isEqualTo(truth);
+        assertThat(kind.ask(siblings.get(0), 600, 5)).as("one of two").isEqualTo(truth);
+        assertThat(kind.ask(siblings.get(1), 600, 5)).as("the other").isEqualTo(truth);
+        assertThat(kind.ask(read.toGeometry(), 600, 5)).as("read from a stream").isEqualTo(truth);
+        assertThat(kind.ask(snapshot.toGeometry(), 600, 6))
                 .as("other questions")
                 .isNotEqualTo(truth);
         assertThat(exactly(read.objects())).isEqualTo(exactly(snapshot.objects()));
@@ -130,14 +128,14 @@ class SnapshotTest {
         change(changed, kind, new SplittableRandom(8));
         change(world, kind, new SplittableRandom(8));
         assertThat(exactly(changed.objects())).isEqualTo(exactly(world.objects()));
-        List<String> truth = kind.ask(world, 1000, 9);
-        assertThat(kind.ask(changed, 1000, 9)).as("changed").isEqualTo(truth);
-        assertThat(kind.ask(changed.snapshot().toGeometry(), 1000, 10))
+        List<String> truth = kind.ask(world, 500, 9);
+        assertThat(kind.ask(changed, 500, 9)).as("changed").isEqualTo(truth);
+        assertThat(kind.ask(changed.snapshot().toGeometry(), 500, 10))
                 .as("a copy of what was changed")
-                .isEqualTo(kind.ask(world, 1000, 10));
-        List<String> before = kind.ask(snapshot.toGeometry(), 1000, 9);
+                .isEqualTo(kind.ask(world, 500, 10));
+        List<String> before = kind.ask(snapshot.toGeometry(), 500, 9);
         assertThat(before).isNotEqualTo(truth);
-        assertThat(kind.ask(untouched, 1000, 9)).as("made before").isEqualTo(before);
+        assertThat(kind.ask(untouched, 500, 9)).as("made before").isEqualTo(before);
     }
 
     /** Static and moveable objects come; then some that were shared go, and more come. */
@@ -184,13 +182,13 @@ class SnapshotTest {
                     if (changes) {
                         change(copy, kind, new SplittableRandom(8));
                     }
-                    return kind.ask(copy, 1500, 5);
+                    return kind.ask(copy, 600, 5);
                 }));
             }
             Geometry changed = snapshot.toGeometry();
             change(changed, kind, new SplittableRandom(8));
-            List<String> ofChanged = kind.ask(changed, 1500, 5);
-            List<String> truth = kind.ask(world, 1500, 5);
+            List<String> ofChanged = kind.ask(changed, 600, 5);
+            List<String> truth = kind.ask(world, 600, 5);
             for (int k = 0; k < threads; k++) {
                 assertThat(answers.get(k).get()).as("thread %d", k).isEqualTo(k % 4 == 3 ? ofChanged : truth);
             }
@@ -210,6 +208,8 @@ class SnapshotTest {
         long ofLarge = allocated(() -> large.toGeometry());
         assertThat(ofLarge).isBetween(ofSmall / 2, ofSmall + 4096);
         assertThat(ofSmall).isLessThan(200_000);
+        Geometry copy = large.toGeometry();
+        assertThat(allocated(() -> copy.snapshot())).as("a snapshot of a copy").isLessThan(50_000);
         assertThat(allocated(() -> large.toGeometries(100))).isLessThan(100 * 40_000);
         assertThat(allocated(() -> grid(20_000))).isGreaterThan(20_000 * 100);
     }

@@ -70,11 +70,9 @@ class SweepSummaryTest {
         Document document =
                 DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(new InputSource(new StringReader(svg)));
         NodeList circles = document.getElementsByTagName("circle");
-        assertThat(circles.getLength())
-                .as("3 places x 2 numbers, and the legend")
-                .isEqualTo(7);
+        assertThat(circles.getLength()).as("3 places, and the legend").isEqualTo(4);
         assertThat(svg)
-                .contains("mean of nearest [m]", ">step<", "s&lt;1&gt;, 3 replicates each")
+                .contains(">nearest [m]<", ">step<", "s&lt;1&gt;, 3 replicates each", "made: 3 in every replicate")
                 .doesNotContain("NaN", "Infinity");
         assertThat(SweepPlot.svg(header, summary)).isEqualTo(svg);
     }

@@ -215,6 +215,16 @@ class SweepTest {
     }
 
     @Test
+    void aLambdaNeedsAName() throws IOException {
+        SweepScenario lambda =
+                replicate -> Result.of("drawn", replicate.random().nextDouble());
+        assertThatThrownBy(() -> Sweep.of(lambda)).hasMessageContaining("must be given a name");
+        Sweep sweep = Sweep.of("dice", lambda).over(SweepWorld.read(Path.of("worlds", "maze.xml")));
+        assertThat(sweep.run(0).values().get("drawn")).isBetween(0.0, 1.0);
+        assertThat(sweep.header().scenario()).isEqualTo("dice");
+    }
+
+    @Test
     void aFailureTellsWhy() {
         Sweep sweep = Sweeps.wander(0);
         Outcome failed = null;

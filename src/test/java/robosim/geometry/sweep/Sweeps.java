@@ -25,6 +25,6 @@ final class Sweeps {
 
     /** A process that is to be killed: carries it out slowly into a file. */
     public static void main(String[] arguments) throws Exception {
-        SweepRun.of(wander(40), Path.of(arguments[0])).threads(2).resume().run();
+        SweepRun.of(wander(100), Path.of(arguments[0])).threads(2).resume().run();
     }
 }

@@ -77,7 +77,8 @@ class ViewingTest {
         assertThat(card).isNotNull();
         assertThat(card.heading()).isEqualTo("wall");
         assertThat(card.lines())
-                .containsExactly("box, cannot move", "at x 2, z 0, y 0", "heading 0°", "width 1, length 4, height 1");
+                .containsExactly(
+                        "box, cannot move", "at x 2, z 0, y 0", "heading 0 degrees", "width 1, length 4, height 1");
         assertThat(viewing.life().marks()).containsExactly(new Scene.Mark(Talk.WALL, Scene.Mark.Why.PICKED));
         press(viewing, -8, 3);
         viewing.release();
@@ -200,6 +201,42 @@ class ViewingTest {
         viewing.nextTrails();
         viewing.nextTrails(); // none
         assertThat(viewing.life().refusals()).isEmpty();
+    }
+
+    @Test
+    void aSessionIsFollowedUntilItIsPaused() throws Exception {
+        ByteArrayOutputStream file = new ByteArrayOutputStream();
+        Talk.begun().drives(1, true).drives(1, true).scenario().write(file);
+        Feed feed = new Feed(ScenarioReader.of(new ByteArrayInputStream(file.toByteArray()), "talk"));
+        Viewing viewing = Viewing.ofLive(feed, "talk", "m");
+        while (!feed.isEnded()) {
+            viewing.tick(1);
+        }
+        viewing.tick(1);
+        assertThat(viewing.player.position()).isEqualTo(2);
+        assertThat(viewing.pace()).isEqualTo("live");
+        assertThat(viewing.status()).isEqualTo("step 3 of 3: 1 move; the session is over");
+        viewing.player.step(-1);
+        assertThat(viewing.pace()).isEqualTo("paused");
+        assertThat(drum(viewing)).isEqualTo(new Point(-4, 0, 0));
+        assertThat(viewing.life().unit()).isEqualTo("m");
+    }
+
+    @Test
+    void aWorldFileLendsItsColours() throws Exception {
+        World world = new World(20, 5, 10, List.of(new WorldObject(Talk.WALL, "#ff0000", List.of())));
+        ByteArrayOutputStream file = new ByteArrayOutputStream();
+        Talk.begun().scenario().write(file);
+        Feed feed = new Feed(
+                ScenarioReader.of(new ByteArrayInputStream(file.toByteArray()), "talk"),
+                Pictures.colours(world),
+                () -> "");
+        Viewing viewing = Viewing.ofRecording(feed, "talk", "");
+        while (!feed.isEnded()) {
+            viewing.tick(1);
+        }
+        viewing.tick(1);
+        assertThat(viewing.ground().things()).containsExactly(new Scene.Thing(Talk.WALL, 0xff0000));
     }
 
     @Test
