@@ -2,8 +2,9 @@
  * A scenario carried out over worlds, parameters and seeds, on any number of threads and machines, with the same results to
  * the bit. {@code docs/sweep.md} tells the formats and how seeds are made.
  *
+ * <!-- java: given SweepScenario wayOut -->
  * <pre>{@code
- * Sweep sweep = Sweep.of(new WayOut())
+ * Sweep sweep = Sweep.of(wayOut)
  *         .over(SweepWorld.read(Path.of("worlds/maze.xml")))
  *         .vary("step", "0.25", "0.5")
  *         .replicates(1000)

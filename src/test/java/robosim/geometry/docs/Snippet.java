@@ -40,6 +40,7 @@ final class Snippet {
             import robosim.geometry.net.*;
             import robosim.geometry.protocol.*;
             import robosim.geometry.scenario.*;
+            import robosim.geometry.sweep.*;
             import robosim.geometry.world.*;
             """;
     private static final String TESTS = """
