@@ -87,7 +87,7 @@ final class CheckCommand implements Callable<Integer> {
 
     private WorldCheck check() {
         try {
-            return WorldCheck.of(WorldReader.read(file), this::tell);
+            return WorldCheck.of(Inputs.world(spec, file), this::tell);
         } catch (WorldException changedMeanwhile) {
             throw new UncheckedIOException(changedMeanwhile.getMessage(), changedMeanwhile);
         } finally {

@@ -78,6 +78,14 @@ final class Commands {
             command.getErr().println(text(failure));
             return ExitCodes.UNUSABLE;
         });
+        // What is wrong, and no more: who wants the whole help asks for it.
+        line.setParameterExceptionHandler((refused, given) -> {
+            CommandLine command = refused.getCommandLine();
+            command.getErr().println(refused.getMessage());
+            CommandLine.UnmatchedArgumentException.printSuggestions(refused, command.getErr());
+            command.getErr().println("See: " + command.getCommandSpec().qualifiedName() + " --help");
+            return ExitCodes.UNUSABLE;
+        });
         if (arguments.length == 0) {
             line.usage(line.getErr());
             return ExitCodes.UNUSABLE;

@@ -52,6 +52,10 @@ final class ConnectCommand implements Callable<Integer> {
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private RecordOptions record;
 
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private WatchOptions watch;
+
     private ConnectCommand() {}
 
     @Override
@@ -59,9 +63,13 @@ final class ConnectCommand implements Callable<Integer> {
         Ports.check(spec, port, 1);
         NetOptions options =
                 record.inFile(common.options(Allowance.DEFAULT.connections())).withRedial(once ? null : Redial.DEFAULT);
+        WatchOptions.Watch watched = watch.begin(options);
         int seconds = common.figuresSeconds();
-        GeometryClient client = new GeometryClient(host, port, options);
-        FiguresPrinter.start(spec.commandLine().getOut(), client.figures(), seconds, client::close);
+        GeometryClient client = new GeometryClient(host, port, watched.options());
+        FiguresPrinter.start(spec.commandLine().getOut(), client.figures(), seconds, () -> {
+            client.close();
+            watched.close();
+        });
         client.run();
         // What went wrong on the connection has been logged by then; only without --once does that not matter.
         return once && client.figures().getErrors() > 0 ? ExitCodes.UNUSABLE : ExitCodes.FINE;

@@ -1,12 +1,21 @@
 package robosim.geometry.cli;
 
+import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
+import robosim.geometry.world.ImportOptions;
+import robosim.geometry.world.Skipped;
+import robosim.geometry.world.World;
+import robosim.geometry.world.WorldException;
+import robosim.geometry.world.WorldImport;
 
 /** Files that a command reads. */
 final class Inputs {
+    private static final int MOST_SKIPPED = 10;
+
     private Inputs() {}
 
     /**
@@ -31,5 +40,17 @@ final class Inputs {
                     parameter + " must be a file that you may read; check who owns it (got: " + file + ")");
         }
         return file;
+    }
+
+    /** A world of any format; what the file has and the world has not is told on the standard error. */
+    static World world(CommandSpec spec, Path file) throws WorldException {
+        WorldImport read = WorldImport.read(file, ImportOptions.DEFAULT);
+        List<Skipped> skipped = read.skipped();
+        PrintWriter err = spec.commandLine().getErr();
+        skipped.stream().limit(MOST_SKIPPED).forEach(err::println);
+        if (skipped.size() > MOST_SKIPPED) {
+            err.println("... and " + (skipped.size() - MOST_SKIPPED) + " more, which `convert --all` names");
+        }
+        return read.world();
     }
 }

@@ -1,6 +1,5 @@
 package robosim.geometry.cli;
 
-import java.util.Arrays;
 import java.util.Map;
 
 /** The command line: {@code --help} tells its commands. */
@@ -33,7 +32,7 @@ public final class Main {
      */
     public static void main(String[] arguments) {
         // No command but one needs a screen.
-        if (!Arrays.asList(arguments).contains(ViewCommand.NAME)) {
+        if (arguments.length == 0 || !arguments[0].equals(ViewCommand.NAME)) {
             System.setProperty("java.awt.headless", "true");
         }
         int code;

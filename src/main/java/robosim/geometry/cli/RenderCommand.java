@@ -12,7 +12,6 @@ import picocli.CommandLine.Spec;
 import robosim.geometry.viewer.Painter;
 import robosim.geometry.viewer.Pictures;
 import robosim.geometry.viewer.Theme;
-import robosim.geometry.world.WorldReader;
 
 /** Draws a world file. */
 @Command(
@@ -54,7 +53,7 @@ final class RenderCommand implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), "FILE must end in .svg or .png (got: " + output + ")");
         }
         Inputs.file(spec, "WORLD", world);
-        Painter.write(Pictures.of(WorldReader.read(world), Pictures.title(world)), theme(), output);
+        Painter.write(Pictures.of(Inputs.world(spec, world), Pictures.title(world)), theme(), output);
         spec.commandLine().getOut().println("Wrote " + output);
         return 0;
     }

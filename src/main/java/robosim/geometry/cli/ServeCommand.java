@@ -10,7 +10,6 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.net.GeometryServer;
-import robosim.geometry.net.NetOptions;
 
 /** Waits for environments until the process is ended. */
 @Command(
@@ -21,7 +20,11 @@ import robosim.geometry.net.NetOptions;
         exitCodeListHeading = ExitCodes.HEADING,
         exitCodeList = {ExitCodes.FINE + ":it was listening until it was ended", ExitCodes.REFUSED},
         footerHeading = "%nExamples:%n",
-        footer = {"  robosim-geometry serve 5555", "  robosim-geometry serve 5555 --record recordings --figures 60"})
+        footer = {
+            "  robosim-geometry serve 5555",
+            "  robosim-geometry serve 5555 --record recordings --figures 60",
+            "  robosim-geometry serve 5555 --watch 5556"
+        })
 final class ServeCommand implements Callable<Integer> {
     @Spec
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
@@ -54,18 +57,25 @@ final class ServeCommand implements Callable<Integer> {
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private RecordOptions record;
 
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private WatchOptions watch;
+
     private ServeCommand() {}
 
     @Override
     public Integer call() throws Exception {
         Ports.check(spec, port, 0);
-        NetOptions options = record.inFolder(common.options(connections));
+        WatchOptions.Watch watched = watch.begin(record.inFolder(common.options(connections)));
         int seconds = common.figuresSeconds();
-        GeometryServer server = new GeometryServer(InetAddress.getByName(host), port, options);
+        GeometryServer server = new GeometryServer(InetAddress.getByName(host), port, watched.options());
         PrintWriter out = spec.commandLine().getOut();
         out.println("Listening on " + server.address());
         out.flush();
-        FiguresPrinter.start(out, server.figures(), seconds, server::close);
+        FiguresPrinter.start(out, server.figures(), seconds, () -> {
+            server.close();
+            watched.close();
+        });
         return 0;
     }
 }

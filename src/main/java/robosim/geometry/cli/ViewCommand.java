@@ -14,13 +14,11 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.scenario.StepReader;
+import robosim.geometry.scenario.WatchReader;
 import robosim.geometry.scenario.WireReader;
 import robosim.geometry.viewer.Pictures;
 import robosim.geometry.viewer.Theme;
 import robosim.geometry.viewer.Viewer;
-import robosim.geometry.world.ImportOptions;
-import robosim.geometry.world.World;
-import robosim.geometry.world.WorldImport;
 
 /** Shows a world, a recording or a session in a window. */
 @Command(
@@ -34,7 +32,8 @@ import robosim.geometry.world.WorldImport;
         footer = {
             "  robosim-geometry view worlds/rooms.xml",
             "  robosim-geometry view recordings/session.scenario.jsonl",
-            "  robosim-geometry view target/demo"
+            "  robosim-geometry view target/demo --world worlds/rooms.xml",
+            "  robosim-geometry view --watch localhost:5556"
         })
 final class ViewCommand implements Callable<Integer> {
     static final String NAME = "view";
@@ -55,6 +54,18 @@ final class ViewCommand implements Callable<Integer> {
                     + "), or a folder with the demo's " + TO_MODULE + " and " + FROM_MODULE)
     private @Nullable Path file;
 
+    @Option(
+            names = "--watch",
+            paramLabel = "HOST:PORT",
+            description = "a session as it is held: the port of a serve or connect with --watch; nothing is sent to it")
+    private @Nullable String watched;
+
+    @Option(
+            names = "--world",
+            paramLabel = "WORLD",
+            description = "for a recording or a session: a world file that lends its colours and its unit")
+    private @Nullable Path colours;
+
     @Option(names = "--dark", description = "on dark paper; D changes it in the window")
     private boolean dark;
 
@@ -63,18 +74,37 @@ final class ViewCommand implements Callable<Integer> {
     @Override
     public Integer call() throws Exception {
         Path shown = file;
-        if (shown == null || !Files.exists(shown)) {
-            throw refused("FILE must be there to be viewed (got: " + shown + ")");
+        if ((shown == null) == (watched == null)) {
+            throw refused("either FILE or --watch must be given (got: " + (shown == null ? "neither" : "both") + ")");
+        }
+        if (shown != null && !Files.exists(shown)) {
+            throw refused("FILE must be there to be viewed; check the path (got: " + shown + ")");
         }
         if (!Viewer.hasDisplay()) {
             spec.commandLine()
                     .getErr()
-                    .println("view needs a display to open its window on, and there is none here; `render " + shown
-                            + " -o picture.svg` draws a world without one.");
+                    .println("view needs a display to open its window on, and there is none here; draw a world to a"
+                            + " picture with `" + Commands.NAME + " render`.");
             return ExitCodes.UNUSABLE;
         }
-        view(shown);
-        return 0;
+        if (shown != null) {
+            view(shown);
+        } else if (watched != null) {
+            watch(watched);
+        }
+        return ExitCodes.FINE;
+    }
+
+    private void watch(String place) throws IOException, InterruptedException {
+        int colon = place.lastIndexOf(':');
+        if (colon < 1 || !place.substring(colon + 1).matches("[0-9]{1,5}")) {
+            throw refused("--watch must be HOST:PORT, as localhost:5556 (got: " + place + ")");
+        }
+        int port = Integer.parseInt(place.substring(colon + 1));
+        Ports.check(spec, port, 1);
+        String host = place.substring(0, colon).replaceAll("^\\[|]$", "");
+        World lender = lender();
+        Viewer.live(WatchReader.dial(host, port), place, lender, theme());
     }
 
     private void view(Path shown) throws IOException, InterruptedException {
@@ -83,13 +113,19 @@ final class ViewCommand implements Callable<Integer> {
         Path toModule = name.endsWith(TO_MODULE) ? shown : shown.resolve(TO_MODULE);
         if (Files.isRegularFile(toModule)) {
             StepReader recording = WireReader.open(toModule, toModule.resolveSibling(FROM_MODULE));
-            Viewer.recording(recording, title, theme());
+            Viewer.recording(recording, title, lender(), theme());
         } else if (name.endsWith(".jsonl")) {
-            Viewer.recording(ScenarioReader.open(shown), title, theme());
+            Viewer.recording(ScenarioReader.open(shown), title, lender(), theme());
         } else {
-            World world = WorldImport.read(shown, ImportOptions.DEFAULT).world();
-            Viewer.world(world, title, theme());
+            Viewer.world(Inputs.world(spec, shown), title, theme());
         }
+    }
+
+    private @Nullable World lender() throws IOException {
+        return colours == null
+                ? null
+                : WorldImport.read(Inputs.file(spec, "--world", colours), ImportOptions.DEFAULT)
+                        .world();
     }
 
     private Theme theme() {

@@ -23,8 +23,9 @@ import org.junit.jupiter.api.extension.ExtendWith;
 @ExtendWith(WorldExtension.class)
 public @interface World {
     /**
-     * World files of any format that {@link robosim.geometry.world.WorldImport#read} knows: paths from the working directory, or else resources of the class path, from its root or beside the test
-     * class. More than one is for a {@link ScenarioTest}.
+     * World files of any format that {@link robosim.geometry.world.WorldImport#read} knows: paths from the working
+     * directory, or else resources of the class path, from its root or beside the test class. More than one is for a
+     * {@link ScenarioTest}.
      */
     String[] value() default {};
 

@@ -105,6 +105,7 @@ public final class Session {
         this.listener = Arguments.present("listener", listener);
         this.complaints = new Complaints(Arguments.present("log", log), Arguments.present("name", name));
         this.maker = maker;
+        listener.opened(this);
     }
 
     /**

@@ -14,6 +14,11 @@ public interface SessionListener {
     /** Sees nothing. */
     SessionListener NONE = new SessionListener() {};
 
+    /**
+     * The session begins. Its world may be asked from the other methods, on their thread.
+     */
+    default void opened(Session session) {}
+
     /** A request came and is about to be carried out. */
     default void asked(Bundle request) {}
 
@@ -42,4 +47,9 @@ public interface SessionListener {
 
     /** The connection is over; nothing more will be told. */
     default void ended() {}
+
+    /** This listener and then another one. */
+    default SessionListener and(SessionListener other) {
+        return new TwoListeners(this, other);
+    }
 }

@@ -31,8 +31,8 @@ record Card(String heading, List<String> lines) {
                 + Labels.number(object.center().y()) + suffix);
         lines.add(
                 object.pose().isUpright()
-                        ? "heading " + Labels.number(object.heading()) + "°"
-                        : "tipped; heading " + Labels.number(object.heading()) + "°");
+                        ? "heading " + Labels.number(object.heading()) + " degrees"
+                        : "tipped; heading " + Labels.number(object.heading()) + " degrees");
         lines.add(size(object) + suffix);
         String name = object.name();
         return new Card(name == null ? "(no name)" : Labels.name(object), lines);

@@ -1,9 +1,12 @@
 package robosim.geometry.viewer;
 
 import java.io.IOException;
+import java.util.Map;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.GeometryObject;
 import robosim.geometry.scenario.Step;
 import robosim.geometry.scenario.StepReader;
 
@@ -12,6 +15,8 @@ final class Feed implements AutoCloseable {
     private static final int QUEUE = 2048;
 
     private final StepReader reader;
+    private final Map<GeometryObject, Integer> colours;
+    private final Supplier<String> state;
     private final BlockingQueue<Frame> queue = new ArrayBlockingQueue<>(QUEUE);
     private final Thread thread;
     private volatile boolean ended;
@@ -19,7 +24,19 @@ final class Feed implements AutoCloseable {
 
     /** Begins to read; closes the reader at its end. */
     Feed(StepReader reader) {
+        this(reader, Map.of(), () -> "");
+    }
+
+    /**
+     * Begins to read; closes the reader at its end.
+     *
+     * @param colours of objects that a world file has a colour for
+     * @param state what is wrong with the reader for now, for people; empty where nothing is
+     */
+    Feed(StepReader reader, Map<GeometryObject, Integer> colours, Supplier<String> state) {
         this.reader = reader;
+        this.colours = colours;
+        this.state = state;
         this.thread = new Thread(this::read, "viewer-feed");
         thread.setDaemon(true);
         thread.start();
@@ -27,7 +44,7 @@ final class Feed implements AutoCloseable {
 
     private void read() {
         try (reader) {
-            Stage stage = new Stage(reader.header().options());
+            Stage stage = new Stage(reader.header().options(), colours);
             for (Step step = reader.next(); step != null; step = reader.next()) {
                 queue.put(stage.play(step));
             }
@@ -62,10 +79,10 @@ final class Feed implements AutoCloseable {
         return ended && queue.isEmpty();
     }
 
-    /** Why no more could be read; null where nothing was wrong so far. */
-    @Nullable
+    /** Why no more could be read, or cannot for now; empty where nothing is wrong. */
     String problem() {
-        return problem;
+        String end = problem;
+        return end != null ? end : state.get();
     }
 
     /** Reads no more. */

@@ -85,10 +85,19 @@ record Frame(
             List<Scene.Thing> movers) {
 
         static Setting of(Geometry world) {
+            return of(world, Map.of());
+        }
+
+        /**
+         * As it is.
+         *
+         * @param colours of objects that a world file has a colour for
+         */
+        static Setting of(Geometry world, Map<GeometryObject, Integer> colours) {
             List<Scene.Thing> statics = new ArrayList<>();
             List<Scene.Thing> movers = new ArrayList<>();
             for (GeometryObject object : world.objects()) {
-                (object.isMoveable() ? movers : statics).add(new Scene.Thing(object, null));
+                (object.isMoveable() ? movers : statics).add(new Scene.Thing(object, colours.get(object)));
             }
             return new Setting(
                     world.width(),

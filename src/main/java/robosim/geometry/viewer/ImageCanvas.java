@@ -15,6 +15,9 @@ import java.util.function.Consumer;
 
 /** Draws on an image, in one theme. */
 final class ImageCanvas implements Canvas {
+    /** Pixels; a longer line is unbroken. */
+    private static final double LONGEST_DASHED = 10_000;
+
     private final Graphics2D graphics;
     private final Theme theme;
     private final Shape whole;
@@ -118,10 +121,17 @@ final class ImageCanvas implements Canvas {
         if (style.stroke() != null) {
             graphics.setColor(colour(style.stroke(), style.strokeOpacity()));
             float width = (float) style.width();
-            float[] dash = style.dash() > 0 ? new float[] {(float) style.dash()} : null;
+            boolean dashed = style.dash() > 0 && isSmall(shape);
+            float[] dash = dashed ? new float[] {(float) style.dash()} : null;
             graphics.setStroke(new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND, 1, dash, 0));
             graphics.draw(shape);
         }
+    }
+
+    /** Whether its dashes can be counted: those far outside of a window that is zoomed into are drawn as well. */
+    private static boolean isSmall(Shape shape) {
+        Rectangle2D bounds = shape.getBounds2D();
+        return bounds.getWidth() < LONGEST_DASHED && bounds.getHeight() < LONGEST_DASHED;
     }
 
     private Color colour(Ink ink, double opacity) {

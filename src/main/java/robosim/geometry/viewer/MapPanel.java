@@ -4,8 +4,6 @@ import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.event.ComponentAdapter;
-import java.awt.event.ComponentEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
@@ -37,17 +35,16 @@ final class MapPanel extends JComponent {
         setName("map");
         setOpaque(true);
         setPreferredSize(new Dimension(1100, 800));
-        addComponentListener(new ComponentAdapter() {
-            @Override
-            public void componentResized(ComponentEvent event) {
-                viewing.camera.resize(getWidth(), getHeight());
-                repaint();
-            }
-        });
         MouseAdapter mouse = new Mouse();
         addMouseListener(mouse);
         addMouseMotionListener(mouse);
         addMouseWheelListener(mouse);
+    }
+
+    @Override
+    public void setBounds(int x, int y, int width, int height) {
+        super.setBounds(x, y, width, height);
+        viewing.camera.resize(width, height);
     }
 
     void setTheme(Theme other) {

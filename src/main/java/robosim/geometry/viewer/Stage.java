@@ -31,11 +31,22 @@ import robosim.geometry.scenario.Step;
  */
 final class Stage {
     private final SessionOptions options;
+    private final Map<GeometryObject, Integer> colours;
     private final Session session;
     private @Nullable MoveResult tried;
 
     Stage(SessionOptions options) {
+        this(options, Map.of());
+    }
+
+    /**
+     * With colours.
+     *
+     * @param colours of objects that a world file has a colour for
+     */
+    Stage(SessionOptions options, Map<GeometryObject, Integer> colours) {
         this.options = options;
+        this.colours = colours;
         SessionListener listener = new SessionListener() {
             @Override
             public void tried(MoveRequest request, MoveResult result) {
@@ -76,7 +87,7 @@ final class Stage {
         if (world == null || world == before) {
             return frame(step, null, Map.of(), List.of(), Map.of(), "a world that cannot be");
         }
-        Frame.Setting setting = Frame.Setting.of(world);
+        Frame.Setting setting = Frame.Setting.of(world, colours);
         String words = "a new world of " + count(setting.things().size(), "object");
         return frame(step, setting, Map.of(), List.of(), Map.of(), words);
     }

@@ -5,12 +5,16 @@ import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
+import java.util.Map;
 import java.util.concurrent.CountDownLatch;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import javax.swing.WindowConstants;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.GeometryObject;
 import robosim.geometry.scenario.StepReader;
+import robosim.geometry.scenario.WatchReader;
 import robosim.geometry.world.World;
 
 /**
@@ -37,23 +41,36 @@ public final class Viewer {
         show(Viewing.ofWorld(world, title), theme);
     }
 
-    /** Shows a recording until the window is closed, and closes it. */
-    public static void recording(StepReader recording, String title, Theme theme) throws InterruptedException {
-        show(recording, title, theme, false);
-    }
-
-    /** Shows a session as it is held until the window is closed, and closes the reader. Nothing is told to the session. */
-    public static void live(StepReader session, String title, Theme theme) throws InterruptedException {
-        show(session, title, theme, true);
-    }
-
-    private static void show(StepReader reader, String title, Theme theme, boolean live) throws InterruptedException {
-        Feed feed = new Feed(reader);
-        try {
-            show(live ? Viewing.ofLive(feed, title) : Viewing.ofRecording(feed, title), theme);
-        } finally {
-            feed.close();
+    /**
+     * Shows a recording until the window is closed, and closes it.
+     *
+     * @param world lends its colours and its unit; null for none
+     */
+    public static void recording(StepReader recording, String title, @Nullable World world, Theme theme)
+            throws InterruptedException {
+        try (Feed feed = new Feed(recording, colours(world), () -> "")) {
+            show(Viewing.ofRecording(feed, title, unit(world)), theme);
         }
+    }
+
+    /**
+     * Shows a session as it is held until the window is closed, and closes the reader. Nothing is told to the session.
+     *
+     * @param world lends its colours and its unit; null for none
+     */
+    public static void live(WatchReader session, String title, @Nullable World world, Theme theme)
+            throws InterruptedException {
+        try (Feed feed = new Feed(session, colours(world), session::state)) {
+            show(Viewing.ofLive(feed, title, unit(world)), theme);
+        }
+    }
+
+    private static Map<GeometryObject, Integer> colours(@Nullable World world) {
+        return world == null ? Map.of() : Pictures.colours(world);
+    }
+
+    private static String unit(@Nullable World world) {
+        return world == null ? "" : Pictures.unit(world);
     }
 
     private static void show(Viewing viewing, Theme theme) throws InterruptedException {

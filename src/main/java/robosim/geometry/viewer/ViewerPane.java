@@ -187,7 +187,7 @@ final class ViewerPane extends JPanel {
         if (!words.equals(status.getText())) {
             status.setText(words);
         }
-        speed.setText(Labels.number(viewing.player.speed()) + " steps/s");
+        speed.setText(viewing.pace());
         play.setIcon(new ControlIcon(viewing.player.isPlaying() ? ControlIcon.Shape.PAUSE : ControlIcon.Shape.PLAY));
         repaint();
     }

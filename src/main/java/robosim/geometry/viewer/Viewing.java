@@ -81,13 +81,13 @@ final class Viewing {
     }
 
     /** A recording, from its beginning. */
-    static Viewing ofRecording(Feed feed, String title) {
-        return new Viewing(title, "", feed, false);
+    static Viewing ofRecording(Feed feed, String title, String unit) {
+        return new Viewing(title, unit, feed, false);
     }
 
     /** A session that is held, as it goes. */
-    static Viewing ofLive(Feed feed, String title) {
-        return new Viewing(title, "", feed, true);
+    static Viewing ofLive(Feed feed, String title, String unit) {
+        return new Viewing(title, unit, feed, true);
     }
 
     String title() {
@@ -204,14 +204,29 @@ final class Viewing {
                     ? words
                     : "a local copy of step " + (player.position() + 1) + ", Esc goes back: " + words;
         }
-        String problem = feed == null ? null : feed.problem();
-        String end = problem != null
-                ? "; " + problem
-                : live && feed != null && feed.isEnded() ? "; the session is over" : "";
+        String end = end();
         if (film.size() == 0) {
             return (feed != null && feed.isEnded() ? "nothing was recorded" : "waiting for a world") + end;
         }
-        return film.moment(player.position()) + end;
+        List<String> notes = film.frame(player.position()).notes();
+        String note = notes.isEmpty() ? "" : " (" + String.join("; ", notes) + ")";
+        return film.moment(player.position()) + note + end;
+    }
+
+    /** How fast it goes, for people. */
+    String pace() {
+        if (live) {
+            return player.isFollowing() ? "live" : "paused";
+        }
+        return Labels.number(player.speed()) + " steps/s";
+    }
+
+    private String end() {
+        String problem = feed == null ? "" : feed.problem();
+        if (!problem.isEmpty()) {
+            return "; " + problem;
+        }
+        return live && feed != null && feed.isEnded() ? "; the session is over" : "";
     }
 
     /** The wheel was turned at a pixel; up is in. */

@@ -58,7 +58,10 @@ final class SdfFiles {
         return uri.matches("(?i)(https?|ftp|fuel)://.*");
     }
 
-    /** The root of an included model: of a file, or of the file that a folder's model.config names. Null where it is not there. */
+    /**
+     * The root of an included model: of a file, or of the file that a folder's model.config names. Null where it is not
+     * there.
+     */
     @Nullable
     SdfElement included(SdfElement uri) throws WorldException {
         Path found = find(uri);
@@ -76,7 +79,10 @@ final class SdfFiles {
         boolean isNamed = Files.isRegularFile(manifest);
         if (!isNamed && !Files.isRegularFile(folder.resolve("model.sdf"))) {
             throw new WorldException(
-                    folder.toString(), 0, 0, "a model's folder must have " + SdfManifest.NAME + " (got: none)");
+                    folder.toString(),
+                    0,
+                    0,
+                    "a folder must be that of a model, with " + SdfManifest.NAME + "; name a file in it (got: none)");
         }
         try {
             String name = isNamed ? SdfManifest.read(manifest) : "model.sdf";

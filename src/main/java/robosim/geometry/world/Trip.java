@@ -18,8 +18,8 @@ final class Trip {
     private static final int TURNS = 8;
     private static final double TURN = 360.0 / TURNS;
 
-    /** Most places and headings of a grid; each halving of the step may have four times as many. */
-    private static final double MOST = 200_000;
+    /** Most places and headings of a grid: some seconds among boxes and cylinders, most of a minute among large meshes. */
+    private static final double MOST = 60_000;
 
     /** A robot without an extent goes in steps of this share of the world. */
     private static final double POINT_STEP = 1.0 / 256;
@@ -65,7 +65,7 @@ final class Trip {
         double affordable = Math.max(
                 Math.sqrt(world.width() / MOST) * Math.sqrt(world.length()) * Math.sqrt(turns),
                 Math.max(world.width(), world.length()) / MOST * turns);
-        step = StrictMath.scalb(Math.max(wanted, affordable), -halvings);
+        step = Math.max(StrictMath.scalb(wanted, -halvings), affordable);
         Point c = robot.center();
         beforeX = steps(c.x() + world.width() / 2);
         beforeZ = steps(c.z() + world.length() / 2);

@@ -93,7 +93,7 @@ public final class WorldReader {
      */
     public static List<WorldException> problems(Path file) {
         try {
-            read(file);
+            WorldImport.read(file, ImportOptions.DEFAULT);
             return List.of();
         } catch (WorldException first) {
             List<WorldException> problems = new ArrayList<>();

@@ -1,9 +1,11 @@
 /**
- * Worlds as files: an XML format with a schema, its reader and writer, and readers of OBJ and STL meshes and ROS maps.
+ * Worlds as files: an XML format with a schema, its reader and writer, and readers of SDFormat, ROS maps and OBJ and STL
+ * meshes.
  *
  * <p>{@link robosim.geometry.world.WorldReader} turns a file into a {@link robosim.geometry.world.World}, a value;
  * {@link robosim.geometry.world.World#toGeometry()} makes a world of it that moves and measures. The format's schema is
- * {@code worlds/world.xsd}, which is also in the jar beside this package's classes.
+ * {@code worlds/world.xsd}, which is also in the jar beside this package's classes. Files of other formats hold more than a
+ * world does: {@link robosim.geometry.world.WorldImport} also tells what was left out of them, and why.
  *
  * <pre>{@code
  * World world = WorldReader.read(Path.of("worlds/rooms.xml"));

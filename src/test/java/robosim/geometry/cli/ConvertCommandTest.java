@@ -112,6 +112,26 @@ class ConvertCommandTest {
                 .hasSize(30);
     }
 
+    /** The commands that want a world take the file as it is, and tell what is not in the world. */
+    @Test
+    void otherCommandsTakeTheFilesToo() throws IOException {
+        Path sdf = FILES.resolve("sdf/shapes.sdf");
+        Path picture = folder.resolve("shapes.svg");
+        assertThat(run("render", sdf, "-o", picture)).isZero();
+        assertThat(Files.readString(picture)).contains("capsule");
+        assertThat(err.toString().lines())
+                .hasSize(3)
+                .first()
+                .asString()
+                .startsWith(sdf + ":36: left out <plane> of ground_plane::link::collision: ");
+        assertThat(run("check", FILES.resolve("maps/TenByTen.yaml"))).isZero();
+        assertThat(err.toString()).isEmpty();
+        assertThat(run("check", sdf)).isZero();
+        assertThat(err.toString().lines()).hasSize(3);
+        assertThat(run("check", FILES.resolve("sdf/sensors.sdf"))).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).startsWith(FILES.resolve("sdf/sensors.sdf") + ":41:11: ");
+    }
+
     @Test
     void badUsageAndBadFiles() throws IOException {
         Path xml = folder.resolve("w.xml");

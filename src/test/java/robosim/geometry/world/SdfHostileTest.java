@@ -71,6 +71,23 @@ class SdfHostileTest {
                 .hasMessageContaining("a world must have at most 500000 models, links and frames");
     }
 
+    /** To place a merged model it is looked at by itself first: twice the work at every level, were it not counted. */
+    @Test
+    void mergesThatGrowWithoutEnd() throws IOException {
+        for (int k = 0; k < 45; k++) {
+            file(
+                    "g" + k + ".sdf",
+                    "<sdf version=\"1.10\"><model name=\"m\"><frame name=\"x" + k + "\"/>"
+                            + "<include merge=\"1\"><uri>g" + (k + 1) + ".sdf</uri><placement_frame>x" + (k + 1)
+                            + "</placement_frame><pose/></include></model></sdf>");
+        }
+        file("g45.sdf", "<sdf version=\"1.10\"><model name=\"m\"><frame name=\"x45\"/></model></sdf>");
+        assertThatThrownBy(() -> SdfReader.read(folder.resolve("g0.sdf"), List.of()))
+                .hasMessageContaining("a world must have at most 500000 models, links and frames");
+        assertThat(SdfReader.read(folder.resolve("g35.sdf"), List.of()).isWhole())
+                .isTrue();
+    }
+
     @Test
     void includesInACircleAndTooDeep() throws IOException {
         file("a.sdf", "<sdf version=\"1.6\"><model name=\"m\"><include><uri>b.sdf</uri></include></model></sdf>");

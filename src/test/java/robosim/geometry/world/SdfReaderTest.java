@@ -387,6 +387,7 @@ class SdfReaderTest {
         assertThatThrownBy(() -> SdfReader.read(folder.resolve("no.sdf"), List.of()))
                 .hasMessage(folder.resolve("no.sdf") + ": there is no such file; check the path");
         assertThatThrownBy(() -> WorldImport.read(folder, ImportOptions.DEFAULT))
-                .hasMessage(folder + ": a model's folder must have model.config (got: none)");
+                .hasMessage(folder
+                        + ": a folder must be that of a model, with model.config; name a file in it (got: none)");
     }
 }

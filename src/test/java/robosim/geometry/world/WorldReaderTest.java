@@ -467,7 +467,7 @@ class WorldReaderTest {
                 .hasMessage(folder.resolve("no.xml") + ": there is no such file; check the path");
         assertThatThrownBy(() -> WorldReader.read(folder))
                 .isInstanceOf(WorldException.class)
-                .hasMessage(folder + ": a model's folder must have model.config (got: none)");
+                .hasMessageContaining("a folder must be that of a model, with model.config");
     }
 
     @Test

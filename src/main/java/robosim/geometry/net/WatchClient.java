@@ -1,0 +1,71 @@
+package robosim.geometry.net;
+
+import java.io.FilterInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.net.SocketTimeoutException;
+
+/** Dials a {@link WatchServer} and reads what it tells. Nothing is ever sent. */
+public final class WatchClient {
+    private static final int PATIENCE_MILLIS = 10_000;
+
+    private WatchClient() {}
+
+    /**
+     * Dials.
+     *
+     * @return the lines; closing them hangs up. A server that is silent for 10 seconds is gone: reading then throws
+     * @throws IOException where nobody listens there
+     */
+    public static InputStream dial(String host, int port) throws IOException {
+        Arguments.port(port, 1);
+        Socket socket = new Socket();
+        try {
+            socket.connect(new InetSocketAddress(host, port), PATIENCE_MILLIS);
+            socket.setSoTimeout(PATIENCE_MILLIS);
+            socket.shutdownOutput();
+            return new Hearing(socket);
+        } catch (IOException | RuntimeException e) {
+            socket.close();
+            throw new IOException(
+                    "cannot watch " + host + ":" + port + ": " + e.getMessage() + "; is there a server with --watch "
+                            + port + "?",
+                    e);
+        }
+    }
+
+    /** A socket's input that says in words when the other end is silent. */
+    private static final class Hearing extends FilterInputStream {
+        private final Socket socket;
+
+        Hearing(Socket socket) throws IOException {
+            super(socket.getInputStream());
+            this.socket = socket;
+        }
+
+        @Override
+        public int read() throws IOException {
+            byte[] single = new byte[1];
+            return read(single, 0, 1) < 0 ? -1 : single[0] & 0xff;
+        }
+
+        @Override
+        public int read(byte[] bytes, int at, int length) throws IOException {
+            try {
+                return super.read(bytes, at, length);
+            } catch (SocketTimeoutException e) {
+                throw new IOException(
+                        "nothing was heard for " + PATIENCE_MILLIS / 1000
+                                + " s; the server is gone, or this is not its port for watching",
+                        e);
+            }
+        }
+
+        @Override
+        public void close() throws IOException {
+            socket.close();
+        }
+    }
+}

@@ -1,0 +1,212 @@
+package robosim.geometry.scenario;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.Geometry;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.net.Session;
+import robosim.geometry.net.SessionListener;
+import robosim.geometry.net.SessionOptions;
+import robosim.geometry.net.WatchServer;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.protocol.MoveRequest;
+import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.WorldSettings;
+
+/**
+ * Lets the sessions of a server or a client be watched: whoever joins is told a scenario, line by line. It begins with the
+ * world as it stands now, and goes on with each step as it happens. A watcher stays with its session until that is over;
+ * then it is told the newest of the others, or the next that begins.
+ *
+ * <p>A session only hands over what it has in hand anyway, and waits for nobody: a watcher for whom too much waits is told
+ * no more.
+ *
+ * <!-- java: given InetAddress address -->
+ * <pre>{@code
+ * NetOptions options = NetOptions.defaults();
+ * Watching watching = new Watching(options.session());
+ * GeometryServer server = new GeometryServer(address, 5555, options.withListeners(watching));
+ * WatchServer watch = new WatchServer(5556, watching);
+ * }</pre>
+ */
+public final class Watching implements Function<String, SessionListener>, WatchServer.Source {
+    private final ScenarioHeader header;
+    private final long beginning = System.nanoTime();
+
+    /** Those that are held, the newest last. Everything below is guarded by this. */
+    private final Set<Watched> sessions = new LinkedHashSet<>();
+
+    private final Set<Watcher> watchers = new HashSet<>();
+
+    /**
+     * Nobody watches yet.
+     *
+     * @param session the options of the sessions
+     */
+    public Watching(SessionOptions session) {
+        this.header = new ScenarioHeader("a session as it is held", session);
+    }
+
+    @Override
+    public SessionListener apply(String connection) {
+        return new Watched(connection);
+    }
+
+    @Override
+    public WatchServer.Lines join(Runnable breakOff) {
+        Watcher watcher = new Watcher(breakOff);
+        synchronized (this) {
+            watchers.add(watcher);
+            attach(watcher, newest());
+        }
+        return watcher;
+    }
+
+    private synchronized void leave(Watcher watcher) {
+        watchers.remove(watcher);
+    }
+
+    /** The newest session that has a world; null where none has. */
+    private @Nullable Watched newest() {
+        Watched newest = null;
+        for (Watched each : sessions) {
+            newest = each.objects == null ? newest : each;
+        }
+        return newest;
+    }
+
+    private void attach(Watcher watcher, @Nullable Watched session) {
+        watcher.session = session;
+        if (session != null) {
+            watcher.offer(session.now());
+        }
+    }
+
+    private Timing timing(long at, long took) {
+        return new Timing(Math.max(0, Math.min(Timing.MOST, at - beginning)), Math.max(0, Math.min(Timing.MOST, took)));
+    }
+
+    /** One session. What it does is told on its thread, one thing at a time. */
+    private final class Watched implements SessionListener {
+        private final String name;
+        private @Nullable Session session;
+        private long askedAt;
+        private long steps;
+
+        /** The world as it began, of what the session has of it; null before there is one. */
+        private @Nullable List<GeometryObject> objects;
+
+        private @Nullable WorldSettings settings;
+
+        /** Objects that have moved since, where they are. */
+        private final Map<String, GeometryObject> moved = new HashMap<>();
+
+        Watched(String name) {
+            this.name = name;
+        }
+
+        @Override
+        public void opened(Session opened) {
+            session = opened;
+            synchronized (Watching.this) {
+                sessions.add(this);
+            }
+        }
+
+        @Override
+        public void asked(Bundle request) {
+            askedAt = System.nanoTime();
+        }
+
+        @Override
+        public void replied(Bundle request, @Nullable Reply reply, long nanoseconds) {
+            Geometry world = session == null ? null : session.world();
+            if (world == null) {
+                return;
+            }
+            Step step = new Step(0, List.of(), request, reply, timing(askedAt, nanoseconds));
+            List<GeometryObject> begun = request instanceof InitBundle ? world.objects() : null;
+            Map<String, GeometryObject> places = places(world, reply);
+            synchronized (Watching.this) {
+                steps++;
+                boolean first = objects == null;
+                if (begun != null) {
+                    begin(begun, world);
+                }
+                moved.putAll(places);
+                for (Watcher watcher : watchers) {
+                    if (watcher.session == this) {
+                        watcher.offer(step);
+                    } else if (first && watcher.session == null) {
+                        attach(watcher, this);
+                    }
+                }
+            }
+        }
+
+        private void begin(List<GeometryObject> begun, Geometry world) {
+            objects = begun;
+            settings = new WorldSettings(
+                    world.width(), world.height(), world.length(), world.dimension(), world.accuracy());
+            moved.clear();
+        }
+
+        /** Where the objects are that an answer says were moved. */
+        private static Map<String, GeometryObject> places(Geometry world, @Nullable Reply reply) {
+            Map<String, GeometryObject> places = new HashMap<>();
+            if (reply != null && reply.bundle() instanceof MoveBundle made) {
+                for (MoveRequest move : made.moves()) {
+                    places.computeIfAbsent(move.objectName(), world::getObject);
+                }
+            }
+            return places;
+        }
+
+        /** The world as it stands now, as the step that makes it. */
+        private Step now() {
+            List<GeometryObject> present = new ArrayList<>();
+            for (GeometryObject object : objects == null ? List.<GeometryObject>of() : objects) {
+                String own = object.name();
+                present.add(own == null ? object : moved.getOrDefault(own, object));
+            }
+            List<String> notes = List.of(name + ", as it stands after " + steps + (steps == 1 ? " step" : " steps"));
+            return new Step(0, notes, new InitBundle(present, settings), null, timing(System.nanoTime(), 0));
+        }
+
+        @Override
+        public void ended() {
+            synchronized (Watching.this) {
+                sessions.remove(this);
+                for (Watcher watcher : watchers) {
+                    if (watcher.session == this) {
+                        attach(watcher, newest());
+                    }
+                }
+            }
+        }
+    }
+
+    /** One who watches. */
+    private final class Watcher extends WatcherQueue {
+        /** Null where there is none to be told of. */
+        private @Nullable Watched session;
+
+        Watcher(Runnable breakOff) {
+            super(header, breakOff);
+        }
+
+        @Override
+        public void close() {
+            leave(this);
+        }
+    }
+}

@@ -1,0 +1,198 @@
+package robosim.geometry.scenario;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.BufferedReader;
+import java.io.InputStreamReader;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.net.GeometryServer;
+import robosim.geometry.net.LogCapture;
+import robosim.geometry.net.NetOptions;
+import robosim.geometry.net.WatchServer;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.MessageReader;
+import robosim.geometry.protocol.MessageWriter;
+import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.protocol.SonarRequest;
+import robosim.geometry.protocol.SonarRequestBundle;
+
+/** A server that is watched, over loopback. */
+@Timeout(120)
+class WatchOverSocketsTest {
+    private static final GeometryObject WALL = new BoxObject(new Point(30, 0, 0), 1, 1, 4).named("wall");
+    private static final GeometryObject ROBOT = new CylinderObject(new Point(), 0.5, 1).moveable("r");
+    private static final Bundle INIT = new InitBundle(List.of(WALL, ROBOT));
+    private static final Bundle FORWARD = new MoveBundle(List.of(Conversation.move("r", 0.25, 0)));
+
+    private final LogCapture log = new LogCapture("robosim.geometry.net");
+    private final NetOptions options = NetOptions.defaults();
+    private final Watching watching = new Watching(options.session());
+    private final GeometryServer server =
+            new GeometryServer(InetAddress.getLoopbackAddress(), 0, options.withListeners(watching));
+    private final WatchServer watch = new WatchServer(0, watching);
+
+    @AfterEach
+    void close() {
+        watch.close();
+        server.close();
+        log.close();
+    }
+
+    /** An environment. */
+    private final class Environment implements AutoCloseable {
+        private final Socket socket = new Socket(InetAddress.getLoopbackAddress(), server.port());
+        private final MessageWriter writer = new MessageWriter(socket.getOutputStream());
+        private final MessageReader reader = new MessageReader(socket.getInputStream());
+
+        Environment() throws Exception {
+            socket.setTcpNoDelay(true);
+            writer.write(INIT);
+        }
+
+        Bundle ask(Bundle request) throws Exception {
+            writer.write(request);
+            return reader.read();
+        }
+
+        @Override
+        public void close() throws Exception {
+            socket.close();
+        }
+    }
+
+    private static WatchReader dial(int port) throws Exception {
+        return WatchReader.dial(InetAddress.getLoopbackAddress().getHostAddress(), port);
+    }
+
+    @Test
+    void aLateWatcherSeesTheWorldAndThenEachStepAsItHappens() throws Exception {
+        try (Environment environment = new Environment()) {
+            environment.ask(FORWARD);
+            try (WatchReader reader = dial(watch.port())) {
+                Step now = reader.next();
+                InitBundle world = (InitBundle) now.request();
+                assertThat(world.objects().get(1).center()).isEqualTo(new Point(0.25, 0, 0));
+                for (int k = 0; k < 50; k++) {
+                    Bundle answer = environment.ask(FORWARD);
+                    Step step = reader.next(); // at once, not with the next one
+                    assertThat(step.request()).isEqualTo(FORWARD);
+                    assertThat(step.expected().bundle()).isEqualTo(answer);
+                }
+                assertThat(reader.state()).isEmpty();
+            }
+        }
+    }
+
+    @Test
+    void whatAWatcherSendsIsHeardByNobody() throws Exception {
+        try (Environment environment = new Environment();
+                Socket rude = new Socket(InetAddress.getLoopbackAddress(), watch.port())) {
+            environment.ask(FORWARD);
+            BufferedReader lines = new BufferedReader(new InputStreamReader(rude.getInputStream(), "UTF-8"));
+            assertThat(lines.readLine()).contains("\"scenario\"");
+            String forged = "{\"type\":\"init\",\"objects\":[]}\n".repeat(100);
+            try {
+                rude.getOutputStream().write(forged.getBytes("UTF-8"));
+                rude.getOutputStream().write(forged.getBytes("UTF-8"));
+            } catch (java.io.IOException refused) {
+                assertThat(refused).isNotNull(); // as the system has it
+            }
+            for (int k = 0; k < 10; k++) {
+                assertThat(environment.ask(FORWARD)).isEqualTo(FORWARD);
+            }
+            assertThat(log.lines()).isEmpty();
+        }
+    }
+
+    @Test
+    void aWatcherThatReadsNothingHoldsUpNobodyAndIsLetGoWithOneLine() throws Exception {
+        List<SonarRequest> many = new ArrayList<>();
+        for (int k = 0; k < 20_000; k++) {
+            many.add(new SonarRequest("r", 1, 0));
+        }
+        Bundle large = new SonarRequestBundle(many);
+        try (Environment environment = new Environment();
+                Socket deaf = new Socket()) {
+            deaf.setReceiveBufferSize(4096);
+            deaf.connect(watch.address());
+            environment.ask(FORWARD);
+            while (watch.watchers() == 0) {
+                Thread.onSpinWait();
+            }
+            // More than its queue and the sockets hold; each is answered.
+            int asked = 0;
+            while (log.linesWith("is told no more").isEmpty() && asked < 2000) {
+                assertThat(environment.ask(large)).isNotNull();
+                asked++;
+            }
+            assertThat(asked).isBetween(2, 1999);
+            assertThat(environment.ask(FORWARD)).isEqualTo(FORWARD);
+            while (watch.watchers() > 0) {
+                Thread.onSpinWait();
+            }
+            assertThat(log.lines()).hasSize(1);
+            assertThat(log.lines().get(0)).contains("watch " + watch.port() + ", peer /127.0.0.1:", "is told no more");
+        }
+    }
+
+    @Test
+    void whoIsGoneIsForgottenAndThereIsAnEndToThem() throws Exception {
+        List<Socket> sockets = new ArrayList<>();
+        for (int k = 0; k < WatchServer.MOST_WATCHERS; k++) {
+            sockets.add(new Socket(InetAddress.getLoopbackAddress(), watch.port()));
+            assertThat(sockets.get(k).getInputStream().read()).isEqualTo('{');
+        }
+        try (Socket more = new Socket(InetAddress.getLoopbackAddress(), watch.port())) {
+            assertThat(more.getInputStream().read()).isEqualTo(-1);
+        }
+        assertThat(log.linesWith("refused, there are 16")).hasSize(1);
+        for (Socket socket : sockets) {
+            socket.close();
+        }
+        while (watch.watchers() > 0) { // found out by the empty lines
+            Thread.sleep(50);
+        }
+    }
+
+    @Test
+    void aServerThatIsGoneIsDialledAgain() throws Exception {
+        WatchServer first = new WatchServer(0, watching);
+        try (Environment environment = new Environment();
+                WatchReader reader = dial(first.port())) {
+            environment.ask(FORWARD);
+            assertThat(reader.next()).isNotNull();
+            int port = first.port();
+            first.close();
+            try (WatchServer second = new WatchServer(port, watching)) {
+                Step step = reader.next();
+                while (!(step.request() instanceof InitBundle)) {
+                    step = reader.next();
+                }
+                assertThat(step.notes().get(0)).contains("as it stands");
+                assertThat(second.watchers()).isEqualTo(1);
+            }
+        }
+    }
+
+    @Test
+    void nobodyThereIsToldWithTheRemedy() throws Exception {
+        int free;
+        try (ServerSocket socket = new ServerSocket(0)) {
+            free = socket.getLocalPort();
+        }
+        assertThatThrownBy(() -> dial(free)).hasMessageContaining("--watch " + free);
+    }
+}

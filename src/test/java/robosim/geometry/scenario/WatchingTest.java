@@ -1,0 +1,190 @@
+package robosim.geometry.scenario;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Test;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.net.Session;
+import robosim.geometry.net.SessionListener;
+import robosim.geometry.net.SessionOptions;
+import robosim.geometry.net.WatchServer;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.protocol.SonarRequest;
+import robosim.geometry.protocol.SonarRequestBundle;
+
+/** What watchers are told, without sockets. */
+class WatchingTest {
+    private static final GeometryObject WALL = new BoxObject(new Point(3, 0, 0), 1, 1, 4).named("wall");
+    private static final GeometryObject ROBOT = new CylinderObject(new Point(), 0.5, 1).moveable("r");
+    private static final Bundle FORWARD = new MoveBundle(List.of(Conversation.move("r", 0.5, 0)));
+    private static final Bundle LOOK = new SonarRequestBundle(List.of(new SonarRequest("r", 1, 0)));
+
+    private final Watching watching = new Watching(SessionOptions.ROBOSIM);
+    private final AtomicInteger broken = new AtomicInteger();
+
+    /** A session that is watched. */
+    private final class Held {
+        final SessionListener listener;
+        final Session session;
+
+        Held(String name) {
+            listener = watching.apply(name);
+            session = new Session(SessionOptions.ROBOSIM, listener, name);
+        }
+
+        Held world(GeometryObject... objects) {
+            session.reply(new InitBundle(List.of(objects)));
+            return this;
+        }
+    }
+
+    private WatchServer.Lines join() {
+        return watching.join(broken::incrementAndGet);
+    }
+
+    /** All that waits for a watcher, read as a scenario. */
+    private static List<Step> told(WatchServer.Lines lines) throws Exception {
+        ByteArrayOutputStream all = new ByteArrayOutputStream();
+        for (byte[] next = lines.next(0); next.length > 0; next = lines.next(0)) {
+            all.write(next);
+        }
+        List<Step> steps = new ArrayList<>();
+        try (ScenarioReader reader = ScenarioReader.of(new ByteArrayInputStream(all.toByteArray()), "watch")) {
+            for (Step step = reader.next(); step != null; step = reader.next()) {
+                steps.add(step);
+            }
+        }
+        return steps;
+    }
+
+    private static GeometryObject robot(Step step) {
+        List<GeometryObject> objects = ((InitBundle) step.request()).objects();
+        return objects.get(objects.size() - 1);
+    }
+
+    @Test
+    void whoComesFirstIsToldAll() throws Exception {
+        WatchServer.Lines lines = join();
+        Held held = new Held("one").world(WALL, ROBOT);
+        var made = held.session.reply(FORWARD);
+        var heard = held.session.reply(LOOK);
+        List<Step> steps = told(lines);
+        assertThat(steps).hasSize(3);
+        assertThat(steps).allSatisfy(step -> assertThat(step.timing()).isNotNull());
+        assertThat(((InitBundle) steps.get(0).request()).objects()).containsExactly(WALL, ROBOT);
+        assertThat(steps.get(1).request()).isEqualTo(FORWARD);
+        assertThat(steps.get(1).expected()).isEqualTo(made);
+        assertThat(steps.get(2).expected()).isEqualTo(heard);
+    }
+
+    @Test
+    void whoComesLateIsToldTheWorldAsItStands() throws Exception {
+        Held held = new Held("one").world(WALL, ROBOT);
+        for (int k = 0; k < 8; k++) {
+            held.session.reply(FORWARD); // refused from the fourth on
+        }
+        WatchServer.Lines lines = join();
+        held.session.reply(LOOK);
+        List<Step> steps = told(lines);
+        assertThat(steps).hasSize(2);
+        assertThat(robot(steps.get(0)).center()).isEqualTo(new Point(1.5, 0, 0));
+        assertThat(robot(steps.get(0))).isEqualTo(held.session.world().getObject("r"));
+        assertThat(steps.get(0).notes()).containsExactly("one, as it stands after 9 steps");
+        // The size is that of the session's own world, which was made for the objects where they began.
+        InitBundle now = (InitBundle) steps.get(0).request();
+        assertThat(now.settings()).isNotNull();
+        assertThat(now.settings().width()).isEqualTo(held.session.world().width());
+        assertThat(now.settings().dimension()).isEqualTo(Dimension.PLANAR);
+        // And whoever carries it on gets the session's own answers.
+        Replay replay = new Replay(SessionOptions.ROBOSIM);
+        assertThat(steps).allSatisfy(step -> assertThat(replay.step(step)).isNull());
+    }
+
+    @Test
+    void aWatcherStaysWithItsSessionUntilThatIsOver() throws Exception {
+        Held one = new Held("one").world(ROBOT);
+        WatchServer.Lines lines = join();
+        Held two = new Held("two").world(WALL, ROBOT);
+        two.session.reply(FORWARD);
+        new Held("three"); // has no world yet
+        one.session.reply(LOOK);
+        assertThat(told(lines)).hasSize(2);
+        one.listener.ended();
+        WatchServer.Lines second = join();
+        one.session.reply(LOOK);
+        two.session.reply(LOOK);
+        List<Step> late = told(second);
+        assertThat(late).hasSize(2);
+        assertThat(late.get(0).notes()).containsExactly("two, as it stands after 2 steps");
+        // The first one was led over to the same.
+        byte[] led = lines.next(0);
+        assertThat(new String(led, "UTF-8")).contains("\"two, as it stands after 2 steps\"", "\"init\"");
+        assertThat(new String(lines.next(0), "UTF-8")).contains("\"sonars\"", "\"distances\"", "\"time\"");
+        two.listener.ended();
+        assertThat(lines.next(0)).isEmpty();
+        new Held("four").world(ROBOT);
+        assertThat(new String(lines.next(0), "UTF-8")).contains("\"four, as it stands after 1 step\"");
+        lines.close();
+    }
+
+    @Test
+    void whoReadsTooSlowlyIsToldNoMoreAndTheSessionGoesOn() throws Exception {
+        Held held = new Held("one").world(WALL, ROBOT);
+        WatchServer.Lines slow = join();
+        WatchServer.Lines quick = join();
+        int told = 0;
+        for (int k = 0; k < WatcherQueue.MOST_STEPS + 100; k++) {
+            assertThat(held.session.reply(LOOK)).isNotNull();
+            while (quick.next(0).length > 0) {
+                told++;
+            }
+        }
+        assertThat(broken).hasValue(1);
+        assertThat(slow.problem()).startsWith("it reads too slowly");
+        assertThat(quick.problem()).isNull();
+        assertThat(told).isEqualTo(2 + WatcherQueue.MOST_STEPS + 100);
+        slow.next(0); // its header
+        assertThatThrownBy(() -> slow.next(0)).hasMessageContaining("too slowly");
+        slow.close();
+        held.session.reply(LOOK);
+        assertThat(broken).hasValue(1);
+    }
+
+    @Test
+    void manyRequestsAreTooMuchAsWell() throws Exception {
+        Held held = new Held("one").world(WALL, ROBOT);
+        WatchServer.Lines lines = join();
+        List<SonarRequest> many = new ArrayList<>();
+        for (int k = 0; k < 200_000; k++) {
+            many.add(new SonarRequest("r", 1, 0));
+        }
+        Bundle large = new SonarRequestBundle(many);
+        for (int k = 0; k < 4; k++) {
+            held.session.reply(large);
+        }
+        assertThat(broken).hasValue(0);
+        held.session.reply(large);
+        assertThat(broken).hasValue(1);
+        assertThat(lines.problem()).contains("too slowly: 5 steps");
+    }
+
+    @Test
+    void whatASessionLeftOutIsNotTold() throws Exception {
+        GeometryObject twin = new BoxObject(new Point(-3, 0, 0), 1, 1, 1).named("wall");
+        new Held("one").world(WALL, twin, ROBOT);
+        InitBundle now = (InitBundle) told(join()).get(0).request();
+        assertThat(now.objects()).containsExactly(WALL, ROBOT);
+    }
+}

@@ -1,0 +1,257 @@
+package robosim.geometry.viewer;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.scenario.ScenarioReader;
+import robosim.geometry.world.World;
+import robosim.geometry.world.WorldObject;
+
+class ViewingTest {
+    private static final long SECOND = 1_000_000_000;
+
+    static Viewing world() {
+        World world = new World(
+                20, 5, 10, List.of(new WorldObject(Talk.WALL, "#ff0000", List.of()), new WorldObject(Talk.DRUM)));
+        Viewing viewing = Viewing.ofWorld(world, "small");
+        viewing.camera.resize(1000, 600);
+        return viewing;
+    }
+
+    /** All of a conversation, read and paused at its beginning. */
+    static Viewing recording(Talk talk) throws Exception {
+        ByteArrayOutputStream file = new ByteArrayOutputStream();
+        talk.scenario().write(file);
+        Feed feed = new Feed(ScenarioReader.of(new ByteArrayInputStream(file.toByteArray()), "talk"));
+        Viewing viewing = Viewing.ofRecording(feed, "talk", "");
+        viewing.camera.resize(1000, 600);
+        viewing.player.pause();
+        while (!feed.isEnded()) {
+            viewing.tick(0);
+            Thread.onSpinWait();
+        }
+        viewing.tick(0);
+        return viewing;
+    }
+
+    private static double x(Viewing viewing, double worldX) {
+        return viewing.camera.frame().x(worldX);
+    }
+
+    private static double y(Viewing viewing, double worldZ) {
+        return viewing.camera.frame().y(worldZ);
+    }
+
+    private static void press(Viewing viewing, double worldX, double worldZ) {
+        viewing.press(x(viewing, worldX), y(viewing, worldZ));
+    }
+
+    private static void drag(Viewing viewing, double worldX, double worldZ) {
+        viewing.drag(x(viewing, worldX), y(viewing, worldZ), Sandbox.Push.PLACE);
+    }
+
+    private static Point drum(Viewing viewing) {
+        return viewing.life().things().get(0).object().center();
+    }
+
+    /** To the share of a pixel. */
+    private static void assertDrumAt(Viewing viewing, double worldX, double worldZ) {
+        assertThat(drum(viewing).x()).isCloseTo(worldX, within(1e-9));
+        assertThat(drum(viewing).z()).isCloseTo(worldZ, within(1e-9));
+    }
+
+    @Test
+    void aClickPicksAndTellsAllAboutIt() {
+        Viewing viewing = world();
+        assertThat(viewing.card()).isNull();
+        press(viewing, 2, 1);
+        viewing.release();
+        assertThat(viewing.picked()).isEqualTo(Talk.WALL);
+        Card card = viewing.card();
+        assertThat(card).isNotNull();
+        assertThat(card.heading()).isEqualTo("wall");
+        assertThat(card.lines())
+                .containsExactly(
+                        "box, cannot move", "at x 2, z 0, y 0", "heading 0 degrees", "width 1, length 4, height 1");
+        assertThat(viewing.life().marks()).containsExactly(new Scene.Mark(Talk.WALL, Scene.Mark.Why.PICKED));
+        press(viewing, -8, 3);
+        viewing.release();
+        assertThat(viewing.picked()).isNull();
+        press(viewing, -5, 0);
+        viewing.release();
+        assertThat(viewing.card().lines()).contains("cylinder, can move", "radius 0.5, height 1");
+        viewing.escape();
+        assertThat(viewing.picked()).isNull();
+    }
+
+    @Test
+    void aRobotIsDraggedByWhereItWasTaken() {
+        Viewing viewing = world();
+        press(viewing, -5.2, 0.1);
+        drag(viewing, -3.2, 2.1);
+        viewing.release();
+        assertDrumAt(viewing, -3, 2);
+        assertThat(viewing.picked().center()).isEqualTo(drum(viewing));
+    }
+
+    @Test
+    void whereARobotMayNotStandItIsSeenWhy() {
+        Viewing viewing = world();
+        press(viewing, -5, 0);
+        drag(viewing, 0, 0);
+        drag(viewing, 1.5, 0);
+        assertDrumAt(viewing, 0, 0);
+        assertThat(viewing.status()).isEqualTo("drum may not be there: wall is in the way");
+        Scene life = viewing.life();
+        assertThat(life.blocked()).hasSize(1);
+        assertThat(life.blocked().get(0).obstacle()).isEqualTo(Talk.WALL);
+        assertThat(life.marks())
+                .extracting(Scene.Mark::why)
+                .containsExactly(Scene.Mark.Why.REFUSED, Scene.Mark.Why.PICKED);
+        viewing.release();
+        assertThat(viewing.life().blocked()).isEmpty();
+        assertThat(viewing.status()).isEqualTo("drag a robot");
+    }
+
+    @Test
+    void aWayIsAskedForWithShift() {
+        Viewing viewing = world();
+        press(viewing, -5, 0);
+        viewing.drag(x(viewing, 5), y(viewing, 0), Sandbox.Push.MOVE);
+        assertThat(drum(viewing)).isEqualTo(new Point(-5, 0, 0));
+        assertThat(viewing.status()).contains("wall is in the way");
+        drag(viewing, 5, 0);
+        assertDrumAt(viewing, 5, 0);
+    }
+
+    @Test
+    void theGroundIsDraggedWhereNothingMoves() {
+        Viewing viewing = world();
+        viewing.wheel(500, 300, -3);
+        double x = x(viewing, 2);
+        press(viewing, 2, 0); // the wall cannot be dragged either
+        viewing.drag(x + 30, y(viewing, 0), Sandbox.Push.PLACE);
+        viewing.release();
+        assertThat(x(viewing, 2)).isBetween(x + 29.999, x + 30.001);
+        assertThat(viewing.picked()).isEqualTo(Talk.WALL);
+        // A hand that shakes drags nothing.
+        viewing.press(100, 100);
+        viewing.drag(102, 101, Sandbox.Push.PLACE);
+        viewing.release();
+        assertThat(x(viewing, 2)).isBetween(x + 29.999, x + 30.001);
+    }
+
+    @Test
+    void thePickedRobotTurns() {
+        Viewing viewing = world();
+        viewing.turnPicked(15);
+        press(viewing, -5, 0);
+        viewing.release();
+        viewing.turnPicked(15);
+        GeometryObject drum = viewing.life().things().get(0).object();
+        assertThat(drum.heading()).isEqualTo(15);
+        press(viewing, 2, 0);
+        viewing.release();
+        viewing.turnPicked(15);
+        assertThat(viewing.picked()).isEqualTo(Talk.WALL);
+    }
+
+    @Test
+    void aDragInARecordingIsInACopyOfItsMoment() throws Exception {
+        Viewing viewing = recording(Talk.begun().drives(1, true).drives(1, true).drives(1, true));
+        viewing.player.seek(2);
+        press(viewing, -3, 0);
+        viewing.release();
+        assertThat(viewing.picked().name()).isEqualTo("drum");
+        assertThat(viewing.status()).startsWith("step 3 of 4: 1 move");
+        press(viewing, -3, 0);
+        drag(viewing, -3, 3);
+        viewing.release();
+        assertDrumAt(viewing, -3, 3);
+        assertThat(viewing.status()).startsWith("a local copy of step 3, Esc goes back");
+        viewing.tick(SECOND);
+        viewing.escape();
+        assertThat(drum(viewing)).isEqualTo(new Point(-3, 0, 0));
+        // Going on leaves the copy as well.
+        press(viewing, -3, 0);
+        drag(viewing, -3, 3);
+        viewing.release();
+        viewing.leaveCopy();
+        viewing.player.step(1);
+        assertThat(drum(viewing)).isEqualTo(new Point(-2, 0, 0));
+    }
+
+    @Test
+    void aRecordingShowsItsStepsAndNotes() throws Exception {
+        Viewing viewing = recording(Talk.begun().drives(9, false).looks(2.0));
+        viewing.player.seek(1);
+        Scene life = viewing.life();
+        assertThat(life.blocked()).hasSize(1);
+        assertThat(life.trails()).hasSize(1);
+        assertThat(viewing.ground().things()).hasSize(1);
+        viewing.player.seek(2);
+        assertThat(viewing.life().pings()).hasSize(1);
+        assertThat(viewing.life().farthest()).isEqualTo(2);
+        viewing.nextTrails();
+        viewing.nextTrails(); // none
+        assertThat(viewing.life().refusals()).isEmpty();
+    }
+
+    @Test
+    void aSessionIsFollowedUntilItIsPaused() throws Exception {
+        ByteArrayOutputStream file = new ByteArrayOutputStream();
+        Talk.begun().drives(1, true).drives(1, true).scenario().write(file);
+        Feed feed = new Feed(ScenarioReader.of(new ByteArrayInputStream(file.toByteArray()), "talk"));
+        Viewing viewing = Viewing.ofLive(feed, "talk", "m");
+        while (!feed.isEnded()) {
+            viewing.tick(1);
+        }
+        viewing.tick(1);
+        assertThat(viewing.player.position()).isEqualTo(2);
+        assertThat(viewing.pace()).isEqualTo("live");
+        assertThat(viewing.status()).isEqualTo("step 3 of 3: 1 move; the session is over");
+        viewing.player.step(-1);
+        assertThat(viewing.pace()).isEqualTo("paused");
+        assertThat(drum(viewing)).isEqualTo(new Point(-4, 0, 0));
+        assertThat(viewing.life().unit()).isEqualTo("m");
+    }
+
+    @Test
+    void aWorldFileLendsItsColours() throws Exception {
+        World world = new World(20, 5, 10, List.of(new WorldObject(Talk.WALL, "#ff0000", List.of())));
+        ByteArrayOutputStream file = new ByteArrayOutputStream();
+        Talk.begun().scenario().write(file);
+        Feed feed = new Feed(
+                ScenarioReader.of(new ByteArrayInputStream(file.toByteArray()), "talk"),
+                Pictures.colours(world),
+                () -> "");
+        Viewing viewing = Viewing.ofRecording(feed, "talk", "");
+        while (!feed.isEnded()) {
+            viewing.tick(1);
+        }
+        viewing.tick(1);
+        assertThat(viewing.ground().things()).containsExactly(new Scene.Thing(Talk.WALL, 0xff0000));
+    }
+
+    @Test
+    void whatCannotBeReadIsTold() throws Exception {
+        String file = "{\"type\":\"scenario\",\"version\":1,\"title\":\"t\"}\n{\"type\":\"nonsense\"}\n";
+        Feed feed = new Feed(ScenarioReader.of(new ByteArrayInputStream(file.getBytes("UTF-8")), "bad"));
+        Viewing viewing = Viewing.ofRecording(feed, "bad", "");
+        while (!feed.isEnded()) {
+            Thread.onSpinWait();
+        }
+        viewing.tick(1);
+        assertThat(viewing.status()).startsWith("nothing was recorded; bad:2: ");
+        assertThat(viewing.life().things()).isEmpty();
+        press(viewing, 0, 0);
+        viewing.release();
+        viewing.turnPicked(15);
+    }
+}
