@@ -34,7 +34,7 @@ final class ViewerPane extends JPanel {
     private final JPanel bar = new JPanel();
     private final JLabel status = new JLabel(" ");
     private final JLabel speed = new JLabel(" ");
-    private final List<JButton> buttons = new ArrayList<>();
+    private final transient List<JButton> buttons = new ArrayList<>();
     private final JButton play;
     private Theme theme;
 
