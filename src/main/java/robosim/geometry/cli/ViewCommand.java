@@ -19,6 +19,7 @@ import robosim.geometry.scenario.WireReader;
 import robosim.geometry.viewer.Pictures;
 import robosim.geometry.viewer.Theme;
 import robosim.geometry.viewer.Viewer;
+import robosim.geometry.world.World;
 
 /** Shows a world, a recording or a session in a window. */
 @Command(
@@ -122,10 +123,7 @@ final class ViewCommand implements Callable<Integer> {
     }
 
     private @Nullable World lender() throws IOException {
-        return colours == null
-                ? null
-                : WorldImport.read(Inputs.file(spec, "--world", colours), ImportOptions.DEFAULT)
-                        .world();
+        return colours == null ? null : Inputs.world(spec, Inputs.file(spec, "--world", colours));
     }
 
     private Theme theme() {
