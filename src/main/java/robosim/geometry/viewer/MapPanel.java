@@ -19,6 +19,7 @@ final class MapPanel extends JComponent {
     private static final long serialVersionUID = 1;
 
     private final transient Viewing viewing;
+    private final transient Runnable changed;
     private Theme theme;
 
     /** What does not move, as it was drawn last, and of what. */
@@ -29,8 +30,9 @@ final class MapPanel extends JComponent {
     /** All that the ground depends on. */
     private record Drawn(int world, Scene.View visible, int width, int height, double pixels, Theme theme) {}
 
-    MapPanel(Viewing viewing, Theme theme) {
+    MapPanel(Viewing viewing, Theme theme, Runnable changed) {
         this.viewing = viewing;
+        this.changed = changed;
         this.theme = theme;
         setName("map");
         setOpaque(true);
@@ -57,7 +59,7 @@ final class MapPanel extends JComponent {
         public void mousePressed(MouseEvent event) {
             if (SwingUtilities.isLeftMouseButton(event)) {
                 viewing.press(event.getX(), event.getY());
-                repaint();
+                changed.run();
             }
         }
 
@@ -66,7 +68,7 @@ final class MapPanel extends JComponent {
             if (SwingUtilities.isLeftMouseButton(event)) {
                 Sandbox.Push push = event.isShiftDown() ? Sandbox.Push.MOVE : Sandbox.Push.PLACE;
                 viewing.drag(event.getX(), event.getY(), push);
-                repaint();
+                changed.run();
             }
         }
 
@@ -74,14 +76,14 @@ final class MapPanel extends JComponent {
         public void mouseReleased(MouseEvent event) {
             if (SwingUtilities.isLeftMouseButton(event)) {
                 viewing.release();
-                repaint();
+                changed.run();
             }
         }
 
         @Override
         public void mouseWheelMoved(MouseWheelEvent event) {
             viewing.wheel(event.getX(), event.getY(), event.getPreciseWheelRotation());
-            repaint();
+            changed.run();
         }
     }
 

@@ -42,7 +42,7 @@ final class ViewerPane extends JPanel {
         super(new BorderLayout());
         this.viewing = viewing;
         this.theme = theme;
-        this.map = new MapPanel(viewing, theme);
+        this.map = new MapPanel(viewing, theme, this::refresh);
         this.timeline = new Timeline(viewing, theme, this::refresh);
         this.play = button("play", ControlIcon.Shape.PLAY, "Play or pause (Space)", this::togglePlay);
         add(map, BorderLayout.CENTER);
@@ -177,8 +177,9 @@ final class ViewerPane extends JPanel {
 
     /** So much time went by; shows what is new. */
     void tick(long nanos) {
-        viewing.tick(nanos);
-        refresh();
+        if (viewing.tick(nanos)) {
+            refresh();
+        }
     }
 
     /** Shows all as it is now. */

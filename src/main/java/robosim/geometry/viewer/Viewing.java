@@ -28,6 +28,9 @@ final class Viewing {
     private final @Nullable Feed feed;
     private final boolean live;
 
+    /** What was told of the feed's end last. */
+    private String told = "";
+
     private int trails;
     private Frame.@Nullable Setting shown;
     private int world = -1;
@@ -99,8 +102,14 @@ final class Viewing {
         return feed != null;
     }
 
-    /** So much time went by. */
-    void tick(long nanos) {
+    /**
+     * So much time went by.
+     *
+     * @return whether there is anything new to be seen
+     */
+    boolean tick(long nanos) {
+        int before = player.position();
+        int size = film.size();
         if (feed != null) {
             feed.drain(film, AT_ONCE);
         }
@@ -114,6 +123,10 @@ final class Viewing {
             shown = setting;
             world = now;
         }
+        String end = end();
+        boolean changed = before != player.position() || size != film.size() || !end.equals(told);
+        told = end;
+        return changed;
     }
 
     /** Which world is shown; another number where it is another world, -1 for none. */

@@ -19,6 +19,9 @@ final class Questions {
     /** Free places from which moves and sonars are asked, of all robots together. */
     private static final int PLACES = 2000;
 
+    /** A robot that is a mesh moves slowly, and is asked so much less. */
+    private static final int FEWER = 20;
+
     /** So many places are tried for each that is free, at most. */
     private static final int TRIES = 10;
 
@@ -96,10 +99,11 @@ final class Questions {
             robots = List.of(new WorldObject(probe));
         }
         int each = Math.max(1, PLACES / robots.size());
+        int few = Math.max(1, each / FEWER);
         // In a crowd not everybody is asked.
         int asked = Math.min(robots.size(), PLACES);
         for (int k = 0; k < asked; k++) {
-            ask(robots.get(k), each, k, asked);
+            ask(robots.get(k), Rooms.isMany(robots.get(k).object()) ? few : each, k, asked);
         }
         boolean proven = probe == null && isProven(robots);
         Sheet enough = sheets.stream()

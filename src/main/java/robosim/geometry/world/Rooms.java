@@ -83,7 +83,7 @@ final class Rooms {
     }
 
     /** Whether it has so many parts that it moves slowly. */
-    private static boolean isMany(GeometryObject robot) {
+    static boolean isMany(GeometryObject robot) {
         return switch (robot.kind()) {
             case MESH -> true;
             case GROUP -> ((ObjectGroup) robot).members().stream().anyMatch(Rooms::isMany);

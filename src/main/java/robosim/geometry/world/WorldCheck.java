@@ -34,7 +34,8 @@ import robosim.geometry.model.Point;
  * <p><b>Needs.</b> The same questions, drawn from a fixed seed, are put to the world in both dimensions at each accuracy:
  * may a robot stand at a random place, may it make a random move or turn from there, what does one of its sonars hear (in
  * a world without sonars, a line in a random direction). A setting is enough where it answers all of them as EXACT in the
- * world's own dimension does. In a world without robots a small cylinder near the ground asks.
+ * world's own dimension does. In a world without robots a small cylinder near the ground asks; a robot that is a mesh, and so
+ * slow, asks a twentieth of what others do.
  *
  * @param world           what was checked
  * @param counts          how many objects of each kind, for the kinds that there are

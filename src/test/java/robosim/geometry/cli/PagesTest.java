@@ -25,7 +25,7 @@ class PagesTest {
     private static final Pattern FILE =
             Pattern.compile("(?<![\\w/.-])(?:worlds|docs|examples|src|\\.ci)/[\\w./-]*[\\w](?![\\w/*-]*[*<{])");
     private static final Pattern COMMAND = Pattern.compile(
-            "(?:-Dexec\\.args=\"|\\brobosim-geometry )((?:demo|check|view|convert|sweep|serve|connect|replay|render)\\b[^\"`|#]*)");
+            "(?:-Dexec\\.args=\"|\\brobosim-geometry )((?:demo|check|view|convert|sweep|completion|serve|connect|replay|render)\\b[^\"`|#]*)");
     private static final Pattern PROFILE = Pattern.compile("mvn [^`]*-P(\\w+)");
     private static final Pattern TEST = Pattern.compile("-Dtest=(\\w+)");
 
@@ -101,8 +101,9 @@ class PagesTest {
 
     /** Of the project, or of the user's project that it has as an example. */
     private static boolean isFile(String name) {
-        return Stream.of("", "examples/scenario-tests", "examples/scenario-tests/src/test/resources")
-                .anyMatch(root -> Files.exists(Path.of(root, name)));
+        return name.endsWith("/nowhere.xml") // by which pages show what becomes of a name that is wrong
+                || Stream.of("", "examples/scenario-tests", "examples/scenario-tests/src/test/resources")
+                        .anyMatch(root -> Files.exists(Path.of(root, name)));
     }
 
     private static boolean isType(String name) {
@@ -135,7 +136,7 @@ class PagesTest {
             strings = {
                 "robosim.geometry.bench.Nothing",
                 "robosim.geometry.model.Point.Inner",
-                "`worlds/nowhere.xml`",
+                "`worlds/missing.xml`",
                 "robosim-geometry serve 5555 --loud",
                 "-Dexec.args=\"demo --nothing\"",
                 "mvn verify -Pnothing",

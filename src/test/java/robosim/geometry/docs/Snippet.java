@@ -70,12 +70,15 @@ final class Snippet {
     /** A block with the blocks that it continues before it. */
     Snippet(Block block, String before) throws IOException {
         this.block = block;
+        // A class that is gone on with stands beside the statements, in their file.
+        boolean isBesideType = TYPE.matcher(before).find();
         StringBuilder imports = new StringBuilder();
         StringBuilder code = new StringBuilder();
-        (before + block.code()).lines().forEach(line -> {
+        ((isBesideType ? "" : before) + block.code()).lines().forEach(line -> {
             (line.startsWith("import ") ? imports : code).append(line).append('\n');
         });
         String text = code.toString();
+        String beside = isBesideType ? before.replaceFirst("(?m)^public ", "") : "";
         Matcher type = TYPE.matcher(text);
         isTest = Pattern.compile("@(?:Test|ScenarioTest|TestFactory|World)\\b|RobotWorld")
                 .matcher(text)
@@ -94,7 +97,7 @@ final class Snippet {
         } else {
             shape = Shape.STATEMENTS;
             className = "Snippet";
-            source = checked(all + "public class Snippet {\npublic static void run("
+            source = checked(all + beside + "public class Snippet {\npublic static void run("
                     + block.given().orElse("") + ") throws Exception {\n" + text + "}\n}\n");
         }
     }

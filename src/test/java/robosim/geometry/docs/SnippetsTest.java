@@ -137,6 +137,10 @@ class SnippetsTest {
         Block continues = new Block("page.md", 1, "java", "continues; compiled", "a = Integer.parseInt(\"x\");\n");
         SnippetRunner.check(continues, "int a = 1;\n", Files.createTempDirectory(folder, "snippet"));
         assertThat(continues.continues()).isTrue();
+        SnippetRunner.check(
+                block("new Robot().wheels(); // 4\n"),
+                "public final class Robot {\n    int wheels() {\n        return 4;\n    }\n}\n",
+                Files.createTempDirectory(folder, "snippet"));
     }
 
     @Test

@@ -48,15 +48,24 @@ final class WindowDriver {
      * @param arguments a class to be loaded first, or nothing; where a picture of the screen goes; an environment's two
      *                  recorded files
      */
-    public static void main(String[] arguments) throws Exception {
+    public static void main(String[] arguments) {
+        try {
+            drive(arguments);
+            System.out.println("all as it should be");
+            System.exit(0);
+        } catch (Exception | LinkageError e) {
+            e.printStackTrace(System.out);
+            System.exit(1);
+        }
+    }
+
+    private static void drive(String[] arguments) throws Exception {
         if (!arguments[0].isEmpty()) {
             Class.forName(arguments[0]); // which puts a display of its own in the place of the system's
         }
         WindowDriver driver = new WindowDriver(arguments[0].isEmpty(), Path.of(arguments[1]));
         driver.world();
         driver.recording(WireReader.open(Path.of(arguments[2]), Path.of(arguments[3])));
-        System.out.println("all as it should be");
-        System.exit(0);
     }
 
     private void world() throws Exception {
@@ -114,7 +123,7 @@ final class WindowDriver {
     private void open() throws Exception {
         expect("the window opens", () -> {
             for (Window each : Window.getWindows()) {
-                if (each.isShowing() && each instanceof JFrame frame) {
+                if (each instanceof JFrame frame && frame.isShowing()) {
                     window = frame;
                     return true;
                 }
