@@ -35,8 +35,13 @@ public final class Sweep implements Serializable {
 
     private final String name;
     private final SweepScenario scenario;
+
+    @SuppressWarnings("serial") // always a list of the JDK, which is serializable
     private final List<SweepWorld> worlds;
+
+    @SuppressWarnings("serial") // a tree map of such lists
     private final SortedMap<String, List<String>> parameters;
+
     private final long replicates;
     private final long seed;
     private transient SweepWorld.Views views = new SweepWorld.Views();
