@@ -24,7 +24,7 @@ record Enclosure(double minX, double minY, double minZ, double maxX, double maxY
 
     /** Along X and Z, from corner to corner. */
     double diagonal() {
-        return Math.hypot(maxX - minX, maxZ - minZ);
+        return StrictMath.hypot(maxX - minX, maxZ - minZ);
     }
 
     /** The smaller one of those along X and Z. */

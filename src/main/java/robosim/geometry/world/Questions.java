@@ -78,7 +78,7 @@ final class Questions {
     Questions(World world, WorldCheck.Watch watch) {
         this.world = world;
         this.watch = watch;
-        this.slack = SAME * Math.hypot(Math.hypot(world.width(), world.length()), world.height());
+        this.slack = SAME * StrictMath.hypot(StrictMath.hypot(world.width(), world.length()), world.height());
         for (Dimension dimension : Dimension.values()) {
             for (Accuracy accuracy : Accuracy.values()) {
                 sheets.add(new Sheet(world, dimension, accuracy));

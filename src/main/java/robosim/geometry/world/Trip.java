@@ -236,7 +236,7 @@ final class Trip {
                 ? 0
                 : other.y() - body.center().y();
         double dz = other.z() - z;
-        if (Math.hypot(dx, dz) > near) {
+        if (StrictMath.hypot(dx, dz) > near) {
             return false;
         }
         if (dx == 0 && dy == 0 && dz == 0) {
