@@ -97,7 +97,10 @@ public final class ReferenceEnvironment {
             System.err.println("The module broke the protocol: " + fault.getMessage());
             System.exit(1);
         } catch (IllegalArgumentException bad) {
-            System.err.println(bad.getMessage() + System.lineSeparator() + USAGE);
+            System.err.println(bad.getMessage());
+            if (arguments.length == 0) {
+                System.err.println(USAGE);
+            }
             System.exit(2);
         } catch (IOException | ClassNotFoundException failed) {
             System.err.println("The conversation failed: " + failed);

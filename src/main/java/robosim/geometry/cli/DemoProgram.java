@@ -7,7 +7,6 @@ import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 
@@ -44,14 +43,16 @@ final class DemoProgram {
         return DemoProgram.class.getResource(PLACE + program + ".class");
     }
 
-    /** Copies a world of the jar into a folder and answers where it is. */
+    /** Copies a world of the jar into a folder that has none of that name, and answers where it is. */
     static Path world(String name, Path folder) throws IOException {
         try (InputStream in = DemoProgram.class.getResourceAsStream(PLACE + name)) {
             if (in == null) {
                 throw new IllegalStateException(name + " is missing in " + Program.home() + PLACE);
             }
             Path copy = folder.resolve(name);
-            Files.copy(in, copy, StandardCopyOption.REPLACE_EXISTING);
+            if (!Files.exists(copy)) { // its user may have changed it
+                Files.copy(in, copy);
+            }
             return copy;
         }
     }

@@ -69,7 +69,7 @@ final class Words {
     static String blocked(Move move, MoveResult result) {
         double length = Math.sqrt(move.x() * move.x() + move.y() * move.y() + move.z() * move.z());
         String after = result.fraction() < 1
-                ? rounded(result.fraction() * length) + " of its way"
+                ? rounded(result.fraction() * length) + " of " + rounded(length)
                 : rounded(result.turnFraction()) + " of its turn";
         Point contact = result.contact();
         return "blocked after " + after + " by " + object(result.obstacle())

@@ -78,7 +78,7 @@ final class LegendPainter {
             canvas.polyline(
                     new double[] {x, y, x + 12, y - 9, x + 26, y - 2, x + 38, y - 8}, Style.line(ink, 1.6, 0.7));
             canvas.circle(x, y, 3.5, Style.filled(Palette.FLOOR, 1).outlined(ink, 1.6, 1));
-            x = label(x + 46, y, "trail from its start");
+            x = label(x + 46, y, "trail");
         }
         if (scene.things().stream().anyMatch(thing -> thing.object().isMoveable())) {
             canvas.circle(x + 8, y - 5, 8, Style.filled(Palette.robot(0), 0.92));
@@ -88,7 +88,7 @@ final class LegendPainter {
         }
         if (!scene.refusals().isEmpty()) {
             TracePainter.cross(canvas, x + 4, y - 5, 0);
-            label(x + 22, y, "refused move, " + scene.refusals().size() + " in all");
+            label(x + 22, y, "refused move, " + scene.refusals().size() + " shown");
         }
         canvas.close();
     }

@@ -166,7 +166,7 @@ class ModulePathTest {
         String said = run(classes, modulePath, ",com.fasterxml.jackson.core", evidence);
         assertThat(said)
                 .contains("drives: SUCCESSFUL", "reads: SUCCESSFUL")
-                .contains("fails: FAILED", "blocked after 3 of its way by box \"wall\"");
+                .contains("fails: FAILED", "blocked after 3 of 4 by box \"wall\"");
         assertThat(evidence.resolve("my.robots.tests.Tests.fails"))
                 .isDirectoryContaining(file -> file.endsWith("replay.scenario.jsonl"))
                 .isDirectoryContaining(file -> file.endsWith("last-moments.svg"));

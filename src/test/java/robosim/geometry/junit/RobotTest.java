@@ -29,9 +29,8 @@ class RobotTest {
     void aBlockedDriveTellsWhereAndWhy() {
         assertThatThrownBy(() -> r1.drives(1).drives(2.5))
                 .isInstanceOf(AssertionError.class)
-                .hasMessage(
-                        "robot \"r1\" was to drive 2.5, but is blocked after 2 of its way by box \"wall\" at (4, 0, 0),"
-                                + " where it touches (3.5, 0, 0); it stands at (1, 0, 0), heading 0");
+                .hasMessage("robot \"r1\" was to drive 2.5, but is blocked after 2 of 2.5 by box \"wall\" at (4, 0, 0),"
+                        + " where it touches (3.5, 0, 0); it stands at (1, 0, 0), heading 0");
         assertThat(r1.center()).isEqualTo(new Point(1, 0, 0));
         assertThatThrownBy(() -> r1.drives(-30)).hasMessageContaining("by the border of the world");
     }
@@ -90,7 +89,7 @@ class RobotTest {
         assertThatThrownBy(() -> r1.triesToDrive(2))
                 .hasMessageStartingWith(
                         "robot \"r1\" must never touch \"wall\", but robot \"r1\" was to drive 2 and was"
-                                + " blocked after 1 of its way by box \"wall\"");
+                                + " blocked after 1 of 2 by box \"wall\"");
         assertThatThrownBy(() -> r1.neverTouches("wall")).isInstanceOf(AssertionError.class);
         assertThatCode(() -> r1.neverTouches("r2")).doesNotThrowAnyException();
     }
@@ -115,7 +114,7 @@ class RobotTest {
                         "robot \"r1\" was to reach (3, 1) to within 0.5 in 3 steps, but came no nearer than ")
                 .hasMessageContaining(
                         "it stands at (2.5, 0, 0), heading 0; the last that stopped it: robot \"r1\" was to"
-                                + " drive 0.5 in step 8 and was blocked after 0.5 of its way by box \"wall\"");
+                                + " drive 0.5 in step 8 and was blocked after 0.5 of 0.5 by box \"wall\"");
     }
 
     @Test

@@ -104,7 +104,7 @@ class PainterTest {
         assertThat(withClass(document, "scale-bar")).hasSize(1);
         assertThat(withClass(document, "ramp")).hasSize(1);
         assertThat(document.getDocumentElement().getTextContent())
-                .contains("Everything", "a line below", "wall & <door>", "drum", "2 m", "refused move, 1 in all");
+                .contains("Everything", "a line below", "wall & <door>", "drum", "2 m", "refused move, 1 shown");
     }
 
     @Test
