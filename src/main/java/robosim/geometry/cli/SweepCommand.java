@@ -2,12 +2,13 @@ package robosim.geometry.cli;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.lang.reflect.InvocationTargetException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.LinkedHashMap;
+import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.atomic.AtomicLong;
 import org.jspecify.annotations.Nullable;
@@ -68,7 +69,7 @@ final class SweepCommand implements Callable<Integer> {
     @Parameters(
             index = "1..*",
             paramLabel = "WORLD",
-            description = "world files; a scenario file has its own and needs none")
+            description = "world files, in the order of the results; a scenario file has its own and needs none")
     private List<Path> worlds = List.of();
 
     @Option(
@@ -84,8 +85,8 @@ final class SweepCommand implements Callable<Integer> {
     @Option(
             names = {"-p", "--parameter"},
             paramLabel = "NAME=VALUE[,VALUE...]",
-            description = "values of a parameter; may be repeated")
-    private Map<String, String> parameters = new LinkedHashMap<>();
+            description = "values of a parameter; may be repeated for others")
+    private List<String> parameters = List.of();
 
     @Option(names = "--threads", paramLabel = "N", description = "default: as many as there are processors")
     private int threads = Runtime.getRuntime().availableProcessors();
@@ -187,8 +188,21 @@ final class SweepCommand implements Callable<Integer> {
                 sweep = sweep.over(world(world));
             }
         }
-        for (Map.Entry<String, String> parameter : parameters.entrySet()) {
-            sweep = sweep.vary(parameter.getKey(), parameter.getValue().split(",", -1));
+        Set<String> names = new HashSet<>();
+        for (String parameter : parameters) {
+            int end = parameter.indexOf('=');
+            if (end < 1) {
+                throw new ParameterException(
+                        spec.commandLine(), "--parameter must be NAME=VALUE[,VALUE...] (got: " + parameter + ")");
+            }
+            String name = parameter.substring(0, end);
+            if (!names.add(name)) {
+                throw new ParameterException(
+                        spec.commandLine(),
+                        "--parameter must name each parameter once, with commas between its values (got: " + name
+                                + " again)");
+            }
+            sweep = sweep.vary(name, parameter.substring(end + 1).split(",", -1));
         }
         return sweep.replicates(replicates).seed(seed);
     }
@@ -213,7 +227,13 @@ final class SweepCommand implements Callable<Integer> {
                     "SCENARIO must be a *" + ScenarioReader.ENDING
                             + " or a class on the class path; there is none of that name (got: " + name + ")",
                     e);
-        } catch (ReflectiveOperationException e) {
+        } catch (InvocationTargetException | ExceptionInInitializerError e) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "SCENARIO must be a class that can be made (got: " + name + ", which failed with " + e.getCause()
+                            + ")",
+                    e);
+        } catch (ReflectiveOperationException | LinkageError e) {
             throw new ParameterException(
                     spec.commandLine(),
                     "SCENARIO must be a public class with a public constructor without arguments (got: " + name + ", "

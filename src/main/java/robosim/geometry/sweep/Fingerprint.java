@@ -56,7 +56,7 @@ final class Fingerprint {
         add(point.x()).add(point.y()).add(point.z());
     }
 
-    private void add(GeometryObject object) {
+    void add(GeometryObject object) {
         add(object.kind().name());
         String name = object.name();
         add(name == null ? "" : name).add(object.isMoveable() ? 1 : 0);

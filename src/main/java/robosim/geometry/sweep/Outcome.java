@@ -17,7 +17,7 @@ import robosim.geometry.protocol.ProtocolException;
  * @param replicate  which of its cell, from 0
  * @param seed       of its own chance
  * @param values     what it found out; empty where it failed
- * @param error      why it failed; null where it did not
+ * @param error      why it failed, the first 2,000 characters; null where it did not
  */
 public record Outcome(
         long index,
@@ -29,14 +29,38 @@ public record Outcome(
         @Nullable String error) {
     private static final long MOST = 1L << 53;
 
+    /** Of a failure's text, in characters; stored as at most 6 bytes each it is far below what a line's text may have. */
+    private static final int MOST_OF_AN_ERROR = 2_000;
+
     static Outcome of(
             long index, String world, SortedMap<String, String> parameters, long replicate, long seed, Result result) {
         return new Outcome(index, world, parameters, replicate, seed, result.values(), null);
     }
 
     static Outcome failed(
-            long index, String world, SortedMap<String, String> parameters, long replicate, long seed, String error) {
-        return new Outcome(index, world, parameters, replicate, seed, Map.of(), error);
+            long index,
+            String world,
+            SortedMap<String, String> parameters,
+            long replicate,
+            long seed,
+            Throwable cause) {
+        return new Outcome(index, world, parameters, replicate, seed, Map.of(), text(cause));
+    }
+
+    /** What a failure says of itself, as a line can hold it: not too long, and no half of a surrogate pair. */
+    private static String text(Throwable cause) {
+        String text;
+        try {
+            text = String.valueOf(cause.toString());
+        } catch (RuntimeException e) {
+            text = cause.getClass().getName();
+        }
+        StringBuilder clean = new StringBuilder();
+        text.codePoints()
+                .limit(MOST_OF_AN_ERROR)
+                .forEach(c -> clean.appendCodePoint(
+                        c >= Character.MIN_SURROGATE && c <= Character.MAX_SURROGATE ? 0xFFFD : c));
+        return text.codePointCount(0, text.length()) > MOST_OF_AN_ERROR ? clean + "..." : clean.toString();
     }
 
     /** Whether it failed. */

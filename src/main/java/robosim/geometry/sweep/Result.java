@@ -29,6 +29,10 @@ public final class Result {
         if (name == null || name.isBlank()) {
             throw new IllegalArgumentException("name must have a visible character (got: " + name + ")");
         }
+        if (name.length() > Names.MOST || Names.hasHalf(name)) {
+            throw new IllegalArgumentException("name must have at most " + Names.MOST
+                    + " characters and no half of a surrogate pair (got: " + name + ")");
+        }
         if (!(value > Double.NEGATIVE_INFINITY)) {
             throw new IllegalArgumentException(
                     "value of " + name + " must be a number, or +Infinity where there is none (got: " + value + ")");

@@ -47,6 +47,8 @@ public final class ScenarioSweep implements SweepScenario {
     /** World units: standard deviation of what is added to a distance. */
     public static final String RANGE = "range";
 
+    private static final List<String> PARAMETERS = List.of(PLACE, HEADING, SLIP, AIM, RANGE);
+
     private static final long serialVersionUID = 1;
 
     /** So often a free place is looked for, before an object stays where it is. */
@@ -57,6 +59,7 @@ public final class ScenarioSweep implements SweepScenario {
     private final Accuracy accuracy;
     private final Beam beam;
     private final InitBundle init;
+    private String print = "";
 
     /** What is asked after the world is there. */
     private final ArrayList<Bundle> requests = new ArrayList<>();
@@ -95,12 +98,37 @@ public final class ScenarioSweep implements SweepScenario {
             sweep.requests.add(step.request());
             sweep.answers.add(expected == null ? null : expected.bundle());
         }
+        sweep.print = ScenarioPrint.of(scenario.header().options(), first, sweep.requests, sweep.answers);
         return sweep;
     }
 
     @Override
     public String name() {
         return name;
+    }
+
+    /** A digest of all steps and options of its file. */
+    @Override
+    public String fingerprint() {
+        return print;
+    }
+
+    @Override
+    public void check(String parameter, String value) {
+        if (!PARAMETERS.contains(parameter)) {
+            throw new IllegalArgumentException("a parameter of a scenario file must be one of "
+                    + String.join(", ", PARAMETERS) + ", " + Sweep.ACCURACY + ", " + Sweep.DIMENSION + " (got: "
+                    + parameter + ")");
+        }
+        double amount;
+        try {
+            amount = Double.parseDouble(value);
+        } catch (NumberFormatException e) {
+            throw new IllegalArgumentException(parameter + " must be a number (got: " + value + ")", e);
+        }
+        if (!(amount >= 0 && amount < Double.POSITIVE_INFINITY)) {
+            throw new IllegalArgumentException(parameter + " must be at least 0 and finite (got: " + value + ")");
+        }
     }
 
     /** The world of the conversation, under the scenario's name. */
@@ -139,9 +167,9 @@ public final class ScenarioSweep implements SweepScenario {
     public Result run(Replicate replicate) {
         double place = amount(replicate, PLACE);
         double heading = amount(replicate, HEADING);
-        SeededRandom places = replicate.pairedRandom();
-        SeededRandom noise = new SeededRandom(places.nextLong());
-        int stuck = place == 0 && heading == 0 ? 0 : scatter(replicate.world(), places, place, heading);
+        SeededRandom random = replicate.pairedRandom();
+        SeededRandom noise = new SeededRandom(random.nextLong());
+        int stuck = place == 0 && heading == 0 ? 0 : scatter(replicate.world(), random.nextLong(), place, heading);
         Noise errors =
                 new Noise(noise, amount(replicate, SLIP), amount(replicate, AIM), amount(replicate, RANGE), beam);
         Replay replay = new Replay(replicate.world(), options(), SessionListener.NONE);
@@ -162,19 +190,19 @@ public final class ScenarioSweep implements SweepScenario {
     }
 
     private static double amount(Replicate replicate, String parameter) {
-        double amount = replicate.number(parameter, 0);
-        if (!(amount >= 0 && amount < Double.POSITIVE_INFINITY)) {
-            throw new IllegalArgumentException(parameter + " must be at least 0 (got: " + amount + ")");
-        }
-        return amount;
+        return replicate.number(parameter, 0); // which the sweep has had checked
     }
 
-    /** Puts all upright moveable objects elsewhere nearby, one after the other; answers how many found no free place. */
-    private static int scatter(Geometry world, SeededRandom random, double radius, double turn) {
+    /**
+     * Puts all upright moveable objects elsewhere nearby, one after the other; answers how many found no free place. Each
+     * has draws of its own, by its name: how often one tries changes none of the next one's.
+     */
+    private static int scatter(Geometry world, long seed, double radius, double turn) {
         int stuck = 0;
         for (GeometryObject object : world.objects()) {
             String mover = object.name();
             if (object.isMoveable() && mover != null && object.pose().isUpright()) {
+                SeededRandom random = new SeededRandom(Seeds.of(seed, mover));
                 stuck += isPlaced(world, object, mover, random, radius, turn) ? 0 : 1;
             }
         }

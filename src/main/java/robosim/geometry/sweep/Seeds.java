@@ -33,6 +33,11 @@ public final class Seeds {
         return take(take(take(0, root), scenario), replicate);
     }
 
+    /** The seed of one part of a replicate, by its name. */
+    static long of(long seed, String part) {
+        return take(take(0, seed), part);
+    }
+
     private static long take(long h, String text) {
         long taken = h;
         for (int k = 0; k < text.length(); k++) {

@@ -87,7 +87,12 @@ public final class Sweep implements Serializable {
         return new Sweep(name, scenario, more, parameters, replicates, seed);
     }
 
-    /** Over the values of a parameter, in this order; they take the place of earlier ones. */
+    /**
+     * Over the values of a parameter, in this order; they take the place of earlier ones.
+     *
+     * @throws IllegalArgumentException where a value is none of the parameter, or the scenario {@linkplain
+     *                                  SweepScenario#check refuses} it
+     */
     public Sweep vary(String parameter, String... values) {
         Names.check("name of a parameter", parameter);
         if (values.length == 0 || Arrays.stream(values).distinct().count() < values.length) {
@@ -100,6 +105,8 @@ public final class Sweep implements Serializable {
                 constant(ACCURACY, Accuracy.class, value);
             } else if (parameter.equals(DIMENSION)) {
                 constant(DIMENSION, Dimension.class, value);
+            } else {
+                scenario.check(parameter, value);
             }
         }
         Map<String, List<String>> more = new TreeMap<>(parameters);
@@ -137,21 +144,28 @@ public final class Sweep implements Serializable {
         worlds.forEach(world -> prints.put(world.name(), Fingerprint.of(world.snapshot())));
         Map<String, String> values = new LinkedHashMap<>();
         parameters.forEach((parameter, each) -> values.put(parameter, String.join(",", each)));
-        return new SweepHeader(name, seed, replicates, prints, values);
+        return new SweepHeader(name, scenario.fingerprint(), seed, replicates, prints, values);
     }
 
     /** How many worlds with how many combinations of values there are. */
     public long cells() {
         long cells = worlds.size();
         for (List<String> values : parameters.values()) {
-            cells = Math.multiplyExact(cells, values.size());
+            cells = times(cells, values.size());
         }
         return cells;
     }
 
     /** How many replicates there are in all. */
     public long size() {
-        return Math.multiplyExact(cells(), replicates);
+        return times(cells(), replicates);
+    }
+
+    private static long times(long count, long by) {
+        if (Math.multiplyHigh(count, by) != 0 || count * by < 0) {
+            throw new IllegalArgumentException("a sweep must have fewer than 2^63 replicates (got: more)");
+        }
+        return count * by;
     }
 
     /** Whether a replicate is of a shard. */
@@ -192,8 +206,12 @@ public final class Sweep implements Serializable {
             Result result =
                     scenario.run(new Replicate(snapshot.toGeometry(), world.name(), values, number, own, paired));
             return Outcome.of(index, world.name(), values, number, own, result);
-        } catch (Exception | StackOverflowError e) {
-            return Outcome.failed(index, world.name(), values, number, own, e.toString());
+        } catch (StackOverflowError e) {
+            return Outcome.failed(index, world.name(), values, number, own, e);
+        } catch (VirtualMachineError e) {
+            throw e; // the machine has no memory left, or is broken: the next replicate would fare no better
+        } catch (Throwable e) {
+            return Outcome.failed(index, world.name(), values, number, own, e);
         }
     }
 

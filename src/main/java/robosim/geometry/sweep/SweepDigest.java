@@ -13,7 +13,7 @@ public final class SweepDigest {
 
     /** Of a sweep's header, and no outcome yet. */
     public SweepDigest(SweepHeader header) {
-        print.add(header.scenario()).add(header.seed()).add(header.replicates());
+        print.add(header.scenario()).add(header.print()).add(header.seed()).add(header.replicates());
         add(header.worlds());
         add(header.parameters());
     }

@@ -12,7 +12,10 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.protocol.JsonRecord;
 import robosim.geometry.protocol.ProtocolException;
 
-/** Reads a file of results once, line by line. A last line that broke off, as a killed writer leaves it, is passed over. */
+/**
+ * Reads a file of results once, line by line. A last line that broke off, as a killed writer leaves it, is passed over: one
+ * without a line feed, and the first one only where it is how such a file begins. All else is refused, and so kept.
+ */
 final class SweepFile {
     /** A line longer than this is no outcome. */
     private static final int MOST_BYTES = 1 << 24;
@@ -20,6 +23,7 @@ final class SweepFile {
     private static final String HEADER = "{\"type\":\"sweep\",";
 
     private final Path file;
+    private final String beginning;
     private @Nullable SweepHeader header;
     private long end;
     private long torn;
@@ -30,13 +34,23 @@ final class SweepFile {
         void read(Outcome outcome, long offset, int length) throws IOException;
     }
 
-    private SweepFile(Path file) {
+    private SweepFile(Path file, String beginning) {
         this.file = file;
+        this.beginning = beginning;
     }
 
-    /** Reads all of a file. */
+    /** Reads all of a file of results of any sweep. */
     static SweepFile read(Path file, Reader reader) throws IOException {
-        SweepFile read = new SweepFile(file);
+        return read(file, HEADER, reader);
+    }
+
+    /** Reads all of a file that a run of a sweep is to go on with. */
+    static SweepFile read(Path file, SweepHeader own, Reader reader) throws IOException {
+        return read(file, own.sealed(), reader);
+    }
+
+    private static SweepFile read(Path file, String beginning, Reader reader) throws IOException {
+        SweepFile read = new SweepFile(file, beginning);
         try (InputStream in = new BufferedInputStream(Files.newInputStream(file), 1 << 16)) {
             read.read(in, reader);
         } catch (NoSuchFileException e) {
@@ -65,16 +79,16 @@ final class SweepFile {
         long number = 0;
         for (byte[] line = line(in); line != null; line = line(in)) {
             number++;
+            if (isTorn(line, number)) {
+                torn = number;
+                return;
+            }
             boolean isEnded = line[line.length - 1] == '\n';
             String open = isEnded ? Sealed.open(new String(line, 0, line.length - 1, StandardCharsets.UTF_8)) : null;
             if (open == null) {
-                if (in.read() >= 0) {
-                    throw new SweepException(
-                            file + " line " + number
-                                    + ": it must be as it was written, with its check sum; restore the file or remove the line");
-                }
-                torn = number;
-                return;
+                throw new SweepException(
+                        file + " line " + number + ": it must be as it was written, with its check sum; "
+                                + (number == 1 ? "name a file of results" : "restore the file or remove the line"));
             }
             try {
                 if (number == 1 || open.startsWith(HEADER)) {
@@ -87,6 +101,17 @@ final class SweepFile {
             }
             end += line.length;
         }
+    }
+
+    private boolean isTorn(byte[] line, long number) {
+        if (line[line.length - 1] == '\n') {
+            return false;
+        }
+        // A byte a character: it may have broken off within one.
+        String text = new String(line, StandardCharsets.ISO_8859_1);
+        String whole = new String(beginning.getBytes(StandardCharsets.UTF_8), StandardCharsets.ISO_8859_1);
+        // Where it is not known which sweep's it is, it may go on behind what all headers have in common.
+        return number > 1 || whole.startsWith(text) || (beginning.equals(HEADER) && text.startsWith(HEADER));
     }
 
     /** The first line, or one that another run began with that goes on with more replicates. */

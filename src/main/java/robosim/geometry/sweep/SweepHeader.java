@@ -10,13 +10,19 @@ import robosim.geometry.protocol.ProtocolException;
  * What a file of results begins with: which sweep they are of.
  *
  * @param scenario   its name
+ * @param print      what tells it from another of that name; empty where nothing does, see {@link SweepScenario#fingerprint()}
  * @param seed       the root seed
  * @param replicates of each cell
  * @param worlds     by name, what tells one world from another: a digest of its objects
  * @param parameters by name, the values with commas between them
  */
 public record SweepHeader(
-        String scenario, long seed, long replicates, Map<String, String> worlds, Map<String, String> parameters) {
+        String scenario,
+        String print,
+        long seed,
+        long replicates,
+        Map<String, String> worlds,
+        Map<String, String> parameters) {
     /** Of the format. */
     public static final int VERSION = 1;
 
@@ -41,6 +47,20 @@ public record SweepHeader(
         return Sealed.seal(line());
     }
 
+    /** Refuses what could be written and not read again: the values of a parameter together may be too long. */
+    void check() {
+        try {
+            if (equals(of(JsonRecord.read(line())))) {
+                return;
+            }
+        } catch (ProtocolException e) {
+            throw new IllegalArgumentException(
+                    "the header of a file of results must be readable again; " + e.getMessage(), e);
+        }
+        throw new IllegalArgumentException(
+                "the header of a file of results must be readable again (got: " + this + ")");
+    }
+
     /** The line of a file, without its check sum. */
     String line() {
         return line(replicates);
@@ -51,6 +71,7 @@ public record SweepHeader(
         fields.put("type", "sweep");
         fields.put("version", VERSION);
         fields.put("scenario", scenario);
+        fields.put("fingerprint", print);
         fields.put("seed", Outcome.hex(seed));
         fields.put("replicates", number);
         fields.put("worlds", worlds);
@@ -59,12 +80,13 @@ public record SweepHeader(
     }
 
     static SweepHeader of(JsonRecord line) throws ProtocolException {
-        line.only("type version scenario seed replicates worlds parameters", "");
+        line.only("type version scenario fingerprint seed replicates worlds parameters", "");
         if (line.number("version") != VERSION) {
             throw line.refused("version must be " + VERSION + " (got: " + line.number("version") + ")");
         }
         return new SweepHeader(
                 line.text("scenario"),
+                line.text("fingerprint"),
                 Outcome.unhex(line, "seed"),
                 line.whole("replicates", 1, MOST),
                 texts(line.record("worlds")),

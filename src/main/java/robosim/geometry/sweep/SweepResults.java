@@ -10,9 +10,11 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.Iterator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Consumer;
-import org.jspecify.annotations.Nullable;
 
 /**
  * The results of one sweep, in one file or in those of its shards; read from there whenever they are asked for, in the order
@@ -160,19 +162,29 @@ public final class SweepResults {
             for (Entry entry : entries) {
                 out.write((lines.line(entry) + "\n").getBytes(StandardCharsets.UTF_8));
             }
+        } catch (IOException e) {
+            throw SweepException.on(file, e);
         }
         Files.move(half, absolute, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
     }
 
-    /** The files, one open at a time: shards come in turns, but one file is the usual case. */
+    /** The files, few of them open at a time: who merges thousands of shards has no room for all. */
     private final class Lines implements AutoCloseable {
-        private final @Nullable RandomAccessFile[] open = new RandomAccessFile[files.size()];
+        private static final int MOST_OPEN = 64;
+
+        /** The one that was read longest ago comes first. */
+        private final Map<Integer, RandomAccessFile> open = new LinkedHashMap<>(16, 0.75f, true);
 
         String line(Entry entry) throws IOException {
-            RandomAccessFile in = open[entry.file];
+            RandomAccessFile in = open.get(entry.file);
             if (in == null) {
+                if (open.size() == MOST_OPEN) {
+                    Iterator<RandomAccessFile> eldest = open.values().iterator();
+                    eldest.next().close();
+                    eldest.remove();
+                }
                 in = new RandomAccessFile(files.get(entry.file).toFile(), "r");
-                open[entry.file] = in;
+                open.put(entry.file, in);
             }
             byte[] bytes = new byte[entry.length - 1];
             in.seek(entry.offset);
@@ -182,10 +194,8 @@ public final class SweepResults {
 
         @Override
         public void close() throws IOException {
-            for (RandomAccessFile each : open) {
-                if (each != null) {
-                    each.close();
-                }
+            for (RandomAccessFile each : open.values()) {
+                each.close();
             }
         }
     }

@@ -1,12 +1,10 @@
 package robosim.geometry.sweep;
 
+import java.io.FileOutputStream;
 import java.io.IOException;
-import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
-import java.nio.channels.FileLock;
-import java.nio.channels.OverlappingFileLockException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
@@ -21,7 +19,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * Carries out a sweep, or a shard of it, on some threads, into a file. Each outcome is appended when it is there, as a line
  * with a check sum: who is killed loses what was under way, one replicate a thread. At the end the file is written anew in
- * the order of the indices: its bytes then do not tell how many threads there were, or how often it was killed.
+ * the order of the indices: its bytes then do not tell how many threads there were, or how often it was killed. All the
+ * while an empty file beside it, {@code FILE.lock}, which stays, keeps other runs away.
  */
 public final class SweepRun {
     private final Sweep sweep;
@@ -71,8 +70,13 @@ public final class SweepRun {
         return this;
     }
 
-    /** How many replicates the shard has. */
+    /**
+     * How many replicates the shard has.
+     *
+     * @throws IllegalArgumentException where the sweep has more than {@link #run()} can carry out
+     */
     public long size() {
+        checkSize();
         long size = 0;
         for (long index = 0; index < sweep.size(); index++) {
             size += sweep.isOf(shard, index) ? 1 : 0;
@@ -84,45 +88,52 @@ public final class SweepRun {
      * Carries it out.
      *
      * @return the results, also of earlier runs
-     * @throws SweepException where the file is there already, or is of another sweep
+     * @throws SweepException where the file is there already, or is of another sweep, or cannot be written
+     * @throws IllegalArgumentException where the sweep has too many replicates, or what its file begins with is too long
      */
     public SweepResults run() throws IOException, InterruptedException {
-        SweepHeader header = sweep.header();
-        try (FileChannel out = FileChannel.open(
-                        file,
-                        StandardOpenOption.WRITE,
-                        isResumed ? StandardOpenOption.CREATE : StandardOpenOption.CREATE_NEW);
-                FileLock lock = lock(out)) {
-            BitSet done = new BitSet();
-            begin(out, header, done);
-            carryOut(out, done);
+        SweepHeader header = checked();
+        if (!isResumed && Files.exists(file)) {
+            throw isThere(null);
+        }
+        try (SweepLock lock = SweepLock.of(file)) {
+            if (!isResumed || !Files.exists(file)) {
+                Files.createFile(file);
+            }
+            append(header);
             if (!lock.isValid()) {
                 throw new SweepException(file + ": the lock of the file was lost");
             }
-            out.force(false);
+            SweepResults.read(List.of(file)).write(file, header);
+            return SweepResults.read(List.of(file));
         } catch (FileAlreadyExistsException e) {
-            throw new SweepException(file + ": it must be a new file, or resume it (got: one that is there)", e);
+            throw isThere(e);
         }
-        SweepResults.read(List.of(file)).write(file, header);
-        return SweepResults.read(List.of(file));
     }
 
-    private FileLock lock(FileChannel out) throws IOException {
-        FileLock lock;
-        try {
-            lock = out.tryLock();
-        } catch (OverlappingFileLockException e) {
-            throw new SweepException(file + ": another run must not write to it at the same time", e);
-        }
-        if (lock == null) {
-            throw new SweepException(file + ": another process must not write to it at the same time");
-        }
-        return lock;
+    /** Its header, where all of the sweep can be carried out and read again. */
+    private SweepHeader checked() {
+        checkSize();
+        SweepHeader header = sweep.header();
+        header.check();
+        return header;
     }
 
-    /** Finds what is done already, drops a line that broke off, and makes ready to go on. */
-    private void begin(FileChannel out, SweepHeader header, BitSet done) throws IOException {
-        SweepFile before = SweepFile.read(file, (outcome, offset, length) -> {
+    private void checkSize() {
+        if (sweep.size() > Integer.MAX_VALUE) {
+            throw new IllegalArgumentException(
+                    "a sweep must have at most " + Integer.MAX_VALUE + " replicates (got: " + sweep.size() + ")");
+        }
+    }
+
+    private SweepException isThere(@Nullable IOException cause) {
+        return new SweepException(file + ": it must be a new file, or resume it (got: one that is there)", cause);
+    }
+
+    /** Finds what is done already, drops a line that broke off, and appends what is missing. */
+    private void append(SweepHeader header) throws IOException, InterruptedException {
+        BitSet done = new BitSet();
+        SweepFile before = SweepFile.read(file, header, (outcome, offset, length) -> {
             if (outcome.index() >= sweep.size()) {
                 throw new SweepException(file + ": it has more replicates than asked for (got: " + outcome.index()
                         + " of " + sweep.size() + ")");
@@ -134,25 +145,25 @@ public final class SweepRun {
             throw new SweepException(
                     file + ": it must be of the same sweep to be resumed; it is of " + old + " and not of " + header);
         }
-        out.truncate(before.end());
-        out.position(before.end());
-        if (old == null || old.replicates() != header.replicates()) {
-            append(out, header.sealed());
+        if (before.torn() > 0) {
+            try (FileChannel whole = FileChannel.open(file, StandardOpenOption.WRITE)) {
+                whole.truncate(before.end());
+            }
+        }
+        // No channel: that would be closed by a scenario that leaves its thread interrupted.
+        try (FileOutputStream out = new FileOutputStream(file.toFile(), true)) {
+            SweepLines lines = new SweepLines(out);
+            if (old == null || old.replicates() != header.replicates()) {
+                lines.append(header.sealed());
+            }
+            carryOut(lines, done);
+            out.getFD().sync();
+        } catch (IOException e) {
+            throw SweepException.on(file, e);
         }
     }
 
-    private static void append(FileChannel out, String line) throws IOException {
-        ByteBuffer bytes = ByteBuffer.wrap((line + "\n").getBytes(StandardCharsets.UTF_8));
-        while (bytes.hasRemaining()) {
-            out.write(bytes);
-        }
-    }
-
-    private void carryOut(FileChannel out, BitSet done) throws IOException, InterruptedException {
-        if (sweep.size() > Integer.MAX_VALUE) {
-            throw new IllegalArgumentException(
-                    "a sweep must have at most " + Integer.MAX_VALUE + " replicates (got: " + sweep.size() + ")");
-        }
+    private void carryOut(SweepLines lines, BitSet done) throws IOException, InterruptedException {
         AtomicLong next = new AtomicLong();
         AtomicLong finished = new AtomicLong();
         AtomicBoolean isOver = new AtomicBoolean();
@@ -168,8 +179,9 @@ public final class SweepRun {
                         index = next.getAndIncrement()) {
                     if (sweep.isOf(shard, index) && !done.get((int) index)) {
                         String line = sweep.run(index).sealed();
-                        synchronized (out) {
-                            append(out, line);
+                        Thread.interrupted(); // of the scenario's doing: nobody else knows this thread
+                        if (!lines.append(line)) {
+                            return;
                         }
                         progress.accept(finished.incrementAndGet());
                     }

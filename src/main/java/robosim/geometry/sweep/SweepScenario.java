@@ -19,6 +19,23 @@ public interface SweepScenario extends Serializable {
     Result run(Replicate replicate) throws Exception;
 
     /**
+     * Refuses a parameter, or a value of it, before anything is carried out. Asked of each value that a sweep is given,
+     * but of those that are the world's own; this one takes them all.
+     *
+     * @throws IllegalArgumentException where it does not know the parameter, or cannot use the value
+     */
+    default void check(String parameter, String value) {}
+
+    /**
+     * What tells this scenario from another of its name: results are not resumed by, nor merged with, those of another one.
+     * Here it is empty: a class's code is not looked at. Who knows better, as {@link ScenarioSweep} does of its file,
+     * answers a digest of it or a number of its version; a short text.
+     */
+    default String fingerprint() {
+        return "";
+    }
+
+    /**
      * What results are filed under; seeds are made from it too. A class's own name; what was written as a lambda has another
      * one in each run, and is given one by {@link Sweep#of(String, SweepScenario)}.
      */

@@ -5,6 +5,7 @@ import java.io.Serializable;
 import java.nio.file.Path;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.Snapshot;
 import robosim.geometry.model.Accuracy;
@@ -43,14 +44,30 @@ public record SweepWorld(String name, Snapshot snapshot) implements Serializable
     static final class Views {
         private record View(int world, Dimension dimension, Accuracy accuracy) {}
 
-        private final Map<View, Snapshot> made = new ConcurrentHashMap<>();
+        /** A world, or why there is none: it is not tried again for each replicate. */
+        private record Made(
+                @Nullable Snapshot snapshot, @Nullable RuntimeException failure) {}
+
+        private final Map<View, Made> all = new ConcurrentHashMap<>();
 
         Snapshot of(int index, SweepWorld world, Dimension dimension, Accuracy accuracy) {
             Snapshot plain = world.snapshot();
-            return dimension == plain.dimension() && accuracy == plain.accuracy()
-                    ? plain
-                    : made.computeIfAbsent(
-                            new View(index, dimension, accuracy), view -> made(world.snapshot(), dimension, accuracy));
+            if (dimension == plain.dimension() && accuracy == plain.accuracy()) {
+                return plain;
+            }
+            Made made = all.computeIfAbsent(new View(index, dimension, accuracy), view -> tried(plain, view));
+            if (made.snapshot == null) {
+                throw made.failure == null ? new IllegalStateException("neither a world nor a failure") : made.failure;
+            }
+            return made.snapshot;
+        }
+
+        private static Made tried(Snapshot from, View view) {
+            try {
+                return new Made(made(from, view.dimension, view.accuracy), null);
+            } catch (RuntimeException e) {
+                return new Made(null, e);
+            }
         }
 
         private static Snapshot made(Snapshot from, Dimension dimension, Accuracy accuracy) {

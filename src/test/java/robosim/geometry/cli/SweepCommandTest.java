@@ -12,6 +12,9 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import robosim.geometry.sweep.Replicate;
+import robosim.geometry.sweep.Result;
+import robosim.geometry.sweep.SweepScenario;
 import robosim.geometry.sweep.Wander;
 
 @Timeout(60)
@@ -131,6 +134,51 @@ class SweepCommandTest {
         assertThat(run("sweep", "merge", "missing.jsonl")).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(run("sweep", "--help")).isZero();
         assertThat(out.toString()).contains("--shard=I/N", "merge", "Parameters of a scenario file");
+    }
+
+    /** What would be another sweep than the one that was meant is refused before there is a file. */
+    @Test
+    void badParametersAreToldBeforeAnythingIsDone() {
+        Path results = folder.resolve("results.jsonl");
+        String[][] bad = {
+            {"plac=1", "one of place, heading, slip, aim, range, accuracy, dimension (got: plac)"},
+            {"place=-1", "place must be at least 0"},
+            {"place=near", "place must be a number"},
+            {"place", "--parameter must be NAME=VALUE[,VALUE...] (got: place)"},
+            {"=1", "--parameter must be NAME=VALUE[,VALUE...] (got: =1)"},
+            {"accuracy=fine", "accuracy must be one of"},
+        };
+        for (String[] each : bad) {
+            assertThat(run("sweep", SCENARIO, "-n", 1, "-p", each[0], "-o", results))
+                    .as(each[0])
+                    .isEqualTo(ExitCodes.UNUSABLE);
+            assertThat(err.toString()).contains(each[1]);
+        }
+        assertThat(run("sweep", SCENARIO, "-n", 1, "-p", "place=0", "-p", "place=1", "-o", results))
+                .isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains("--parameter must name each parameter once", "(got: place again)");
+        assertThat(results).doesNotExist();
+    }
+
+    /** A scenario that cannot be made. */
+    public static final class Unmade implements SweepScenario {
+        private static final long serialVersionUID = 1;
+
+        /** Fails. */
+        public Unmade() {
+            throw new IllegalStateException("no file docking.properties");
+        }
+
+        @Override
+        public Result run(Replicate replicate) {
+            return Result.of("v", 1);
+        }
+    }
+
+    @Test
+    void aConstructorThatFailsTellsWhy() {
+        assertThat(run("sweep", Unmade.class.getName(), "worlds/rooms.xml")).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains("which failed with java.lang.IllegalStateException: no file docking.prop");
     }
 
     @Test

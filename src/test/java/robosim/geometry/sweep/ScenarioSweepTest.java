@@ -2,18 +2,32 @@ package robosim.geometry.sweep;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.Geometry;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.Point;
+import robosim.geometry.net.SessionOptions;
+import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.WorldSettings;
 import robosim.geometry.scenario.Replay;
 import robosim.geometry.scenario.Scenario;
+import robosim.geometry.scenario.ScenarioHeader;
+import robosim.geometry.scenario.Step;
 
 /** A recorded conversation with chance in it. */
 class ScenarioSweepTest {
@@ -108,6 +122,71 @@ class ScenarioSweepTest {
         }
     }
 
+    /** A robot beside a wall tries again where its disc reaches it; the next robot's draws are the same all the same. */
+    @Test
+    void anotherTryOfOneRobotMovesNoOther() throws IOException {
+        CylinderObject body = new CylinderObject(new Point(), 0.5, 1);
+        InitBundle init = new InitBundle(
+                List.of(
+                        body.moveable("a"),
+                        new BoxObject(new Point(2.1, 0, 0), 2, 1, 8),
+                        body.movedTo(new Point(20, 0, 0)).moveable("b")),
+                new WorldSettings(100, 10, 100, Dimension.PLANAR, Accuracy.EXACT));
+        Path file = folder.resolve("two.scenario.jsonl");
+        try (OutputStream out = Files.newOutputStream(file)) {
+            new Scenario(new ScenarioHeader("two", SessionOptions.ROBOSIM), List.of(new Step(init, null))).write(out);
+        }
+        ScenarioSweep scenario = ScenarioSweep.read(file);
+        int triedAgain = 0;
+        for (int number = 0; number < 50; number++) {
+            Point[] near = starts(scenario, number, 0.5);
+            Point[] far = starts(scenario, number, 4);
+            triedAgain += Math.abs(near[0].x() * 8 - far[0].x()) > 1e-9 ? 1 : 0;
+            assertThat((near[1].x() - 20) * 8).isCloseTo(far[1].x() - 20, within(1e-9));
+            assertThat(near[1].z() * 8).isCloseTo(far[1].z(), within(1e-9));
+        }
+        assertThat(triedAgain).isBetween(10, 45);
+    }
+
+    private static Point[] starts(ScenarioSweep scenario, int number, double place) {
+        Geometry world = scenario.world().snapshot().toGeometry();
+        scenario.run(new Replicate(
+                world, "two", new TreeMap<>(Map.of("place", String.valueOf(place))), number, 1, 1000 + number));
+        return new Point[] {world.getObject("a").center(), world.getObject("b").center()};
+    }
+
+    /** Only the recording itself, in another file of its name, has the same results. */
+    @Test
+    void resultsOfAnotherRecordingAreRefused() throws Exception {
+        String text = Files.readString(WANDERING);
+        Path file = Files.createDirectories(folder.resolve("other")).resolve("wandering.scenario.jsonl");
+        Path results = folder.resolve("results.jsonl");
+        ScenarioSweep scenario = ScenarioSweep.read(WANDERING);
+        Sweep sweep = Sweep.of(scenario).over(scenario.world());
+        SweepRun.of(sweep, results).run();
+        Files.writeString(file, text.replaceFirst("\"title\":\"", "\"title\":\"Retold: "));
+        assertThat(Files.readString(file)).isNotEqualTo(text);
+        ScenarioSweep same = ScenarioSweep.read(file);
+        assertThat(SweepRun.of(Sweep.of(same).over(same.world()), results)
+                        .resume()
+                        .run()
+                        .digest())
+                .isEqualTo(SweepResults.read(List.of(results)).digest());
+        String shorter = text.substring(0, text.stripTrailing().lastIndexOf('\n') + 1);
+        Files.writeString(file, shorter.substring(0, shorter.stripTrailing().lastIndexOf('\n') + 1));
+        ScenarioSweep other = ScenarioSweep.read(file);
+        Sweep changed = Sweep.of(other).over(other.world());
+        assertThat(changed.header().worlds()).isEqualTo(sweep.header().worlds());
+        assertThatThrownBy(() -> SweepRun.of(changed, results).resume().run())
+                .isInstanceOf(SweepException.class)
+                .hasMessageContaining("must be of the same sweep");
+        Path others = folder.resolve("others.jsonl");
+        SweepRun.of(changed, others).run();
+        assertThatThrownBy(() -> SweepResults.read(List.of(results, others)))
+                .isInstanceOf(SweepException.class)
+                .hasMessageContaining("must be of the same sweep");
+    }
+
     @Test
     void refusesWhatItCannotSweep() throws IOException {
         String text = Files.readString(WANDERING);
@@ -121,8 +200,15 @@ class ScenarioSweepTest {
         Files.writeString(none, lines[0] + "\n");
         assertThatThrownBy(() -> ScenarioSweep.read(none)).hasMessageContaining("must begin with its world");
         ScenarioSweep scenario = ScenarioSweep.read(WANDERING);
-        Sweep wrong = Sweep.of(scenario).over(scenario.world()).vary("place", "-1");
-        assertThat(wrong.run(0).error()).contains("place must be at least 0");
+        Sweep wrong = Sweep.of(scenario).over(scenario.world());
+        for (String amount : new String[] {"-1", "NaN", "Infinity"}) {
+            assertThatThrownBy(() -> wrong.vary("place", "0", amount))
+                    .hasMessageContaining("place must be at least 0 and finite (got: " + amount + ")");
+        }
+        assertThatThrownBy(() -> wrong.vary("place", "near"))
+                .hasMessageContaining("place must be a number (got: near)");
+        assertThatThrownBy(() -> wrong.vary("plac", "1"))
+                .hasMessageContaining("one of place, heading, slip, aim, range, accuracy, dimension (got: plac)");
         assertThatThrownBy(() -> wrong.vary("accuracy", "fine")).hasMessageContaining("accuracy must be one of");
         assertThatThrownBy(() -> wrong.vary("place", "1", "1")).hasMessageContaining("each once");
         assertThatThrownBy(() -> wrong.vary("a b", "1")).hasMessageContaining("without blanks");

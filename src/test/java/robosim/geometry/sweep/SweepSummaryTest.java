@@ -65,7 +65,7 @@ class SweepSummaryTest {
                 summary.accept(outcome(index++, step, value));
             }
         }
-        SweepHeader header = new SweepHeader("s<1>", 0, 3, Map.of("rooms", "0"), Map.of("step", "2,0.5,1"));
+        SweepHeader header = new SweepHeader("s<1>", "", 0, 3, Map.of("rooms", "0"), Map.of("step", "2,0.5,1"));
         String svg = SweepPlot.svg(header, summary);
         Document document =
                 DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(new InputSource(new StringReader(svg)));
