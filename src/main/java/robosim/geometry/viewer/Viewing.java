@@ -24,6 +24,9 @@ final class Viewing {
     /** Of one of many robots. */
     private static final int LEAST_MARKS = 100;
 
+    /** Times the size of a world that is shown at most to show what stands beyond it. */
+    private static final double FAR = 3;
+
     private static final int[] TRAILS = {400, Integer.MAX_VALUE, 0};
 
     final Film film = new Film();
@@ -125,7 +128,7 @@ final class Viewing {
         Frame.Setting setting = film.setting(player.position());
         int now = film.world(player.position());
         if (setting != null && now != world) {
-            camera.look(Scene.View.of(setting.width(), setting.length(), setting.things()));
+            camera.look(seen(setting));
             shown = setting;
             world = now;
         }
@@ -133,6 +136,19 @@ final class Viewing {
         boolean changed = before != player.position() || size != film.size() || !end.equals(told);
         told = end;
         return changed;
+    }
+
+    /** A world with those of its robots that stand beyond its border, unless they are so far off that it would be small. */
+    private Scene.View seen(Frame.Setting setting) {
+        Scene.View view = Scene.View.of(setting.width(), setting.length(), setting.things());
+        if (sandbox == null || sandbox.outside().isEmpty()) {
+            return view;
+        }
+        Bounds bounds = new Bounds();
+        bounds.add(setting.border());
+        bounds.add(Scene.View.around(sandbox.outside()));
+        boolean near = bounds.width() <= FAR * setting.width() && bounds.length() <= FAR * setting.length();
+        return near ? bounds.view() : view;
     }
 
     /** Which world is shown; another number where it is another world, -1 for none. */

@@ -6,14 +6,17 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.net.SessionOptions;
 import robosim.geometry.protocol.Bundle;
@@ -294,6 +297,9 @@ class ViewingTest {
                 .extracting(thing -> thing.object().name())
                 .containsExactly("drum", "lost");
         assertThat(viewing.life().marks()).containsExactly(new Scene.Mark(lost, Scene.Mark.Why.REFUSED));
+        Scene.View seen = viewing.camera.frame().visible();
+        assertThat(seen.minX()).isLessThan(-10);
+        assertThat(seen.maxX()).isGreaterThan(12.5);
         assertThat(viewing.status()).startsWith("drag a robot; lost is not in the world");
         press(viewing, 12, 0);
         drag(viewing, 2, 0);
@@ -346,5 +352,42 @@ class ViewingTest {
         assertThat(film.size()).isEqualTo(4);
         assertThat(film.frame(1).bumps()).hasSize(1);
         assertThat(film.frame(3).bumps()).isEmpty();
+    }
+
+    @Test
+    void noMoreWorldsWaitThanThereIsRoomFor() throws Exception {
+        List<Point> vertices = new ArrayList<>();
+        int[][] faces = new int[50_000][];
+        for (int k = 0; k < faces.length; k++) {
+            vertices.add(new Point(k % 200 / 100.0, 0, k / 200 / 100.0));
+            faces[k] = new int[] {k, Math.floorMod(k - 1, faces.length), Math.floorMod(k - 200, faces.length)};
+        }
+        Bundle init = new InitBundle(List.of(new MeshObject(vertices, faces))); // 100,000 of a million
+        AtomicInteger read = new AtomicInteger();
+        StepReader reader = new StepReader() {
+            @Override
+            public ScenarioHeader header() {
+                return new ScenarioHeader("", SessionOptions.ROBOSIM);
+            }
+
+            @Override
+            public @Nullable Step next() {
+                return read.incrementAndGet() > 30 ? null : new Step(init, null);
+            }
+
+            @Override
+            public void close() {}
+        };
+        Feed feed = new Feed(reader);
+        while (read.get() < 10) {
+            Thread.sleep(1);
+        }
+        Thread.sleep(200); // were there no end of the room, the rest would come
+        assertThat(read.get()).isBetween(10, 11);
+        Film film = new Film();
+        while (!feed.isEnded()) {
+            feed.drain(film, 1);
+        }
+        assertThat(film.size()).isEqualTo(30);
     }
 }
