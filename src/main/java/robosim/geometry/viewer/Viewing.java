@@ -259,9 +259,9 @@ final class Viewing {
         }
         String first = Labels.name(robots.get(0));
         return robots.size() == 1
-                ? "; " + first + " is not in the world, it stands beyond its border: drag it there"
+                ? "; " + first + " is not in the world, it stands beyond its border: drag it in"
                 : "; " + first + " and " + (robots.size() - 1)
-                        + " more are not in the world, they stand beyond its border: drag them there";
+                        + " more are not in the world, they stand beyond its border: drag them in";
     }
 
     /** How fast it goes, for people. */
