@@ -46,8 +46,9 @@ final class Evidence {
     String leave(String failure, long seed, @Nullable RobotWorld world, Talks talks, String title) {
         String lines = "\n  seed:   " + seed + " (as @Seed(" + seed + "L) or -Drobosim.seed=" + seed + ")";
         if (world != null) {
-            lines += "\n  replay: " + replay(world, title);
-            lines += "\n  image:  " + picture(world.scenario(title), folder.resolve(PICTURE));
+            lines += "\n  replay: " + unlessItFails("written", () -> replay(world.scenario(title)));
+            lines += "\n  image:  "
+                    + unlessItFails("drawn", () -> picture(world.scenario(title), folder.resolve(PICTURE)));
         }
         int connection = 0;
         for (byte[] recording : talks.recorded()) {
@@ -55,7 +56,8 @@ final class Evidence {
         }
         try {
             Files.createDirectories(folder);
-            Files.writeString(folder.resolve(WORDS), title + "\n" + failure + lines + "\n", StandardCharsets.UTF_8);
+            String all = title + "\n" + failure + lines + "\n";
+            Files.writeString(folder.resolve(WORDS), all, StandardCharsets.UTF_8);
         } catch (IOException | RuntimeException e) {
             lines += "\n  and " + folder.resolve(WORDS) + " could not be written: " + e;
         }
@@ -63,43 +65,61 @@ final class Evidence {
     }
 
     private String talk(int connection, byte[] recording) {
-        Path file = talk(connection);
         if (recording.length == 0) {
             return "none of connection " + connection + ", which said nothing or could not be recorded";
         }
-        try {
+        Path file = talk(connection);
+        String written = unlessItFails("written", () -> {
             Files.createDirectories(folder);
             Files.write(file, recording);
-            return file + "\n  image:  " + picture(Scenario.read(file), picture(connection));
-        } catch (IOException | RuntimeException e) {
-            return "none, for it could not be written: " + e;
-        }
+            return file.toString();
+        });
+        String image = unlessItFails("drawn", () -> picture(Scenario.read(file), picture(connection)));
+        return written + "\n  image:  " + image;
     }
 
-    private String replay(RobotWorld world, String title) {
+    private String replay(Scenario scenario) throws IOException {
         Path file = folder.resolve(REPLAY);
-        try {
-            Files.createDirectories(folder);
-            Scenario scenario = world.scenario(title);
-            try (OutputStream out = Files.newOutputStream(file)) {
-                scenario.write(out);
-            }
-            return file.toString();
-        } catch (NoClassDefFoundError e) {
-            return "none, for jackson-core is not on the class path, nor added to the modules (" + e.getMessage() + ")";
-        } catch (IOException | RuntimeException e) {
-            return "none, for it could not be written: " + e;
+        Files.createDirectories(folder);
+        try (OutputStream out = Files.newOutputStream(file)) {
+            scenario.write(out);
         }
+        return file.toString();
     }
 
     /** The robots at the end, with their last ways, what they sensed and what refused them. */
-    private String picture(Scenario scenario, Path file) {
+    private String picture(Scenario scenario, Path file) throws IOException {
+        Files.createDirectories(folder);
+        Pictures.lastMoments(scenario, file);
+        return file.toString();
+    }
+
+    /** Something that is left for people to look at. */
+    @FunctionalInterface
+    private interface Leaving {
+        /** Answers its name. */
+        String leave() throws IOException;
+    }
+
+    /**
+     * Leaves it, or answers why it is not there. An optional module that is missing, or a world too deep to be written, is
+     * an error in Java's sense; neither may take the place of the failure that is told here.
+     */
+    private static String unlessItFails(String done, Leaving leaving) {
         try {
-            Files.createDirectories(folder);
-            Pictures.lastMoments(scenario, file);
-            return file.toString();
-        } catch (IOException | RuntimeException e) {
-            return "none, for it could not be drawn: " + e;
+            return leaving.leave();
+        } catch (IOException | RuntimeException | LinkageError | StackOverflowError e) {
+            return "none, for " + why(done, e);
         }
+    }
+
+    private static String why(String done, Throwable thrown) {
+        String missing = thrown instanceof NoClassDefFoundError ? String.valueOf(thrown.getMessage()) : "";
+        if (missing.contains("jackson")) {
+            return "jackson-core is not on the class path, nor added to the modules (" + missing + ")";
+        }
+        return missing.contains("java/awt") || missing.contains("javax/imageio")
+                ? "the module java.desktop is not there (" + missing + ")"
+                : "it could not be " + done + ": " + thrown;
     }
 }

@@ -119,7 +119,7 @@ public final class WorldExtension
         String evidence;
         try {
             evidence = run(context).leave(words);
-        } catch (ExtensionConfigurationException e) { // no seed, and so no run
+        } catch (ExtensionConfigurationException | LinkageError e) { // no seed, and so no run; or a class is missing
             thrown.addSuppressed(e);
             return thrown;
         }

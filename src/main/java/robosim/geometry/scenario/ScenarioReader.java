@@ -117,6 +117,11 @@ public final class ScenarioReader implements StepReader {
         return lines.torn();
     }
 
+    /** What was noted after the last step. Known at the end. */
+    List<String> lastNotes() {
+        return List.copyOf(notes);
+    }
+
     private ScenarioHeader begin() throws ScenarioException {
         String first = peek();
         if (first == null || !notes.isEmpty() || !type.equals("scenario")) {

@@ -8,10 +8,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.net.WatchServer;
-import robosim.geometry.protocol.Bundle;
-import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.MoveBundle;
-import robosim.geometry.protocol.SonarRequestBundle;
 
 /**
  * Steps that wait to be told to one watcher. They are handed over as they are, and written as lines by the watcher's own
@@ -21,13 +17,13 @@ abstract class WatcherQueue implements WatchServer.Lines {
     /** Most steps that wait: at 1,000 steps a second, ten seconds. */
     static final int MOST_STEPS = 10_000;
 
-    /** Most objects, moves and distances in them, some 60 MB; a single step may have more. */
-    static final long MOST_REQUESTS = 1_000_000;
+    /** Most weight in them, some 60 MB; a single step may have more. */
+    static final long MOST_WEIGHT = 1_000_000;
 
     private final Runnable breakOff;
     private final BlockingQueue<Step> steps = new ArrayBlockingQueue<>(MOST_STEPS);
-    private final AtomicLong requests = new AtomicLong();
-    private final ByteArrayOutputStream buffer = new ByteArrayOutputStream();
+    private final AtomicLong weight = new AtomicLong();
+    private final Buffer buffer = new Buffer();
     private final ScenarioHeader header;
     private @Nullable ScenarioWriter writer;
     private volatile @Nullable String problem;
@@ -42,8 +38,7 @@ abstract class WatcherQueue implements WatchServer.Lines {
         if (problem != null) {
             return;
         }
-        long weight = weight(step.request());
-        boolean fits = requests.addAndGet(weight) <= MOST_REQUESTS || steps.isEmpty();
+        boolean fits = weight.addAndGet(StepWeight.of(step)) <= MOST_WEIGHT || steps.isEmpty();
         if (!fits || !steps.offer(step)) {
             problem = "it reads too slowly: " + steps.size() + " steps wait for it";
             steps.clear();
@@ -51,48 +46,55 @@ abstract class WatcherQueue implements WatchServer.Lines {
         }
     }
 
-    private static long weight(Bundle request) {
-        if (request instanceof InitBundle init) {
-            return 1L + init.objects().size();
-        }
-        if (request instanceof MoveBundle moves) {
-            return 1L + moves.moves().size();
-        }
-        return request instanceof SonarRequestBundle sonars
-                ? 1L + sonars.requests().size()
-                : 1;
-    }
-
     @Override
     public final byte[] next(long millis) throws IOException, InterruptedException {
-        buffer.reset();
         if (writer == null) {
             writer = new ScenarioWriter(buffer, header);
-            return buffer.toByteArray();
+            return buffer.take();
         }
-        Step step = steps.poll(millis, TimeUnit.MILLISECONDS);
+        Step step = problem != null ? null : steps.poll(millis, TimeUnit.MILLISECONDS);
         String known = problem;
         if (known != null) {
             throw new IOException(known);
         }
         if (step != null) {
-            requests.addAndGet(-weight(step.request()));
+            weight.addAndGet(-StepWeight.of(step));
             write(writer, step);
         }
-        return buffer.toByteArray();
+        return buffer.take();
     }
 
+    /** Where that is not possible, the watcher is told why instead, as the last thing. */
     private void write(ScenarioWriter to, Step step) throws IOException {
         try {
             to.write(step);
         } catch (IOException | IllegalArgumentException e) {
             problem = "a step cannot be written as lines: " + e.getMessage();
-            throw e;
+            steps.clear();
+            to.note(problem);
         }
     }
 
     @Override
     public final @Nullable String problem() {
         return problem;
+    }
+
+    /** Lines on their way out. What a large step needed is not kept for the small ones after it. */
+    static final class Buffer extends ByteArrayOutputStream {
+        private static final int KEPT = 1 << 16;
+
+        synchronized byte[] take() {
+            byte[] all = toByteArray();
+            reset();
+            if (buf.length > KEPT) {
+                buf = new byte[KEPT];
+            }
+            return all;
+        }
+
+        synchronized int room() {
+            return buf.length;
+        }
     }
 }

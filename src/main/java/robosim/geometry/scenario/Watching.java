@@ -102,6 +102,9 @@ public final class Watching implements Function<String, SessionListener>, WatchS
         private long askedAt;
         private long steps;
 
+        /** Whether it has a world; known on its own thread. */
+        private boolean begun;
+
         /** The world as it began, of what the session has of it; null before there is one. */
         private @Nullable List<GeometryObject> objects;
 
@@ -122,9 +125,20 @@ public final class Watching implements Function<String, SessionListener>, WatchS
             }
         }
 
+        /** A session over a world that was there before it begins with that world; it has it only after it was opened. */
         @Override
         public void asked(Bundle request) {
             askedAt = System.nanoTime();
+            Geometry world = begun || session == null ? null : session.world();
+            if (world == null) {
+                return;
+            }
+            begun = true;
+            List<GeometryObject> present = world.objects();
+            synchronized (Watching.this) {
+                begin(present, world);
+                tell(null);
+            }
         }
 
         @Override
@@ -133,42 +147,45 @@ public final class Watching implements Function<String, SessionListener>, WatchS
             if (world == null) {
                 return;
             }
-            Step step = new Step(0, List.of(), request, reply, timing(askedAt, nanoseconds));
-            List<GeometryObject> begun = request instanceof InitBundle ? world.objects() : null;
-            Map<String, GeometryObject> places = places(world, reply);
+            begun = true;
+            List<GeometryObject> present = request instanceof InitBundle ? world.objects() : null;
             synchronized (Watching.this) {
                 steps++;
-                boolean first = objects == null;
-                if (begun != null) {
-                    begin(begun, world);
+                if (present != null) {
+                    begin(present, world);
                 }
-                moved.putAll(places);
-                for (Watcher watcher : watchers) {
-                    if (watcher.session == this) {
-                        watcher.offer(step);
-                    } else if (first && watcher.session == null) {
-                        attach(watcher, this);
-                    }
+                follow(world, reply);
+                if (!watchers.isEmpty()) {
+                    tell(new Step(0, List.of(), request, reply, timing(askedAt, nanoseconds)));
                 }
             }
         }
 
-        private void begin(List<GeometryObject> begun, Geometry world) {
-            objects = begun;
+        /** Those who watch this are told the step, where there is one; those who wait for a world, the world. */
+        private void tell(@Nullable Step step) {
+            for (Watcher watcher : watchers) {
+                if (watcher.session == null) {
+                    attach(watcher, this);
+                } else if (watcher.session == this && step != null) {
+                    watcher.offer(step);
+                }
+            }
+        }
+
+        private void begin(List<GeometryObject> present, Geometry world) {
+            objects = present;
             settings = new WorldSettings(
                     world.width(), world.height(), world.length(), world.dimension(), world.accuracy());
             moved.clear();
         }
 
-        /** Where the objects are that an answer says were moved. */
-        private static Map<String, GeometryObject> places(Geometry world, @Nullable Reply reply) {
-            Map<String, GeometryObject> places = new HashMap<>();
+        /** Notes where the objects are that an answer says were moved. */
+        private void follow(Geometry world, @Nullable Reply reply) {
             if (reply != null && reply.bundle() instanceof MoveBundle made) {
                 for (MoveRequest move : made.moves()) {
-                    places.computeIfAbsent(move.objectName(), world::getObject);
+                    moved.put(move.objectName(), world.getObject(move.objectName()));
                 }
             }
-            return places;
         }
 
         /** The world as it stands now, as the step that makes it. */

@@ -18,6 +18,11 @@ final class Bounds {
         }
     }
 
+    void add(Scene.View view) {
+        add(view.minX(), view.minZ());
+        add(view.maxX(), view.maxZ());
+    }
+
     private void add(double x, double z) {
         minX = Math.min(minX, x);
         minZ = Math.min(minZ, z);

@@ -1,12 +1,12 @@
 package robosim.geometry.viewer;
 
 import java.io.IOException;
-import java.util.Map;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.Semaphore;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.model.GeometryObject;
+import robosim.geometry.scenario.ScenarioHeader;
 import robosim.geometry.scenario.Step;
 import robosim.geometry.scenario.StepReader;
 
@@ -14,17 +14,21 @@ import robosim.geometry.scenario.StepReader;
 final class Feed implements AutoCloseable {
     private static final int QUEUE = 2048;
 
+    /** Weight of what may wait; a single frame may have more. */
+    private static final int ROOM = 1_000_000;
+
     private final StepReader reader;
-    private final Map<GeometryObject, Integer> colours;
+    private final Colours colours;
     private final Supplier<String> state;
     private final BlockingQueue<Frame> queue = new ArrayBlockingQueue<>(QUEUE);
+    private final Semaphore room = new Semaphore(ROOM);
     private final Thread thread;
     private volatile boolean ended;
     private volatile @Nullable String problem;
 
     /** Begins to read; closes the reader at its end. */
     Feed(StepReader reader) {
-        this(reader, Map.of(), () -> "");
+        this(reader, Colours.NONE, () -> "");
     }
 
     /**
@@ -33,7 +37,7 @@ final class Feed implements AutoCloseable {
      * @param colours of objects that a world file has a colour for
      * @param state what is wrong with the reader for now, for people; empty where nothing is
      */
-    Feed(StepReader reader, Map<GeometryObject, Integer> colours, Supplier<String> state) {
+    Feed(StepReader reader, Colours colours, Supplier<String> state) {
         this.reader = reader;
         this.colours = colours;
         this.state = state;
@@ -44,9 +48,16 @@ final class Feed implements AutoCloseable {
 
     private void read() {
         try (reader) {
-            Stage stage = new Stage(reader.header().options(), colours);
+            ScenarioHeader header = reader.header();
+            Stage stage = new Stage(header.options(), colours);
             for (Step step = reader.next(); step != null; step = reader.next()) {
-                queue.put(stage.play(step));
+                if (!header.equals(reader.header())) { // another server, which leaves open something else
+                    header = reader.header();
+                    stage = new Stage(header.options(), colours);
+                }
+                Frame frame = stage.play(step);
+                room.acquire(room(frame));
+                queue.put(frame);
             }
         } catch (IOException | RuntimeException e) {
             problem = String.valueOf(e.getMessage());
@@ -57,6 +68,10 @@ final class Feed implements AutoCloseable {
         }
     }
 
+    private static int room(Frame frame) {
+        return (int) Math.min(ROOM, frame.weight());
+    }
+
     /**
      * Moves to a film what has been read, so many frames at most.
      *
@@ -65,6 +80,7 @@ final class Feed implements AutoCloseable {
     int drain(Film film, int most) {
         int drained = 0;
         for (Frame frame = queue.poll(); frame != null; frame = queue.poll()) {
+            room.release(room(frame));
             film.append(frame);
             drained++;
             if (drained == most) {

@@ -1,6 +1,7 @@
 package robosim.geometry.viewer;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -22,6 +23,10 @@ final class Film {
 
     private final List<Frame> frames = new ArrayList<>();
     private final List<Chapter> chapters = new ArrayList<>();
+
+    /** Frames in which a move was refused, in order. */
+    private final List<Integer> refused = new ArrayList<>();
+
     private final int most;
     private int first;
     private long weight;
@@ -40,9 +45,15 @@ final class Film {
      *
      * @param trail    frames of the ways, {@code Integer.MAX_VALUE} for all of them
      * @param refusals frames of the marks of refused moves
+     * @param most     places of a way and marks, at least 4; of a longer way's older part every so many places are left
      */
-    record Look(int trail, int refusals) {
+    record Look(int trail, int refusals, int most) {
         static final Look WHOLE = new Look(Integer.MAX_VALUE, Integer.MAX_VALUE);
+
+        /** All places. */
+        Look(int trail, int refusals) {
+            this(trail, refusals, Integer.MAX_VALUE);
+        }
     }
 
     /** Adds what happened last. */
@@ -50,13 +61,16 @@ final class Film {
         int number = size();
         frames.add(frame);
         weight += frame.weight();
+        if (!frame.bumps().isEmpty()) {
+            refused.add(number);
+        }
         if (frame.opening() != null) {
             chapters.add(new Chapter(number, frame.opening()));
         }
         if (!chapters.isEmpty()) {
             chapters.get(chapters.size() - 1).append(number, frame);
         }
-        if (weight > most && frames.size() > 1) {
+        while (weight > most && frames.size() > 1) {
             forget(first + Math.max(1, frames.size() / 4));
         }
     }
@@ -69,9 +83,12 @@ final class Film {
         }
         past.clear();
         first = before;
-        while (chapters.size() > 1 && chapters.get(1).begin <= before) {
-            chapters.remove(0);
+        refused.subList(0, at(refused, before)).clear();
+        int over = 0;
+        while (over + 1 < chapters.size() && chapters.get(over + 1).begin <= before) {
+            over++;
         }
+        chapters.subList(0, over).clear();
         if (!chapters.isEmpty()) {
             chapters.get(0).forget(before);
         }
@@ -97,14 +114,16 @@ final class Film {
         return chapter == null ? 0 : chapter.farthest;
     }
 
-    /** Whether a move was refused from one frame up to, not including, another. */
-    boolean isRefused(int from, int to) {
-        for (int k = Math.max(first, from); k < Math.min(size(), to); k++) {
-            if (!frame(k).bumps().isEmpty()) {
-                return true;
-            }
-        }
-        return false;
+    /** The first frame from one on in which a move was refused; {@link #size()} where there is none. */
+    int nextRefused(int from) {
+        int at = at(refused, from);
+        return at < refused.size() ? refused.get(at) : size();
+    }
+
+    /** Where in a sorted list without twins a number stands or would stand. */
+    private static int at(List<Integer> sorted, int number) {
+        int found = Collections.binarySearch(sorted, number);
+        return found >= 0 ? found : -found - 1;
     }
 
     /** The world of a frame; null before the first. */
@@ -126,11 +145,17 @@ final class Film {
     }
 
     private @Nullable Chapter chapter(int number) {
-        int at = chapters.size() - 1;
-        while (at >= 0 && chapters.get(at).begin > number) {
-            at--;
+        int from = 0;
+        int to = chapters.size(); // the first that begins later
+        while (from < to) {
+            int middle = (from + to) >>> 1;
+            if (chapters.get(middle).begin <= number) {
+                from = middle + 1;
+            } else {
+                to = middle;
+            }
         }
-        return at < 0 ? null : chapters.get(at);
+        return from == 0 ? null : chapters.get(from - 1);
     }
 
     /** All that there is to see after a frame; nothing before the first world. */
@@ -180,17 +205,17 @@ final class Film {
         List<Scene.Trail> trails = new ArrayList<>();
         List<Scene.Ping> pings = new ArrayList<>();
         for (Map.Entry<String, Track> each : chapter.tracks.entrySet()) {
-            List<Point> path = each.getValue().path(earliest(number, look.trail()), number);
+            List<Point> path = each.getValue().path(earliest(number, look.trail()), number, look.most());
             trails.add(new Scene.Trail(each.getKey(), path));
             pings.addAll(each.getValue().heard(number));
         }
         List<Scene.Refusal> refusals = new ArrayList<>();
         List<Scene.Blocked> blocked = new ArrayList<>();
         int from = earliest(number, Math.max(look.refusals(), FRESH));
-        for (int k = chapter.bumps.size() - 1; k >= 0 && chapter.bumps.get(k).number >= from; k--) {
+        for (int k = chapter.bumpsUpTo(number) - 1; k >= 0 && refusals.size() < look.most(); k--) {
             NumberedBump numbered = chapter.bumps.get(k);
-            if (numbered.number > number) {
-                continue;
+            if (numbered.number < from) {
+                break;
             }
             Frame.Bump bump = numbered.bump;
             if (numbered.number >= earliest(number, look.refusals())) {
@@ -278,6 +303,21 @@ final class Film {
             }
         }
 
+        /** How many of its bumps were in a frame or before it. */
+        int bumpsUpTo(int number) {
+            int from = 0;
+            int to = bumps.size();
+            while (from < to) {
+                int middle = (from + to) >>> 1;
+                if (bumps.get(middle).number <= number) {
+                    from = middle + 1;
+                } else {
+                    to = middle;
+                }
+            }
+            return from;
+        }
+
         List<Scene.Thing> movers(int number) {
             List<Scene.Thing> movers = new ArrayList<>();
             for (Scene.Thing mover : setting.movers()) {
@@ -298,11 +338,24 @@ final class Film {
             poses.add(begin, pose);
         }
 
-        /** Its places from before a frame to another. */
-        List<Point> path(int from, int to) {
+        /**
+         * Its places from before a frame to another. Where there are more than so many, the newer half of them are as they
+         * are, and of the older ones the first and those whose number a power of two divides, so that they stay the same
+         * ones as the way goes on.
+         */
+        List<Point> path(int from, int to, int most) {
             List<Point> path = new ArrayList<>();
             int first = Math.max(0, poses.index(from - 1));
-            for (int k = first; k <= poses.index(to); k++) {
+            int last = poses.index(to);
+            int whole = last - first < most ? first : last - most / 2 + 1;
+            int stride = 1;
+            while ((long) stride * (most - most / 2 - 1) < (long) whole - first) {
+                stride *= 2;
+            }
+            for (int k = first; k < whole; k += stride - k % stride) {
+                path.add(poses.value(k).center());
+            }
+            for (int k = whole; k <= last; k++) {
                 path.add(poses.value(k).center());
             }
             return path;

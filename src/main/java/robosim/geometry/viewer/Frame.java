@@ -1,6 +1,8 @@
 package robosim.geometry.viewer;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
@@ -9,6 +11,8 @@ import robosim.geometry.MoveResult;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Pose;
 import robosim.geometry.scenario.Timing;
 import robosim.geometry.world.World;
@@ -38,9 +42,12 @@ record Frame(
         return new Frame(opening, Map.of(), List.of(), Map.of(), words, List.of(), null);
     }
 
-    /** How much of memory it takes, in places and distances. */
-    int weight() {
-        int weight = 1 + placed.size() + bumps.size();
+    /** How much of memory it takes, in places, distances, and objects of its world with their vertices and triangles. */
+    long weight() {
+        long weight = 1L + placed.size() + bumps.size();
+        if (opening != null) {
+            weight += opening.weight();
+        }
         for (List<Scene.Ping> pings : heard.values()) {
             weight += pings.size();
         }
@@ -85,7 +92,7 @@ record Frame(
             List<Scene.Thing> movers) {
 
         static Setting of(Geometry world) {
-            return of(world, Map.of());
+            return of(world, Colours.NONE);
         }
 
         /**
@@ -93,11 +100,11 @@ record Frame(
          *
          * @param colours of objects that a world file has a colour for
          */
-        static Setting of(Geometry world, Map<GeometryObject, Integer> colours) {
+        static Setting of(Geometry world, Colours colours) {
             List<Scene.Thing> statics = new ArrayList<>();
             List<Scene.Thing> movers = new ArrayList<>();
             for (GeometryObject object : world.objects()) {
-                (object.isMoveable() ? movers : statics).add(new Scene.Thing(object, colours.get(object)));
+                (object.isMoveable() ? movers : statics).add(new Scene.Thing(object, colours.of(object)));
             }
             return new Setting(
                     world.width(),
@@ -124,6 +131,24 @@ record Frame(
                     world.accuracy(),
                     List.copyOf(statics),
                     List.copyOf(movers));
+        }
+
+        /** Its objects with their members, vertices and triangles. */
+        private long weight() {
+            Deque<GeometryObject> left = new ArrayDeque<>();
+            things().forEach(thing -> left.push(thing.object()));
+            long weight = 0;
+            while (!left.isEmpty()) {
+                GeometryObject object = left.pop();
+                weight++;
+                if (object instanceof ObjectGroup group) {
+                    group.members().forEach(left::push);
+                } else if (object instanceof MeshObject mesh) {
+                    weight += (long) mesh.triangles().vertices()
+                            + mesh.triangles().size();
+                }
+            }
+            return weight;
         }
 
         /** Its edge. */

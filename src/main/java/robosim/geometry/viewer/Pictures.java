@@ -3,12 +3,9 @@ package robosim.geometry.viewer;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.model.GeometryObject;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.Step;
 import robosim.geometry.scenario.StepReader;
@@ -37,17 +34,6 @@ public final class Pictures {
     public static String unit(World world) {
         Unit unit = world.unit();
         return unit == null ? "" : unit.symbol();
-    }
-
-    /** The colours that a world file has for its objects. */
-    static Map<GeometryObject, Integer> colours(World world) {
-        Map<GeometryObject, Integer> colours = new HashMap<>();
-        for (Scene.Thing thing : things(world)) {
-            if (thing.colour() != null) {
-                colours.put(thing.object(), thing.colour());
-            }
-        }
-        return colours;
     }
 
     static List<Scene.Thing> things(World world) {

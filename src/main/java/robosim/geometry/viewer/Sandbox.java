@@ -1,7 +1,9 @@
 package robosim.geometry.viewer;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
@@ -16,6 +18,9 @@ import robosim.geometry.model.Point;
 final class Sandbox {
     private final Geometry geometry;
     private final Frame.Setting setting;
+
+    /** Those that can move and stand beyond the border, by name; each is no part of the world until it is put there. */
+    private final Map<String, GeometryObject> outside = new LinkedHashMap<>();
 
     /** What was refused last; null where nothing was. */
     private @Nullable Refused refused;
@@ -56,10 +61,14 @@ final class Sandbox {
         for (Scene.Thing thing : setting.statics()) {
             geometry.addObjectUnchecked(thing.object());
         }
+        Sandbox sandbox = new Sandbox(geometry, setting);
         for (Scene.Thing thing : movers) {
-            geometry.addObjectUnchecked(thing.object());
+            GeometryObject object = thing.object();
+            if (!geometry.addObjectUnchecked(object)) {
+                sandbox.outside.put(String.valueOf(object.name()), object);
+            }
         }
-        return new Sandbox(geometry, setting);
+        return sandbox;
     }
 
     private static Geometry empty(Frame.Setting setting) {
@@ -69,6 +78,11 @@ final class Sandbox {
 
     /** Pushes a robot to a place on its own height; where that is refused it stays. */
     void push(String name, double x, double z, Push push) {
+        GeometryObject beyond = outside.get(name);
+        if (beyond != null) {
+            enter(name, beyond.movedTo(new Point(x, beyond.center().y(), z)));
+            return;
+        }
         GeometryObject before = geometry.getObject(name);
         Point from = before.center();
         Point to = new Point(x, from.y(), z);
@@ -83,9 +97,24 @@ final class Sandbox {
 
     /** Turns a robot in place; where that is refused it stays. */
     void turn(String name, double degrees) {
+        GeometryObject beyond = outside.get(name);
+        if (beyond != null) {
+            enter(name, beyond.turned(0, degrees));
+            return;
+        }
         GeometryObject before = geometry.getObject(name);
         MoveResult result = geometry.move(name, new Move(0, 0, 0, 0, degrees));
         refused = result.allowed() ? null : refusal(before.turned(0, degrees), result);
+    }
+
+    /** Puts one that stands beyond the border into the world, however it is pushed: it has no way there. */
+    private void enter(String name, GeometryObject there) {
+        if (geometry.addObject(there)) {
+            outside.remove(name);
+            refused = null;
+        } else {
+            refused = refusal(there);
+        }
     }
 
     private static Refused refusal(GeometryObject ghost, MoveResult result) {
@@ -118,12 +147,20 @@ final class Sandbox {
         return refused;
     }
 
+    /** The objects that can move and stand beyond the border of the world. */
+    List<GeometryObject> outside() {
+        return List.copyOf(outside.values());
+    }
+
     /** The objects that can move, where they are. */
     List<Scene.Thing> movers() {
         List<Scene.Thing> movers = new ArrayList<>();
         for (Scene.Thing thing : setting.movers()) {
             String name = thing.object().name();
-            if (name != null && geometry.hasObject(name)) {
+            GeometryObject beyond = outside.get(name);
+            if (beyond != null) {
+                movers.add(new Scene.Thing(beyond, thing.colour()));
+            } else if (name != null && geometry.hasObject(name)) {
                 movers.add(new Scene.Thing(geometry.getObject(name), thing.colour()));
             }
         }

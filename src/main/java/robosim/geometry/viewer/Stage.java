@@ -31,12 +31,12 @@ import robosim.geometry.scenario.Step;
  */
 final class Stage {
     private final SessionOptions options;
-    private final Map<GeometryObject, Integer> colours;
+    private final Colours colours;
     private final Session session;
     private @Nullable MoveResult tried;
 
     Stage(SessionOptions options) {
-        this(options, Map.of());
+        this(options, Colours.NONE);
     }
 
     /**
@@ -44,7 +44,7 @@ final class Stage {
      *
      * @param colours of objects that a world file has a colour for
      */
-    Stage(SessionOptions options, Map<GeometryObject, Integer> colours) {
+    Stage(SessionOptions options, Colours colours) {
         this.options = options;
         this.colours = colours;
         SessionListener listener = new SessionListener() {

@@ -85,18 +85,15 @@ final class Timeline extends JComponent {
         page.dispose();
     }
 
-    /** A mark for each step where a move was refused; where there are more steps than room, for each that has some. */
+    /** A mark for each step where a move was refused; where there is no room, none for those just after one that has it. */
     private void refusals(Canvas canvas, double y) {
-        int next = viewing.film.first();
-        while (next < viewing.film.size()) {
-            int from = next;
-            double x = x(from);
-            while (next < viewing.film.size() && (next == from || x(next) < x + MARK)) {
-                next++;
-            }
-            if (viewing.film.isRefused(from, next)) {
-                canvas.line(x, y - 9, x, y - 6, Style.line(Palette.REFUSED, 1.6, 0.9));
-            }
+        Film film = viewing.film;
+        double room = MARK * (film.size() - 1.0 - film.first()) / inside(); // steps to a mark
+        int next = film.nextRefused(film.first());
+        while (next < film.size()) {
+            double x = x(next);
+            canvas.line(x, y - 9, x, y - 6, Style.line(Palette.REFUSED, 1.6, 0.9));
+            next = film.nextRefused(next + Math.max(1, (int) Math.ceil(room)));
         }
     }
 }

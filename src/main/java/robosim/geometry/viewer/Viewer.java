@@ -5,14 +5,12 @@ import java.awt.GraphicsEnvironment;
 import java.awt.HeadlessException;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
-import java.util.Map;
 import java.util.concurrent.CountDownLatch;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import javax.swing.WindowConstants;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.model.GeometryObject;
 import robosim.geometry.scenario.StepReader;
 import robosim.geometry.scenario.WatchReader;
 import robosim.geometry.world.World;
@@ -65,8 +63,8 @@ public final class Viewer {
         }
     }
 
-    private static Map<GeometryObject, Integer> colours(@Nullable World world) {
-        return world == null ? Map.of() : Pictures.colours(world);
+    private static Colours colours(@Nullable World world) {
+        return world == null ? Colours.NONE : Colours.of(world);
     }
 
     private static String unit(@Nullable World world) {

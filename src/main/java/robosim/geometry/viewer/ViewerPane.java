@@ -54,6 +54,9 @@ final class ViewerPane extends JPanel {
 
     private void lay() {
         status.setName("status");
+        for (JLabel label : List.of(status, speed)) {
+            label.putClientProperty("html.disable", true); // a name is shown as it is, whatever a peer put in it
+        }
         speed.setName("speed");
         below.setLayout(new BoxLayout(below, BoxLayout.Y_AXIS));
         below.setBorder(BorderFactory.createEmptyBorder(0, 12, 8, 12));

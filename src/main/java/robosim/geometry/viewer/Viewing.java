@@ -18,6 +18,15 @@ final class Viewing {
     /** Pixels within which a press is no drag, and a miss is a hit. */
     private static final double SLACK = 4;
 
+    /** Places of all ways together that are drawn, so that a long conversation is drawn as soon as a short one. */
+    private static final int MARKS = 20_000;
+
+    /** Of one of many robots. */
+    private static final int LEAST_MARKS = 100;
+
+    /** Times the size of a world that is shown at most to show what stands beyond it. */
+    private static final double FAR = 3;
+
     private static final int[] TRAILS = {400, Integer.MAX_VALUE, 0};
 
     final Film film = new Film();
@@ -119,7 +128,7 @@ final class Viewing {
         Frame.Setting setting = film.setting(player.position());
         int now = film.world(player.position());
         if (setting != null && now != world) {
-            camera.look(Scene.View.of(setting.width(), setting.length(), setting.things()));
+            camera.look(seen(setting));
             shown = setting;
             world = now;
         }
@@ -127,6 +136,19 @@ final class Viewing {
         boolean changed = before != player.position() || size != film.size() || !end.equals(told);
         told = end;
         return changed;
+    }
+
+    /** A world with those of its robots that stand beyond its border, unless they are so far off that it would be small. */
+    private Scene.View seen(Frame.Setting setting) {
+        Scene.View view = Scene.View.of(setting.width(), setting.length(), setting.things());
+        if (sandbox == null || sandbox.outside().isEmpty()) {
+            return view;
+        }
+        Bounds bounds = new Bounds();
+        bounds.add(setting.border());
+        bounds.add(Scene.View.around(sandbox.outside()));
+        boolean near = bounds.width() <= FAR * setting.width() && bounds.length() <= FAR * setting.length();
+        return near ? bounds.view() : view;
     }
 
     /** Which world is shown; another number where it is another world, -1 for none. */
@@ -149,7 +171,9 @@ final class Viewing {
             scene = Scene.of("", shown.border(), sandbox.movers());
         } else {
             int trail = TRAILS[trails];
-            scene = film.life(player.position(), new Film.Look(trail, trail));
+            int robots = shown == null ? 1 : Math.max(1, shown.movers().size());
+            Film.Look look = new Film.Look(trail, trail, Math.max(LEAST_MARKS, MARKS / robots));
+            scene = film.life(player.position(), look);
         }
         return scene.blocked(blocked(scene)).marked(marks(), scene.farthest()).described("", unit);
     }
@@ -170,6 +194,9 @@ final class Viewing {
     private List<Scene.Mark> marks() {
         List<Scene.Mark> marks = new ArrayList<>();
         Sandbox.Refused refused = sandbox == null ? null : sandbox.refused();
+        if (sandbox != null) {
+            sandbox.outside().forEach(each -> marks.add(new Scene.Mark(each, Scene.Mark.Why.REFUSED)));
+        }
         if (refused != null) {
             marks.add(new Scene.Mark(refused.ghost(), Scene.Mark.Why.REFUSED));
         }
@@ -211,7 +238,7 @@ final class Viewing {
         if (sandbox != null) {
             Sandbox.Refused refused = sandbox.refused();
             String words = refused == null
-                    ? "drag a robot"
+                    ? "drag a robot" + outside(sandbox.outside())
                     : Labels.name(refused.ghost()) + " may not be there: " + refused.words() + " is in the way";
             return feed == null
                     ? words
@@ -224,6 +251,17 @@ final class Viewing {
         List<String> notes = film.frame(player.position()).notes();
         String note = notes.isEmpty() ? "" : " (" + String.join("; ", notes) + ")";
         return film.moment(player.position()) + note + end;
+    }
+
+    private static String outside(List<GeometryObject> robots) {
+        if (robots.isEmpty()) {
+            return "";
+        }
+        String first = Labels.name(robots.get(0));
+        return robots.size() == 1
+                ? "; " + first + " is not in the world, it stands beyond its border: drag it in"
+                : "; " + first + " and " + (robots.size() - 1)
+                        + " more are not in the world, they stand beyond its border: drag them in";
     }
 
     /** How fast it goes, for people. */

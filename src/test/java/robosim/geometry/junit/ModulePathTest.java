@@ -141,18 +141,20 @@ class ModulePathTest {
         return classes;
     }
 
-    private static String run(Path classes, String modulePath, String more, Path evidence) throws Exception {
-        Process process = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "--module-path",
-                        modulePath + File.pathSeparator + classes,
-                        "--add-modules",
-                        "org.junit.jupiter.engine" + more,
-                        "-m",
-                        "my.robots.tests/my.robots.tests.Tests",
-                        evidence.toString())
-                .redirectErrorStream(true)
-                .start();
+    private static String run(Path classes, String modulePath, String more, Path evidence, String... options)
+            throws Exception {
+        List<String> command = new ArrayList<>();
+        command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        command.addAll(List.of(options));
+        command.addAll(List.of(
+                "--module-path",
+                modulePath + File.pathSeparator + classes,
+                "--add-modules",
+                "org.junit.jupiter.engine" + more,
+                "-m",
+                "my.robots.tests/my.robots.tests.Tests",
+                evidence.toString()));
+        Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
         String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertThat(process.waitFor(60, TimeUnit.SECONDS)).isTrue();
         return said;
@@ -183,5 +185,26 @@ class ModulePathTest {
                 .contains("fails: FAILED", "replay: none, for jackson-core is not on the class path");
         assertThat(evidence.resolve("my.robots.tests.Tests.fails"))
                 .isDirectoryContaining(file -> file.endsWith("last-moments.svg"));
+    }
+
+    /** A runtime without java.desktop can draw nothing: the failure stays the test's own, and has its replay. */
+    @Test
+    void withoutADesktopAFailureIsStillTheTestsOwn(@TempDir Path folder) throws Exception {
+        String modulePath = modulePath();
+        Path evidence = folder.resolve("evidence");
+        String said = run(
+                compile(folder, modulePath),
+                modulePath,
+                ",com.fasterxml.jackson.core",
+                evidence,
+                "--limit-modules",
+                "my.robots.tests,org.junit.jupiter.engine,com.fasterxml.jackson.core");
+        assertThat(said)
+                .contains("drives: SUCCESSFUL")
+                .contains("fails: FAILED", "blocked after 3 of its way by box \"wall\"")
+                .contains("image:  none, for ");
+        assertThat(evidence.resolve("my.robots.tests.Tests.fails"))
+                .isDirectoryContaining(file -> file.endsWith("replay.scenario.jsonl"))
+                .isDirectoryContaining(file -> file.endsWith("failure.txt"));
     }
 }

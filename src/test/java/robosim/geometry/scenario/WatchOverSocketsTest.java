@@ -4,25 +4,34 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.BufferedReader;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.net.GeometryServer;
 import robosim.geometry.net.LogCapture;
 import robosim.geometry.net.NetOptions;
+import robosim.geometry.net.SessionOptions;
 import robosim.geometry.net.WatchServer;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.JsonLines;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageWriter;
 import robosim.geometry.protocol.MoveBundle;
@@ -194,5 +203,108 @@ class WatchOverSocketsTest {
             free = socket.getLocalPort();
         }
         assertThatThrownBy(() -> dial(free)).hasMessageContaining("--watch " + free);
+    }
+
+    @Test
+    void whoIsOneTooManyIsToldSo() throws Exception {
+        List<Socket> sockets = new ArrayList<>();
+        for (int k = 0; k < WatchServer.MOST_WATCHERS; k++) {
+            sockets.add(new Socket(InetAddress.getLoopbackAddress(), watch.port()));
+            assertThat(sockets.get(k).getInputStream().read()).isEqualTo('{');
+        }
+        assertThatThrownBy(() -> dial(watch.port())).hasMessageContaining("hung up at once; perhaps 16 watch already");
+        for (Socket socket : sockets) {
+            socket.close();
+        }
+    }
+
+    /** A server that tells each who dials the same and hangs up, as it were another one each time. */
+    private static final class Fickle implements AutoCloseable {
+        private final ServerSocket listening = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());
+        private final List<String> told;
+        private final List<Long> dialled = Collections.synchronizedList(new ArrayList<>());
+        private final Thread thread = new Thread(this::tell);
+
+        Fickle(String... told) throws Exception {
+            this.told = List.of(told);
+            thread.start();
+        }
+
+        /** The last one again and again. */
+        private void tell() {
+            for (int k = 0; ; k++) {
+                try (Socket socket = listening.accept()) {
+                    dialled.add(System.nanoTime());
+                    String lines = told.get(Math.min(k, told.size() - 1));
+                    socket.getOutputStream().write(lines.getBytes(StandardCharsets.UTF_8));
+                } catch (IOException e) {
+                    return;
+                }
+            }
+        }
+
+        int port() {
+            return listening.getLocalPort();
+        }
+
+        @Override
+        public void close() throws Exception {
+            listening.close();
+            thread.join();
+        }
+    }
+
+    private static String header(String title, Dimension dimension) {
+        SessionOptions ours = SessionOptions.ROBOSIM;
+        return new ScenarioHeader(title, new SessionOptions(dimension, ours.accuracy(), ours.beam())).line() + "\n";
+    }
+
+    @Test
+    void anotherServerHasItsOwnHeader() throws Exception {
+        String init = JsonLines.write(INIT) + "\n";
+        try (Fickle fickle = new Fickle(header("a", Dimension.PLANAR) + init, header("b", Dimension.SPATIAL) + init);
+                WatchReader reader = dial(fickle.port())) {
+            assertThat(reader.next()).isNotNull();
+            assertThat(reader.header().title()).isEqualTo("a");
+            assertThat(reader.next()).isNotNull();
+            assertThat(reader.header().title()).isEqualTo("b");
+            assertThat(reader.header().options().dimension()).isEqualTo(Dimension.SPATIAL);
+        }
+    }
+
+    @Test
+    void whoTellsNothingIsDialledLessAndLessOftenAndItIsSaidWhy() throws Exception {
+        String note = "{\"type\":\"note\",\"text\":\"the world is too large\"}\n";
+        try (Fickle fickle = new Fickle(header("a", Dimension.PLANAR) + note);
+                WatchReader reader = dial(fickle.port())) {
+            Thread thread = new Thread(reader::next);
+            thread.start();
+            while (fickle.dialled.size() < 3 || !reader.state().endsWith("again in 4 s")) {
+                Thread.sleep(10);
+            }
+            assertThat(reader.state())
+                    .isEqualTo("the server has hung up: the world is too large; dialling again in 4 s");
+            List<Long> at = List.copyOf(fickle.dialled);
+            assertThat(at).hasSize(3);
+            assertThat(at.get(1) - at.get(0)).isGreaterThanOrEqualTo(990_000_000L);
+            assertThat(at.get(2) - at.get(1)).isGreaterThanOrEqualTo(1_990_000_000L);
+            reader.close();
+            thread.join();
+        }
+    }
+
+    @Test
+    void whatIsNoScenarioIsHungUpOn() {
+        for (String told : List.of("", "\n\n", "HTTP/1.1 400 Bad Request\r\n", "{\"type\":\"note\",\"text\":\"\"}\n")) {
+            AtomicBoolean hungUp = new AtomicBoolean();
+            InputStream dialled = new ByteArrayInputStream(told.getBytes(StandardCharsets.UTF_8)) {
+                @Override
+                public void close() {
+                    hungUp.set(true);
+                }
+            };
+            assertThatThrownBy(() -> WatchReader.begin(dialled, "peer")).isInstanceOf(IOException.class);
+            assertThat(hungUp).as("after %s", told).isTrue();
+        }
     }
 }

@@ -9,10 +9,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Geometry;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.net.Session;
 import robosim.geometry.net.SessionListener;
@@ -186,5 +189,97 @@ class WatchingTest {
         new Held("one").world(WALL, twin, ROBOT);
         InitBundle now = (InitBundle) told(join()).get(0).request();
         assertThat(now.objects()).containsExactly(WALL, ROBOT);
+    }
+
+    /** A floor of that many rows of as many vertices, of its own. */
+    private static GeometryObject floor(int rows) {
+        List<Point> vertices = new ArrayList<>();
+        List<int[]> faces = new ArrayList<>();
+        for (int i = 0; i < rows; i++) {
+            for (int j = 0; j < rows; j++) {
+                vertices.add(new Point(i, 0, j));
+                if (i > 0 && j > 0) {
+                    int last = i * rows + j;
+                    faces.add(new int[] {last - rows - 1, last - rows, last, last - 1});
+                }
+            }
+        }
+        return new MeshObject(vertices, faces.toArray(int[][]::new));
+    }
+
+    @Test
+    void aFewLargeMeshesAreTooMuchAsWell() {
+        // A floor weighs 10,000 vertices and twice as many triangles: 33 of them fit, the header waits beside them.
+        Held held = new Held("one").world(WALL, ROBOT);
+        WatchServer.Lines lines = join();
+        int inits = 0;
+        while (broken.get() == 0 && inits < 1000) {
+            held.world(new ObjectGroup(List.of(floor(100))));
+            inits++;
+        }
+        assertThat(inits).isBetween(30, 40);
+        assertThat(lines.problem()).contains("too slowly");
+    }
+
+    @Test
+    void longNamesAreTooMuchAsWell() {
+        String name = "n".repeat(60_000);
+        Held held = new Held("one").world(WALL, ROBOT);
+        join();
+        int steps = 0;
+        while (broken.get() == 0 && steps < 5000) {
+            held.session.reply(new SonarRequestBundle(List.of(new SonarRequest(name + steps, 1, 0))));
+            steps++;
+        }
+        assertThat(steps).isBetween(400, 600);
+    }
+
+    @Test
+    void whatALargeStepNeededIsNotKept() throws Exception {
+        WatcherQueue.Buffer buffer = new WatcherQueue.Buffer();
+        buffer.writeBytes(new byte[5_000_000]);
+        assertThat(buffer.room()).isGreaterThanOrEqualTo(5_000_000);
+        assertThat(buffer.take()).hasSize(5_000_000);
+        assertThat(buffer.room()).isLessThan(100_000);
+        buffer.write(7);
+        assertThat(buffer.take()).containsExactly(7);
+        assertThat(buffer.take()).isEmpty();
+    }
+
+    @Test
+    void aSessionOverAWorldThatIsThereBeginsWithIt() throws Exception {
+        WatchServer.Lines early = join();
+        Geometry geometry = new Geometry(20, 5, 10);
+        geometry.addObject(WALL);
+        geometry.addObject(ROBOT);
+        SessionListener listener = watching.apply("one");
+        Session session =
+                new Session(geometry, SessionOptions.ROBOSIM, listener, "one", System.getLogger("robosim.test"));
+        session.reply(FORWARD);
+        WatchServer.Lines late = join();
+        session.reply(LOOK);
+        List<Step> all = told(early);
+        assertThat(all).hasSize(3);
+        assertThat(((InitBundle) all.get(0).request()).objects()).containsExactly(WALL, ROBOT);
+        assertThat(all.get(1).request()).isEqualTo(FORWARD);
+        List<Step> end = told(late);
+        assertThat(end).hasSize(2);
+        assertThat(robot(end.get(0)).center()).isEqualTo(new Point(0.5, 0, 0));
+        assertThat(((InitBundle) end.get(0).request()).settings().width()).isEqualTo(20);
+        Replay replay = new Replay(SessionOptions.ROBOSIM);
+        assertThat(all).allSatisfy(step -> assertThat(replay.step(step)).isNull());
+    }
+
+    @Test
+    void whoCannotBeToldIsToldWhy() throws Exception {
+        // Half a surrogate pair, as a peer in Java serialization may have it, is refused by JSON lines.
+        Held held = new Held("one").world(WALL, ROBOT);
+        WatchServer.Lines lines = join();
+        lines.next(0); // the header
+        lines.next(0); // the world
+        held.session.reply(new SonarRequestBundle(List.of(new SonarRequest("\ud800", 1, 0))));
+        assertThat(new String(lines.next(0), "UTF-8")).contains("\"note\"", "a step cannot be written as lines: ");
+        assertThatThrownBy(() -> lines.next(0)).hasMessageContaining("cannot be written");
+        assertThat(lines.problem()).contains("cannot be written");
     }
 }

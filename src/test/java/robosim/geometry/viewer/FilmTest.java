@@ -7,6 +7,9 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.net.SessionOptions;
 
@@ -108,5 +111,68 @@ class FilmTest {
         assertThat(film.setting(1)).isNull();
         assertThat(film.movers(1)).isEmpty();
         assertThat(new Film().at(-1, WHOLE).things()).isEmpty();
+    }
+
+    @Test
+    void aLongWayIsThinnedInItsOlderPart() {
+        Talk talk = Talk.begun();
+        for (int k = 0; k < 300; k++) {
+            talk.drives(k % 2 == 0 ? 1 : -1, true).turns(1, true);
+        }
+        Film film = talk.film();
+        Film.Look look = new Film.Look(Integer.MAX_VALUE, Integer.MAX_VALUE, 100);
+        for (int number : new int[] {0, 50, 98, 99, 100, 101, 333, 600}) {
+            List<Point> whole = path(film, number, WHOLE);
+            List<Point> thinned = path(film, number, look);
+            assertThat(thinned).hasSizeBetween(Math.min(whole.size(), 74), 100);
+            assertThat(thinned.get(0)).isEqualTo(whole.get(0));
+            int newer = Math.min(whole.size(), 50);
+            assertThat(thinned)
+                    .endsWith(whole.subList(whole.size() - newer, whole.size()).toArray(Point[]::new));
+            int at = 0;
+            for (Point place : whole) {
+                at += at < thinned.size() && thinned.get(at).equals(place) ? 1 : 0;
+            }
+            assertThat(at).as("places of the way, in its order").isEqualTo(thinned.size());
+        }
+    }
+
+    @Test
+    void theNextRefusalIsFoundAmongFramesThatAreKept() {
+        Talk talk = Talk.begun();
+        for (int k = 1; k < 200; k++) {
+            talk.drives(k % 7 == 0 ? 99 : 0.01, k % 7 != 0);
+        }
+        Film film = new Film(300); // some two units a frame
+        Stage stage = new Stage(SessionOptions.ROBOSIM);
+        talk.steps().forEach(step -> film.append(stage.play(step)));
+        assertThat(film.first()).isGreaterThan(20);
+        for (int from = 0; from < 210; from++) {
+            int next = Math.max(from, film.first());
+            while (next < film.size() && film.frame(next).bumps().isEmpty()) {
+                next++;
+            }
+            assertThat(film.nextRefused(from)).as("from %d", from).isEqualTo(Math.min(next, film.size()));
+        }
+    }
+
+    @Test
+    void worldsThatComeAgainAndAgainAreLetGo() {
+        GeometryObject mesh = new MeshObject(
+                List.of(new Point(0, 0, 0), new Point(1, 0, 0), new Point(0, 0, 1), new Point(1, 0, 1)),
+                new int[][] {{0, 1, 2}, {1, 3, 2}});
+        Talk talk = new Talk();
+        for (int k = 0; k < 100; k++) {
+            talk.world(new ObjectGroup(List.of(mesh)), Talk.DRUM);
+        }
+        Film film = new Film(200);
+        Stage stage = new Stage(SessionOptions.ROBOSIM);
+        talk.steps().forEach(step -> film.append(stage.play(step)));
+        // Each: the frame, a group, its mesh with 4 vertices and 2 triangles, and the drum.
+        assertThat(film.frame(99).weight()).isEqualTo(10);
+        assertThat(film.size() - film.first()).isBetween(10, 20);
+        assertThat(film.world(99)).isEqualTo(99);
+        assertThat(film.world(film.first())).isEqualTo(film.first());
+        assertThat(film.setting(film.first() - 1)).isNull();
     }
 }

@@ -10,11 +10,16 @@ import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.awt.image.BufferedImage;
+import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.KeyStroke;
+import javax.swing.plaf.basic.BasicHTML;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.world.World;
+import robosim.geometry.world.WorldObject;
 
 /** All of the window but its frame: laid out, painted and driven by events, without any display. */
 class ViewerPaneTest {
@@ -279,5 +284,20 @@ class ViewerPaneTest {
 
     private static boolean reddish(int rgb) {
         return (rgb >> 16 & 0xff) - (rgb >> 8 & 0xff) > 60;
+    }
+
+    @Test
+    void aNameIsShownAsItIs() {
+        GeometryObject odd = Talk.DRUM.moveable("<html><h1>drum");
+        World world = new World(20, 5, 10, List.of(new WorldObject(Talk.WALL), new WorldObject(odd)));
+        Viewing viewing = Viewing.ofWorld(world, "small");
+        viewing.camera.resize(1000, 600);
+        Shown shown = new Shown(viewing);
+        shown.mouse(MouseEvent.MOUSE_PRESSED, -5, 0, 0);
+        shown.mouse(MouseEvent.MOUSE_DRAGGED, 1.6, 0, 0);
+        shown.pane.tick(0);
+        JLabel label = (JLabel) Shown.find(shown.pane, "status");
+        assertThat(label.getText()).startsWith("<html><h1>drum may not be there");
+        assertThat(label.getClientProperty(BasicHTML.propertyKey)).isNull();
     }
 }

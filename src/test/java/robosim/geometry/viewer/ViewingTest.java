@@ -5,11 +5,27 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.net.SessionOptions;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.scenario.ScenarioHeader;
 import robosim.geometry.scenario.ScenarioReader;
+import robosim.geometry.scenario.Step;
+import robosim.geometry.scenario.StepReader;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 
@@ -228,9 +244,7 @@ class ViewingTest {
         ByteArrayOutputStream file = new ByteArrayOutputStream();
         Talk.begun().scenario().write(file);
         Feed feed = new Feed(
-                ScenarioReader.of(new ByteArrayInputStream(file.toByteArray()), "talk"),
-                Pictures.colours(world),
-                () -> "");
+                ScenarioReader.of(new ByteArrayInputStream(file.toByteArray()), "talk"), Colours.of(world), () -> "");
         Viewing viewing = Viewing.ofRecording(feed, "talk", "");
         while (!feed.isEnded()) {
             viewing.tick(1);
@@ -253,5 +267,127 @@ class ViewingTest {
         press(viewing, 0, 0);
         viewing.release();
         viewing.turnPicked(15);
+    }
+
+    @Test
+    void aColourStaysWithItsNameWhereverThatStands() throws Exception {
+        GeometryObject nameless = new BoxObject(new Point(5, 0, 3), 1, 1, 1);
+        World world = new World(
+                20,
+                5,
+                10,
+                List.of(
+                        new WorldObject(Talk.DRUM, "#00ff00", List.of()),
+                        new WorldObject(nameless, "#0000ff", List.of())));
+        Colours colours = Colours.of(world);
+        assertThat(colours.of(Talk.DRUM.movedTo(new Point(1, 0, 1)))).isEqualTo(0x00ff00);
+        assertThat(colours.of(nameless)).isEqualTo(0x0000ff);
+        assertThat(colours.of(nameless.movedTo(new Point()))).isNull();
+        assertThat(colours.of(Talk.WALL)).isNull();
+    }
+
+    @Test
+    void aRobotBeyondTheBorderIsShownAndCanBeDraggedIn() {
+        GeometryObject lost = new CylinderObject(new Point(12, 0, 0), 0.5, 1).moveable("lost");
+        World world = new World(
+                20, 5, 10, List.of(new WorldObject(Talk.WALL), new WorldObject(Talk.DRUM), new WorldObject(lost)));
+        Viewing viewing = Viewing.ofWorld(world, "small");
+        viewing.camera.resize(1000, 600);
+        assertThat(viewing.life().things())
+                .extracting(thing -> thing.object().name())
+                .containsExactly("drum", "lost");
+        assertThat(viewing.life().marks()).containsExactly(new Scene.Mark(lost, Scene.Mark.Why.REFUSED));
+        Scene.View seen = viewing.camera.frame().visible();
+        assertThat(seen.minX()).isLessThan(-10);
+        assertThat(seen.maxX()).isGreaterThan(12.5);
+        assertThat(viewing.status()).startsWith("drag a robot; lost is not in the world");
+        press(viewing, 12, 0);
+        drag(viewing, 2, 0);
+        assertThat(viewing.status()).isEqualTo("lost may not be there: wall is in the way");
+        viewing.release();
+        viewing.turnPicked(15);
+        assertThat(viewing.status()).isEqualTo("lost may not be there: the border of the world is in the way");
+        press(viewing, 12, 0);
+        drag(viewing, 6, 0);
+        viewing.release();
+        assertThat(viewing.status()).isEqualTo("drag a robot");
+        assertThat(viewing.life().things().get(1).object().center().x()).isCloseTo(6, within(1e-9));
+        press(viewing, 6, 0);
+        drag(viewing, 5, 3);
+        assertThat(viewing.life().things().get(1).object().center().z()).isCloseTo(3, within(1e-9));
+    }
+
+    @Test
+    void anotherServersHeaderIsHeeded() throws Exception {
+        // In space the drum passes over a low wall; in the plane it does not.
+        GeometryObject low = new BoxObject(new Point(0, -2, 0), 1, 1, 4).named("low");
+        Bundle init = new InitBundle(List.of(low, Talk.DRUM));
+        Bundle go = new MoveBundle(List.of(Talk.move(5, 0)));
+        SessionOptions planar = SessionOptions.ROBOSIM;
+        SessionOptions spatial = new SessionOptions(Dimension.SPATIAL, planar.accuracy(), planar.beam());
+        Deque<Step> steps = new ArrayDeque<>();
+        for (int k = 0; k < 2; k++) {
+            steps.add(new Step(init, null));
+            steps.add(new Step(go, null));
+        }
+        StepReader reader = new StepReader() {
+            @Override
+            public ScenarioHeader header() {
+                return new ScenarioHeader("", steps.size() >= 2 ? planar : spatial);
+            }
+
+            @Override
+            public @Nullable Step next() {
+                return steps.poll();
+            }
+
+            @Override
+            public void close() {}
+        };
+        Feed feed = new Feed(reader);
+        Film film = new Film();
+        while (!feed.isEnded()) {
+            feed.drain(film, 100);
+        }
+        assertThat(film.size()).isEqualTo(4);
+        assertThat(film.frame(1).bumps()).hasSize(1);
+        assertThat(film.frame(3).bumps()).isEmpty();
+    }
+
+    @Test
+    void noMoreWorldsWaitThanThereIsRoomFor() throws Exception {
+        List<Point> vertices = new ArrayList<>();
+        int[][] faces = new int[50_000][];
+        for (int k = 0; k < faces.length; k++) {
+            vertices.add(new Point(k % 200 / 100.0, 0, k / 200 / 100.0));
+            faces[k] = new int[] {k, Math.floorMod(k - 1, faces.length), Math.floorMod(k - 200, faces.length)};
+        }
+        Bundle init = new InitBundle(List.of(new MeshObject(vertices, faces))); // 100,000 of a million
+        AtomicInteger read = new AtomicInteger();
+        StepReader reader = new StepReader() {
+            @Override
+            public ScenarioHeader header() {
+                return new ScenarioHeader("", SessionOptions.ROBOSIM);
+            }
+
+            @Override
+            public @Nullable Step next() {
+                return read.incrementAndGet() > 30 ? null : new Step(init, null);
+            }
+
+            @Override
+            public void close() {}
+        };
+        Feed feed = new Feed(reader);
+        while (read.get() < 10) {
+            Thread.sleep(1);
+        }
+        Thread.sleep(200); // were there no end of the room, the rest would come
+        assertThat(read.get()).isBetween(10, 11);
+        Film film = new Film();
+        while (!feed.isEnded()) {
+            feed.drain(film, 1);
+        }
+        assertThat(film.size()).isEqualTo(30);
     }
 }

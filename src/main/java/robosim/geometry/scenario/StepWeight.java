@@ -1,0 +1,70 @@
+package robosim.geometry.scenario;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.protocol.MoveRequest;
+import robosim.geometry.protocol.SonarRequest;
+import robosim.geometry.protocol.SonarRequestBundle;
+
+/** How much of memory a step takes, in units of some 60 bytes: the most that one object, move or distance takes. */
+final class StepWeight {
+    /** Characters of a name that take as much. */
+    private static final int CHARACTERS = 32;
+
+    private StepWeight() {}
+
+    /** One, and all that is in it: objects with their members, vertices and triangles, moves, distances, names, words. */
+    static long of(Step step) {
+        long weight = 1;
+        for (String note : step.notes()) {
+            weight += text(note);
+        }
+        if (step.request() instanceof InitBundle init) {
+            weight += of(init.objects());
+        } else if (step.request() instanceof MoveBundle moves) {
+            for (MoveRequest move : moves.moves()) {
+                weight += 1 + text(move.objectName());
+            }
+        } else if (step.request() instanceof SonarRequestBundle sonars) {
+            for (SonarRequest sonar : sonars.requests()) {
+                weight += 1 + text(sonar.objectName());
+            }
+        }
+        return step.expected() == null
+                ? weight
+                : weight + step.expected().problems().size();
+    }
+
+    /** Without recursion: members may have members to any depth, and this runs on the session's thread. */
+    private static long of(List<GeometryObject> objects) {
+        Deque<GeometryObject> left = new ArrayDeque<>(objects);
+        long weight = 0;
+        while (!left.isEmpty()) {
+            GeometryObject object = left.pop();
+            String name = object.name();
+            weight += 1 + (name == null ? 0 : text(name));
+            GeometryObject around = null;
+            if (object instanceof ObjectGroup group) {
+                group.members().forEach(left::push);
+                around = group.boundingVolume();
+            } else if (object instanceof MeshObject mesh) {
+                weight += (long) mesh.triangles().vertices() + mesh.triangles().size();
+                around = mesh.boundingVolume();
+            }
+            if (around != null) {
+                left.push(around);
+            }
+        }
+        return weight;
+    }
+
+    private static int text(String text) {
+        return text.length() / CHARACTERS;
+    }
+}
