@@ -151,11 +151,30 @@ final class Level {
     /** Writes the leaves of an object at a place into a column that has room. */
     void place(
             Form form, double cx, double cy, double cz, double[] rotation, int at, LeafColumn column, int firstLeaf) {
+        place(dimension, form, cx, cy, cz, rotation, at, column, firstLeaf);
+    }
+
+    /** The same with all that heights reach to, even where an object is upright and they do not matter. */
+    void placeTipped(
+            Form form, double cx, double cy, double cz, double[] rotation, int at, LeafColumn column, int firstLeaf) {
+        place(Dimension.SPATIAL, form, cx, cy, cz, rotation, at, column, firstLeaf);
+    }
+
+    private void place(
+            Dimension as,
+            Form form,
+            double cx,
+            double cy,
+            double cz,
+            double[] rotation,
+            int at,
+            LeafColumn column,
+            int firstLeaf) {
         if (form.enclosure == null || form.exact == null) {
             form.own.place(cx, cy, cz, rotation, at, column, firstLeaf);
         } else {
             form.own.place(cx, cy, cz, rotation, at, form.exact, 0);
-            form.enclosure.place(accuracy, dimension, form.exact, cx, cy, cz, rotation, at, column, firstLeaf);
+            form.enclosure.place(accuracy, as, form.exact, cx, cy, cz, rotation, at, column, firstLeaf);
         }
     }
 

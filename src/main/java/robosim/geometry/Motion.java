@@ -275,23 +275,34 @@ final class Motion {
         return border.holds(exact, 0, exact.size());
     }
 
-    /** Whether the object, after a share of the phase, overlaps something that it does not at the start. */
+    /**
+     * Whether the object, after a share of the phase, overlaps something that it does not at the start. Where nothing is
+     * blamed yet, that is blamed, and of several the one added first.
+     */
     private boolean touchesAnew(double share) {
-        LeafColumn atStart = phase.atStart;
-        LeafColumn probe = phase.after(share);
-        for (int k = 0; k < near.count(); k++) {
+        phase.after(share);
+        boolean isBlamed = obstacle != NOTHING;
+        boolean touches = false;
+        for (int k = 0; k < near.count() && !(touches && isBlamed); k++) {
             int other = near.id(k);
-            Level of = level.of(other);
-            int first = of.first(Bodies.bare(other));
-            for (int j = first; j < first + of.count(Bodies.bare(other)); j++) {
-                for (int i = 0; i < probe.size(); i++) {
-                    if (Overlap.test(level.dimension, probe, i, of.leaves(), j, s)
-                            && !Overlap.test(level.dimension, atStart, i, of.leaves(), j, s)) {
-                        if (obstacle == NOTHING) {
-                            blame(other, i, j);
-                        }
-                        return true;
+            if (!touches || bodies.isEarlier(other, obstacle)) {
+                touches |= touchesAnew(other, !isBlamed);
+            }
+        }
+        return touches;
+    }
+
+    private boolean touchesAnew(int other, boolean isToBlame) {
+        Level of = level.of(other);
+        int first = of.first(Bodies.bare(other));
+        for (int j = first; j < first + of.count(Bodies.bare(other)); j++) {
+            for (int i = 0; i < phase.atStart.size(); i++) {
+                if (Overlap.test(level.dimension, phase.probe, i, of.leaves(), j, s)
+                        && !Overlap.test(level.dimension, phase.atStart, i, of.leaves(), j, s)) {
+                    if (isToBlame) {
+                        blame(other, i, j);
                     }
+                    return true;
                 }
             }
         }

@@ -3,7 +3,9 @@ package robosim.geometry;
 import java.util.Arrays;
 import robosim.geometry.exact.Attitude;
 import robosim.geometry.exact.DoubleDouble;
+import robosim.geometry.exact.Rotations;
 import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Pose;
 import robosim.geometry.narrow.LeafColumn;
 import robosim.geometry.narrow.Scratch;
@@ -43,7 +45,9 @@ final class Phase {
     final Sweep sweep;
 
     private final double[] between = new double[PLACE];
-    private final LeafColumn probe = new LeafColumn(1);
+    /** What stands for the object where it was asked about last, after its start. */
+    final LeafColumn probe = new LeafColumn(1);
+
     private final LeafColumn exact = new LeafColumn(1);
     private final double[] part = new double[6];
 
@@ -161,13 +165,27 @@ final class Phase {
 
     /** Whether what stands for the object moves with it as one piece. */
     boolean isRigid() {
-        return !turns() || (level.accuracy != Accuracy.AABB && level.accuracy != Accuracy.DOP);
+        return !turns()
+                || switch (level.accuracy) {
+                    case AABB, DOP -> false;
+                    case SPHERE -> !tips();
+                    case OBB, EXACT -> true;
+                };
+    }
+
+    /** Whether an upright object whose heights do not matter is tipped, so that from then on they do. */
+    private boolean tips() {
+        return axis == OWN_X && level.dimension == Dimension.PLANAR && Rotations.isUpright(start, 3);
     }
 
     /** The bounds of all places of what stands for the object during the first share of the leg. */
     void sweptBox(double share, double[] out) {
         if (isRigid()) {
             union(atStart, out);
+        } else if (level.accuracy == Accuracy.SPHERE) {
+            turnBy(share);
+            level.placeTipped(form, start[0], start[1], start[2], start, 3, probe, 0);
+            union(probe, out);
         } else {
             // The enclosure changes with the turn: what encloses the exact leaves all the way encloses it too.
             exactlySwept(share, out);

@@ -65,7 +65,7 @@ public final class OctTree {
         for (int k = 0; k <= depth; k++) {
             grow(path[k], boxes, 6 * id);
         }
-        next[id] = links[region] == EMPTY ? NONE : ~links[region];
+        next[id] = first(region);
         links[region] = ~id;
         while (depth < MOST_DEPTH && isCrowded(region)) {
             cut(region, boxes);
@@ -79,6 +79,13 @@ public final class OctTree {
     /** Takes an object out that is in. */
     public void remove(int id, double[] boxes) {
         int depth = find(id, boxes);
+        if (!holds(path[depth], id)) {
+            // A centre on a border of regions, which rounding has moved as the tree was widened.
+            depth = search(0, 0, id, boxes);
+        }
+        if (depth < 0) {
+            throw new IllegalStateException("id must be in the tree (got: " + id + ")");
+        }
         int region = path[depth];
         int first = ~links[region];
         if (first == id) {
@@ -149,6 +156,48 @@ public final class OctTree {
         return depth;
     }
 
+    /** The first object of an uncut region. */
+    private int first(int region) {
+        return links[region] == EMPTY ? NONE : ~links[region];
+    }
+
+    private boolean holds(int region, int id) {
+        for (int other = first(region); other != NONE; other = next[other]) {
+            if (other == id) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Writes the regions down to the one that an object lives in, by their bounds; -1 where it is below none of them. */
+    private int search(int region, int depth, int id, double[] boxes) {
+        if (depth == path.length) {
+            path = Arrays.copyOf(path, 2 * path.length);
+        }
+        path[depth] = region;
+        if (links[region] < 0) {
+            return holds(region, id) ? depth : -1;
+        }
+        for (int part = links[region]; part < links[region] + 8; part++) {
+            int found = encloses(part, boxes, 6 * id) ? search(part, depth + 1, id, boxes) : -1;
+            if (found >= 0) {
+                return found;
+            }
+        }
+        return -1;
+    }
+
+    private boolean encloses(int region, double[] boxes, int at) {
+        for (int axis = 0; axis < 3; axis++) {
+            int k = 6 * region + axis;
+            if (!(bounds[k] <= boxes[at + axis] && boxes[at + axis + 3] <= bounds[k + 3])) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     /** Which of the eight parts of the current cell a box's centre is in. */
     private int partOf(int at, double[] boxes) {
         int part = 0;
@@ -195,7 +244,7 @@ public final class OctTree {
         while (id != NONE) {
             int after = next[id];
             int part = parts + partOf(6 * id, boxes);
-            next[id] = links[part] == EMPTY ? NONE : ~links[part];
+            next[id] = first(part);
             links[part] = ~id;
             grow(part, boxes, 6 * id);
             id = after;

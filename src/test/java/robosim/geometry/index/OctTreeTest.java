@@ -73,6 +73,35 @@ class OctTreeTest {
         assertThat(take(INFINITE)).containsExactly(3);
     }
 
+    /** Where centres lie on the borders of regions, and rounding moves these as the tree grows. */
+    @Test
+    void letsGoOfWhatStandsOnALattice() {
+        for (int round = 0; round < 200; round++) {
+            OctTree widened = new OctTree(new double[] {0, 0, 0, 0.2, 0.2, 0.2});
+            for (int id = 0; id < 140; id++) {
+                int most = id < 100 ? 100 : 900;
+                for (int axis = 0; axis < 3; axis++) {
+                    double center = 0.1 * random.nextInt(-most, most + 1);
+                    boxes[6 * id + axis] = center - 0.1;
+                    boxes[6 * id + 3 + axis] = center + 0.1;
+                }
+                widened.add(id, boxes);
+            }
+            OctTree.Cursor left = widened.cursor();
+            for (int id = 0; id < 140; id++) {
+                widened.remove(id, boxes);
+                keys.startPoint(0, 0, 0);
+                left.start(boxes, keys);
+                int count = 0;
+                for (int other = left.next(INFINITE); other >= 0; other = left.next(INFINITE)) {
+                    assertThat(other).isGreaterThan(id);
+                    count++;
+                }
+                assertThat(count).isEqualTo(139 - id);
+            }
+        }
+    }
+
     private int box() {
         double[] box = new double[6];
         for (int axis = 0; axis < 3; axis++) {

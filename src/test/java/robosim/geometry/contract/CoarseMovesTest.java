@@ -1,0 +1,60 @@
+package robosim.geometry.contract;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.Geometry;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Move;
+import robosim.geometry.model.Point;
+
+/** A coarser level never allows what the exact one refuses: things that stand apart, and then turn or tip. */
+class CoarseMovesTest {
+    private static final Dimension[] DIMENSIONS = Dimension.values();
+
+    @ParameterizedTest
+    @EnumSource(Accuracy.class)
+    void noLevelAllowsWhatTheExactOneRefuses(Accuracy accuracy) {
+        SplittableRandom random = new SplittableRandom(77);
+        int refused = 0;
+        int allowed = 0;
+        for (int k = 0; k < 6000; k++) {
+            GeometryObject mover = thing(random, k).turned(k % 5 == 0 ? 40 : 0, random.nextDouble(360));
+            GeometryObject wall = thing(random, k + 1)
+                    .movedTo(new Point(random.nextDouble(-6, 6), 0, random.nextDouble(-6, 6)))
+                    .turned(0, random.nextDouble(360));
+            double side = random.nextDouble(6, 30);
+            Move move = new Move(0, 0, 0, random.nextDouble(-180, 180), k % 3 == 0 ? random.nextDouble(-90, 90) : 0);
+            Dimension dimension = DIMENSIONS[k % 2];
+            Geometry coarse = new Geometry(side, 30, side, dimension, accuracy);
+            Geometry exact = new Geometry(side, 30, side, dimension, Accuracy.EXACT);
+            if (!coarse.addObject(wall)
+                    || !coarse.addObject(mover.moveable("mover"))
+                    || !exact.addObject(wall)
+                    || !exact.addObject(mover.moveable("mover"))) {
+                continue;
+            }
+            boolean isFree = exact.move("mover", move).allowed();
+            boolean made = coarse.move("mover", move).allowed();
+            assertThat(!made || isFree)
+                    .as("%s %s: %s by %s beside %s in %s", accuracy, dimension, mover, move, wall, side)
+                    .isTrue();
+            refused += isFree ? 0 : 1;
+            allowed += made ? 1 : 0;
+        }
+        assertThat(refused).isGreaterThan(40);
+        assertThat(allowed).isGreaterThan(100);
+    }
+
+    private static GeometryObject thing(SplittableRandom random, int k) {
+        return k % 2 == 0
+                ? new BoxObject(new Point(), 0.2, random.nextDouble(1, 10), random.nextDouble(0.1, 1))
+                : new CylinderObject(new Point(), random.nextDouble(0.1, 0.6), random.nextDouble(1, 10));
+    }
+}
