@@ -7,6 +7,7 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.world.Skipped;
 import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldCheck;
@@ -34,12 +35,14 @@ final class CheckJson {
         return json;
     }
 
-    static Map<String, @Nullable Object> of(Path file, WorldCheck check) {
+    /** @param skipped what of the file is not in the world */
+    static Map<String, @Nullable Object> of(Path file, WorldCheck check, List<Skipped> skipped) {
         Map<String, @Nullable Object> json = new LinkedHashMap<>();
         json.put("file", file);
         json.put("valid", true);
-        json.put("fine", check.isFine());
+        json.put("fine", check.isFine() && skipped.isEmpty());
         json.put("problems", List.of());
+        json.put("skipped", skipped.stream().map(CheckJson::skipped).toList());
         json.put("world", world(check.world()));
         Map<String, @Nullable Object> counts = new LinkedHashMap<>();
         check.counts().forEach((kind, count) -> counts.put(Things.kind(kind), count));
@@ -63,6 +66,14 @@ final class CheckJson {
             fields.put(String.valueOf(pairs[k]), pairs[k + 1]);
         }
         return fields;
+    }
+
+    private static Map<String, @Nullable Object> skipped(Skipped skipped) {
+        return fields(
+                "file", skipped.source(),
+                "line", skipped.line(),
+                "what", skipped.what(),
+                "reason", skipped.reason());
     }
 
     private static Map<String, @Nullable Object> world(World world) {
@@ -103,13 +114,15 @@ final class CheckJson {
                 "maxZ", room.maxZ(),
                 "area", room.area(),
                 "places", room.places(),
-                "step", room.step());
+                "step", room.step(),
+                "told", room.isTold());
     }
 
     private static Map<String, @Nullable Object> needs(WorldCheck.Needs needs) {
         return fields(
                 "dimension", needs.dimension(),
                 "accuracy", needs.accuracy(),
+                "told", needs.isTold(),
                 "proven", needs.isProven(),
                 "probe", needs.probe() != null,
                 "seed", needs.seed(),

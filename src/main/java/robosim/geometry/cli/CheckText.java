@@ -8,6 +8,7 @@ import java.util.stream.Collectors;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Point;
+import robosim.geometry.world.Skipped;
 import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldCheck;
@@ -17,28 +18,35 @@ final class CheckText {
     /** Pairs of static objects that are told one by one. */
     private static final int STATIC_PAIRS = 10;
 
+    /** Things left out that are told one by one. */
+    private static final int SKIPPED = 20;
+
     private final WorldCheck check;
+    private final List<Skipped> skipped;
     private final World world;
     private final String unit;
     private final StringBuilder text = new StringBuilder();
 
-    private CheckText(WorldCheck check) {
+    private CheckText(WorldCheck check, List<Skipped> skipped) {
         this.check = check;
+        this.skipped = skipped;
         this.world = check.world();
         Unit given = world.unit();
         this.unit = given == null ? "" : " " + given.symbol();
     }
 
-    static String of(Path file, WorldCheck check) {
-        CheckText text = new CheckText(check);
+    /** @param skipped what of the file is not in the world */
+    static String of(Path file, WorldCheck check, List<Skipped> skipped) {
+        CheckText text = new CheckText(check, skipped);
         text.contents(file);
+        text.skipped();
         text.outside();
         text.overlaps();
         text.rooms();
         text.needs();
         text.add(
                 "verdict",
-                check.isFine()
+                check.isFine() && skipped.isEmpty()
                         ? "fine"
                         : "FINDINGS: " + text.findings().stream().collect(Collectors.joining(", ")));
         return text.text.toString();
@@ -84,6 +92,13 @@ final class CheckText {
                 + (check.triangles() > 0 ? String.format(Locale.ROOT, "; %,d triangles", check.triangles()) : "");
         add("objects", "%,d%s%s", world.objects().size(), kinds.isEmpty() ? "" : ": " + kinds, inside);
         add("robots", "%,d moveable, %,d sonars", check.robots().size(), check.sonars());
+    }
+
+    private void skipped() {
+        skipped.stream().limit(SKIPPED).forEach(each -> add("skipped", "%s", each));
+        if (skipped.size() > SKIPPED) {
+            add("", "  and %,d more; --json tells all", skipped.size() - SKIPPED);
+        }
     }
 
     private void outside() {
@@ -157,16 +172,18 @@ final class CheckText {
         } else {
             add("ways", "%s get about in %s", names(main), room(main));
         }
-        check.shutIn()
+        String them = main.robots().size() == 1 ? main.robots().get(0) : "them";
+        check.shutIn().forEach(room -> add("ways", "%s cannot get to %s: shut in %s", names(room), them, room(room)));
+        check.stuck().forEach(room -> add("ways", "%s cannot make a step", names(room)));
+        check.untold()
                 .forEach(room -> add(
                         "ways",
-                        "%s cannot get to %s: shut in %s",
+                        room.equals(main)
+                                ? "whether %s can get about could not be told at a step of %3$s"
+                                : "whether %s can get to %s could not be told at a step of %s",
                         names(room),
-                        main.robots().size() == 1 ? main.robots().get(0) : "them",
-                        room(room)));
-        rooms.stream()
-                .filter(room -> room.places() == 1)
-                .forEach(room -> add("ways", "%s cannot make a step", names(room)));
+                        them,
+                        length(room.step())));
     }
 
     private static String names(WorldCheck.Room room) {
@@ -190,6 +207,16 @@ final class CheckText {
     private void needs() {
         WorldCheck.Needs needs = check.needs();
         WorldCheck.Setting truth = needs.setting(world.dimension(), Accuracy.EXACT);
+        if (!needs.isTold()) {
+            add(
+                    "needs",
+                    "cannot be told: robots had room for %,d moves and %,d distances alone; keep %s, %s",
+                    truth.moves(),
+                    truth.distances(),
+                    needs.dimension(),
+                    needs.accuracy());
+            return;
+        }
         add(
                 "needs",
                 "%s, %s is enough: the coarsest that answers %,d places, %,d moves and %,d %s%s as EXACT does",
@@ -249,6 +276,7 @@ final class CheckText {
     /** What is found, counted. */
     private List<String> findings() {
         List<String> findings = new ArrayList<>();
+        count(findings, skipped.size(), "left out of the file");
         count(findings, check.outside().size(), "outside of the world");
         count(
                 findings,
@@ -261,10 +289,7 @@ final class CheckText {
                 findings,
                 check.shutIn().stream().mapToInt(room -> room.robots().size()).sum(),
                 "shut in");
-        count(
-                findings,
-                (int) check.rooms().stream().filter(room -> room.places() == 1).count(),
-                "unable to move");
+        count(findings, check.stuck().size(), "unable to move");
         return findings;
     }
 

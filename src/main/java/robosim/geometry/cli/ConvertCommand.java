@@ -104,12 +104,7 @@ final class ConvertCommand implements Callable<Integer> {
         if (!Files.isDirectory(in)) {
             Inputs.file(spec, "IN", in);
         }
-        for (Path folder : models) {
-            if (!Files.isDirectory(folder)) {
-                throw new ParameterException(
-                        spec.commandLine(), "--models must be a folder; there is none (got: " + folder + ")");
-            }
-        }
+        Inputs.folders(spec, "--models", models);
         WorldImport read = WorldImport.read(in, options());
         PrintWriter printer = spec.commandLine().getOut();
         read.lines(all ? Integer.MAX_VALUE : MOST_LINES).forEach(printer::println);

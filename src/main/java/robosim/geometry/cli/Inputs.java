@@ -42,6 +42,20 @@ final class Inputs {
         return file;
     }
 
+    /**
+     * Folders that are there.
+     *
+     * @param option what the help calls them
+     */
+    static void folders(CommandSpec spec, String option, List<Path> folders) {
+        for (Path folder : folders) {
+            if (!Files.isDirectory(folder)) {
+                throw new ParameterException(
+                        spec.commandLine(), option + " must be a folder; there is none (got: " + folder + ")");
+            }
+        }
+    }
+
     /** A world of any format; what the file has and the world has not is told on the standard error. */
     static World world(CommandSpec spec, Path file) throws WorldException {
         WorldImport read = WorldImport.read(file, ImportOptions.DEFAULT);

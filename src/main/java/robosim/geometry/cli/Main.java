@@ -1,6 +1,8 @@
 package robosim.geometry.cli;
 
+import java.io.PrintStream;
 import java.util.Map;
+import java.util.function.IntSupplier;
 
 /** The command line: {@code --help} tells its commands. */
 public final class Main {
@@ -35,16 +37,29 @@ public final class Main {
         if (arguments.length == 0 || !arguments[0].equals(ViewCommand.NAME)) {
             System.setProperty("java.awt.headless", "true");
         }
-        int code;
-        try {
-            code = Commands.run(arguments);
-        } catch (NoClassDefFoundError missing) {
-            System.err.println(sentence(missing));
-            code = ExitCodes.UNUSABLE;
-        }
+        int code = code(() -> Commands.run(arguments), System.err);
         if (code != 0) {
             System.exit(code);
         }
+    }
+
+    /** The code of a command; that of what was not done where it ends in an error, which is told in a sentence. */
+    static int code(IntSupplier command, PrintStream err) {
+        try {
+            return command.getAsInt();
+        } catch (NoClassDefFoundError missing) {
+            err.println(sentence(missing));
+        } catch (OutOfMemoryError full) {
+            err.println("There is not enough memory; give Java more of it, like java -Xmx4g -jar ..., or ask for less"
+                    + " (got: " + full.getMessage() + ")");
+        } catch (StackOverflowError deep) {
+            err.println("Something is nested too deep; give Java a larger stack, like java -Xss64m -jar ... (got: "
+                    + deep + ")");
+        } catch (Error other) {
+            // Java itself would end with 1, which means that something was found.
+            err.println("Java failed; please report this (got: " + other + ")");
+        }
+        return ExitCodes.UNUSABLE;
     }
 
     /** What to do about a class that is not there. */

@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -77,6 +78,7 @@ final class ReplayCommand implements Callable<Integer> {
         }
         PrintWriter out = spec.commandLine().getOut();
         out.printf(
+                Locale.ROOT,
                 "%,d %s, %,d steps, %,d moves and distances: %s%n",
                 files.size(),
                 files.size() == 1 ? "scenario" : "scenarios",
@@ -140,7 +142,8 @@ final class ReplayCommand implements Callable<Integer> {
     private void conclude(Path file, ScenarioReader reader, Replay replay) {
         PrintWriter out = spec.commandLine().getOut();
         if (replay.mismatches() > most) {
-            out.printf("%s: and %,d more steps are answered otherwise%n", file, replay.mismatches() - most);
+            out.printf(
+                    Locale.ROOT, "%s: and %,d more steps are answered otherwise%n", file, replay.mismatches() - most);
         }
         if (reader.torn() > 0) {
             out.println(file + ": line " + reader.torn()

@@ -8,6 +8,7 @@ import java.nio.charset.CharsetDecoder;
 import java.nio.charset.CoderResult;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.Locale;
 
 /** Lines of UTF-8, each bounded before it is believed; the buffer grows with a line and shrinks after it. */
 final class LineInput {
@@ -102,8 +103,11 @@ final class LineInput {
         for (int k = start; k < start + length; k++) {
             byte b = bytes[k];
             if (b >= 0 && b < LEAST && b != '\t' && b != '\r') {
-                throw new ProtocolException("a control character must be escaped, as in \\u0007 (got: %02X in byte %d)"
-                        .formatted(b, k - start + 1));
+                throw new ProtocolException(String.format(
+                        Locale.ROOT,
+                        "a control character must be escaped, as in \\u0007 (got: %02X in byte %d)",
+                        b,
+                        k - start + 1));
             }
             plain &= b >= 0;
         }

@@ -2,14 +2,14 @@ package robosim.geometry.viewer;
 
 import java.awt.image.BufferedImage;
 import java.io.IOException;
-import java.io.OutputStream;
-import java.nio.file.Files;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import javax.imageio.ImageIO;
+import robosim.geometry.world.WholeFile;
 
 /** Draws a {@link Scene}. The same scene gives the same picture, to the byte in SVG. */
 public final class Painter {
@@ -55,7 +55,7 @@ public final class Painter {
     }
 
     /**
-     * Writes the scene to a file, as its name ends: {@code .svg} or {@code .png}.
+     * Writes the scene to a file, as its name ends: {@code .svg} or {@code .png}. It writes all of it or nothing.
      *
      * @throws IllegalArgumentException where it ends otherwise
      * @throws IOException where the file cannot be written
@@ -63,11 +63,11 @@ public final class Painter {
     public static void write(Scene scene, Theme theme, Path file) throws IOException {
         String name = file.toString().toLowerCase(Locale.ROOT);
         if (name.endsWith(".svg")) {
-            Files.writeString(file, svg(scene));
+            byte[] document = svg(scene).getBytes(StandardCharsets.UTF_8);
+            WholeFile.write(file, out -> out.write(document));
         } else if (name.endsWith(".png")) {
-            try (OutputStream out = Files.newOutputStream(file)) {
-                ImageIO.write(image(scene, theme), "png", out);
-            }
+            BufferedImage image = image(scene, theme);
+            WholeFile.write(file, out -> ImageIO.write(image, "png", out));
         } else {
             throw new IllegalArgumentException("a picture's name must end in .svg or .png (got: " + file + ")");
         }

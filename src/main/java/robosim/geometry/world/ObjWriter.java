@@ -2,10 +2,9 @@ package robosim.geometry.world;
 
 import java.io.BufferedWriter;
 import java.io.IOException;
+import java.io.OutputStreamWriter;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.function.LongConsumer;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.BoxObject;
@@ -44,13 +43,12 @@ public final class ObjWriter {
      * @throws WorldException where the file cannot be written
      */
     public static void write(World world, Path file, LongConsumer progress) throws WorldException {
-        Path target = file.toAbsolutePath();
-        Path whole = target.resolveSibling(target.getFileName() + ".new");
         try {
-            try (BufferedWriter out = Files.newBufferedWriter(whole, StandardCharsets.UTF_8)) {
+            WholeFile.write(file, to -> {
+                BufferedWriter out = new BufferedWriter(new OutputStreamWriter(to, StandardCharsets.UTF_8));
                 new ObjWriter(out).world(world, progress);
-            }
-            Files.move(whole, target, StandardCopyOption.REPLACE_EXISTING);
+                out.flush();
+            });
         } catch (IOException e) {
             throw new WorldException(file.toString(), 0, 0, "the file could not be written: " + e, e);
         }

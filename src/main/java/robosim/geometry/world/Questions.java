@@ -25,6 +25,9 @@ final class Questions {
     /** So many places are tried for each that is free, at most. */
     private static final int TRIES = 10;
 
+    /** One of so many places that are tried is one that the robot's trip got to. */
+    private static final int OF_TRIP = 4;
+
     /** A move goes up to so many times the robot's diagonal. */
     private static final double FAR = 5;
 
@@ -35,6 +38,7 @@ final class Questions {
     private static final double PROBE = 1.0 / 50;
 
     private final World world;
+    private final Rooms rooms;
     private final WorldCheck.Watch watch;
     private final SplittableRandom random = new SplittableRandom(SEED);
     private final List<Sheet> sheets = new ArrayList<>();
@@ -75,8 +79,10 @@ final class Questions {
         }
     }
 
-    Questions(World world, WorldCheck.Watch watch) {
+    /** @param rooms that were found */
+    Questions(World world, Rooms rooms, WorldCheck.Watch watch) {
         this.world = world;
+        this.rooms = rooms;
         this.watch = watch;
         this.slack = SAME * StrictMath.hypot(StrictMath.hypot(world.width(), world.length()), world.height());
         for (Dimension dimension : Dimension.values()) {
@@ -111,9 +117,10 @@ final class Questions {
                 .filter(sheet -> sheet.setting().isSame())
                 .findFirst()
                 .orElse(truth);
+        boolean told = truth.setting().isAskedEnough();
         return new WorldCheck.Needs(
-                enough.dimension,
-                enough.accuracy,
+                told ? enough.dimension : world.dimension(),
+                told ? enough.accuracy : world.accuracy(),
                 proven,
                 probe,
                 SEED,
@@ -132,17 +139,16 @@ final class Questions {
     private void ask(WorldObject robot, int count, int number, int robots) {
         GeometryObject home = robot.object();
         String name = String.valueOf(home.name());
-        boolean upright = home.pose().isUpright();
+        Trip trip = rooms.trip(name);
         sheets.forEach(sheet -> sheet.geometry.removeObject(name));
         int free = 0;
         for (int tries = 0; free < count && tries < count * TRIES; tries++) {
             watch.at("questions", (long) number * count + free, (long) robots * count);
-            GeometryObject body = home.movedTo(new Point(
-                    (random.nextDouble() - 0.5) * world.width(),
-                    home.center().y(),
-                    (random.nextDouble() - 0.5) * world.length()));
-            double turn = random.nextDouble(-180, 180);
-            body = upright ? body.turned(0, turn) : body;
+            GeometryObject body = tries == 0
+                    ? home
+                    : tries % OF_TRIP == 0 && trip != null && trip.kept() > 0
+                            ? trip.reached(random.nextInt(trip.kept()), home)
+                            : anywhere(home);
             if (mayStand(body)) {
                 free++;
                 move(body, name);
@@ -150,6 +156,15 @@ final class Questions {
             }
         }
         sheets.forEach(sheet -> sheet.geometry.addObjectUnchecked(home));
+    }
+
+    private GeometryObject anywhere(GeometryObject home) {
+        GeometryObject body = home.movedTo(new Point(
+                (random.nextDouble() - 0.5) * world.width(),
+                home.center().y(),
+                (random.nextDouble() - 0.5) * world.length()));
+        double turn = random.nextDouble(-180, 180);
+        return home.pose().isUpright() ? body.turned(0, turn) : body;
     }
 
     /** Asks everybody; true where the truth is yes, and the body then stands there in every world. */

@@ -3,7 +3,9 @@ package robosim.geometry.world;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
@@ -24,6 +26,8 @@ final class Rooms {
 
     /** Of each robot, its last trip; null where it has not been sent out. */
     private final @Nullable Trip[] trips;
+
+    private final Map<String, Trip> byName = new HashMap<>();
 
     /** @param touching the names of robots that are not asked */
     Rooms(World world, Set<String> touching, WorldCheck.Watch watch) {
@@ -59,7 +63,48 @@ final class Rooms {
                 break;
             }
         }
+        if (!isDone()) {
+            lookNear(statics);
+        }
         return rooms();
+    }
+
+    /** The trip that tells most of where a robot gets to; null where it starts in contact. */
+    @Nullable
+    Trip trip(String name) {
+        if (byName.isEmpty()) {
+            for (List<Integer> group : groups()) {
+                Trip largest = largest(group);
+                for (int k : group) {
+                    Trip own = trips[k] == null ? largest : trips[k];
+                    if (own != null) {
+                        byName.put(String.valueOf(robots.get(k).name()), own);
+                    }
+                }
+            }
+        }
+        return byName.get(name);
+    }
+
+    /** Where the step of all trips was too coarse to tell, a finer one may find that there is no way out near the start. */
+    private void lookNear(Geometry statics) {
+        for (List<Integer> group : groups()) {
+            Trip far = largest(group);
+            if (far == null || far.isFine()) {
+                continue;
+            }
+            int k = group.stream().min(narrowestFirst()).orElseThrow();
+            Trip near = Trip.near(world, statics, robots.get(k));
+            if (near == null) {
+                continue;
+            }
+            go(near, k);
+            // What came to no end says less than the coarse trip through all of the world.
+            if (near.isWhole()) {
+                group.forEach(each -> trips[each] = null);
+                trips[k] = near;
+            }
+        }
     }
 
     /**
@@ -67,8 +112,7 @@ final class Rooms {
      * them need not go himself.
      */
     private List<Integer> toBeSent(int halvings) {
-        Comparator<Integer> order = Comparator.<Integer, Boolean>comparing(k -> isMany(robots.get(k)))
-                .thenComparingDouble(k -> Enclosure.of(robots.get(k)).narrow());
+        Comparator<Integer> order = narrowestFirst();
         if (halvings > 0) {
             return groups().stream()
                     .map(group -> group.stream().min(order).orElseThrow())
@@ -82,6 +126,11 @@ final class Rooms {
         return sent;
     }
 
+    private Comparator<Integer> narrowestFirst() {
+        return Comparator.<Integer, Boolean>comparing(k -> isMany(robots.get(k)))
+                .thenComparingDouble(k -> Enclosure.of(robots.get(k)).narrow());
+    }
+
     /** Whether it has so many parts that it moves slowly. */
     static boolean isMany(GeometryObject robot) {
         return switch (robot.kind()) {
@@ -92,19 +141,23 @@ final class Rooms {
     }
 
     private void send(Geometry statics, int k, int halvings) {
-        List<Integer> others = new ArrayList<>();
-        for (int other = 0; other < robots.size(); other++) {
-            if (leader(other) != leader(k)) {
-                others.add(other);
-            }
-        }
-        Trip trip = new Trip(world, statics, robots.get(k), halvings);
+        Trip trip = Trip.far(world, statics, robots.get(k), halvings);
         Trip last = trips[k];
         boolean coarse = last != null && trip.step() >= last.step();
         if (coarse || (halvings == 0 && anyTrip(k))) {
             return;
         }
         trips[k] = trip;
+        go(trip, k);
+    }
+
+    private void go(Trip trip, int k) {
+        List<Integer> others = new ArrayList<>();
+        for (int other = 0; other < robots.size(); other++) {
+            if (leader(other) != leader(k)) {
+                others.add(other);
+            }
+        }
         List<GeometryObject> wanted = others.stream().map(robots::get).toList();
         trip.go(wanted, met -> leaders[leader(others.get(met))] = leader(k), watch);
     }

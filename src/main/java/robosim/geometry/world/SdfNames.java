@@ -104,6 +104,14 @@ final class SdfNames {
         return READ.getOrDefault(parent, Set.of()).contains(child);
     }
 
+    /** Whether an element may have any number of these; of all others that are read it has one. */
+    static boolean isRepeated(String child) {
+        return switch (child) {
+            case "world", "model", "include", "link", "frame", "joint", "collision" -> true;
+            default -> false;
+        };
+    }
+
     static boolean isPassedOver(String parent, String child) {
         Set<String> names = PASSED_OVER.get(parent);
         return names != null && (names.isEmpty() || names.contains(child));

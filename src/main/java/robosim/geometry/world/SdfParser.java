@@ -116,6 +116,11 @@ final class SdfParser extends DefaultHandler {
             throw refusal("models must be at most " + Limits.MAX_GROUPS + " within each other (got: one more)");
         }
         if (parent != null) {
+            // Else who looks for the collisions of a link would go through all of its poses, at each include anew.
+            if (!SdfNames.isRepeated(name) && parent.child(name) != null) {
+                throw refusal(
+                        "<" + parent.name + "> must have only one <" + name + ">; remove this or the other (got: two)");
+            }
             parent.children.add(element);
         }
         open.push(element);

@@ -8,6 +8,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
@@ -26,15 +27,18 @@ import robosim.geometry.model.Point;
  * robosim.geometry.Geometry} of the static objects allows, so what is reached is reached; what is not may be reached by
  * moves between those of the grid, and the step is told. The first step is half of the robot's smaller extent, or coarser
  * in a large world; it is halved twice where not everything is reached. All other moveable objects are taken out, as they
- * may drive away. A robot can get to another where it can come so near that the bodies would touch but for two steps, with
- * nothing between the two centres; two robots share a room where one of them can get to the other, also by way of
+ * may drive away. A robot can get to another where, from so near that the bodies would touch but for two steps, its body goes straight
+ * to the other and meets nothing else first; two robots share a room where one of them can get to the other, also by way of
  * further ones. The narrowest go first, and who has been met need not go. Who starts in contact or outside of the world is
- * not asked.
+ * not asked. Where the step had to be coarser than half of the smaller extent, a search near the start goes in steps of
+ * that half; where it comes to no end either, it could not be told whether the robots are shut in, and {@link Room#isTold}
+ * is false.
  *
  * <p><b>Needs.</b> The same questions, drawn from a fixed seed, are put to the world in both dimensions at each accuracy:
- * may a robot stand at a random place, may it make a random move or turn from there, what does one of its sonars hear (in
- * a world without sonars, a line in a random direction). A setting is enough where it answers all of them as EXACT in the
- * world's own dimension does. In a world without robots a small cylinder near the ground asks; a robot that is a mesh, and so
+ * may a robot stand at a place, may it make a random move or turn from there, what does one of its sonars hear (in
+ * a world without sonars, a line in a random direction). The places are random, and for each robot also its own start and
+ * some that it got to. A setting is enough where it answers all of them as EXACT in the world's own dimension does; where
+ * fewer than {@link #MIN_ANSWERS} moves or distances could be asked, as nobody has room, nothing can be told. In a world without robots a small cylinder near the ground asks; a robot that is a mesh, and so
  * slow, asks a twentieth of what others do.
  *
  * @param world           what was checked
@@ -64,6 +68,9 @@ public record WorldCheck(
 
     /** Most pairs of static objects that are told one by one. */
     public static final int MAX_STATIC_OVERLAPS = 100;
+
+    /** So many moves and as many distances must be asked for a setting to be called enough. */
+    public static final int MIN_ANSWERS = 50;
 
     /** Copies the collections. */
     public WorldCheck {
@@ -101,6 +108,8 @@ public record WorldCheck(
      *               square of the step
      * @param places how many places of the grid that are; 1 where the robot cannot make a step
      * @param step   the grid's, world units: finer ways may have been missed
+     * @param isTold whether the step was as fine as half of the robot's smaller extent; else what was not reached tells
+     *               nothing
      */
     public record Room(
             List<String> robots,
@@ -110,7 +119,8 @@ public record WorldCheck(
             double maxZ,
             double area,
             int places,
-            double step) {
+            double step,
+            boolean isTold) {
         /** Copies the list. */
         public Room {
             robots = List.copyOf(robots);
@@ -120,8 +130,9 @@ public record WorldCheck(
     /**
      * Which setting is enough.
      *
-     * @param dimension the coarsest that answered every question alike; PLANAR in a PLANAR world
-     * @param accuracy  the coarsest that did so in that dimension
+     * @param dimension the coarsest that answered every question alike; PLANAR in a PLANAR world, and the world's own where
+     *                  it cannot be told
+     * @param accuracy  the coarsest that did so in that dimension; the world's own where it cannot be told
      * @param isProven  whether PLANAR is enough whatever level moves and sonars are asked for: every object stands upright
      *                  and reaches the height of every robot's centre
      * @param probe     what asked in a world without robots; else null
@@ -138,6 +149,11 @@ public record WorldCheck(
         /** Copies the list. */
         public Needs {
             settings = List.copyOf(settings);
+        }
+
+        /** Whether enough was asked to tell. */
+        public boolean isTold() {
+            return settings.stream().allMatch(Setting::isAskedEnough);
         }
 
         /** What one setting answered. */
@@ -172,9 +188,14 @@ public record WorldCheck(
             int distances,
             int distancesOtherwise,
             double shortest) {
-        /** Whether everything was answered alike. */
+        /** Whether there were enough moves and distances to compare. */
+        public boolean isAskedEnough() {
+            return moves >= MIN_ANSWERS && distances >= MIN_ANSWERS;
+        }
+
+        /** Whether enough was asked and everything was answered alike. */
         public boolean isSame() {
-            return placesOtherwise + movesOtherwise + distancesOtherwise == 0;
+            return isAskedEnough() && placesOtherwise + movesOtherwise + distancesOtherwise == 0;
         }
     }
 
@@ -215,6 +236,8 @@ public record WorldCheck(
             boolean both = overlap.second().object().isMoveable();
             touching.add(both ? String.valueOf(overlap.second().object().name()) : "");
         }
+        Rooms rooms = new Rooms(inside, touching, watch);
+        List<Room> found = rooms.find();
         return new WorldCheck(
                 world,
                 counts,
@@ -225,8 +248,8 @@ public record WorldCheck(
                 outside,
                 overlaps.found(),
                 overlaps.staticCount(),
-                new Rooms(inside, touching, watch).find(),
-                new Questions(inside, watch).ask());
+                found,
+                new Questions(inside, rooms, watch).ask());
     }
 
     private static World without(World world, Set<WorldObject> left) {
@@ -240,9 +263,25 @@ public record WorldCheck(
                 world.objects().stream().filter(o -> !left.contains(o)).toList());
     }
 
-    /** Robots that cannot get to where most are: all rooms but the first. */
+    /** Robots that cannot get to where most are: all rooms but the first, and but those of which that cannot be told. */
     public List<Room> shutIn() {
-        return rooms.size() < 2 ? List.of() : rooms.subList(1, rooms.size());
+        return rooms.stream().skip(1).filter(Room::isTold).toList();
+    }
+
+    /** Robots that cannot make a step. */
+    public List<Room> stuck() {
+        return rooms.stream()
+                .filter(room -> room.isTold() && room.places() == 1)
+                .toList();
+    }
+
+    /** Robots that got to no others or nowhere at a step that is too coarse to say that there is no way. */
+    public List<Room> untold() {
+        return IntStream.range(0, rooms.size())
+                .filter(k -> k > 0 || rooms.get(k).places() == 1)
+                .mapToObj(rooms::get)
+                .filter(room -> !room.isTold())
+                .toList();
     }
 
     /** Contacts in which a moveable object starts. */
@@ -252,13 +291,11 @@ public record WorldCheck(
 
     /**
      * Whether nothing was found that keeps robots from what they are there for: nothing is outside, no robot starts in
-     * contact, none is shut in or cannot make a step. Static objects may overlap, as the walls of a plan do.
+     * contact, none is shut in or cannot make a step. Static objects may overlap, as the walls of a plan do, and {@link
+     * #untold} is no finding.
      */
     public boolean isFine() {
-        return outside.isEmpty()
-                && startingContacts().isEmpty()
-                && shutIn().isEmpty()
-                && rooms.stream().noneMatch(room -> room.places() == 1);
+        return outside.isEmpty() && startingContacts().isEmpty() && shutIn().isEmpty() && stuck().isEmpty();
     }
 
     /** What groups and meshes are made of. */

@@ -92,8 +92,13 @@ public final class WorldReader {
      * problem, this reads on as far as it can, to at most 100 of them. Empty where the file is a world.
      */
     public static List<WorldException> problems(Path file) {
+        return problems(file, ImportOptions.DEFAULT);
+    }
+
+    /** All that is wrong with a world file of any format, read as {@link WorldImport#read} does. */
+    public static List<WorldException> problems(Path file, ImportOptions options) {
         try {
-            WorldImport.read(file, ImportOptions.DEFAULT);
+            WorldImport.read(file, options);
             return List.of();
         } catch (WorldException first) {
             List<WorldException> problems = new ArrayList<>();

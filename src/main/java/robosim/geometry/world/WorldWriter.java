@@ -2,9 +2,7 @@ package robosim.geometry.world;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.BoxObject;
@@ -27,25 +25,57 @@ public final class WorldWriter {
     public static final String NAMESPACE = "urn:robosim:world:1";
 
     private final StringBuilder out = new StringBuilder();
+    private final long most;
 
-    private WorldWriter() {}
+    /** @param most characters, with which it gives up */
+    private WorldWriter(long most) {
+        this.most = most;
+    }
+
+    /** The text is longer than it may be. */
+    private static final class TooLong extends RuntimeException {
+        private static final long serialVersionUID = 1;
+    }
 
     /**
      * Writes a world file, all of it or nothing: an earlier file of the name stays as it was until the new one is whole.
      *
-     * @throws WorldException where the file cannot be written
+     * @throws WorldException where the file cannot be written, or would be larger than a file that is read may be
      * @throws IllegalArgumentException as {@link #toXml} does
      */
     public static void write(World world, Path file) throws WorldException {
-        byte[] bytes = toXml(world).getBytes(StandardCharsets.UTF_8);
-        Path target = file.toAbsolutePath();
-        Path whole = target.resolveSibling(target.getFileName() + ".new");
+        write(world, file, Limits.MAX_BYTES);
+    }
+
+    /** @param most bytes of the file */
+    static void write(World world, Path file, long most) throws WorldException {
+        byte[] bytes = bytes(world, most);
+        if (bytes.length == 0) {
+            throw new WorldException(
+                    file.toString(),
+                    0,
+                    0,
+                    "a world file must have at most " + most + " bytes, or it could not be read again; write an .obj"
+                            + " instead, or keep large meshes in files of their own that the world names (got: more)");
+        }
         try {
-            Files.write(whole, bytes);
-            Files.move(whole, target, StandardCopyOption.REPLACE_EXISTING);
+            WholeFile.write(file, out -> out.write(bytes));
         } catch (IOException e) {
             throw new WorldException(file.toString(), 0, 0, "the file could not be written: " + e, e);
         }
+    }
+
+    /** The bytes of a file; none where it would have more than so many. */
+    private static byte[] bytes(World world, long most) {
+        WorldWriter writer = new WorldWriter(most);
+        try {
+            writer.world(world);
+        } catch (TooLong e) {
+            return new byte[0];
+        }
+        // Each character is a byte at least.
+        byte[] bytes = writer.out.toString().getBytes(StandardCharsets.UTF_8);
+        return bytes.length > most ? new byte[0] : bytes;
     }
 
     /**
@@ -55,7 +85,7 @@ public final class WorldWriter {
      *     more than 1000 of them, or groups more than 50 deep
      */
     public static String toXml(World world) {
-        WorldWriter writer = new WorldWriter();
+        WorldWriter writer = new WorldWriter(Long.MAX_VALUE);
         writer.world(world);
         return writer.out.toString();
     }
@@ -225,6 +255,9 @@ public final class WorldWriter {
     }
 
     private StringBuilder indent(int depth) {
+        if (out.length() > most) {
+            throw new TooLong();
+        }
         return out.append("  ".repeat(depth));
     }
 

@@ -3,6 +3,8 @@ package robosim.geometry.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
@@ -12,6 +14,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.function.IntSupplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -131,6 +134,25 @@ class CommandsTest {
         assertThat(new String(bash.getInputStream().readAllBytes(), StandardCharsets.UTF_8).strip())
                 .isEqualTo("render replay");
         assertThat(bash.waitFor()).isZero();
+    }
+
+    /** An exit code of 1 would say that something was found. */
+    @Test
+    void anErrorOfJavaIsNoFinding() {
+        for (Error error :
+                List.of(new OutOfMemoryError("Java heap space"), new StackOverflowError(), new AssertionError("x"))) {
+            ByteArrayOutputStream told = new ByteArrayOutputStream();
+            IntSupplier command = () -> {
+                throw error;
+            };
+            assertThat(Main.code(command, new PrintStream(told, true, StandardCharsets.UTF_8)))
+                    .isEqualTo(ExitCodes.UNUSABLE);
+            assertThat(told.toString(StandardCharsets.UTF_8).lines()).hasSize(1);
+            if (error instanceof OutOfMemoryError) {
+                assertThat(told.toString(StandardCharsets.UTF_8)).contains("-Xmx", "(got: Java heap space)");
+            }
+        }
+        assertThat(Main.code(() -> 1, System.err)).isEqualTo(1);
     }
 
     @ParameterizedTest

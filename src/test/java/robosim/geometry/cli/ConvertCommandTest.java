@@ -126,10 +126,39 @@ class ConvertCommandTest {
                 .startsWith(sdf + ":36: left out <plane> of ground_plane::link::collision: ");
         assertThat(run("check", FILES.resolve("maps/TenByTen.yaml"))).isZero();
         assertThat(err.toString()).isEmpty();
-        assertThat(run("check", sdf)).isZero();
-        assertThat(err.toString().lines()).hasSize(3);
+        assertThat(run("check", sdf)).isEqualTo(ExitCodes.FINDINGS);
+        assertThat(out.toString().lines().filter(line -> line.startsWith("skipped   " + sdf + ":")))
+                .hasSize(3);
+        assertThat(out.toString()).contains("verdict   FINDINGS: 3 left out of the file");
         assertThat(run("check", FILES.resolve("sdf/sensors.sdf"))).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).startsWith(FILES.resolve("sdf/sensors.sdf") + ":41:11: ");
+    }
+
+    /** What a file has and its world has not is no world that is fine. */
+    @Test
+    void checkTellsWhatIsLeftOut() throws IOException {
+        Path sdf = FILES.resolve("sdf/shapes.sdf");
+        assertThat(run("check", "--json", sdf)).isEqualTo(ExitCodes.FINDINGS);
+        assertThat(out.toString())
+                .contains("\"valid\":true,\"fine\":false,\"problems\":[],\"skipped\":[{\"file\":\"", "\"line\":36,")
+                .contains("\"what\":\"<plane> of ground_plane::link::collision\",\"reason\":\"");
+        assertThat(err.toString()).isEmpty();
+        assertThat(run("check", "--json", FILES.resolve("sdf/inner_walls/model.sdf")))
+                .isZero();
+        assertThat(out.toString()).contains("\"fine\":true,", "\"skipped\":[]");
+    }
+
+    @Test
+    void checkTakesFoldersOfModels() throws IOException {
+        Path sdf = Files.writeString(
+                folder.resolve("w.sdf"),
+                "<sdf version='1.7'><world name='w'><include><uri>model://inner_walls</uri></include></world></sdf>");
+        assertThat(run("check", sdf)).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains("give the folder that holds the model", "1 problem");
+        assertThat(run("check", sdf, "--models", FILES.resolve("sdf"))).isZero();
+        assertThat(out.toString()).contains("objects   7: ", "verdict   fine");
+        assertThat(run("check", sdf, "--models", "no")).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).startsWith("--models must be a folder; there is none (got: no)");
     }
 
     @Test

@@ -11,6 +11,7 @@ import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -51,6 +52,18 @@ class ReplayCommandTest {
         assertThat(err.toString()).isEmpty();
         assertThat(run("replay", STORED.resolve("by-hand.scenario.jsonl"))).isZero();
         assertThat(out.toString()).startsWith("1 scenario, 4 steps, 3 moves and distances: ");
+    }
+
+    @Test
+    void numbersAreWrittenAlikeEverywhere() {
+        Locale before = Locale.getDefault();
+        try {
+            Locale.setDefault(Locale.forLanguageTag("ar-EG-u-nu-arab"));
+            assertThat(run("replay", STORED)).isZero();
+            assertThat(out.toString()).startsWith("14 scenarios, ");
+        } finally {
+            Locale.setDefault(before);
+        }
     }
 
     @Test

@@ -7,6 +7,7 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -227,6 +228,14 @@ class PainterTest {
         BufferedImage read = ImageIO.read(folder.resolve("a.PNG").toFile());
         assertThat(read.getWidth())
                 .isEqualTo(Painter.image(scene(), Theme.LIGHT).getWidth());
+        // All or nothing: what stands beside it is not touched, and nothing else is left there.
+        Path none = folder.resolve("none/a.png");
+        assertThatThrownBy(() -> Painter.write(scene(), Theme.LIGHT, none))
+                .isInstanceOf(NoSuchFileException.class)
+                .hasMessageStartingWith(none + ":");
+        try (var files = Files.list(folder)) {
+            assertThat(files).hasSize(2);
+        }
         assertThatThrownBy(() -> Painter.write(scene(), Theme.LIGHT, folder.resolve("a.gif")))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("a.gif");

@@ -129,6 +129,37 @@ class SdfHostileTest {
         assertThat(read.world().objects().get(0).object().center()).isEqualTo(new Point(count, 0, 0));
     }
 
+    /** Else each include of a link would go through all of its poses anew. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {"pose in link", "pose in model", "pose in collision", "static in model", "geometry in collision"
+            })
+    void whatCountsOnceIsGivenOnce(String where) throws IOException {
+        String name = where.substring(0, where.indexOf(' '));
+        String parent = where.substring(where.lastIndexOf(' ') + 1);
+        String one = switch (name) {
+            case "pose" -> "<pose/>";
+            case "static" -> "<static>1</static>";
+            default -> "<geometry><sphere><radius>0.5</radius></sphere></geometry>";
+        };
+        String text = "<model name=\"m\">%s<link name=\"l\">%s<collision name=\"c\">%s%s</collision></link></model>";
+        for (int times = 1; times <= 2; times++) {
+            String given = one.repeat(times);
+            Path file = world(text.formatted(
+                    parent.equals("model") ? given : "",
+                    parent.equals("link") ? given : "",
+                    parent.equals("collision") ? given : "",
+                    name.equals("geometry") ? "" : "<geometry><sphere><radius>0.5</radius></sphere></geometry>"));
+            if (times == 1) {
+                assertThat(SdfReader.read(file, List.of()).world().objects()).hasSize(1);
+            } else {
+                assertThatThrownBy(() -> SdfReader.read(file, List.of()))
+                        .hasMessageStartingWith(file + ":2:")
+                        .hasMessageContaining("<" + parent + "> must have only one <" + name + ">");
+            }
+        }
+    }
+
     @Test
     void whatIsTooLongIsRefused() throws IOException {
         String long1 = "x".repeat(1001);

@@ -126,6 +126,131 @@ class WorldCheckTest {
         assertThat(over.shutIn()).isEmpty();
     }
 
+    private static WorldCheck large(Dimension dimension, double side, GeometryObject... objects) {
+        List<WorldObject> all = new ArrayList<>();
+        for (GeometryObject object : objects) {
+            all.add(new WorldObject(object));
+        }
+        return WorldCheck.of(new World(side, 6, side, null, dimension, Accuracy.EXACT, all));
+    }
+
+    private static GeometryObject crate(String name, double x, double y, double z, double side) {
+        return new BoxObject(new Point(x, y, z), side, 1, side).moveable(name);
+    }
+
+    /** What lies between the two centres is free, and no room for the bodies. */
+    @Test
+    void aSlitIsNoWayAndAKerbBelowTheCentresIsNone() {
+        WorldCheck slit = large(
+                Dimension.PLANAR,
+                20,
+                new BoxObject(new Point(0, 0, -5.01), 0.2, 6, 9.98),
+                new BoxObject(new Point(0, 0, 5.01), 0.2, 6, 9.98),
+                crate("a", -0.9, 0, 0, 0.9),
+                crate("b", 0.9, 0, 0, 0.9));
+        assertThat(slit.shutIn()).hasSize(1);
+        WorldCheck kerb = large(
+                Dimension.SPATIAL,
+                20,
+                new BoxObject(new Point(0, -2.9, 0), 0.2, 0.2, 20),
+                crate("a", -0.9, -2.5, 0, 0.9),
+                crate("b", 0.9, -2.5, 0, 0.9));
+        assertThat(kerb.shutIn()).hasSize(1);
+        WorldCheck free = large(
+                Dimension.SPATIAL,
+                20,
+                new BoxObject(new Point(0, -2.9, 0), 0.2, 0.2, 20),
+                crate("a", -0.9, -2.2, 0, 0.9),
+                crate("b", 0.9, -2.2, 0, 0.9));
+        assertThat(free.rooms()).hasSize(1);
+    }
+
+    @Test
+    void whoIsHigherMeetsByGoingDown() {
+        GeometryObject drone = crate("drone", -3, 1.5, 0, 0.5);
+        GeometryObject cart = crate("cart", 3, -1.5, 0, 0.5);
+        assertThat(large(Dimension.SPATIAL, 20, drone, cart).rooms()).hasSize(1);
+        // Two floors with a hole that is too narrow, through which each sees the other.
+        WorldCheck floors = large(
+                Dimension.SPATIAL,
+                20,
+                new BoxObject(new Point(-5.02, 0, 0), 9.96, 0.1, 20),
+                new BoxObject(new Point(5.02, 0, 0), 9.96, 0.1, 20),
+                crate("drone", 0, 1.5, 0, 0.5),
+                crate("cart", 0, -1.5, 0, 0.5));
+        assertThat(floors.shutIn()).hasSize(1);
+    }
+
+    /** 200 m, a door of 1.5 m, and robots of 0.4 m: the step that can be afforded is 2.3 m. */
+    @Test
+    void whatTooCoarseAStepDoesNotReachIsNoFinding() {
+        WorldCheck check = large(
+                Dimension.PLANAR,
+                200,
+                new BoxObject(new Point(0, 0, -49.5), 0.2, 6, 101),
+                new BoxObject(new Point(0, 0, 51.25), 0.2, 6, 97.5),
+                crate("a", -50, 0, 0.2, 0.4),
+                crate("b", 50, 0, 0.2, 0.4));
+        assertThat(check.isFine()).isTrue();
+        assertThat(check.shutIn()).isEmpty();
+        assertThat(check.untold()).singleElement().satisfies(room -> {
+            assertThat(room.isTold()).isFalse();
+            assertThat(room.step()).isGreaterThan(2);
+        });
+    }
+
+    @Test
+    void aCellInALargeWorldIsFoundByAFinerStepNearTheStart() {
+        List<GeometryObject> objects = new ArrayList<>(List.of(
+                new BoxObject(new Point(-2, 0, 0), 0.2, 6, 4),
+                new BoxObject(new Point(2, 0, 0), 0.2, 6, 4),
+                new BoxObject(new Point(0, 0, -2), 4, 6, 0.2),
+                new BoxObject(new Point(0, 0, 2), 4, 6, 0.2),
+                crate("a", 0, 0, 0, 0.4)));
+        // Alone it gets about, in steps finer than the cell.
+        WorldCheck alone = large(Dimension.PLANAR, 200, objects.toArray(GeometryObject[]::new));
+        assertThat(alone.isFine()).isTrue();
+        assertThat(alone.rooms()).singleElement().satisfies(room -> {
+            assertThat(room.isTold()).isTrue();
+            assertThat(room.area()).isBetween(9.0, 14.0);
+        });
+        objects.add(crate("b", 50, 0, 0, 0.4));
+        objects.add(crate("c", 60, 0, 0, 0.4));
+        WorldCheck check = large(Dimension.PLANAR, 200, objects.toArray(GeometryObject[]::new));
+        assertThat(check.shutIn()).extracting(WorldCheck.Room::robots).containsExactly(List.of("a"));
+        assertThat(check.isFine()).isFalse();
+    }
+
+    @Test
+    void whereNobodyHasRoomNothingIsRecommended() {
+        // It stands on the floor, and touching is colliding.
+        WorldCheck check = large(
+                Dimension.SPATIAL,
+                20,
+                new BoxObject(new Point(0, -1.0625, 0), 20, 0.125, 20),
+                new BoxObject(new Point(3, -0.5, 0), 0.25, 1, 10).turned(0, 30),
+                new BoxObject(new Point(0, -0.75, 0), 0.5, 0.5, 0.5).moveable("robot"));
+        assertThat(check.needs().isTold()).isFalse();
+        assertThat(check.needs().dimension()).isEqualTo(Dimension.SPATIAL);
+        assertThat(check.needs().accuracy()).isEqualTo(Accuracy.EXACT);
+        assertThat(check.needs().settings()).noneMatch(WorldCheck.Setting::isSame);
+    }
+
+    @Test
+    void inATightAisleItsOwnPlacesAreAsked() {
+        WorldCheck check = large(
+                Dimension.PLANAR,
+                100,
+                new BoxObject(new Point(-25.5, 0, 0), 48.9, 6, 100),
+                new BoxObject(new Point(25.5, 0, 0), 48.9, 6, 100),
+                crate("robot", 0, 0, 0, 2));
+        assertThat(check.needs().isTold()).isTrue();
+        WorldCheck.Setting sphere = check.needs().setting(Dimension.PLANAR, Accuracy.SPHERE);
+        assertThat(sphere.moves()).isGreaterThan(1000);
+        assertThat(sphere.movesOtherwise()).isPositive();
+        assertThat(check.needs().accuracy()).isNotEqualTo(Accuracy.SPHERE);
+    }
+
     @Test
     void whoCannotMakeAStepIsTold() {
         List<GeometryObject> cell = List.of(

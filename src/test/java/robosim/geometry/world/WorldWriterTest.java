@@ -8,6 +8,7 @@ import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -107,6 +108,26 @@ class WorldWriterTest {
                 .isInstanceOf(WorldException.class)
                 .hasMessageContaining(nowhere.toString())
                 .hasMessageContaining("could not be written");
+    }
+
+    @Test
+    void writesNothingThatIsTooLargeToBeRead(@TempDir Path folder) throws Exception {
+        Path file = folder.resolve("world.xml");
+        World world = new World(1, 2, 3, List.of());
+        int size = WorldWriter.toXml(world).length();
+        WorldWriter.write(world, file, size);
+        World longer = new World(1, 2, 3.25, List.of());
+        assertThatThrownBy(() -> WorldWriter.write(longer, file, size))
+                .isInstanceOf(WorldException.class)
+                .hasMessageStartingWith(file + ": a world file must have at most " + size + " bytes")
+                .hasMessageContaining(".obj")
+                .hasMessageEndingWith("(got: more)");
+        // It does not write on to the end of what is far too large.
+        assertThatThrownBy(() -> WorldWriter.write(longer, file, 10)).hasMessageContaining("at most 10 bytes");
+        World many =
+                new World(9, 9, 9, Collections.nCopies(100_000, new WorldObject(new BoxObject(new Point(), 1, 1, 1))));
+        assertThatThrownBy(() -> WorldWriter.write(many, file, 1 << 20)).hasMessageContaining("at most 1048576 bytes");
+        assertThat(WorldReader.read(file)).isEqualTo(world);
     }
 
     @Test
