@@ -225,7 +225,8 @@ final class SweepCommand implements Callable<Integer> {
             throw new ParameterException(
                     spec.commandLine(),
                     "SCENARIO must be a *" + ScenarioReader.ENDING
-                            + " or a class on the class path; there is none of that name (got: " + name + ")",
+                            + " or a class on the class path, for which start this as java -cp JAR:FOLDER"
+                            + " robosim.geometry.cli.Main; there is none of that name (got: " + name + ")",
                     e);
         } catch (InvocationTargetException | ExceptionInInitializerError e) {
             throw new ParameterException(
