@@ -129,9 +129,9 @@ final class Trip {
         return places;
     }
 
-    /** Whether it was made in steps as fine as wanted. */
+    /** Whether it was made in steps as fine as wanted; none is for what has no extent, so for that any is. */
     boolean isFine() {
-        return step <= wanted;
+        return step <= wanted || enclosure.narrow() == 0;
     }
 
     /** Whether it got everywhere that its steps lead to, and did not give up before. */

@@ -108,7 +108,7 @@ public record WorldCheck(
      *               square of the step
      * @param places how many places of the grid that are; 1 where the robot cannot make a step
      * @param step   the grid's, world units: finer ways may have been missed
-     * @param isTold whether the step was as fine as half of the robot's smaller extent; else what was not reached tells
+     * @param isTold whether the step was as fine as half of the robot's smaller extent, where it has any; else what was not reached tells
      *               nothing
      */
     public record Room(

@@ -199,6 +199,15 @@ class WorldCheckTest {
         });
     }
 
+    /** No step is as fine as what has no extent; a wall without a door is told all the same. */
+    @Test
+    void aPointIsShutInByAWall() {
+        WorldCheck check = large(
+                Dimension.PLANAR, 20, new BoxObject(new Point(), 0.2, 6, 20), drum("a", -5, 0, 0), drum("b", 5, 0, 0));
+        assertThat(check.shutIn()).hasSize(1);
+        assertThat(check.untold()).isEmpty();
+    }
+
     @Test
     void aCellInALargeWorldIsFoundByAFinerStepNearTheStart() {
         List<GeometryObject> objects = new ArrayList<>(List.of(
