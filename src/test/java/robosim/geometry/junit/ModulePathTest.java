@@ -201,7 +201,7 @@ class ModulePathTest {
                 "my.robots.tests,org.junit.jupiter.engine,com.fasterxml.jackson.core");
         assertThat(said)
                 .contains("drives: SUCCESSFUL")
-                .contains("fails: FAILED", "blocked after 3 of its way by box \"wall\"")
+                .contains("fails: FAILED", "blocked after 3 of 4 by box \"wall\"")
                 .contains("image:  none, for ");
         assertThat(evidence.resolve("my.robots.tests.Tests.fails"))
                 .isDirectoryContaining(file -> file.endsWith("replay.scenario.jsonl"))
