@@ -3,14 +3,11 @@ package robosim.geometry.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.world.ImportOptions;
 import robosim.geometry.world.ObjReader;
 import robosim.geometry.world.RosMapReader;
@@ -19,24 +16,8 @@ import robosim.geometry.world.WorldImport;
 import robosim.geometry.world.WorldReader;
 
 @Timeout(60)
-class ConvertCommandTest {
+class ConvertCommandTest extends CommandRun {
     private static final Path FILES = Path.of("src/test/resources/robosim/geometry/world");
-
-    @TempDir
-    Path folder;
-
-    private final StringWriter out = new StringWriter();
-    private final StringWriter err = new StringWriter();
-
-    private int run(Object... arguments) {
-        String[] line = new String[arguments.length];
-        for (int k = 0; k < line.length; k++) {
-            line[k] = arguments[k].toString();
-        }
-        out.getBuffer().setLength(0);
-        err.getBuffer().setLength(0);
-        return Commands.run(new PrintWriter(out, true), new PrintWriter(err, true), line);
-    }
 
     @Test
     void sdfBecomesAWorld() throws IOException {

@@ -3,8 +3,6 @@ package robosim.geometry.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
@@ -14,29 +12,12 @@ import java.nio.file.Path;
 import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.scenario.Replay;
 import robosim.geometry.scenario.Scenario;
 
 @Timeout(60)
-class ReplayCommandTest {
+class ReplayCommandTest extends CommandRun {
     private static final Path STORED = Path.of("worlds", "scenarios");
-
-    @TempDir
-    Path folder;
-
-    private final StringWriter out = new StringWriter();
-    private final StringWriter err = new StringWriter();
-
-    private int run(Object... arguments) {
-        String[] line = new String[arguments.length];
-        for (int k = 0; k < line.length; k++) {
-            line[k] = arguments[k].toString();
-        }
-        out.getBuffer().setLength(0);
-        err.getBuffer().setLength(0);
-        return Commands.run(new PrintWriter(out, true), new PrintWriter(err, true), line);
-    }
 
     private Path changed() throws IOException {
         Path file = folder.resolve("changed.scenario.jsonl");

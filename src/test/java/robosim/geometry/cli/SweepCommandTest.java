@@ -3,40 +3,21 @@ package robosim.geometry.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.sweep.Replicate;
 import robosim.geometry.sweep.Result;
 import robosim.geometry.sweep.SweepScenario;
 import robosim.geometry.sweep.Wander;
 
 @Timeout(60)
-class SweepCommandTest {
+class SweepCommandTest extends CommandRun {
     private static final String SCENARIO = "worlds/scenarios/wandering.scenario.jsonl";
     private static final Pattern DIGEST = Pattern.compile("digest ([0-9a-f]{64})");
-
-    @TempDir
-    Path folder;
-
-    private final StringWriter out = new StringWriter();
-    private final StringWriter err = new StringWriter();
-
-    private int run(Object... arguments) {
-        String[] line = new String[arguments.length];
-        for (int k = 0; k < line.length; k++) {
-            line[k] = arguments[k].toString();
-        }
-        out.getBuffer().setLength(0);
-        err.getBuffer().setLength(0);
-        return Commands.run(new PrintWriter(out, true), new PrintWriter(err, true), line);
-    }
 
     private String digest() {
         Matcher digest = DIGEST.matcher(out.toString());
