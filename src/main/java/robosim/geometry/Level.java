@@ -95,6 +95,7 @@ final class Level {
         this.shared = shared;
         mark = 0;
         leaves = new LeafColumn(16);
+        leaves.reserveUpright(0);
         spans = new Spans();
         bounds = new double[6 * 16];
         shapes = new byte[16];
@@ -221,6 +222,7 @@ final class Level {
         int leaf = spans.claim(id, placed.size(), leaves, !object.isMoveable() && placed.fitsUpright());
         leaves.copy(placed, leaf);
         System.arraycopy(box, 0, bounds, 6 * id, 6);
+        outline(id);
         shapes[id] = placed.size() == 1 && DiscWay.isDisc(leaves.kind(leaf)) ? DISC : 0;
         if (object.isMoveable()) {
             shapes[id] = (byte) (shapes[id] | MOVER | shape(id, object));
@@ -323,7 +325,13 @@ final class Level {
         listAnew(id);
     }
 
+    private void outline(int id) {
+        int b = 6 * id;
+        leaves.outline(id, bounds[b], bounds[b + 2], bounds[b + 3], bounds[b + 5]);
+    }
+
     private void listAnew(int id) {
+        outline(id);
         if (hasMoversInTree) {
             int b = 6 * id;
             tree.move(id, bounds[b], bounds[b + 2], bounds[b + 3], bounds[b + 5]);

@@ -141,7 +141,12 @@ final class Population {
         if (at.stacks.cursor() != null) {
             return collidesAnywhere(at, -1);
         }
-        int near = at.cursor.gather(box[0], box[2], box[3], box[5], -1);
+        int near =
+                at.cursor.gather(box[0], box[2], box[3], box[5], -1, at.leaves().outlines());
+        return touchesGathered(at, near, -1);
+    }
+
+    private boolean touchesGathered(Level at, int near, int but) {
         for (int k = 0; k < near; k++) {
             int other = at.cursor.gathered(k);
             if ((dimension == Dimension.PLANAR || at.meets(other, box)) && touches(at, other)) {
@@ -150,7 +155,7 @@ final class Population {
         }
         for (int k = 0; k < at.moversBesideTree(); k++) {
             int other = bodies.mover(k);
-            if (at.meets(other, box) && touches(at, other)) {
+            if (other != but && at.meets(other, box) && touches(at, other)) {
                 return true;
             }
         }
@@ -224,24 +229,12 @@ final class Population {
     }
 
     private boolean collidesIn(Level at, int but) {
-        boolean isNear = at.stacks.cursor() == null && at.cursor.startNear(box[0], box[2], box[3], box[5]);
-        return isNear ? collidesNear(at, but) : collidesAnywhere(at, but);
-    }
-
-    private boolean collidesNear(Level at, int but) {
-        for (int id = at.cursor.nextNear(); id >= 0; id = at.cursor.nextNear()) {
-            boolean isOther = (id | at.mark) != but;
-            if (isOther && (dimension == Dimension.PLANAR || at.meets(id, box)) && touches(at, id)) {
-                return true;
-            }
+        if (at.stacks.cursor() != null) {
+            return collidesAnywhere(at, but);
         }
-        for (int k = 0; k < at.moversBesideTree(); k++) {
-            int id = bodies.mover(k);
-            if (id != but && at.meets(id, box) && touches(at, id)) {
-                return true;
-            }
-        }
-        return false;
+        int near = at.cursor.gatherNear(
+                box[0], box[2], box[3], box[5], but ^ at.mark, at.leaves().outlines());
+        return near < 0 ? collidesAnywhere(at, but) : touchesGathered(at, near, but);
     }
 
     private boolean collidesAnywhere(Level at, int but) {

@@ -1,9 +1,10 @@
 package robosim.geometry;
 
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.index.OctTree;
-import robosim.geometry.index.QuadCursor;
+import robosim.geometry.index.RayTarget;
 import robosim.geometry.index.SpaceKeys;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Cast;
@@ -35,6 +36,7 @@ final class Ranging {
     private static final int FEW = 4;
     private boolean hasHeights;
     private double highest;
+    private final Line line = new Line();
     private int hit;
     private int hitLeaf;
 
@@ -149,18 +151,7 @@ final class Ranging {
         if (dx == 0 && dz == 0) {
             return nearestAboveOrBelow(level, reach, ignored);
         }
-        double slack = slack(level);
-        double inverse = 1 / cast.length();
-        QuadCursor cursor = level.cursor;
-        cursor.startRay(ox, oz, dx, dz, loose(reach, slack) * inverse);
-        for (int id = cursor.next(loose(reach, slack) * inverse);
-                id >= 0;
-                id = cursor.next(loose(reach, slack) * inverse)) {
-            if (id != ignored && isAtHeight(level, id, reach)) {
-                reach = tryBody(level, id, reach);
-            }
-        }
-        return reach;
+        return line.nearest(level, ignored, reach);
     }
 
     private double nearestAboveOrBelow(Level level, double limit, int but) {
@@ -217,8 +208,12 @@ final class Ranging {
 
     /** Tries what stands in an octree, which are no moveable objects; answers how far there is still to look. */
     private double nearestInStacks(Level level, double limit, int but) {
+        hasHeights = false;
+        if (level.dimension == Dimension.PLANAR) {
+            return limit;
+        }
         OctTree.@Nullable Cursor stacked = level.stacks.cursor();
-        hasHeights = level.dimension == Dimension.SPATIAL && (stacked != null || level.tree.size() > FEW);
+        hasHeights = stacked != null || level.tree.size() > FEW;
         if (!hasHeights) {
             return limit;
         }
@@ -255,17 +250,26 @@ final class Ranging {
 
     /** Looks for something nearer on one object and answers how far to look from now on. */
     private double tryBody(Level level, int id, double reach) {
-        int first = level.first(id);
-        int last = first + level.count(id);
-        for (int leaf = first; leaf < last; leaf++) {
-            double found = cast.distance(level.leaves(), leaf, best < reach ? best : reach);
-            if (found < best || (found == best && hit >= 0 && bodies.isEarlier(id | level.mark, hit))) {
-                best = found;
-                hit = id | level.mark;
-                hitLeaf = leaf;
+        LeafColumn leaves = level.leaves();
+        if (leaves.isUprightObject(id)) {
+            tryLeaf(level, leaves, id, id | LeafColumn.UPRIGHT, reach);
+        } else {
+            int first = level.first(id);
+            int last = first + level.count(id);
+            for (int leaf = first; leaf < last; leaf++) {
+                tryLeaf(level, leaves, id, leaf, reach);
             }
         }
         return best < reach ? best : reach;
+    }
+
+    private void tryLeaf(Level level, LeafColumn leaves, int id, int leaf, double reach) {
+        double found = cast.distance(leaves, leaf, best < reach ? best : reach);
+        if (found < best || (found == best && hit >= 0 && bodies.isEarlier(id | level.mark, hit))) {
+            best = found;
+            hit = id | level.mark;
+            hitLeaf = leaf;
+        }
     }
 
     /** Whether the line may meet an object's bounds within reach; never wrong where it says no. */
@@ -396,5 +400,37 @@ final class Ranging {
             }
         }
         return squared < UNDERFLOW ? 0 : Math.sqrt(squared) * (1 - 0x1p-50);
+    }
+
+    /** The line on its way through a level's quadtree, where places are given in lengths of its direction. */
+    private final class Line implements RayTarget {
+        private @Nullable Level level;
+        private int ignored;
+        private double slack;
+        private double inverse;
+        private double reach;
+
+        /** Tries what the line may meet; answers how far there is still to look. */
+        double nearest(Level of, int but, double limit) {
+            level = of;
+            ignored = but;
+            slack = slack(of);
+            inverse = cast.inverseLength();
+            reach = limit;
+            double[] outlines = of.leaves().outlines();
+            of.cursor.trace(ox, oz, cast.way(0), cast.way(2), loose(limit, slack) * inverse, outlines, this);
+            return reach;
+        }
+
+        @Override
+        public double meet(int id, double limit) {
+            Level of = Objects.requireNonNull(level);
+            if (id == ignored || !isAtHeight(of, id, reach)) {
+                return limit;
+            }
+            double before = reach;
+            reach = tryBody(of, id, before);
+            return reach < before ? loose(reach, slack) * inverse : limit;
+        }
     }
 }

@@ -13,9 +13,6 @@ final class Spans {
 
     private boolean isPlain = true;
 
-    /** Where nothing has to be looked up, what all leaves' numbers have beside the object's. */
-    private int sort;
-
     private int[] first = new int[0];
     private int[] count = new int[0];
 
@@ -23,7 +20,7 @@ final class Spans {
     private int unused;
 
     int first(int id) {
-        return isPlain ? id | sort : first[id];
+        return isPlain ? id | UPRIGHT : first[id];
     }
 
     int count(int id) {
@@ -36,63 +33,60 @@ final class Spans {
      * @param upright whether it is one leaf of half a row
      */
     int claim(int id, int number, LeafColumn column, boolean upright) {
-        int wanted = upright ? UPRIGHT : 0;
-        if (isPlain && size(column) == 0) {
-            sort = wanted;
-        }
-        if (isPlain && number == 1 && sort == wanted) {
-            for (int next = size(column); next <= id; next++) {
-                column.vacate(append(column, upright));
+        column.reserveUpright(id);
+        if (upright) {
+            if (!isPlain) {
+                reserve(id);
+                count[id] = 1;
+                first[id] = id | UPRIGHT;
             }
-            return id | sort;
+            return id | UPRIGHT;
         }
         if (isPlain) {
             lookUp(column);
         }
+        reserve(id);
+        first[id] = column.append(number);
+        count[id] = number;
+        return first[id];
+    }
+
+    private void reserve(int id) {
         if (id >= first.length) {
             int capacity = id + (id >> 1) + 1;
             first = Arrays.copyOf(first, capacity);
             count = Arrays.copyOf(count, capacity);
         }
-        first[id] = upright ? column.appendUpright() : column.append(number);
-        count[id] = number;
-        return first[id];
-    }
-
-    private static int append(LeafColumn column, boolean upright) {
-        return upright ? column.appendUpright() : column.append(1);
-    }
-
-    private static int size(LeafColumn column) {
-        return column.size() + column.uprightSize();
     }
 
     private void lookUp(LeafColumn column) {
         isPlain = false;
-        first = new int[size(column)];
+        first = new int[column.uprightSize()];
         count = new int[first.length];
         for (int id = 0; id < first.length; id++) {
-            first[id] = id | sort;
+            first[id] = id | UPRIGHT;
             count[id] = column.isVacant(first[id]) ? 0 : 1;
-            unused += 1 - count[id];
         }
     }
 
     /** Gives up the leaves of an object; answers the column, or a smaller one where the old one had become mostly empty. */
     LeafColumn release(int id, LeafColumn column) {
-        if (isPlain) {
-            column.vacate(id | sort);
+        if (isPlain || (first[id] & UPRIGHT) != 0) {
+            column.vacate(id | UPRIGHT);
+            if (!isPlain) {
+                count[id] = 0;
+            }
             return column;
         }
         unused += count[id];
         count[id] = 0;
-        if (unused <= 64 || unused <= size(column) / 2) {
+        if (unused <= 64 || unused <= column.size() / 2) {
             return column;
         }
-        LeafColumn tight = new LeafColumn(Math.max(0, column.size() - unused));
+        LeafColumn tight = column.withUpright(Math.max(0, column.size() - unused));
         for (int each = 0; each < first.length; each++) {
-            if (count[each] > 0) {
-                first[each] = tight.appendCopy(column, first[each], count[each]);
+            if (count[each] > 0 && (first[each] & UPRIGHT) == 0) {
+                first[each] = tight.appendWhole(column, first[each], count[each]);
             }
         }
         unused = 0;

@@ -121,7 +121,8 @@ final class Stride {
 
     private boolean passesTrees(Level of) {
         QuadCursor cursor = of.cursor;
-        int near = cursor.gather(box[0], box[2], box[3], box[5], id ^ of.mark);
+        int near = cursor.gather(
+                box[0], box[2], box[3], box[5], id ^ of.mark, of.leaves().outlines());
         double[] boxes = cursor.boxes();
         for (int k = 0; k < near; k++) {
             int other = cursor.gathered(k);

@@ -197,7 +197,7 @@ public class Additions {
         }
 
         int add() {
-            int k = leaves.appendCopy(candidate, 0, 1);
+            int k = leaves.appendWhole(candidate, 0, 1);
             if (6 * k + 6 > bounds.length) {
                 bounds = Arrays.copyOf(bounds, 2 * bounds.length);
             }

@@ -56,7 +56,7 @@ public class PeerScene {
         scene.build();
         for (GeometryObject thing : scene.things) {
             LeafColumn leaf = OwnLeaves.placed(thing);
-            int at = leaves.appendCopy(leaf, 0, 1);
+            int at = leaves.appendWhole(leaf, 0, 1);
             tree.insert(envelope(leaf, 0), at);
             world.addBody(body(thing));
         }

@@ -124,7 +124,7 @@ final class Swarm {
             this.hasTree = hasTree;
             for (int k = 0; k < count; k++) {
                 items[k] = new Item(k);
-                leaves.appendCopy(OwnLeaves.placed(new CylinderObject(new Point(x[k], 0, z[k]), RADIUS, 2)), 0, 1);
+                leaves.appendWhole(OwnLeaves.placed(new CylinderObject(new Point(x[k], 0, z[k]), RADIUS, 2)), 0, 1);
                 if (hasTree) {
                     tree.add(items[k]);
                 }

@@ -15,12 +15,9 @@ public final class QuadCursor {
     private final NearestFirst ordered = new NearestFirst();
     private final TileWalk walk;
     private final TileScan scan;
-    private final TileProbe probe;
     private final TileWalk.Line line = new TileWalk.Line();
     private final TileGathering gathering = new TileGathering();
-    private boolean isOrdered;
     private int layer;
-    private double slack;
 
     // The box, for the layers to come.
     private double x0;
@@ -31,15 +28,14 @@ public final class QuadCursor {
     QuadCursor(QuadTree tree) {
         this.tree = tree;
         layers = tree.tiles;
-        Tiles none = Tiles.single(0);
-        walk = new TileWalk(none, line);
+        Tiles none = Tiles.single();
+        walk = new TileWalk(line);
         scan = new TileScan(none);
-        probe = new TileProbe(none);
     }
 
     /** How many regions this cursor has looked into since it was made. */
     public long visited() {
-        return ordered.visited() + walk.visited() + scan.visited() + probe.visited();
+        return ordered.visited() + walk.visited() + scan.visited();
     }
 
     /** Starts the query for all objects whose boxes meet this closed box; take them with {@link #next()}. */
@@ -69,55 +65,35 @@ public final class QuadCursor {
     }
 
     /**
-     * Starts the query for all objects whose boxes, rounded outward, meet this closed box, if it is small; take them
-     * with {@link #nextNear()}.
-     *
-     * @return whether it is small: else start a query that gives each object once
+     * Gathers all objects but one that may meet this closed box, and answers how many there are; take them with
+     * {@link #gathered}. One that lies across regions may be there again.
      */
-    public boolean startNear(double minX, double minZ, double maxX, double maxZ) {
-        tree.settle();
-        x0 = minX;
-        z0 = minZ;
-        x1 = maxX;
-        z1 = maxZ;
-        layer = 0;
-        Tiles finest = nextLayer();
-        if (finest == null) {
-            probe.stop();
-            return true;
-        }
-        return probe.start(finest, minX, minZ, maxX, maxZ) <= FEW_TILES;
-    }
-
-    /** The next object near a small box, in no promised order, maybe again; -1 after the last. */
-    public int nextNear() {
-        while (true) {
-            int id = probe.next();
-            if (id != Tiles.NONE) {
-                return id;
-            }
-            Tiles tiles = nextLayer();
-            if (tiles == null) {
-                return -1;
-            }
-            probe.start(tiles, x0, z0, x1, z1);
-        }
-    }
-
-    /**
-     * Gathers all objects but one whose boxes, maybe rounded outward to floats, meet this closed box, and answers how
-     * many there are; take them with {@link #gathered}. One that lies across regions may be there again.
-     */
-    public int gather(double minX, double minZ, double maxX, double maxZ, int but) {
+    public int gather(double minX, double minZ, double maxX, double maxZ, int but, double[] outlines) {
         NearGrid near = tree.near();
         gathering.start(minX, minZ, maxX, maxZ, but);
         if (near != null) {
             gathering.gather(near, tree.boxes);
             return gathering.count();
         }
+        return gatherTiles(outlines);
+    }
+
+    /**
+     * The same where much is asked between changes, if the box is small.
+     *
+     * @return -1 if it is large: else start a query that gives each object once
+     */
+    public int gatherNear(double minX, double minZ, double maxX, double maxZ, int but, double[] outlines) {
+        tree.settle();
+        gathering.start(minX, minZ, maxX, maxZ, but);
+        return gathering.tiles(layers.get(0)) <= FEW_TILES ? gatherTiles(outlines) : -1;
+    }
+
+    private int gatherTiles(double[] outlines) {
+        double slack = gathering.rounding(tree.most);
         for (int k = 0; k < layers.count(); k++) {
             if (!layers.get(k).isEmpty()) {
-                gathering.gather(layers.get(k));
+                gathering.gather(layers.get(k), slack, outlines);
             }
         }
         return gathering.count();
@@ -144,13 +120,14 @@ public final class QuadCursor {
     }
 
     /**
-     * Starts the query for all objects whose boxes the ray may meet at a parameter up to the limit, region by region;
-     * take them with {@link #next(double)}. A point of the ray is its start plus the parameter times the direction.
+     * Lets a target meet all objects whose boxes the ray may meet at a parameter up to the limit, region by region, as long
+     * as the target wants. A point of the ray is its start plus the parameter times the direction.
      *
      * @param limit at least 0; may be infinite
+     * @return the target's last limit
      * @throws IllegalArgumentException where the start is not finite, or the direction zero or not finite
      */
-    public void startRay(double ox, double oz, double dx, double dz, double limit) {
+    public double trace(double ox, double oz, double dx, double dz, double limit, double[] outlines, RayTarget target) {
         double sum = Math.abs(ox) + Math.abs(oz);
         double speed = Math.abs(dx) + Math.abs(dz);
         if (!(sum < Double.POSITIVE_INFINITY && speed > 0 && speed < Double.POSITIVE_INFINITY)) {
@@ -158,19 +135,34 @@ public final class QuadCursor {
                     + oz + " direction " + dx + ", " + dz + ")");
         }
         tree.settle();
-        slack = 0x1p-44 * sum / speed;
         line.start(ox, oz, dx, dz, tree.most);
-        walk.stop();
-        layer = 0;
-        isOrdered = !line.isOrdinary();
+        if (!line.isOrdinary()) {
+            return traceInOrder(ox, oz, dx, dz, limit, target);
+        }
+        double left = limit;
         for (int k = 0; k < layers.count(); k++) {
-            // Far from one of them: all in order then.
-            isOrdered |= !TileWalk.isNear(layers.get(k), ox, oz, dx, dz);
+            Tiles tiles = layers.get(k);
+            if (!tiles.isEmpty()) {
+                double before = left;
+                left = walk.trace(tiles, before, outlines, target);
+                if (Double.isNaN(left)) { // too far away: all in order then
+                    return traceInOrder(ox, oz, dx, dz, before, target);
+                }
+            }
         }
-        if (isOrdered) {
-            tree.growRegions();
-            ordered.startRay(tree.regions, ox, oz, dx, dz, limit);
+        return left;
+    }
+
+    private double traceInOrder(double ox, double oz, double dx, double dz, double limit, RayTarget target) {
+        tree.growRegions();
+        ordered.startRay(tree.regions, ox, oz, dx, dz, limit);
+        double left = limit;
+        for (int id = ordered.next(tree.regions, tree.boxes, left);
+                id >= 0;
+                id = ordered.next(tree.regions, tree.boxes, left)) {
+            left = target.meet(id, left);
         }
+        return left;
     }
 
     /**
@@ -181,7 +173,6 @@ public final class QuadCursor {
      * @throws IllegalArgumentException where the point is not finite
      */
     public void startPoint(double x, double z, double limit) {
-        isOrdered = true;
         tree.growRegions();
         ordered.startPoint(tree.regions, x, z, limit);
     }
@@ -195,32 +186,13 @@ public final class QuadCursor {
      */
     public void startSector(
             double x, double z, double leftX, double leftZ, double rightX, double rightZ, double limit) {
-        isOrdered = true;
         tree.growRegions();
         ordered.startSector(tree.regions, x, z, leftX, leftZ, rightX, rightZ, limit);
     }
 
-    /**
-     * The next object of a ray or point query; -1 after the last within the limit, which may shrink from call to call.
-     * A ray may be given an object again, and one that it passes by.
-     */
+    /** The next object of a point query; -1 after the last within the limit, which may shrink from call to call. */
     public int next(double limit) {
-        if (isOrdered) {
-            return ordered.next(tree.regions, tree.boxes, limit);
-        }
-        // What is hit is measured with an error of its own: look a little farther.
-        double reach = limit * (1 + 0x1p-44) + slack;
-        while (true) {
-            int id = walk.next(reach);
-            if (id != Tiles.NONE) {
-                return id;
-            }
-            Tiles tiles = nextLayer();
-            if (tiles == null) {
-                return -1;
-            }
-            walk.start(tiles);
-        }
+        return ordered.next(tree.regions, tree.boxes, limit);
     }
 
     /** A lower bound, rounded down, of the distance at which the last object of a point query begins. */

@@ -32,6 +32,12 @@ final class TileGathering {
         count = 0;
     }
 
+    /** What rounding may do to the distance of the box to outlines that reach no farther than the most. */
+    double rounding(double most) {
+        // Twenty roundings of 2^-53 in sums of what is no greater than these, and what underflows.
+        return 0x1p-47 * (most + Math.abs(minX) + Math.abs(minZ) + Math.abs(maxX) + Math.abs(maxZ)) + 0x1p-1000;
+    }
+
     int count() {
         return count;
     }
@@ -40,94 +46,58 @@ final class TileGathering {
         return ids[k];
     }
 
-    /** Adds the objects whose listed bounds meet the box. */
-    void gather(Tiles over) {
-        if (over.rest != Tiles.NONE) {
-            readOne(over.store, over.rest);
+    /** On how many tiles the box lies. */
+    int tiles(Tiles over) {
+        return (over.column(maxX, 0) - over.column(minX, 0) + 1) * (over.row(maxZ, 0) - over.row(minZ, 0) + 1);
+    }
+
+    /** Adds the objects whose outlines the box, wider by some slack on all sides, may meet. */
+    void gather(Tiles over, double slack, double[] outlines) {
+        if (over.hasRest()) {
+            read(over, over.rest(), over.rest(), slack, outlines);
         }
         int column0 = over.column(minX, 0);
         int column1 = over.column(maxX, 0);
-        int row0 = over.row(minZ, 0);
-        int row1 = over.row(maxZ, 0);
-        int x0 = over.spreadX(column0);
-        int z0 = over.spreadZ(row0);
-        int more = column1 - column0;
-        int deeper = row1 - row0;
-        if ((more | deeper) > 1 || !gatherFour(over, x0, z0, more, deeper)) {
-            gatherAll(over, x0, z0, more, deeper);
+        int last = over.row(maxZ, 0);
+        for (int row = over.row(minZ, 0); row <= last; row++) {
+            read(over, over.at(column0, row), over.at(column1, row), slack, outlines);
         }
     }
 
-    /** From a tile, the next one if there is one more column, and the same of one more row; false where any is divided. */
-    private boolean gatherFour(Tiles over, int x, int z, int more, int deeper) {
-        int nextX = Tiles.up(x, over.maskX);
-        int nextZ = Tiles.up(z, over.maskZ);
-        int a = over.heads[x | z];
-        int b = over.heads[nextX | z] | -(1 - more);
-        int c = over.heads[x | nextZ] | -(1 - deeper);
-        int d = over.heads[nextX | nextZ] | -(1 - (more & deeper));
-        if (Math.min(Math.min(a, b), Math.min(c, d)) < Tiles.NONE) {
-            return false;
-        }
-        read(over.store, list(a, b, c, d));
-        return true;
-    }
-
-    private void gatherAll(Tiles over, int startX, int startZ, int more, int deeper) {
-        int z = startZ;
-        for (int row = 0; row <= deeper; row++) {
-            int x = startX;
-            for (int column = 0; column <= more; column++) {
-                int head = over.heads[x | z];
-                if (head < Tiles.NONE) {
-                    gather(over.within(head));
-                } else if (head > Tiles.NONE) {
-                    readOne(over.store, head);
-                }
-                x = Tiles.up(x, over.maskX);
-            }
-            z = Tiles.up(z, over.maskZ);
-        }
-    }
-
-    private void readOne(TileEntries store, int head) {
-        heads[0] = head;
-        read(store, 1);
-    }
-
-    /** Adds what counts of so many lists that are not empty. */
-    private void read(TileEntries store, int lists) {
-        float[] entries = store.data;
-        double lowX = minX;
-        double lowZ = minZ;
-        double highX = maxX;
-        double highZ = maxZ;
+    /** Adds what counts of the lists of some tiles beside each other. */
+    private void read(Tiles over, int first, int last, double slack, double[] outlines) {
+        int[] data = over.store.data;
+        double x = minX / 2 + maxX / 2;
+        double z = minZ / 2 + maxZ / 2;
+        double wide = maxX / 2 - minX / 2 + slack;
+        double deep = maxZ / 2 - minZ / 2 + slack;
         int to = count;
-        int list = 0;
-        int listed = heads[0];
-        while (list < lists) {
-            if (to == ids.length) {
+        for (int tile = first; tile <= last; tile += TileLists.STRIDE) {
+            int length = data[tile];
+            int begin = TileLists.first(data, tile, length);
+            while (to + length > ids.length) {
                 grow();
             }
-            int at = listed;
-            int id = Float.floatToRawIntBits(entries[at + TileEntries.ID]);
-            float x0 = entries[at];
-            float z0 = entries[at + 1];
-            float x1 = entries[at + 2];
-            float z1 = entries[at + 3];
-            ids[to] = id;
-            // A difference has the sign of an order, and +0 where the two are equal.
-            long apart = Double.doubleToRawLongBits(highX - x0)
-                    | Double.doubleToRawLongBits(x1 - lowX)
-                    | Double.doubleToRawLongBits(highZ - z0)
-                    | Double.doubleToRawLongBits(z1 - lowZ);
-            int isOther = (id - but | but - id) >>> SIGN;
-            to += isOther & (int) (~apart >>> (Long.SIZE - 1));
-            // The next of this list, or the first of the next one.
-            int next = Float.floatToRawIntBits(entries[at + TileEntries.NEXT]);
-            int isLast = next >> SIGN;
-            list -= isLast;
-            listed = (next & ~isLast) | (heads[list] & isLast);
+            for (int k = begin; k < begin + length; k++) {
+                int id = data[k];
+                int at = Outline.at(id);
+                ids[to] = id;
+                double halfX = outlines[at + Outline.HALF_X];
+                double halfZ = outlines[at + Outline.HALF_Z];
+                double cos = Math.abs(outlines[at + Outline.COS]);
+                double sin = Math.abs(outlines[at + Outline.SIN]);
+                double gapX = halfX * cos + halfZ * sin + wide - Math.abs(outlines[at + Outline.X] - x);
+                double gapZ = halfX * sin + halfZ * cos + deep - Math.abs(outlines[at + Outline.Z] - z);
+                // A negative difference is a gap.
+                long apart = Double.doubleToRawLongBits(gapX) | Double.doubleToRawLongBits(gapZ);
+                int isOther = (id - but | but - id) >>> SIGN;
+                to += isOther & (int) (~apart >>> (Long.SIZE - 1));
+            }
+            if (length < 0) {
+                count = to;
+                gather(over.within(length), slack, outlines);
+                to = count;
+            }
         }
         count = to;
     }

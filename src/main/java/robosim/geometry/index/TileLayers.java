@@ -12,8 +12,8 @@ final class TileLayers {
     /** A layer of so few objects is one tile. */
     private static final int FEW = 6;
 
-    /** Fewer than two to the power of this tiles are not worth their while. */
-    private static final int LEAST_BITS = 3;
+    /** So few tiles are not worth their while. */
+    private static final int FEW_TILES = 16;
 
     /** Finer tiles first; the last layer takes everything. */
     private final Tiles[] layers = new Tiles[MOST_LAYERS];
@@ -97,12 +97,12 @@ final class TileLayers {
         }
         count = 0;
         int coarser = 0;
-        while (count < MOST_LAYERS - 1 && remaining > FEW && bits(remaining) - coarser > LEAST_BITS) {
+        while (count < MOST_LAYERS - 1 && remaining > FEW && tiles(remaining) >> coarser > FEW_TILES) {
             int rest = lay(left, remaining, boxes, coarser);
             coarser += 2 * rest > remaining ? 2 : 0;
             remaining = rest;
         }
-        Tiles rest = Tiles.single(remaining);
+        Tiles rest = Tiles.single();
         for (int k = 0; k < remaining; k++) {
             rest.add(left[k], boxes, 4 * left[k]);
         }
@@ -124,7 +124,7 @@ final class TileLayers {
         }
         if (left < objects) {
             tiles.divideCrowded(boxes);
-            tiles.arrange();
+            tiles.store.trim();
             layers[count++] = tiles;
         }
         return left;
@@ -145,15 +145,12 @@ final class TileLayers {
         }
         double roomX = isGrowing ? (maxX - minX) / 8 : 0;
         double roomZ = isGrowing ? (maxZ - minZ) / 8 : 0;
-        int bits = bits(isGrowing ? 3L * objects : 2L * objects) - coarser;
-        // One less where that makes the tiles square, so that what they list lies on fewer of them.
-        bits -= (bits + Tiles.longer(maxX - minX, maxZ - minZ)) & 1;
-        TileEntries entries = new TileEntries(3 * objects);
-        return new Tiles(minX - roomX, minZ - roomZ, maxX + roomX, maxZ + roomZ, bits, entries);
+        return Tiles.over(
+                minX - roomX, minZ - roomZ, maxX + roomX, maxZ + roomZ, tiles(objects) >> coarser, new TileLists());
     }
 
-    /** For about one tile an object. */
-    private static int bits(long objects) {
-        return 64 - Long.numberOfLeadingZeros(objects + objects / 2) - 1;
+    /** About one tile an object, and a half more where their number grows. */
+    private long tiles(int objects) {
+        return isGrowing ? objects + objects / 2 : objects;
     }
 }

@@ -12,16 +12,17 @@ final class TileScan {
     private double minZ;
     private double maxX;
     private double maxZ;
-    private int startX;
     private int column0;
     private int column1;
     private int column;
     private int row0;
     private int row1;
     private int row;
-    private int atX;
-    private int atZ;
-    private int entry = Tiles.NONE;
+
+    /** The next object of the list that is read, and the list's end. */
+    private int entry;
+
+    private int end;
     private boolean isOver = true;
     private boolean isRest;
     private boolean isWithin;
@@ -39,7 +40,7 @@ final class TileScan {
     void stop() {
         isOver = true;
         isWithin = false;
-        entry = Tiles.NONE;
+        end = entry;
     }
 
     void start(Tiles over, double x0, double z0, double x1, double z1) {
@@ -52,31 +53,35 @@ final class TileScan {
         column1 = over.column(x1, 0);
         row0 = over.row(z0, 0);
         row1 = over.row(z1, 0);
-        startX = over.spreadX(column0);
-        atX = startX;
-        atZ = over.spreadZ(row0);
         column = column0;
         row = row0;
         isOver = false;
         isWithin = false;
-        isRest = over.rest != Tiles.NONE;
+        isRest = over.hasRest();
         if (isRest) {
-            entry = over.rest;
+            read(over.rest());
         } else {
             look();
         }
     }
 
+    private void read(int tile) {
+        int[] data = tiles.store.data;
+        entry = TileLists.first(data, tile, data[tile]);
+        end = entry + data[tile];
+    }
+
     /** Turns to what the tile holds. */
     private void look() {
         visited++;
-        int head = tiles.heads[atX | atZ];
-        entry = Math.max(head, Tiles.NONE);
-        if (head < Tiles.NONE) {
+        int tile = tiles.at(column, row);
+        read(tile);
+        int length = tiles.store.data[tile];
+        if (length < 0) {
             if (inner == null) {
                 inner = new TileScan(tiles);
             }
-            inner.start(tiles.within(head), minX, minZ, maxX, maxZ);
+            inner.start(tiles.within(length), minX, minZ, maxX, maxZ);
             isWithin = true;
         }
     }
@@ -107,38 +112,22 @@ final class TileScan {
     }
 
     private int nextListed(double[] boxes) {
-        float[] entries = tiles.store.data;
-        double lowX = minX;
-        double lowZ = minZ;
-        double highX = maxX;
-        double highZ = maxZ;
-        int listed = entry;
-        while (listed != Tiles.NONE) {
-            int at = listed;
-            int id = Float.floatToRawIntBits(entries[at + TileEntries.ID]);
-            listed = Float.floatToRawIntBits(entries[at + TileEntries.NEXT]);
-            boolean isNear = entries[at] <= highX
-                    && lowX <= entries[at + 2]
-                    && entries[at + 1] <= highZ
-                    && lowZ <= entries[at + 3];
-            if (isNear && meets(boxes, 4 * id) && (isRest || isFirst(boxes, 4 * id))) {
-                entry = listed;
+        int[] ids = tiles.store.data;
+        while (entry < end) {
+            int id = ids[entry++];
+            if (meets(boxes, 4 * id) && (isRest || isFirst(boxes, 4 * id))) {
                 return id;
             }
         }
-        entry = Tiles.NONE;
         return Tiles.NONE;
     }
 
     private boolean step() {
         if (column < column1) {
             column++;
-            atX = Tiles.up(atX, tiles.maskX);
         } else if (row < row1) {
             column = column0;
-            atX = startX;
             row++;
-            atZ = Tiles.up(atZ, tiles.maskZ);
         } else {
             return false;
         }

@@ -3,8 +3,7 @@ package robosim.geometry.index;
 import java.util.Arrays;
 
 /**
- * Regions of one depth of a {@link QuadTree}, all of one size, found by arithmetic instead of a descent: the number of a
- * tile is its path, bit by bit, through the cuts above it, so tiles that are near in the world are near in memory. Each
+ * Regions of one depth of a {@link QuadTree}, all of one size, found by arithmetic instead of a descent: row after row. Each
  * tile lists the objects whose boxes meet it.
  *
  * <p>Tiles cover a window. What reaches out of it or lies on too many tiles does not fit. Boxes are listed as if they were
@@ -21,29 +20,33 @@ final class Tiles {
     /** Most tiles that an object may lie on. */
     private static final int MOST_TILES = 32;
 
-    private static final int MOST_BITS = 24;
+    private static final int MOST_COUNT = 1 << 12;
     static final int NONE = -1;
 
-    /** A tile with more entries than these is divided, if that leaves fewer of them to each part. */
+    /** In place of a length: here a walk has left the window. */
+    static final int OUT = Integer.MIN_VALUE;
+
+    /** A tile with more objects than these is divided, if that leaves fewer of them to each part. */
     private static final int CROWD = 12;
 
-    /** Cuts along both axes together at once in a crowded tile, and how often parts may be divided again: see MARGIN. */
-    private static final int MOST_INNER_BITS = 8;
+    /** Tiles along an axis at once in a crowded tile, and how often parts may be divided again: see MARGIN. */
+    private static final int MOST_INNER = 16;
 
     private static final int MOST_DEPTH = 3;
 
-    /** By tile, its first entry, {@link #NONE}, or for a divided one the number of what it holds, below NONE. */
-    final int[] heads;
+    /**
+     * Where in the store the places of the tiles begin. Of a divided tile, in place of the length of its list stands the
+     * number of what it holds, from {@link #NONE} downwards. Around the tiles is a row or column of {@link #OUT}. After them
+     * all comes the list of what is too large for the tiles within the outer tile that these divide.
+     */
+    private final int base;
 
-    /** Of divided tiles, by {@code NONE - 1 - head}. */
+    /** Of divided tiles, by {@code NONE - length}. */
     private Tiles[] inner = {};
 
     private int innerCount;
 
-    /** The first entry of what is too large for the tiles within the outer tile that these divide. */
-    int rest = NONE;
-
-    final TileEntries store;
+    final TileLists store;
 
     final double originX;
     final double originZ;
@@ -56,52 +59,49 @@ final class Tiles {
     final int countX;
     final int countZ;
 
-    /** The bits of a tile's number that count along each axis. */
-    final int maskX;
-
-    final int maskZ;
-
-    /** How many bits both axes have, which take turns; those that only one has are above them. */
-    private final int commonBits;
-
-    private final int common;
     private final double maxX;
     private final double maxZ;
     private int objects;
 
-    /** Some {@code 2^bits} tiles over a window, or a single one, without limits, where it cannot be divided. */
-    Tiles(double minX, double minZ, double maxX, double maxZ, int bits, TileEntries store) {
+    /** About so many tiles over a window, or a single one, without limits, where it cannot be divided. */
+    Tiles(double minX, double minZ, double maxX, double maxZ, long tiles, int mostAlong, TileLists store) {
         this.store = store;
         double width = maxX - minX;
         double length = maxZ - minZ;
-        int most = isOrdinary(width) && isOrdinary(length) ? Math.min(bits, MOST_BITS) : 0;
-        int longer = most == 0 ? 0 : longer(width, length);
-        int bitsX = Math.max(0, Math.min(most, (most + longer + 1) >> 1));
-        int bitsZ = most - bitsX;
-        countX = 1 << bitsX;
-        countZ = 1 << bitsZ;
-        originX = most == 0 ? 0 : minX;
-        originZ = most == 0 ? 0 : minZ;
-        scaleX = most == 0 ? 0 : countX / width;
-        scaleZ = most == 0 ? 0 : countZ / length;
+        boolean isDivided = tiles > 1 && isOrdinary(width) && isOrdinary(length);
+        double side = Math.sqrt(width / tiles * length);
+        countX = isDivided ? along(width / side, mostAlong) : 1;
+        countZ = isDivided ? along((double) tiles / countX, mostAlong) : 1;
+        boolean isSingle = countX * countZ == 1;
+        originX = isSingle ? 0 : minX;
+        originZ = isSingle ? 0 : minZ;
+        scaleX = isSingle ? 0 : countX / width;
+        scaleZ = isSingle ? 0 : countZ / length;
         this.maxX = maxX;
         this.maxZ = maxZ;
-        commonBits = Math.min(bitsX, bitsZ);
-        common = (1 << commonBits) - 1;
-        maskX = spreadX(countX - 1);
-        maskZ = spreadZ(countZ - 1);
-        heads = new int[1 << most];
-        Arrays.fill(heads, NONE);
+        base = store.append((countX + 2) * (countZ + 2) + 1);
+        for (int row = -1; row <= countZ; row++) {
+            store.data[at(-1, row)] = OUT;
+            store.data[at(countX, row)] = OUT;
+        }
+        for (int column = 0; column < countX; column++) {
+            store.data[at(column, -1)] = OUT;
+            store.data[at(column, countZ)] = OUT;
+        }
     }
 
-    /** How many cuts more there are along X than along Z where tiles are about square. */
-    static int longer(double width, double length) {
-        return Math.getExponent(Math.sqrt(2) * (width / length));
+    /** Some tiles over a window of a world. */
+    static Tiles over(double minX, double minZ, double maxX, double maxZ, long tiles, TileLists store) {
+        return new Tiles(minX, minZ, maxX, maxZ, tiles, MOST_COUNT, store);
     }
 
-    /** One tile, which everything fits, with room for so many objects. */
-    static Tiles single(int capacity) {
-        return new Tiles(0, 0, 0, 0, 0, new TileEntries(capacity));
+    private static int along(double tiles, int most) {
+        return (int) Math.max(1, Math.min(most, Math.rint(tiles)));
+    }
+
+    /** One tile, which everything fits. */
+    static Tiles single() {
+        return over(0, 0, 0, 0, 1, new TileLists());
     }
 
     private static boolean isOrdinary(double size) {
@@ -110,7 +110,7 @@ final class Tiles {
 
     /** Whether there is one tile only, which everything fits. */
     boolean isSingle() {
-        return heads.length == 1;
+        return countX * countZ == 1;
     }
 
     boolean isEmpty() {
@@ -121,27 +121,23 @@ final class Tiles {
         return objects;
     }
 
-    /** The bits of a column's number in their places in a tile's. */
-    int spreadX(int column) {
-        return dilated(column & common) | (column & ~common) << commonBits;
+    /** The place of the list of what is too large for the tiles. */
+    int rest() {
+        return base + TileLists.STRIDE * (countX + 2) * (countZ + 2);
     }
 
-    /** The bits of a row's number in their places in a tile's. */
-    int spreadZ(int row) {
-        return dilated(row & common) << 1 | (row & ~common) << commonBits;
+    boolean hasRest() {
+        return store.data[rest()] > 0;
     }
 
-    /** Puts a zero above each of the lower 16 bits. */
-    private static int dilated(int number) {
-        int n = (number | number << 8) & 0x00ff00ff;
-        n = (n | n << 4) & 0x0f0f0f0f;
-        n = (n | n << 2) & 0x33333333;
-        return (n | n << 1) & 0x55555555;
+    /** The place of a tile's list. */
+    int at(int column, int row) {
+        return base + TileLists.STRIDE * ((row + 1) * (countX + 2) + column + 1);
     }
 
-    /** The next column or row up, of spread bits. */
-    static int up(int spread, int mask) {
-        return ((spread | ~mask) + 1) & mask;
+    /** How far apart those of two rows are. */
+    int rowStep() {
+        return TileLists.STRIDE * (countX + 2);
     }
 
     /** The column of a place; never decreases with it. */
@@ -177,27 +173,20 @@ final class Tiles {
     void add(int id, double[] boxes, int at) {
         int x0 = column(boxes[at], -MARGIN);
         int x1 = column(boxes[at + 2], MARGIN);
-        int z0 = row(boxes[at + 1], -MARGIN);
         int z1 = row(boxes[at + 3], MARGIN);
-        int startX = spreadX(x0);
-        int z = spreadZ(z0);
-        for (int row = z0; row <= z1; row++) {
-            int x = startX;
-            for (int column = x0; column <= x1; column++) {
-                push(x | z, id, boxes, at);
-                x = up(x, maskX);
+        for (int row = row(boxes[at + 1], -MARGIN); row <= z1; row++) {
+            for (int tile = at(x0, row); tile <= at(x1, row); tile += TileLists.STRIDE) {
+                push(tile, id, boxes, at);
             }
-            z = up(z, maskZ);
         }
         objects++;
     }
 
     private void push(int tile, int id, double[] boxes, int at) {
-        int head = heads[tile];
-        if (head < NONE) {
-            within(head).addPart(id, boxes, at);
+        if (store.data[tile] < 0) {
+            within(store.data[tile]).addPart(id, boxes, at);
         } else {
-            heads[tile] = store.push(head, id, boxes, at);
+            store.push(tile, id);
         }
     }
 
@@ -206,40 +195,33 @@ final class Tiles {
         if (isSmall(boxes, at)) {
             add(id, boxes, at);
         } else {
-            rest = store.push(rest, id, boxes, at);
+            store.push(rest(), id);
         }
     }
 
     /** The tiles within a divided one. */
-    Tiles within(int head) {
-        return inner[NONE - 1 - head];
+    Tiles within(int length) {
+        return inner[NONE - length];
     }
 
     /** Strikes a box that is listed, by the same numbers. */
     void remove(int id, double[] boxes, int at) {
         int x0 = column(boxes[at], -MARGIN);
         int x1 = column(boxes[at + 2], MARGIN);
-        int z0 = row(boxes[at + 1], -MARGIN);
         int z1 = row(boxes[at + 3], MARGIN);
-        int startX = spreadX(x0);
-        int z = spreadZ(z0);
-        for (int row = z0; row <= z1; row++) {
-            int x = startX;
-            for (int column = x0; column <= x1; column++) {
-                strike(x | z, id, boxes, at);
-                x = up(x, maskX);
+        for (int row = row(boxes[at + 1], -MARGIN); row <= z1; row++) {
+            for (int tile = at(x0, row); tile <= at(x1, row); tile += TileLists.STRIDE) {
+                strike(tile, id, boxes, at);
             }
-            z = up(z, maskZ);
         }
         objects--;
     }
 
     private void strike(int tile, int id, double[] boxes, int at) {
-        int head = heads[tile];
-        if (head < NONE) {
-            within(head).removePart(id, boxes, at);
+        if (store.data[tile] < 0) {
+            within(store.data[tile]).removePart(id, boxes, at);
         } else {
-            heads[tile] = store.strike(head, id);
+            store.strike(tile, id);
         }
     }
 
@@ -247,7 +229,7 @@ final class Tiles {
         if (isSmall(boxes, at)) {
             remove(id, boxes, at);
         } else {
-            rest = store.strike(rest, id);
+            store.strike(rest(), id);
         }
     }
 
@@ -266,25 +248,20 @@ final class Tiles {
             add(id, boxes, at);
             return;
         }
-        int startX = spreadX(x0);
-        int z = spreadZ(z0);
-        for (int row = z0; row <= z1; row++) {
-            int x = startX;
-            for (int column = x0; column <= x1; column++) {
-                moveWithin(x | z, id, before, from, boxes, at);
-                x = up(x, maskX);
-            }
-            z = up(z, maskZ);
+        if (innerCount > 0) {
+            moveWithin(x0, x1, z0, z1, id, before, from, boxes, at);
         }
     }
 
-    private void moveWithin(int tile, int id, double[] before, int from, double[] boxes, int at) {
-        int head = heads[tile];
-        if (head < NONE) {
-            within(head).removePart(id, before, from);
-            within(head).addPart(id, boxes, at);
-        } else {
-            store.write(store.find(head, id), boxes, at);
+    /** Lists a box anew within those tiles of a rectangle that are divided. */
+    private void moveWithin(int x0, int x1, int z0, int z1, int id, double[] before, int from, double[] boxes, int at) {
+        for (int row = z0; row <= z1; row++) {
+            for (int tile = at(x0, row); tile <= at(x1, row); tile += TileLists.STRIDE) {
+                if (store.data[tile] < 0) {
+                    within(store.data[tile]).removePart(id, before, from);
+                    within(store.data[tile]).addPart(id, boxes, at);
+                }
+            }
         }
     }
 
@@ -296,25 +273,27 @@ final class Tiles {
     }
 
     private void divideCrowded(double[] boxes, int depth) {
-        for (int tile = 0; tile < heads.length; tile++) {
-            int length = heads[tile] == NONE ? 0 : store.length(heads[tile]);
-            if (length > CROWD) {
-                divide(tile, length, boxes, depth);
+        for (int row = 0; row < countZ; row++) {
+            for (int column = 0; column < countX; column++) {
+                if (store.data[at(column, row)] > CROWD) {
+                    divide(column, row, boxes, depth);
+                }
             }
         }
     }
 
-    private void divide(int tile, int length, double[] boxes, int depth) {
-        int bits = Math.min(MOST_INNER_BITS, Integer.SIZE - Integer.numberOfLeadingZeros(length)) & ~1;
-        double x = originX + gather(tile, maskX) / scaleX;
-        double z = originZ + gather(tile, maskZ) / scaleZ;
-        Tiles parts = new Tiles(x, z, x + 1 / scaleX, z + 1 / scaleZ, bits, store);
-        if (parts.isSingle() || parts.holdsFew(heads[tile], length, boxes)) {
+    private void divide(int column, int row, double[] boxes, int depth) {
+        int tile = at(column, row);
+        int length = store.data[tile];
+        double x = originX + column / scaleX;
+        double z = originZ + row / scaleZ;
+        Tiles parts = new Tiles(x, z, x + 1 / scaleX, z + 1 / scaleZ, length, MOST_INNER, store);
+        if (parts.isSingle() || parts.holdsFew(TileLists.first(store.data, tile, length), length, boxes)) {
             return;
         }
-        for (int entry = heads[tile]; entry != NONE; entry = heads[tile]) {
-            int id = store.id(entry);
-            heads[tile] = store.strike(entry, id);
+        while (store.data[tile] > 0) {
+            int id = store.data[TileLists.first(store.data, tile, store.data[tile])];
+            store.strike(tile, id);
             parts.addPart(id, boxes, 4 * id);
         }
         if (depth < MOST_DEPTH) {
@@ -324,44 +303,15 @@ final class Tiles {
             inner = Arrays.copyOf(inner, Math.max(4, 2 * innerCount));
         }
         inner[innerCount] = parts;
-        heads[tile] = NONE - 1 - innerCount++;
+        store.data[tile] = NONE - innerCount++;
     }
 
     /** Whether most of a list would be too large for these tiles. */
-    private boolean holdsFew(int head, int length, double[] boxes) {
+    private boolean holdsFew(int first, int length, double[] boxes) {
         int small = 0;
-        for (int entry = head; entry != NONE; entry = store.next(entry)) {
-            small += isSmall(boxes, 4 * store.id(entry)) ? 1 : 0;
+        for (int k = first; k < first + length; k++) {
+            small += isSmall(boxes, 4 * store.data[k]) ? 1 : 0;
         }
         return 2 * small < length;
-    }
-
-    /** The column or row of a tile's number: the bits of a mask, beside each other. */
-    private static int gather(int tile, int mask) {
-        int gathered = 0;
-        int to = 0;
-        for (int rest = mask; rest != 0; rest &= rest - 1) {
-            gathered |= (tile & rest & -rest) != 0 ? 1 << to : 0;
-            to++;
-        }
-        return gathered;
-    }
-
-    /** Puts the entries of each tile beside each other, tile after tile, each tile's in its own order. */
-    void arrange() {
-        TileEntries arranged = new TileEntries(store.used());
-        arrange(arranged);
-        store.take(arranged);
-    }
-
-    private void arrange(TileEntries to) {
-        rest = store.copy(rest, to);
-        for (int tile = 0; tile < heads.length; tile++) {
-            if (heads[tile] < NONE) {
-                within(heads[tile]).arrange(to);
-            } else {
-                heads[tile] = store.copy(heads[tile], to);
-            }
-        }
     }
 }

@@ -16,7 +16,6 @@ public final class Cast {
     private double dx;
     private double dy;
     private double dz;
-    private double length;
     private double ux;
     private double uy;
     private double uz;
@@ -51,19 +50,22 @@ public final class Cast {
         oy = y;
         oz = z;
         double level = dimension == Dimension.PLANAR ? 0 : ay;
-        double greatest = Math.max(Math.abs(ax), Math.max(Math.abs(level), Math.abs(az)));
+        double sum = Math.abs(ax) + Math.abs(level) + Math.abs(az);
         // A power of two near the greatest takes away what could overflow; where nothing could, a coordinate that is
         // all
         // but zero keeps its bits.
-        boolean isOrdinary = greatest >= 0x1p-100 && greatest <= 0x1p100;
-        double scale = isOrdinary ? 1 : Math.scalb(1.0, -Math.getExponent(greatest));
+        double scale = sum >= 0x1p-98 && sum <= 0x1p100 ? 1 : scale(RayMath.largest(ax, level, az));
         dx = ax * scale;
         dy = level * scale;
         dz = az * scale;
-        length = Math.sqrt(dx * dx + dy * dy + dz * dz);
         hasUnit = false;
         cone = false;
-        isFarFromOrigin = RayMath.largest(x, y, z) >= Magnified.SMALL;
+        isFarFromOrigin =
+                Math.abs(x) >= Magnified.SMALL || Math.abs(z) >= Magnified.SMALL || Math.abs(y) >= Magnified.SMALL;
+    }
+
+    private static double scale(double greatest) {
+        return greatest >= 0x1p-100 && greatest <= 0x1p100 ? 1 : Math.scalb(1.0, -Math.getExponent(greatest));
     }
 
     /** A coordinate (0 to 2) of where the line goes; in PLANAR of its projection. */
@@ -73,12 +75,18 @@ public final class Cast {
 
     /** The length of {@link #way}. */
     public double length() {
-        return length;
+        return Math.sqrt(dx * dx + dy * dy + dz * dz);
+    }
+
+    /** One over the {@link #length}, or a little more. */
+    public double inverseLength() {
+        double square = dx * dx + dy * dy + dz * dz;
+        return Math.abs(square - 1) < 0x1p-40 ? 1 + 0x1p-40 : 1 / Math.sqrt(square);
     }
 
     /** A coordinate (0 to 2) of the line's unit direction; in PLANAR that of its projection. */
     public double unit(int axis) {
-        return way(axis) / length;
+        return way(axis) / length();
     }
 
     /** Takes the unit direction, which lines that meet no mesh do without. */
@@ -102,11 +110,12 @@ public final class Cast {
     /** Distance from the start to the leaf; +Infinity where it is missed; what is beyond the limit may be too. */
     public double distance(LeafColumn column, int leaf, double limit) {
         triangle = -1;
+        if (LeafColumn.isUpright(leaf) && dimension == Dimension.PLANAR && !cone) {
+            return upright(column, leaf);
+        }
         int kind = column.kind(leaf);
         if (!Leaf.isMesh(kind)) {
-            return dimension == Dimension.PLANAR && !cone && LeafColumn.isUpright(leaf)
-                    ? upright(kind, column, leaf)
-                    : convex(kind, column.rows(leaf), column.at(leaf));
+            return convex(kind, column.rows(leaf), column.at(leaf));
         }
         takeUnit();
         if (Overlap.hasInside(dimension, column, leaf) && Inside.holds(column, leaf, ox, oy, oz, s)) {
@@ -131,14 +140,15 @@ public final class Cast {
     }
 
     /** As {@link #convex}, without a row where doubles can tell. */
-    private double upright(int kind, LeafColumn column, int leaf) {
-        double[] row = column.uprightRows();
+    private double upright(LeafColumn column, int leaf) {
+        double[] row = column.outlines();
         int at = LeafColumn.uprightAt(leaf);
         double cx = row[at];
         double cz = row[at + 2];
         double size = row[at + Leaf.SIZE];
-        double distance = kind == Leaf.UPRIGHT_BOX
-                ? RayRectangle.sure(
+        double distance = UprightRows.isRound(row, at)
+                ? RayDisc.distance(ox, oz, dx, dz, cx, cz, size)
+                : RayRectangle.sure(
                         ox,
                         oz,
                         dx,
@@ -148,10 +158,9 @@ public final class Cast {
                         size,
                         row[at + Leaf.SIZE + 2],
                         row[at + UprightRows.COS],
-                        row[at + UprightRows.SIN])
-                : RayDisc.distance(ox, oz, dx, dz, cx, cz, size);
+                        row[at + UprightRows.SIN]);
         boolean isSure = distance > Magnified.SMALL || (isFarFromOrigin && !Double.isNaN(distance));
-        return isSure ? distance : convex(kind, column.rows(leaf), column.at(leaf));
+        return isSure ? distance : convex(column.kind(leaf), column.rows(leaf), column.at(leaf));
     }
 
     private double judge(int place) {

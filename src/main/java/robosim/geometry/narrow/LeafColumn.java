@@ -3,6 +3,7 @@ package robosim.geometry.narrow;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.index.BoxTree;
+import robosim.geometry.index.Outline;
 import robosim.geometry.model.TriangleMesh;
 
 /**
@@ -70,12 +71,36 @@ public final class LeafColumn {
         return size == 1 && !Leaf.isMesh(kinds[0]) && UprightRows.takes(kinds[0], rows, 0);
     }
 
-    /** Makes room for a leaf of half a row and answers its number. */
-    public int appendUpright() {
-        if (upright.size() == 0) {
+    /** Makes room for the half row of an object. */
+    public void reserveUpright(int id) {
+        if (upright == UprightRows.NONE) {
             upright = new UprightRows();
         }
-        return UPRIGHT | upright.append();
+        upright.reserve(id);
+    }
+
+    /** Writes in an object's half row where it is, unless the row is its leaf: see {@link #outlines}. */
+    public void outline(int id, double minX, double minZ, double maxX, double maxZ) {
+        if (upright.isVacant(id)) {
+            upright.outline(id, minX, minZ, maxX, maxZ);
+        }
+    }
+
+    /** The half rows of all objects, which are an {@link Outline} of each. */
+    public double[] outlines() {
+        return upright.rows();
+    }
+
+    /** Whether the only leaf of an object is the half row of its number, not just an outline. */
+    public boolean isUprightObject(int id) {
+        return upright.isHere(id);
+    }
+
+    /** An empty column with room for so many whole rows, and with the half rows of this one. */
+    public LeafColumn withUpright(int capacity) {
+        LeafColumn column = new LeafColumn(capacity);
+        column.upright = upright;
+        return column;
     }
 
     /** Makes room for {@code count} leaves at the end and answers the first one's index. */
@@ -88,16 +113,6 @@ public final class LeafColumn {
             resize(capacity);
         }
         return first;
-    }
-
-    /** Appends copies of leaves of another column, of the same sort, and answers the first one's number. */
-    public int appendCopy(LeafColumn other, int first, int count) {
-        if (isUpright(first)) {
-            int leaf = appendUpright();
-            upright.write(leaf ^ UPRIGHT, other.kind(first), other.rows(first), other.at(first));
-            return leaf;
-        }
-        return appendWhole(other, first, count);
     }
 
     /** Appends copies of leaves of another column in whole rows and answers the first one's index. */
@@ -199,7 +214,7 @@ public final class LeafColumn {
     }
 
     static int uprightAt(int leaf) {
-        return (leaf ^ UPRIGHT) * UprightRows.STRIDE;
+        return Outline.at(leaf ^ UPRIGHT);
     }
 
     /** The triangles of a leaf that is a mesh. */

@@ -59,21 +59,23 @@ final class RayRectangle {
         // 0.
         double nearingX = RayMath.signed(-wayX, startX);
         double nearingZ = RayMath.signed(-wayZ, startZ);
-        if ((beyondX > doubt && nearingX < -wayDoubt) || (beyondZ > doubt && nearingZ < -wayDoubt)) {
-            return Double.POSITIVE_INFINITY;
-        }
-        if (beyondX < -doubt && beyondZ < -doubt) {
-            return 0;
-        }
         double past = Math.abs(dx * uz - dz * ux) - (hx * Math.abs(wayZ) + hz * Math.abs(wayX));
         double pastDoubt = doubt * speed + UNDERFLOW;
-        if (past > pastDoubt) {
+        // Comparisons by the signs of differences, all at once: one by one, half of them would be guessed wrong.
+        long insideX = bits(beyondX + doubt);
+        long insideZ = bits(beyondZ + doubt);
+        if ((insideX & insideZ) < 0) {
+            return 0;
+        }
+        long leavesX = bits(doubt - beyondX) & bits(nearingX + wayDoubt);
+        long leavesZ = bits(doubt - beyondZ) & bits(nearingZ + wayDoubt);
+        if ((bits(pastDoubt - past) | leavesX | leavesZ) < 0) {
             return Double.POSITIVE_INFINITY;
         }
         // Of a side that is all but flat it may be in doubt on which side of it the ray starts.
-        if (past < -pastDoubt
-                && (beyondX < -doubt || (nearingX > wayDoubt && Math.abs(startX) > doubt))
-                && (beyondZ < -doubt || (nearingZ > wayDoubt && Math.abs(startZ) > doubt))) {
+        long meetsX = insideX | (bits(wayDoubt - nearingX) & bits(doubt - Math.abs(startX)));
+        long meetsZ = insideZ | (bits(wayDoubt - nearingZ) & bits(doubt - Math.abs(startZ)));
+        if ((bits(past + pastDoubt) & meetsX & meetsZ) < 0) {
             double later = beyondX * Math.abs(wayZ) - beyondZ * Math.abs(wayX);
             // The side across the own X or the own Z: the same bits as where both are asked.
             double nx = RayMath.pick(later, cos, sin);
@@ -86,6 +88,10 @@ final class RayRectangle {
                     : entry(ox, oz, ux, uz, cx, cz, hx, hz, cos, sin);
         }
         return Double.NaN;
+    }
+
+    private static long bits(double number) {
+        return Double.doubleToRawLongBits(number);
     }
 
     private static double doubtful(double ox, double oz, double ux, double uz, double[] row, int at) {

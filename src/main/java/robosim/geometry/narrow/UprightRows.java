@@ -1,6 +1,7 @@
 package robosim.geometry.narrow;
 
 import java.util.Arrays;
+import robosim.geometry.index.Outline;
 
 /**
  * Upright boxes and cylinders and spheres that stay where they are, beside each other in half of a {@link Leaf}'s row: what
@@ -9,10 +10,16 @@ import java.util.Arrays;
  */
 final class UprightRows {
     /** Doubles in a row. */
-    static final int STRIDE = 8;
+    static final int STRIDE = Outline.STRIDE;
 
-    static final int COS = 6;
-    static final int SIN = 7;
+    static final int COS = Outline.COS;
+    static final int SIN = Outline.SIN;
+
+    /** Where a row has the height of its centre, or no number where it is an outline only. */
+    private static final int Y = 1;
+
+    /** The sine of a cylinder or sphere, which no box has. */
+    private static final double ROUND = -0.0;
 
     /** No rows, for who has none. */
     static final UprightRows NONE = new UprightRows();
@@ -52,7 +59,8 @@ final class UprightRows {
                         && isZero(row[at + 11])
                         && isZero(row[at + 13])
                         && same(row[at + 12], 0.0 - row[at + 8])
-                        && same(row[at + 14], row[at + 6]));
+                        && same(row[at + 14], row[at + 6])
+                        && !same(row[at + 8], ROUND));
     }
 
     private static boolean isZero(double number) {
@@ -71,17 +79,34 @@ final class UprightRows {
         return kinds[place];
     }
 
+    /** Whether a cylinder or sphere stands where a row begins. */
+    static boolean isRound(double[] rows, int at) {
+        return same(rows[at + SIN], ROUND);
+    }
+
     double[] rows() {
         return rows;
     }
 
-    /** Makes room for one more and answers its place. */
-    int append() {
-        if (size == kinds.length) {
-            resize(size == 0 ? LEAST : size < SMALL ? 2 * size + 2 : size + (size >> 2));
+    /** Makes room for a place, and for all before it. */
+    void reserve(int place) {
+        if (place >= kinds.length) {
+            resize(Math.max(place + 1, size == 0 ? LEAST : size < SMALL ? 2 * size + 2 : size + (size >> 2)));
         }
-        kinds[size] = VACANT;
-        return size++;
+        while (size <= place) {
+            kinds[size++] = VACANT;
+        }
+    }
+
+    /** Writes where something else is, which does not stand here. */
+    void outline(int place, double minX, double minZ, double maxX, double maxZ) {
+        Outline.write(rows, place, minX, minZ, maxX, maxZ);
+        rows[Outline.at(place) + Y] = Double.NaN;
+    }
+
+    /** Whether what is at a place stands here. */
+    boolean isHere(int place) {
+        return !Double.isNaN(rows[Outline.at(place) + Y]);
     }
 
     /** Gives up room that there is for more. */
@@ -93,16 +118,20 @@ final class UprightRows {
 
     private void resize(int capacity) {
         kinds = Arrays.copyOf(kinds, capacity);
-        rows = Arrays.copyOf(rows, STRIDE * capacity + Leaf.STRIDE);
+        rows = Arrays.copyOf(rows, Outline.length(capacity) + Leaf.STRIDE);
     }
 
     void write(int place, int kind, double[] row, int at) {
         kinds[place] = (byte) kind;
-        int to = STRIDE * place;
+        int to = Outline.at(place);
         System.arraycopy(row, at, rows, to, Leaf.ROTATION);
         if (kind == Leaf.UPRIGHT_BOX) {
             rows[to + COS] = row[at + 6];
             rows[to + SIN] = row[at + 8];
+        } else { // the square about it
+            rows[to + Outline.HALF_Z] = row[at + Leaf.SIZE];
+            rows[to + COS] = 1;
+            rows[to + SIN] = ROUND;
         }
     }
 
@@ -121,7 +150,7 @@ final class UprightRows {
 
     /** Where they begin. */
     int at(int place) {
-        int from = STRIDE * place;
+        int from = Outline.at(place);
         if (kinds[place] != Leaf.UPRIGHT_BOX) {
             return from;
         }
@@ -132,9 +161,9 @@ final class UprightRows {
     /** Writes the numbers of a place as a {@link Leaf}'s. */
     void copy(int place, double[] out, int to) {
         if (kinds[place] == Leaf.UPRIGHT_BOX) {
-            spread(STRIDE * place, out, to);
+            spread(Outline.at(place), out, to);
         } else {
-            System.arraycopy(rows, STRIDE * place, out, to, Leaf.ROTATION);
+            System.arraycopy(rows, Outline.at(place), out, to, Leaf.ROTATION);
         }
     }
 

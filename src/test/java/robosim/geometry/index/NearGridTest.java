@@ -92,8 +92,11 @@ class NearGridTest {
     }
 
     private BitSet gathered(double[] query, int but) {
+        return gathered(cursor.gather(query[0], query[1], query[2], query[3], but, QuadTreeTest.outlines(cursor)), but);
+    }
+
+    private BitSet gathered(int count, int but) {
         BitSet ids = new BitSet();
-        int count = cursor.gather(query[0], query[1], query[2], query[3], but);
         for (int k = 0; k < count; k++) {
             ids.set(cursor.gathered(k));
         }
@@ -108,8 +111,9 @@ class NearGridTest {
             cursor.startBox(query[0], query[1], query[2], query[3]);
         } else if (way == 2) {
             cursor.startPoint(query[0], query[1], reach);
-        } else if (!cursor.startNear(query[0], query[1], query[2], query[3])) {
-            return gathered(query, but);
+        } else {
+            int count = cursor.gatherNear(query[0], query[1], query[2], query[3], but, QuadTreeTest.outlines(cursor));
+            return count < 0 ? gathered(query, but) : gathered(count, but);
         }
         int id = next(way, reach);
         while (id >= 0) {
@@ -120,7 +124,7 @@ class NearGridTest {
     }
 
     private int next(int way, double reach) {
-        return way == 1 ? cursor.next() : way == 2 ? cursor.next(reach) : cursor.nextNear();
+        return way == 1 ? cursor.next() : cursor.next(reach);
     }
 
     @Test

@@ -137,7 +137,7 @@ class QuadTreeTest {
             }
         }
         BitSet gathered = new BitSet();
-        int count = cursor.gather(query[0], query[1], query[2], query[3], but);
+        int count = cursor.gather(query[0], query[1], query[2], query[3], but, outlines(cursor));
         for (int k = 0; k < count; k++) {
             gathered.set(cursor.gathered(k));
         }
@@ -229,19 +229,15 @@ class QuadTreeTest {
             tree.add(id, id, 0, id + 0.5, 1);
         }
         QuadCursor cursor = tree.cursor();
-        cursor.startRay(-5, 0.5, 1, 0, Double.POSITIVE_INFINITY);
-        assertThat(cursor.next(100)).isZero();
-        int rest = 0;
-        while (cursor.next(6) >= 0) {
-            rest++;
-        }
-        assertThat(rest).isBetween(1, 4);
-        assertThat(cursor.next(200)).as("ended is ended").isEqualTo(-1);
-        cursor.startRay(50.25, 0.5, 0x1p-1040, 0, Double.POSITIVE_INFINITY);
-        BitSet ids = new BitSet();
-        for (int id = cursor.next(Double.POSITIVE_INFINITY); id >= 0; id = cursor.next(Double.POSITIVE_INFINITY)) {
-            ids.set(id);
-        }
+        BitSet near = new BitSet();
+        double last = cursor.trace(-5, 0.5, 1, 0, 100, outlines(cursor), (id, limit) -> {
+            near.set(id);
+            return Math.min(limit, 6);
+        });
+        assertThat(last).isEqualTo(6);
+        assertThat(near.get(0, 2).cardinality()).isEqualTo(2);
+        assertThat(near.cardinality()).isLessThan(6);
+        BitSet ids = collectRay(cursor, new double[] {50.25, 0.5, 0x1p-1040, 0}, Double.POSITIVE_INFINITY);
         assertThat(ids.get(50, 100).cardinality())
                 .as("all that a slow ray comes to")
                 .isEqualTo(50);
@@ -346,16 +342,18 @@ class QuadTreeTest {
             while (cursor.next() >= 0) {}
         }
         long byBoxes = cursor.visited();
+        double[] outlines = outlines(cursor);
         assertThat(byBoxes).isBetween((long) queries, 3L * queries);
         for (int i = 0; i < queries; i++) {
             double angle = random.nextDouble(2 * Math.PI);
-            cursor.startRay(
+            cursor.trace(
                     random.nextDouble(side),
                     random.nextDouble(side),
                     StrictMath.cos(angle),
                     StrictMath.sin(angle),
-                    Double.POSITIVE_INFINITY);
-            cursor.next(Double.POSITIVE_INFINITY);
+                    Double.POSITIVE_INFINITY,
+                    outlines,
+                    (id, limit) -> 0);
         }
         assertThat(cursor.visited() - byBoxes).isBetween((long) queries, 12L * queries);
     }
@@ -395,19 +393,19 @@ class QuadTreeTest {
             tree.add(id, box[0], box[1], box[2], box[3]);
         }
         QuadCursor cursor = tree.cursor();
-        query(cursor, 3000);
+        double[] outlines = outlines(cursor);
+        query(cursor, outlines, 3000);
         var threads = (com.sun.management.ThreadMXBean) java.lang.management.ManagementFactory.getThreadMXBean();
         long before = threads.getCurrentThreadAllocatedBytes();
-        query(cursor, 3000);
+        query(cursor, outlines, 3000);
         assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(3000);
     }
 
-    private static void query(QuadCursor cursor, int count) {
+    private static void query(QuadCursor cursor, double[] outlines, int count) {
         for (int i = 0; i < count; i++) {
             double x = (i * 37) % 1000 - WORLD;
             double z = (i * 91) % 1000 - WORLD;
-            cursor.startRay(x, z, i % 7 - 3, i % 5 + 1, 1000);
-            while (cursor.next(1000) >= 0) {}
+            cursor.trace(x, z, i % 7 - 3, i % 5 + 1, 1000, outlines, (id, limit) -> limit);
             cursor.startPoint(x, z, 100);
             while (cursor.next(100) >= 0) {}
             cursor.startBox(x, z, x + 50, z + 50);
@@ -428,9 +426,8 @@ class QuadTreeTest {
         assertThatThrownBy(() -> tree.add(-1, 0, 0, 1, 1)).isInstanceOf(IllegalArgumentException.class);
         assertThatThrownBy(() -> tree.add(1, 0, Double.NaN, 1, 1)).isInstanceOf(IllegalArgumentException.class);
         assertThatThrownBy(() -> tree.add(1, 2, 0, 1, 1)).isInstanceOf(IllegalArgumentException.class);
-        assertThatThrownBy(() -> tree.cursor().startRay(0, 0, 0, -0.0, 1)).isInstanceOf(IllegalArgumentException.class);
-        assertThatThrownBy(() -> tree.cursor().startRay(0, 0, Double.NaN, 1, 1))
-                .isInstanceOf(IllegalArgumentException.class);
+        assertThatThrownBy(() -> trace(tree, 0, -0.0)).isInstanceOf(IllegalArgumentException.class);
+        assertThatThrownBy(() -> trace(tree, Double.NaN, 1)).isInstanceOf(IllegalArgumentException.class);
         assertThatThrownBy(() -> new QuadTree(0, 0, Double.NaN, 1)).isInstanceOf(IllegalArgumentException.class);
         assertThat(tree.size()).isEqualTo(1);
     }
@@ -483,14 +480,15 @@ class QuadTreeTest {
         return ids.cardinality();
     }
 
-    /** What is near a small box is all that meets it, and nothing that rounding to floats keeps away from it. */
+    /** What is near a small box is all that meets it, and nothing that rounding cannot have brought near. */
     private static void assertNear(QuadCursor cursor, double[][] boxes, double[] query, BitSet expected) {
-        if (!cursor.startNear(query[0], query[1], query[2], query[3])) {
-            return;
-        }
+        int count = cursor.gatherNear(query[0], query[1], query[2], query[3], -1, outlines(cursor));
         BitSet ids = new BitSet();
-        for (int id = cursor.nextNear(); id >= 0; id = cursor.nextNear()) {
-            ids.set(id);
+        for (int k = 0; k < count; k++) {
+            ids.set(cursor.gathered(k));
+        }
+        if (count < 0) { // too large to be near
+            return;
         }
         BitSet missed = (BitSet) expected.clone();
         missed.andNot(ids);
@@ -536,11 +534,32 @@ class QuadTreeTest {
 
     private static BitSet collectRay(QuadCursor cursor, double[] ray, double limit) {
         BitSet ids = new BitSet();
-        cursor.startRay(ray[0], ray[1], ray[2], ray[3], limit);
-        for (int id = cursor.next(limit); id >= 0; id = cursor.next(limit)) {
+        // The caller's part: what rounding may do to the way to a box.
+        double slack =
+                0x1p-44 * ((Math.abs(ray[0]) + Math.abs(ray[1])) / (Math.abs(ray[2]) + Math.abs(ray[3])) + limit);
+        cursor.trace(ray[0], ray[1], ray[2], ray[3], limit + slack, outlines(cursor), (id, reach) -> {
             ids.set(id);
-        }
+            return reach;
+        });
         return ids;
+    }
+
+    private static void trace(QuadTree tree, double dx, double dz) {
+        QuadCursor cursor = tree.cursor();
+        cursor.trace(0, 0, dx, dz, 1, outlines(cursor), (id, limit) -> limit);
+    }
+
+    /** An outline of every box. */
+    static double[] outlines(QuadCursor cursor) {
+        double[] boxes = cursor.boxes();
+        double[] outlines = new double[Outline.length(boxes.length / 4)];
+        for (int id = 0; id < boxes.length / 4; id++) {
+            if (!Double.isNaN(boxes[4 * id])) {
+                int at = 4 * id;
+                Outline.write(outlines, id, boxes[at], boxes[at + 1], boxes[at + 2], boxes[at + 3]);
+            }
+        }
+        return outlines;
     }
 
     /** The exact twin of a ray against a box. */

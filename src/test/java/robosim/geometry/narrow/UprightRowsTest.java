@@ -18,7 +18,7 @@ class UprightRowsTest {
             int kind = random.nextInt(3); // box, cylinder, sphere
             double[] row = row(kind);
             assertThat(UprightRows.takes(kind, row, 0)).isTrue();
-            assertThat(rows.append()).isEqualTo(place);
+            rows.reserve(place);
             assertThat(rows.isVacant(place)).isTrue();
             rows.write(place, kind, row, 0);
             int numbers = kind == Leaf.UPRIGHT_BOX ? 15 : 5;
@@ -60,7 +60,8 @@ class UprightRowsTest {
         one.setKind(0, Leaf.UPRIGHT_BOX);
         System.arraycopy(row(Leaf.UPRIGHT_BOX), 0, one.rows(), 0, Leaf.STRIDE);
         assertThat(one.fitsUpright()).isTrue();
-        int half = column.appendUpright();
+        column.reserveUpright(0);
+        int half = LeafColumn.UPRIGHT;
         column.copy(one, half);
         int whole = column.appendWhole(column, half, 1);
         assertThat(column.size()).isEqualTo(1);

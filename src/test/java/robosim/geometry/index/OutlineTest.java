@@ -1,0 +1,153 @@
+package robosim.geometry.index;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.math.BigDecimal;
+import java.util.BitSet;
+import java.util.SplittableRandom;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Rectangles at any heading, of which a query must not miss one; the twin separates them from it exactly. */
+class OutlineTest {
+    private static final int COUNT = 300;
+
+    private final SplittableRandom random = new SplittableRandom(5);
+    private final double[] outlines = new double[Outline.length(COUNT)];
+
+    private QuadCursor scene(double size, double offset) {
+        QuadTree tree = new QuadTree(-size, -size, size, size);
+        for (int id = 0; id < COUNT; id++) {
+            int at = Outline.at(id);
+            double heading = random.nextInt(3) == 0 ? random.nextInt(4) * Math.PI / 2 : random.nextDouble(7);
+            outlines[at + Outline.X] = offset + random.nextDouble(-size, size);
+            outlines[at + Outline.Z] = random.nextDouble(-size, size);
+            outlines[at + Outline.HALF_X] = random.nextInt(6) == 0 ? 0 : random.nextDouble(size / 8);
+            outlines[at + Outline.HALF_Z] = random.nextInt(6) == 0 ? 0 : random.nextDouble(size / 64);
+            outlines[at + Outline.COS] = StrictMath.cos(heading);
+            outlines[at + Outline.SIN] = StrictMath.sin(heading);
+            double wide = extent(at, Outline.COS, Outline.SIN);
+            double deep = extent(at, Outline.SIN, Outline.COS);
+            double x = outlines[at + Outline.X];
+            double z = outlines[at + Outline.Z];
+            tree.add(
+                    id, Math.nextDown(x - wide), Math.nextDown(z - deep), Math.nextUp(x + wide), Math.nextUp(z + deep));
+        }
+        return tree.cursor();
+    }
+
+    /** Half of the extent along a world's axis, rounded up. */
+    private double extent(int at, int first, int second) {
+        double sum = outlines[at + Outline.HALF_X] * Math.abs(outlines[at + first])
+                + outlines[at + Outline.HALF_Z] * Math.abs(outlines[at + second]);
+        return sum * (1 + 0x1p-50);
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 1e7, 1e15})
+    void raysMissNone(double offset) {
+        QuadCursor cursor = scene(64, offset);
+        int hits = 0;
+        int leftOut = 0;
+        for (int k = 0; k < 400; k++) {
+            double[] corner =
+                    corner(random.nextInt(COUNT), random.nextBoolean() ? 1 : -1, random.nextBoolean() ? 1 : -1);
+            double ox = offset + random.nextInt(-64, 64);
+            double oz = random.nextInt(-64, 64);
+            boolean isAimed = random.nextInt(3) > 0;
+            double dx = isAimed ? corner[0] - ox : random.nextInt(-3, 4);
+            double dz = isAimed ? corner[1] - oz : 1;
+            if (dx == 0 && dz == 0) {
+                continue;
+            }
+            double limit = random.nextInt(3) == 0 ? 0.5 : 2;
+            BitSet ids = new BitSet();
+            double slack = 0x1p-44 * (Math.abs(ox) + Math.abs(oz)) / (Math.abs(dx) + Math.abs(dz));
+            cursor.trace(ox, oz, dx, dz, limit + slack, outlines, (id, reach) -> {
+                ids.set(id);
+                return reach;
+            });
+            for (int id = 0; id < COUNT; id++) {
+                if (!isSeparate(id, ox, oz, dx, dz, limit)) {
+                    assertThat(ids.get(id))
+                            .as("%d on the ray %s, %s, %s, %s", id, ox, oz, dx, dz)
+                            .isTrue();
+                    hits++;
+                }
+            }
+            leftOut += COUNT - ids.cardinality();
+        }
+        assertThat(hits).isGreaterThan(1000);
+        assertThat(leftOut).isGreaterThan(20_000);
+    }
+
+    @ParameterizedTest
+    @ValueSource(doubles = {0, 1e7, 1e15})
+    void boxesMissNone(double offset) {
+        QuadCursor cursor = scene(64, offset);
+        int near = 0;
+        int leftOut = 0;
+        for (int k = 0; k < 1000; k++) {
+            double[] corner = corner(random.nextInt(COUNT), random.nextBoolean() ? 1 : -1, 1);
+            double width = random.nextInt(3);
+            int count = cursor.gatherNear(corner[0], corner[1], corner[0] + width, corner[1] + width, -1, outlines);
+            BitSet ids = new BitSet();
+            for (int i = 0; i < count; i++) {
+                ids.set(cursor.gathered(i));
+            }
+            for (int id = 0; count >= 0 && id < COUNT; id++) {
+                // The box as its diagonal, which is enough of it.
+                if (!isSeparate(id, corner[0], corner[1], width, width, 1)) {
+                    assertThat(ids.get(id))
+                            .as("%d near %s, %s", id, corner[0], corner[1])
+                            .isTrue();
+                    near++;
+                }
+            }
+            leftOut += count < 0 ? 0 : COUNT - ids.cardinality();
+        }
+        assertThat(near).isGreaterThan(500);
+        assertThat(leftOut).isGreaterThan(100_000);
+    }
+
+    /** A corner, rounded. */
+    private double[] corner(int id, int signX, int signZ) {
+        int at = Outline.at(id);
+        double a = signX * outlines[at + Outline.HALF_X];
+        double b = signZ * outlines[at + Outline.HALF_Z];
+        double cos = outlines[at + Outline.COS];
+        double sin = outlines[at + Outline.SIN];
+        return new double[] {outlines[at + Outline.X] + a * cos + b * sin, outlines[at + Outline.Z] - a * sin + b * cos
+        };
+    }
+
+    /** Whether a line keeps the rectangle and the way from o to o + limit d apart: along one of its sides, or the way. */
+    private boolean isSeparate(int id, double ox, double oz, double dx, double dz, double limit) {
+        int at = Outline.at(id);
+        BigDecimal cos = new BigDecimal(outlines[at + Outline.COS]);
+        BigDecimal sin = new BigDecimal(outlines[at + Outline.SIN]);
+        BigDecimal x = new BigDecimal(dx);
+        BigDecimal z = new BigDecimal(dz);
+        BigDecimal[][] normals = {{cos, sin.negate()}, {sin, cos}, {z, x.negate()}};
+        for (BigDecimal[] n : normals) {
+            BigDecimal middle = new BigDecimal(outlines[at + Outline.X])
+                    .multiply(n[0])
+                    .add(new BigDecimal(outlines[at + Outline.Z]).multiply(n[1]));
+            BigDecimal half = n[0].multiply(cos)
+                    .subtract(n[1].multiply(sin))
+                    .abs()
+                    .multiply(new BigDecimal(outlines[at + Outline.HALF_X]))
+                    .add(n[0].multiply(sin)
+                            .add(n[1].multiply(cos))
+                            .abs()
+                            .multiply(new BigDecimal(outlines[at + Outline.HALF_Z])));
+            BigDecimal from = new BigDecimal(ox).multiply(n[0]).add(new BigDecimal(oz).multiply(n[1]));
+            BigDecimal to =
+                    from.add(new BigDecimal(limit).multiply(x.multiply(n[0]).add(z.multiply(n[1]))));
+            if (from.min(to).compareTo(middle.add(half)) > 0 || from.max(to).compareTo(middle.subtract(half)) < 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+}
