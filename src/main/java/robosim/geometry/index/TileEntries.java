@@ -58,9 +58,9 @@ final class TileEntries {
 
     void write(int entry, double[] boxes, int at) {
         data[entry] = down(boxes[at]);
-        data[entry + 1] = down(boxes[at + 1]);
-        data[entry + 2] = up(boxes[at + 2]);
-        data[entry + 3] = up(boxes[at + 3]);
+        data[entry + 1] = down(boxes[at + 2]);
+        data[entry + 2] = up(boxes[at + 3]);
+        data[entry + 3] = up(boxes[at + 5]);
     }
 
     /** The entry of an object that is in a list. */

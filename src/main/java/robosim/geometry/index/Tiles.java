@@ -161,24 +161,24 @@ final class Tiles {
         if (isSingle()) {
             return true;
         }
-        if (!(boxes[at] >= originX && boxes[at + 1] >= originZ && boxes[at + 2] <= maxX && boxes[at + 3] <= maxZ)) {
+        if (!(boxes[at] >= originX && boxes[at + 2] >= originZ && boxes[at + 3] <= maxX && boxes[at + 5] <= maxZ)) {
             return false;
         }
         return isSmall(boxes, at);
     }
 
     private boolean isSmall(double[] boxes, int at) {
-        double wide = (boxes[at + 2] - boxes[at]) * scaleX + 2;
-        double deep = (boxes[at + 3] - boxes[at + 1]) * scaleZ + 2;
+        double wide = (boxes[at + 3] - boxes[at]) * scaleX + 2;
+        double deep = (boxes[at + 5] - boxes[at + 2]) * scaleZ + 2;
         return wide * deep <= MOST_TILES;
     }
 
     /** Lists a box that fits. */
     void add(int id, double[] boxes, int at) {
         int x0 = column(boxes[at], -MARGIN);
-        int x1 = column(boxes[at + 2], MARGIN);
-        int z0 = row(boxes[at + 1], -MARGIN);
-        int z1 = row(boxes[at + 3], MARGIN);
+        int x1 = column(boxes[at + 3], MARGIN);
+        int z0 = row(boxes[at + 2], -MARGIN);
+        int z1 = row(boxes[at + 5], MARGIN);
         int startX = spreadX(x0);
         int z = spreadZ(z0);
         for (int row = z0; row <= z1; row++) {
@@ -218,9 +218,9 @@ final class Tiles {
     /** Strikes a box that is listed, by the same numbers. */
     void remove(int id, double[] boxes, int at) {
         int x0 = column(boxes[at], -MARGIN);
-        int x1 = column(boxes[at + 2], MARGIN);
-        int z0 = row(boxes[at + 1], -MARGIN);
-        int z1 = row(boxes[at + 3], MARGIN);
+        int x1 = column(boxes[at + 3], MARGIN);
+        int z0 = row(boxes[at + 2], -MARGIN);
+        int z1 = row(boxes[at + 5], MARGIN);
         int startX = spreadX(x0);
         int z = spreadZ(z0);
         for (int row = z0; row <= z1; row++) {
@@ -254,13 +254,13 @@ final class Tiles {
     /** Lists a box anew that was listed by other numbers; both fit. */
     void move(int id, double[] before, int from, double[] boxes, int at) {
         int x0 = column(boxes[at], -MARGIN);
-        int x1 = column(boxes[at + 2], MARGIN);
-        int z0 = row(boxes[at + 1], -MARGIN);
-        int z1 = row(boxes[at + 3], MARGIN);
+        int x1 = column(boxes[at + 3], MARGIN);
+        int z0 = row(boxes[at + 2], -MARGIN);
+        int z1 = row(boxes[at + 5], MARGIN);
         boolean isSame = x0 == column(before[from], -MARGIN)
-                && x1 == column(before[from + 2], MARGIN)
-                && z0 == row(before[from + 1], -MARGIN)
-                && z1 == row(before[from + 3], MARGIN);
+                && x1 == column(before[from + 3], MARGIN)
+                && z0 == row(before[from + 2], -MARGIN)
+                && z1 == row(before[from + 5], MARGIN);
         if (!isSame) {
             remove(id, before, from);
             add(id, boxes, at);
@@ -315,7 +315,7 @@ final class Tiles {
         for (int entry = heads[tile]; entry != NONE; entry = heads[tile]) {
             int id = store.id(entry);
             heads[tile] = store.strike(entry, id);
-            parts.addPart(id, boxes, 4 * id);
+            parts.addPart(id, boxes, 6 * id);
         }
         if (depth < MOST_DEPTH) {
             parts.divideCrowded(boxes, depth + 1);
@@ -331,7 +331,7 @@ final class Tiles {
     private boolean holdsFew(int head, int length, double[] boxes) {
         int small = 0;
         for (int entry = head; entry != NONE; entry = store.next(entry)) {
-            small += isSmall(boxes, 4 * store.id(entry)) ? 1 : 0;
+            small += isSmall(boxes, 6 * store.id(entry)) ? 1 : 0;
         }
         return 2 * small < length;
     }
