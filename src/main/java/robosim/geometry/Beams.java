@@ -1,7 +1,6 @@
 package robosim.geometry;
 
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
@@ -12,6 +11,7 @@ final class Beams {
     private final Bodies bodies;
     private final Ranging ranging;
     private final double[] vector = new double[3];
+    private final Fan fan = new Fan();
 
     Beams(Dimension dimension, Bodies bodies, Ranging ranging) {
         this.dimension = dimension;
@@ -93,9 +93,16 @@ final class Beams {
         Arguments.angle("stepDegrees", stepDegrees);
         Arguments.range(min, max);
         Arguments.present("out", out);
+        double[] places = bodies.places();
+        int at = bodies.place(id);
+        bodies.toWorld(id, x, y, z, vector);
+        double ox = places[at] + vector[0];
+        double oy = places[at + 1] + vector[1];
+        double oz = places[at + 2] + vector[2];
         for (int k = 0; k < out.length; k++) {
-            double degrees = Arguments.angle("angle of the last ray", firstDegrees + k * stepDegrees);
-            out[k] = sonar(seen, id, x, y, z, Degrees.cos(degrees), 0, -Degrees.sin(degrees), min, max, 0);
+            fan.aim(firstDegrees, stepDegrees, k);
+            bodies.toWorld(id, fan.x(), 0, fan.z(), vector);
+            out[k] = distance(seen, ox, oy, oz, vector[0], vector[1], vector[2], min, max, 0, id);
         }
     }
 

@@ -37,7 +37,6 @@ final class Level {
 
     private LeafColumn leaves;
     private final Spans spans;
-    private double[] bounds;
 
     /** Up to so many moveable objects are as quickly asked one by one; where there are more, the quadtree has them too. */
     private static final int FEW_MOVERS = 16;
@@ -94,10 +93,9 @@ final class Level {
         this.bodies = bodies;
         this.shared = shared;
         mark = 0;
-        leaves = new LeafColumn(16);
+        leaves = new LeafColumn(1);
         leaves.reserveUpright(0);
         spans = new Spans();
-        bounds = new double[6 * 16];
         shapes = new byte[16];
         this.accuracy = accuracy;
         this.dimension = dimension;
@@ -118,7 +116,6 @@ final class Level {
         stacks = of.stacks.view();
         leaves = of.leaves.view();
         spans = of.spans;
-        bounds = of.bounds;
         shapes = of.shapes;
     }
 
@@ -212,7 +209,7 @@ final class Level {
         if (column.size() == 1 && accuracy == Accuracy.EXACT) {
             column.roughBounds(0, out);
         } else {
-            boundsOf(column, 0, column.size(), out, 0);
+            boundsOf(column, 0, column.size(), out);
         }
     }
 
@@ -221,15 +218,15 @@ final class Level {
         reserve(id);
         int leaf = spans.claim(id, placed.size(), leaves, !object.isMoveable() && placed.fitsUpright());
         leaves.copy(placed, leaf);
-        System.arraycopy(box, 0, bounds, 6 * id, 6);
-        outline(id);
+        tree.keep(id, box);
+        leaves.outline(id, box[0], box[2], box[3], box[5]);
         shapes[id] = placed.size() == 1 && DiscWay.isDisc(leaves.kind(leaf)) ? DISC : 0;
         if (object.isMoveable()) {
             shapes[id] = (byte) (shapes[id] | MOVER | shape(id, object));
             movers++;
             countMovers(id);
         } else {
-            stacks.add(id, bounds, tree);
+            stacks.add(id, tree);
         }
     }
 
@@ -247,22 +244,24 @@ final class Level {
     /** Takes all moveable objects into the quadtree when there are no longer few. */
     private void countMovers(int last) {
         if (hasMoversInTree) {
-            addToTree(last);
+            list(last);
         } else if (movers > FEW_MOVERS) {
             hasMoversInTree = true;
             for (int k = 0; k < bodies.moverCount(); k++) {
                 int id = bodies.mover(k);
                 if (id < shapes.length
                         && (shapes[id] & MOVER) != 0) { // not all are here yet where a level is being made
-                    addToTree(id);
+                    list(id);
                 }
             }
         }
     }
 
-    private void addToTree(int id) {
-        int b = 6 * id;
-        tree.add(id, bounds[b], bounds[b + 2], bounds[b + 3], bounds[b + 5]);
+    private void list(int id) {
+        double[] b = bounds();
+        int at = 6 * id;
+        leaves.outline(id, b[at], b[at + 2], b[at + 3], b[at + 5]);
+        tree.list(id);
     }
 
     /** How many moveable objects are not in the quadtree: all or none. */
@@ -275,22 +274,19 @@ final class Level {
         int limit = bodies.limit();
         if (Growth.isWasteful(limit, shapes.length)) {
             shapes = Arrays.copyOf(shapes, limit);
-            bounds = Arrays.copyOf(bounds, 6 * limit);
         }
         leaves.trim();
     }
 
     private void reserve(int id) {
         if (id >= shapes.length) {
-            int capacity = Growth.of(id);
-            shapes = Arrays.copyOf(shapes, capacity);
-            bounds = Arrays.copyOf(bounds, 6 * capacity);
+            shapes = Arrays.copyOf(shapes, Growth.of(id));
         }
     }
 
     void remove(int id) {
         if (!bodies.isMoveable(id)) {
-            stacks.remove(id, bounds, tree);
+            stacks.remove(id, tree);
         } else {
             movers--;
             tree.remove(id);
@@ -306,7 +302,6 @@ final class Level {
     void move(int id, double[] places, int at) {
         place(form(id), places[at], places[at + 1], places[at + 2], places, at + 3, leaves, first(id));
         measure(id);
-        listAnew(id);
     }
 
     /** Puts a moveable object where its place now says, with the attitude that it had. */
@@ -322,37 +317,26 @@ final class Level {
         rows[row + 1] = places[at + 1];
         rows[row + 2] = places[at + 2];
         measure(id);
-        listAnew(id);
-    }
-
-    private void outline(int id) {
-        int b = 6 * id;
-        leaves.outline(id, bounds[b], bounds[b + 2], bounds[b + 3], bounds[b + 5]);
-    }
-
-    private void listAnew(int id) {
-        outline(id);
-        if (hasMoversInTree) {
-            int b = 6 * id;
-            tree.move(id, bounds[b], bounds[b + 2], bounds[b + 3], bounds[b + 5]);
-        }
     }
 
     private void measure(int id) {
         if (count(id) != 1) {
-            boundsOf(leaves, first(id), count(id), bounds, 6 * id);
+            boundsOf(leaves, first(id), count(id), box);
             shapes[id] = (byte) (shapes[id] & ~DISC);
-            return;
-        }
-        if (accuracy == Accuracy.EXACT) {
-            leaves.roughBounds(first(id), part);
         } else {
-            leaves.bounds(first(id), part);
+            if (accuracy == Accuracy.EXACT) {
+                leaves.roughBounds(first(id), box);
+            } else {
+                leaves.bounds(first(id), box);
+            }
+            shapes[id] = (byte) (DiscWay.isDisc(leaves.kind(first(id))) ? shapes[id] | DISC : shapes[id] & ~DISC);
         }
-        for (int k = 0; k < 6; k++) {
-            bounds[6 * id + k] = part[k];
+        if (hasMoversInTree) {
+            leaves.outline(id, box[0], box[2], box[3], box[5]);
+            tree.move(id, box);
+        } else {
+            tree.keep(id, box);
         }
-        shapes[id] = (byte) (DiscWay.isDisc(leaves.kind(first(id))) ? shapes[id] | DISC : shapes[id] & ~DISC);
     }
 
     /** Whether what stands for a moveable object here is made of convex leaves that go with it as they are. */
@@ -366,20 +350,20 @@ final class Level {
     }
 
     /** The outward bounds of some leaves, six numbers. */
-    void boundsOf(LeafColumn column, int from, int number, double[] out, int at) {
-        if (number == 1 && at == 0) {
+    void boundsOf(LeafColumn column, int from, int number, double[] out) {
+        if (number == 1) {
             column.bounds(from, out);
             return;
         }
         for (int k = 0; k < 3; k++) {
-            out[at + k] = Double.POSITIVE_INFINITY;
-            out[at + 3 + k] = Double.NEGATIVE_INFINITY;
+            out[k] = Double.POSITIVE_INFINITY;
+            out[3 + k] = Double.NEGATIVE_INFINITY;
         }
         for (int leaf = from; leaf < from + number; leaf++) {
             column.bounds(leaf, part);
             for (int k = 0; k < 3; k++) {
-                out[at + k] = Math.min(out[at + k], part[k]);
-                out[at + 3 + k] = Math.max(out[at + 3 + k], part[3 + k]);
+                out[k] = Math.min(out[k], part[k]);
+                out[3 + k] = Math.max(out[3 + k], part[3 + k]);
             }
         }
     }
@@ -411,11 +395,12 @@ final class Level {
 
     /** The bounds of all objects: object id's six numbers begin at 6 id. */
     double[] bounds() {
-        return bounds;
+        return tree.boxes();
     }
 
     /** Whether an object's bounds meet a box of six numbers; heights count in SPATIAL only. */
     boolean meets(int id, double[] box) {
+        double[] bounds = tree.boxes();
         int b = 6 * id;
         return bounds[b] <= box[3]
                 && box[0] <= bounds[b + 3]

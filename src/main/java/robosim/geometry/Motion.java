@@ -212,7 +212,7 @@ final class Motion {
 
     /** Whether a box overlaps an object's bounds more deeply than the object does at the start. */
     private boolean deepens(int other, double[] way) {
-        level.boundsOf(phase.atStart, 0, phase.atStart.size(), part, 0);
+        level.boundsOf(phase.atStart, 0, phase.atStart.size(), part);
         double before = depth(other, part);
         double after = depth(other, way);
         return after >= 0 && (before < 0 || after > before);
@@ -324,9 +324,9 @@ final class Motion {
     void contact(double[] out) {
         if (obstacle == BORDER) {
             LeafColumn exact = phase.exactAtEnd();
-            level.boundsOf(exact, 0, exact.size(), part, 0);
+            level.boundsOf(exact, 0, exact.size(), part);
             exact = phase.exactAfter(1);
-            level.boundsOf(exact, 0, exact.size(), swept, 0);
+            level.boundsOf(exact, 0, exact.size(), swept);
             border.contact(swept, part, out);
             return;
         }

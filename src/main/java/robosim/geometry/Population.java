@@ -222,7 +222,7 @@ final class Population {
         if (candidate.size() == 1) {
             candidate.roughBounds(0, box);
         } else {
-            at.boundsOf(candidate, 0, candidate.size(), box, 0);
+            at.boundsOf(candidate, 0, candidate.size(), box);
         }
         Level shared = at.shared();
         return collidesIn(at, but) || (shared != null && collidesIn(shared, but));

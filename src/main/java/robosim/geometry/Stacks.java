@@ -54,36 +54,35 @@ final class Stacks {
         return most;
     }
 
-    /** Adds a static object to one of the trees. */
-    void add(int id, double[] bounds, QuadTree flat) {
-        int b = 6 * id;
+    /** Adds a static object to one of the trees; the quadtree keeps the bounds of all. */
+    void add(int id, QuadTree flat) {
         if (tree != null) {
-            tree.add(id, bounds);
+            tree.add(id, flat.boxes());
         } else {
-            flat.add(id, bounds[b], bounds[b + 2], bounds[b + 3], bounds[b + 5]);
+            flat.list(id);
         }
         if (hasHeights) {
             ids.set(id);
-            count(bounds, b, 1);
+            count(flat.boxes(), 6 * id, 1);
             if (tree == null && count >= look) {
                 look = count + (count >> 1);
                 if (isStacked()) {
-                    pile(bounds, flat);
+                    pile(flat.boxes(), flat);
                 }
             }
         }
     }
 
     /** Takes a static object out of the one that it is in. */
-    void remove(int id, double[] bounds, QuadTree flat) {
+    void remove(int id, QuadTree flat) {
         if (tree != null) {
-            tree.remove(id, bounds);
+            tree.remove(id, flat.boxes());
         } else {
             flat.remove(id);
         }
         if (hasHeights) {
             ids.clear(id);
-            count(bounds, 6 * id, -1);
+            count(flat.boxes(), 6 * id, -1);
         }
     }
 

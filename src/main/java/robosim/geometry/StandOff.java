@@ -39,7 +39,7 @@ final class StandOff {
 
     /** Back from contact, each time by as little as the missing gap could be made up in. */
     private double ofTurn(Level level, int i, int j, double contact, double clearance) {
-        level.boundsOf(phase.atStart, 0, phase.atStart.size(), box, 0);
+        level.boundsOf(phase.atStart, 0, phase.atStart.size(), box);
         double reach = 0;
         for (int k = 0; k < 3; k++) {
             double far = Math.max(Math.abs(box[k] - phase.start[k]), Math.abs(box[3 + k] - phase.start[k]));

@@ -166,10 +166,10 @@ final class Stride {
      * own, or that through the corners.
      */
     private int quickly(Level of, int other, double[] boxes) {
-        double minX = boxes[4 * other];
-        double minZ = boxes[4 * other + 1];
-        double maxX = boxes[4 * other + 2];
-        double maxZ = boxes[4 * other + 3];
+        double minX = boxes[6 * other];
+        double minZ = boxes[6 * other + 2];
+        double maxX = boxes[6 * other + 3];
+        double maxZ = boxes[6 * other + 5];
         double halfX = 0.5 * maxX - 0.5 * minX;
         double halfZ = 0.5 * maxZ - 0.5 * minZ;
         boolean isDisc = of.isDisc(other);

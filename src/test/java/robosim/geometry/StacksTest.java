@@ -2,6 +2,7 @@ package robosim.geometry;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.index.QuadTree;
 import robosim.geometry.index.SpaceKeys;
@@ -25,7 +26,8 @@ class StacksTest {
     private static Stacks filled(boolean hasHeights, double[] bounds, QuadTree flat) {
         Stacks stacks = new Stacks(hasHeights);
         for (int id = 0; id < COUNT; id++) {
-            stacks.add(id, bounds, flat);
+            flat.keep(id, Arrays.copyOfRange(bounds, 6 * id, 6 * id + 6));
+            stacks.add(id, flat);
         }
         return stacks;
     }
@@ -55,7 +57,7 @@ class StacksTest {
             QuadTree flat = new QuadTree(-100, -100, 100, 100);
             Stacks stacks = filled(true, bounds, flat);
             for (int id = 0; id < COUNT; id += 2) {
-                stacks.remove(id, bounds, flat);
+                stacks.remove(id, flat);
             }
             assertThat(flat.size()).isEqualTo(levels == 1 ? COUNT / 2 : 0);
             if (stacks.cursor() != null) {

@@ -41,21 +41,32 @@ public final class Degrees {
 
     /** Sine of the compensated angle {@code hi + lo}. */
     public static double sin(double hi, double lo) {
-        double full = Math.IEEEremainder(hi, 360);
+        double full = remainder(hi);
         double quarter = Math.rint(full / 90);
         return quadrant((int) quarter, full - 90 * quarter, lo);
     }
 
     /** Cosine of the compensated angle {@code hi + lo}. */
     public static double cos(double hi, double lo) {
-        double full = Math.IEEEremainder(hi, 360);
+        double full = remainder(hi);
         double quarter = Math.rint(full / 90);
         return quadrant((int) quarter + 1, full - 90 * quarter, lo);
     }
 
+    // What is left of an angle without the nearest number of whole turns, of two as near the even one. Exact: taking
+    // off one
+    // turn is (Sterbenz).
+    private static double remainder(double degrees) {
+        double size = Math.abs(degrees);
+        if (size <= 180) {
+            return degrees;
+        }
+        return size < 540 ? degrees - Math.copySign(360, degrees) : Math.IEEEremainder(degrees, 360);
+    }
+
     /** The same direction in {@code (-180, 180]}; exact. */
     public static double reduce(double degrees) {
-        double reduced = Math.IEEEremainder(degrees, 360);
+        double reduced = remainder(degrees);
         return reduced == -180 ? 180 : reduced + 0.0;
     }
 
@@ -66,7 +77,7 @@ public final class Degrees {
      * 2<sup>-98</sup>. Taking off a whole turn is exact (Sterbenz).
      */
     public static void add(double[] hiLo, int at, double degrees) {
-        DoubleDouble.add(hiLo[at], hiLo[at + 1], Math.IEEEremainder(degrees, 360), 0, hiLo, at);
+        DoubleDouble.add(hiLo[at], hiLo[at + 1], remainder(degrees), 0, hiLo, at);
         double hi = hiLo[at];
         double lo = hiLo[at + 1];
         if (hi > 180 || (hi == 180 && lo > 0)) {

@@ -24,13 +24,13 @@ final class Cells {
         scaleZ = scale(maxZ - minZ);
     }
 
-    /** The cell of a box of four numbers at a place of an array, along X. */
+    /** The cell of a box of six numbers at a place of an array, along X. */
     long x(double[] boxes, int at) {
-        return cell(0.5 * boxes[at] + 0.5 * boxes[at + 2], originX, scaleX);
+        return cell(0.5 * boxes[at] + 0.5 * boxes[at + 3], originX, scaleX);
     }
 
     long z(double[] boxes, int at) {
-        return cell(0.5 * boxes[at + 1] + 0.5 * boxes[at + 3], originZ, scaleZ);
+        return cell(0.5 * boxes[at + 2] + 0.5 * boxes[at + 5], originZ, scaleZ);
     }
 
     /** Which quarter of the region that this bit cuts a cell is in: 0 to 3. */

@@ -2,10 +2,10 @@ package robosim.geometry.index;
 
 import java.util.Arrays;
 
-/** Objects that have moved, and their boxes before that, four numbers each: the first box, however often they move. */
+/** Objects that have moved, and their boxes before that, six numbers each: the first box, however often they move. */
 final class Moved {
     private int[] ids = new int[4];
-    private double[] boxes = new double[4 * ids.length];
+    private double[] boxes = new double[6 * ids.length];
     private int count;
 
     /** A bit for each id, set for those that are here. */
@@ -25,7 +25,7 @@ final class Moved {
 
     /** Copies the k-th object's box. */
     void before(int k, double[] box) {
-        System.arraycopy(boxes, 4 * k, box, 0, 4);
+        System.arraycopy(boxes, 6 * k, box, 0, 6);
     }
 
     /** Takes note of an object that is about to move from its box, if it is not here yet. */
@@ -40,9 +40,9 @@ final class Moved {
         present[word] |= 1L << id;
         if (count == ids.length) {
             ids = Arrays.copyOf(ids, 2 * count);
-            boxes = Arrays.copyOf(boxes, 8 * count);
+            boxes = Arrays.copyOf(boxes, 12 * count);
         }
-        System.arraycopy(from, 4 * id, boxes, 4 * count, 4);
+        System.arraycopy(from, 6 * id, boxes, 6 * count, 6);
         ids[count++] = id;
     }
 

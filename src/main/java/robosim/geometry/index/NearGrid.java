@@ -69,8 +69,8 @@ final class NearGrid {
 
     private boolean isUnfit;
 
-    /** A grid of all objects of an array of boxes, so many; where there is none, the first number of the box is NaN. */
-    NearGrid(double[] boxes, int size) {
+    /** A grid of all objects of an array of boxes that are listed, so many. */
+    NearGrid(double[] boxes, boolean[] listed, int size) {
         double minX = Double.POSITIVE_INFINITY;
         double minZ = Double.POSITIVE_INFINITY;
         double maxX = Double.NEGATIVE_INFINITY;
@@ -79,17 +79,17 @@ final class NearGrid {
         double deep = 0;
         int end = 0;
         for (int found = 0; found < size; end++) {
-            int at = 4 * end;
-            if (!Double.isNaN(boxes[at])) {
+            int at = 6 * end;
+            if (listed[end]) {
                 found++;
                 double x = middle(boxes, at);
-                double z = middle(boxes, at + 1);
+                double z = middle(boxes, at + 2);
                 minX = x < minX ? x : minX;
                 minZ = z < minZ ? z : minZ;
                 maxX = x > maxX ? x : maxX;
                 maxZ = z > maxZ ? z : maxZ;
-                wide += boxes[at + 2] - boxes[at];
-                deep += boxes[at + 3] - boxes[at + 1];
+                wide += boxes[at + 3] - boxes[at];
+                deep += boxes[at + 5] - boxes[at + 2];
             }
         }
         double width = 1.25 * (maxX - minX);
@@ -111,11 +111,11 @@ final class NearGrid {
         boolean isOrdinary = isOrdinary(width, scaleX) && isOrdinary(length, scaleZ);
         isUnfit = !isOrdinary || (long) countX * countZ > MOST_CELLS;
         heads = new int[isUnfit ? 1 : countX * countZ];
-        next = new int[isUnfit ? 0 : boxes.length / 4];
+        next = new int[isUnfit ? 0 : boxes.length / 6];
         cells = new int[next.length];
         Arrays.fill(heads, NONE);
         for (int id = 0; id < end && !isUnfit; id++) {
-            if (!Double.isNaN(boxes[4 * id])) {
+            if (listed[id]) {
                 add(id, boxes);
             }
         }
@@ -130,7 +130,7 @@ final class NearGrid {
     }
 
     private static double middle(double[] boxes, int at) {
-        return 0.5 * boxes[at] + 0.5 * boxes[at + 2];
+        return 0.5 * boxes[at] + 0.5 * boxes[at + 3];
     }
 
     /** Whether the objects are none for a grid. */
@@ -185,10 +185,10 @@ final class NearGrid {
     /** Lists an object of the array. */
     void add(int id, double[] boxes) {
         if (id >= next.length) {
-            next = Arrays.copyOf(next, boxes.length / 4);
+            next = Arrays.copyOf(next, boxes.length / 6);
             cells = Arrays.copyOf(cells, next.length);
         }
-        int cell = cellOf(boxes, 4 * id);
+        int cell = cellOf(boxes, 6 * id);
         cells[id] = cell;
         link(id, cell);
     }
@@ -231,7 +231,7 @@ final class NearGrid {
 
     /** Lists an object where its box now is. */
     void move(int id, double[] boxes) {
-        int cell = cellOf(boxes, 4 * id);
+        int cell = cellOf(boxes, 6 * id);
         int old = cells[id];
         if (cell != old) {
             unlink(id, old);
@@ -243,11 +243,11 @@ final class NearGrid {
     /** The cell of a box; makes sure that whoever looks for it looks far enough. */
     private int cellOf(double[] boxes, int at) {
         double x = middle(boxes, at);
-        double z = middle(boxes, at + 1);
+        double z = middle(boxes, at + 2);
         double lowX = boxes[at];
-        double lowZ = boxes[at + 1];
-        double highX = boxes[at + 2];
-        double highZ = boxes[at + 3];
+        double lowZ = boxes[at + 2];
+        double highX = boxes[at + 3];
+        double highZ = boxes[at + 5];
         if (!(lowX + reachX >= x && highX - reachX <= x && lowZ + reachZ >= z && highZ - reachZ <= z)) {
             if (highX - lowX > 2 * mostX || highZ - lowZ > 2 * mostZ) {
                 return LARGE;

@@ -106,7 +106,7 @@ final class NearestFirst {
 
     private void pushAll(RegionTree tree, double[] boxes, int first, double within) {
         for (int id = first; id != NONE; id = tree.next[id]) {
-            push(keys.key(boxes, 4 * id), ~id, within);
+            push(keys.keyOfObject(boxes, 6 * id), ~id, within);
         }
     }
 

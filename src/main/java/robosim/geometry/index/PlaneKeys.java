@@ -12,6 +12,7 @@ final class PlaneKeys {
     private double rightX;
     private double rightZ;
     private double unit = 1;
+    private final double[] flat = new double[4];
 
     void startRay(double ox, double oz, double dx, double dz) {
         unit = Slab.scale(Math.max(Math.abs(dx), Math.abs(dz)));
@@ -58,6 +59,15 @@ final class PlaneKeys {
 
     double key(double[] boxes, int at) {
         return isRay ? rayKey(boxes, at) : pointKey(boxes, at);
+    }
+
+    /** The key of one box of six numbers, of which the heights do not count. */
+    double keyOfObject(double[] boxes, int at) {
+        flat[0] = boxes[at];
+        flat[1] = boxes[at + 2];
+        flat[2] = boxes[at + 3];
+        flat[3] = boxes[at + 5];
+        return key(flat, 0);
     }
 
     private double rayKey(double[] boxes, int at) {

@@ -104,7 +104,7 @@ public final class QuadCursor {
         return gathering.id(k);
     }
 
-    /** The boxes of all objects: least x and z, greatest x and z of each from four times its id on. */
+    /** The boxes of all objects, as {@link QuadTree#boxes}. */
     public double[] boxes() {
         return tree.boxes;
     }

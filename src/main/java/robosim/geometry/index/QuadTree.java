@@ -16,16 +16,34 @@ import org.jspecify.annotations.Nullable;
  * <p>Belongs to one thread at a time. Arrays have one place for every id up to the greatest.
  */
 public final class QuadTree {
-    /** Greatest id: four numbers for each must fit one array. */
+    /** Greatest id: six numbers for each must fit one array. */
     public static final int MAX_ID = (1 << 28) - 2;
+
+    /** Numbers of a box: its least x, y and z, then its greatest. Heights do not count here, but stand beside the others. */
+    public static final int BOX = 6;
 
     /** Room for so many more is not worth giving up. */
     private static final int FEW = 1024;
 
+    /** Room at first. */
+    private static final int FIRST = 16;
+
+    /** Fewer than these grow by as many again. */
+    private static final int SMALL = 1 << 15;
+
+    private static final RegionTree NO_REGIONS = new RegionTree(new Cells(0, 0, 0, 0));
+
     private final Cells cells;
 
-    // By id: the box; the first number is NaN where there is none.
+    // By id, of those in the tree and of others that its owner keeps here.
     double[] boxes;
+
+    /** By id, whether it is in the tree. */
+    private boolean[] listed;
+
+    /** One more than the greatest id so far. */
+    private int limit;
+
     private int size;
 
     private final Runnable laidOut;
@@ -33,8 +51,10 @@ public final class QuadTree {
     /** No coordinate of a box was ever of a greater magnitude. */
     double most;
 
+    private final double[] given = new double[BOX];
+
     final TileLayers tiles;
-    private final double[] before = new double[4];
+    private final double[] before = new double[BOX];
     RegionTree regions;
     private boolean hasRegions;
 
@@ -61,17 +81,19 @@ public final class QuadTree {
     public QuadTree(double minX, double minZ, double maxX, double maxZ, Runnable whenLaidOut) {
         laidOut = whenLaidOut;
         cells = new Cells(minX, minZ, maxX, maxZ);
-        regions = new RegionTree(cells);
+        regions = NO_REGIONS;
         tiles = new TileLayers();
         frozen = null;
-        boxes = new double[4 * 64];
-        Arrays.fill(boxes, Double.NaN);
+        boxes = new double[BOX * FIRST];
+        listed = new boolean[FIRST];
     }
 
     private QuadTree(QuadTree of) {
         laidOut = () -> {};
         cells = of.cells;
         boxes = of.boxes;
+        listed = of.listed;
+        limit = of.limit;
         size = of.size;
         most = of.most;
         tiles = of.tiles;
@@ -103,7 +125,7 @@ public final class QuadTree {
     }
 
     public boolean contains(int id) {
-        return id >= 0 && 4 * id < boxes.length && !Double.isNaN(boxes[4 * id]);
+        return id >= 0 && id < listed.length && listed[id];
     }
 
     /** A cursor over this tree; it sees the tree as it is when a query starts. */
@@ -118,15 +140,40 @@ public final class QuadTree {
      * @throws IllegalArgumentException where the id is taken or out of range, or the box is not finite or inside out
      */
     public void add(int id, double minX, double minZ, double maxX, double maxZ) {
-        if (id < 0 || id > MAX_ID || contains(id)) {
-            throw new IllegalArgumentException("id must be 0 to " + MAX_ID + " and not in the tree (got: " + id + ")");
+        requireNew(id);
+        requireBox(minX, minZ, maxX, maxZ);
+        given[0] = minX;
+        given[2] = minZ;
+        given[3] = maxX;
+        given[5] = maxZ;
+        keep(id, given);
+        list(id);
+    }
+
+    /** Gives an id a box of {@link #BOX} numbers without adding it. */
+    public void keep(int id, double[] box) {
+        if (id >= listed.length) {
+            resize(capacity(id));
         }
-        if (!(minX <= maxX) || !(minZ <= maxZ) || !finite(minX, minZ) || !finite(maxX, maxZ)) {
-            throw new IllegalArgumentException("box must be finite and min at most max (got: x %s to %s, z %s to %s)"
-                    .formatted(minX, maxX, minZ, maxZ));
-        }
-        ensureId(id);
-        write(id, minX, minZ, maxX, maxZ);
+        limit = Math.max(limit, id + 1);
+        System.arraycopy(box, 0, boxes, BOX * id, BOX);
+    }
+
+    /**
+     * Adds an object that has its box here.
+     *
+     * @throws IllegalArgumentException where it is in the tree or its box is not finite or inside out
+     */
+    public void list(int id) {
+        requireNew(id);
+        int at = BOX * id;
+        double minX = boxes[at];
+        double minZ = boxes[at + 2];
+        double maxX = boxes[at + 3];
+        double maxZ = boxes[at + 5];
+        requireBox(minX, minZ, maxX, maxZ);
+        stretch(minX, minZ, maxX, maxZ);
+        listed[id] = true;
         size++;
         tiles.add(id, boxes, size);
         if (grid != null) {
@@ -137,27 +184,41 @@ public final class QuadTree {
         }
     }
 
-    private void write(int id, double minX, double minZ, double maxX, double maxZ) {
+    private void requireNew(int id) {
+        if (id < 0 || id > MAX_ID || contains(id)) {
+            throw new IllegalArgumentException("id must be 0 to " + MAX_ID + " and not in the tree (got: " + id + ")");
+        }
+    }
+
+    private static void requireBox(double minX, double minZ, double maxX, double maxZ) {
+        boolean isFinite = minX > Double.NEGATIVE_INFINITY
+                && maxX < Double.POSITIVE_INFINITY
+                && minZ > Double.NEGATIVE_INFINITY
+                && maxZ < Double.POSITIVE_INFINITY;
+        if (!(isFinite && minX <= maxX && minZ <= maxZ)) {
+            throw new IllegalArgumentException("box must be finite and min at most max (got: x %s to %s, z %s to %s)"
+                    .formatted(minX, maxX, minZ, maxZ));
+        }
+    }
+
+    private void stretch(double minX, double minZ, double maxX, double maxZ) {
         if (-minX > most || maxX > most || -minZ > most || maxZ > most) {
             most = Math.max(Math.max(-minX, maxX), Math.max(-minZ, maxZ));
         }
-        int at = 4 * id;
-        boxes[at] = minX;
-        boxes[at + 1] = minZ;
-        boxes[at + 2] = maxX;
-        boxes[at + 3] = maxZ;
     }
 
-    private static boolean finite(double a, double b) {
-        return Double.isFinite(a) && Double.isFinite(b);
+    private static int capacity(int id) {
+        return Math.min(MAX_ID + 1, id < SMALL ? 2 * id + 2 : id + (id >> 2));
     }
 
-    private void ensureId(int id) {
-        if (4 * id >= boxes.length) {
-            int before = boxes.length;
-            boxes = Arrays.copyOf(boxes, 4 * Math.min(MAX_ID + 1, Math.max(id + 1, before / 4 + before / 8)));
-            Arrays.fill(boxes, before, boxes.length, Double.NaN);
-        }
+    private void resize(int capacity) {
+        boxes = Arrays.copyOf(boxes, BOX * capacity);
+        listed = Arrays.copyOf(listed, capacity);
+    }
+
+    /** The boxes by id, {@link #BOX} numbers each: of those in the tree and of others that were kept. Valid until the next is. */
+    public double[] boxes() {
+        return boxes;
     }
 
     /** Takes an object out; false where it is not in the tree. */
@@ -173,7 +234,7 @@ public final class QuadTree {
         if (hasRegions) {
             regions.remove(id, boxes);
         }
-        boxes[4 * id] = Double.NaN;
+        listed[id] = false;
         size--;
         return true;
     }
@@ -181,9 +242,10 @@ public final class QuadTree {
     /**
      * Gives an object of the tree another box, which must be one that could be added.
      *
+     * @param to {@link #BOX} numbers
      * @throws IllegalArgumentException where the id is not in the tree
      */
-    public void move(int id, double minX, double minZ, double maxX, double maxZ) {
+    public void move(int id, double[] to) {
         if (!contains(id)) {
             throw new IllegalArgumentException("id must be in the tree (got: " + id + ")");
         }
@@ -192,20 +254,25 @@ public final class QuadTree {
         }
         NearGrid near = grid;
         if (near == null) {
-            System.arraycopy(boxes, 4 * id, before, 0, 4);
-            write(id, minX, minZ, maxX, maxZ);
+            System.arraycopy(boxes, BOX * id, before, 0, BOX);
+            put(id, to);
             tiles.move(id, before, boxes, size);
         } else {
             hasMoved = true;
             if (!tiles.isStale()) {
                 moved.note(id, boxes);
             }
-            write(id, minX, minZ, maxX, maxZ);
+            put(id, to);
             near.move(id, boxes);
         }
         if (hasRegions) {
             regions.add(id, boxes);
         }
+    }
+
+    private void put(int id, double[] to) {
+        stretch(to[0], to[2], to[3], to[5]);
+        System.arraycopy(to, 0, boxes, BOX * id, BOX);
     }
 
     /** Brings the tiles up to date. */
@@ -214,7 +281,7 @@ public final class QuadTree {
             catchUp();
         }
         if (tiles.isStale()) {
-            tiles.layOut(boxes, size);
+            tiles.layOut(boxes, listed, size);
             trim();
             laidOut.run();
             if (!hasMoved) { // a world that stands still needs nothing more
@@ -225,12 +292,8 @@ public final class QuadTree {
 
     /** Gives up room that there is for more. */
     private void trim() {
-        int limit = boxes.length / 4;
-        while (limit > 1 && Double.isNaN(boxes[4 * limit - 4])) {
-            limit--;
-        }
-        if (boxes.length / 4 - limit > FEW + (limit >> 6)) {
-            boxes = Arrays.copyOf(boxes, 4 * limit);
+        if (listed.length - limit > FEW + (limit >> 6)) {
+            resize(limit);
         }
     }
 
@@ -248,7 +311,7 @@ public final class QuadTree {
     NearGrid near() {
         NearGrid near = grid;
         if (near == null ? tiles.isStale() && size >= leastForGrid : near.isUnfit() || near.isOutgrown(size)) {
-            near = new NearGrid(boxes, size);
+            near = new NearGrid(boxes, listed, size);
             if (near.isUnfit()) {
                 near = null;
                 leastForGrid = 4 * size;

@@ -35,8 +35,8 @@ final class RegionTree {
     void add(int id, double[] boxes) {
         ensureId(id);
         regions.reserve();
-        int region = regionFor(boxes, 4 * id);
-        regions.grow(region, boxes, 4 * id);
+        int region = regionFor(boxes, 6 * id);
+        regions.grow(region, boxes, 6 * id);
         next[id] = first(regions.links[region]);
         regions.links[region] = next[id] == NONE ? ~id : ~(id | MORE);
     }
@@ -52,8 +52,8 @@ final class RegionTree {
                 return region;
             }
             boolean isCut = link >= 0;
-            long heldX = isCut ? regions.x(link) : cells.x(boxes, 4 * first(link));
-            long heldZ = isCut ? regions.z(link) : cells.z(boxes, 4 * first(link));
+            long heldX = isCut ? regions.x(link) : cells.x(boxes, 6 * first(link));
+            long heldZ = isCut ? regions.z(link) : cells.z(boxes, 6 * first(link));
             int bit = Long.SIZE - 1 - Long.numberOfLeadingZeros((x ^ heldX) | (z ^ heldZ));
             if (isCut && bit <= regions.bit(link)) {
                 regions.grow(region, boxes, box);
@@ -68,8 +68,8 @@ final class RegionTree {
 
     /** Takes an object out that is in. */
     void remove(int id, double[] boxes) {
-        long x = cells.x(boxes, 4 * id);
-        long z = cells.z(boxes, 4 * id);
+        long x = cells.x(boxes, 6 * id);
+        long z = cells.z(boxes, 6 * id);
         int depth = 0;
         int region = 0;
         while (regions.links[region] >= 0) {
@@ -97,7 +97,7 @@ final class RegionTree {
         next[id] = ABSENT;
         regions.clear(region);
         for (int other = first; other != NONE; other = next[other]) {
-            regions.grow(region, boxes, 4 * other);
+            regions.grow(region, boxes, 6 * other);
         }
         regions.links[region] = first == NONE ? EMPTY : next[first] == NONE ? ~first : ~(first | MORE);
     }

@@ -58,13 +58,17 @@ final class Regions {
         bounds[at + 3] = Double.NEGATIVE_INFINITY;
     }
 
-    /** Grows a region's bounds by a box. */
+    /** Grows a region's bounds by a box of six numbers. */
     void grow(int region, double[] boxes, int box) {
+        grow(region, boxes[box], boxes[box + 2], boxes[box + 3], boxes[box + 5]);
+    }
+
+    private void grow(int region, double minX, double minZ, double maxX, double maxZ) {
         int at = 4 * region;
-        bounds[at] = Math.min(bounds[at], boxes[box]);
-        bounds[at + 1] = Math.min(bounds[at + 1], boxes[box + 1]);
-        bounds[at + 2] = Math.max(bounds[at + 2], boxes[box + 2]);
-        bounds[at + 3] = Math.max(bounds[at + 3], boxes[box + 3]);
+        bounds[at] = Math.min(bounds[at], minX);
+        bounds[at + 1] = Math.min(bounds[at + 1], minZ);
+        bounds[at + 2] = Math.max(bounds[at + 2], maxX);
+        bounds[at + 3] = Math.max(bounds[at + 3], maxZ);
     }
 
     /** Puts a cut at this bit above all that a region holds, which has this cell as far as the bits above it go. */
@@ -93,7 +97,8 @@ final class Regions {
         int last = first;
         clear(region);
         for (int quarter = first; quarter < first + 4; quarter++) {
-            grow(region, bounds, 4 * quarter);
+            int at = 4 * quarter;
+            grow(region, bounds[at], bounds[at + 1], bounds[at + 2], bounds[at + 3]);
             if (links[quarter] != EMPTY) {
                 used++;
                 last = quarter;

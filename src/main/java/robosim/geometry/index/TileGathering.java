@@ -110,7 +110,7 @@ final class TileGathering {
     void gather(NearGrid grid, double[] boxes) {
         for (int k = 0; k < grid.largeCount(); k++) {
             int id = grid.large(k);
-            if (id != but && meets(boxes, 4 * id)) {
+            if (id != but && meets(boxes, 6 * id)) {
                 if (count == ids.length) {
                     grow();
                 }
@@ -128,7 +128,7 @@ final class TileGathering {
     }
 
     private boolean meets(double[] boxes, int at) {
-        return boxes[at] <= maxX && minX <= boxes[at + 2] && boxes[at + 1] <= maxZ && minZ <= boxes[at + 3];
+        return boxes[at] <= maxX && minX <= boxes[at + 3] && boxes[at + 2] <= maxZ && minZ <= boxes[at + 5];
     }
 
     /** Writes down the first objects of a cell, the next one if there is one more column, and the same of one more row. */
@@ -186,12 +186,12 @@ final class TileGathering {
                 if (to == ids.length) {
                     grow();
                 }
-                int at = 4 * id;
+                int at = 6 * id;
                 ids[to] = id;
                 long apart = Double.doubleToRawLongBits(highX - boxes[at])
-                        | Double.doubleToRawLongBits(highZ - boxes[at + 1])
-                        | Double.doubleToRawLongBits(boxes[at + 2] - lowX)
-                        | Double.doubleToRawLongBits(boxes[at + 3] - lowZ);
+                        | Double.doubleToRawLongBits(highZ - boxes[at + 2])
+                        | Double.doubleToRawLongBits(boxes[at + 3] - lowX)
+                        | Double.doubleToRawLongBits(boxes[at + 5] - lowZ);
                 int isOther = (id - but | but - id) >>> SIGN;
                 to += isOther & (int) (~apart >>> (Long.SIZE - 1));
                 passed++;

@@ -4,7 +4,7 @@ package robosim.geometry.index;
  * The {@link Tiles} of a {@link QuadTree}: finer ones for the many, coarser ones for what is too large for them, and one
  * that takes everything else. Stale at first, and again when the number of objects has outgrown them.
  *
- * <p>An object is given by its id and its box, four numbers from four times the id on.
+ * <p>An object is given by its id and its box, six numbers from six times the id on.
  */
 final class TileLayers {
     private static final int MOST_LAYERS = 8;
@@ -48,7 +48,7 @@ final class TileLayers {
     /** Lists an object, the last of so many, unless the tiles are stale. */
     void add(int id, double[] boxes, int size) {
         if (!isStale) {
-            layerOf(boxes, 4 * id).add(id, boxes, 4 * id);
+            layerOf(boxes, 6 * id).add(id, boxes, 6 * id);
             isStale = size > 4 * laid + FEW || layers[count - 1].objects() > mostBeside;
         }
     }
@@ -56,7 +56,7 @@ final class TileLayers {
     /** Strikes an object, unless the tiles are stale. */
     void remove(int id, double[] boxes) {
         if (!isStale) {
-            layerOf(boxes, 4 * id).remove(id, boxes, 4 * id);
+            layerOf(boxes, 6 * id).remove(id, boxes, 6 * id);
         }
     }
 
@@ -66,8 +66,8 @@ final class TileLayers {
             return;
         }
         Tiles old = layerOf(before, 0);
-        if (old == layerOf(boxes, 4 * id)) {
-            old.move(id, before, 0, boxes, 4 * id);
+        if (old == layerOf(boxes, 6 * id)) {
+            old.move(id, before, 0, boxes, 6 * id);
         } else {
             old.remove(id, before, 0);
             add(id, boxes, size);
@@ -84,14 +84,14 @@ final class TileLayers {
         return layers[count - 1];
     }
 
-    /** Lays all objects out anew, so many; where there is none, the first number of the box is NaN. */
-    void layOut(double[] boxes, int size) {
+    /** Lays all objects out anew that are listed, so many. */
+    void layOut(double[] boxes, boolean[] listed, int size) {
         isGrowing = laid > 0 && size > laid;
         laid = size;
         int[] left = new int[size];
         int remaining = 0;
         for (int id = 0; remaining < size; id++) {
-            if (!Double.isNaN(boxes[4 * id])) {
+            if (listed[id]) {
                 left[remaining++] = id;
             }
         }
@@ -104,7 +104,7 @@ final class TileLayers {
         }
         Tiles rest = Tiles.single();
         for (int k = 0; k < remaining; k++) {
-            rest.add(left[k], boxes, 4 * left[k]);
+            rest.add(left[k], boxes, 6 * left[k]);
         }
         layers[count++] = rest;
         mostBeside = 2 * (remaining + FEW) + laid / 16;
@@ -116,8 +116,8 @@ final class TileLayers {
         Tiles tiles = tilesFor(ids, objects, boxes, coarser);
         int left = 0;
         for (int k = 0; k < objects; k++) {
-            if (tiles.fits(boxes, 4 * ids[k])) {
-                tiles.add(ids[k], boxes, 4 * ids[k]);
+            if (tiles.fits(boxes, 6 * ids[k])) {
+                tiles.add(ids[k], boxes, 6 * ids[k]);
             } else {
                 ids[left++] = ids[k];
             }
@@ -137,11 +137,11 @@ final class TileLayers {
         double maxX = Double.NEGATIVE_INFINITY;
         double maxZ = Double.NEGATIVE_INFINITY;
         for (int k = 0; k < objects; k++) {
-            int at = 4 * ids[k];
+            int at = 6 * ids[k];
             minX = boxes[at] < minX ? boxes[at] : minX;
-            minZ = boxes[at + 1] < minZ ? boxes[at + 1] : minZ;
-            maxX = boxes[at + 2] > maxX ? boxes[at + 2] : maxX;
-            maxZ = boxes[at + 3] > maxZ ? boxes[at + 3] : maxZ;
+            minZ = boxes[at + 2] < minZ ? boxes[at + 2] : minZ;
+            maxX = boxes[at + 3] > maxX ? boxes[at + 3] : maxX;
+            maxZ = boxes[at + 5] > maxZ ? boxes[at + 5] : maxZ;
         }
         double roomX = isGrowing ? (maxX - minX) / 8 : 0;
         double roomZ = isGrowing ? (maxZ - minZ) / 8 : 0;

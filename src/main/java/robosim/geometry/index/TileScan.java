@@ -92,7 +92,7 @@ final class TileScan {
             if (isWithin && inner != null) {
                 int id = inner.next(boxes);
                 isWithin = id != Tiles.NONE;
-                if (isWithin && isFirst(boxes, 4 * id)) {
+                if (isWithin && isFirst(boxes, 6 * id)) {
                     return id;
                 }
                 continue;
@@ -115,7 +115,7 @@ final class TileScan {
         int[] ids = tiles.store.data;
         while (entry < end) {
             int id = ids[entry++];
-            if (meets(boxes, 4 * id) && (isRest || isFirst(boxes, 4 * id))) {
+            if (meets(boxes, 6 * id) && (isRest || isFirst(boxes, 6 * id))) {
                 return id;
             }
         }
@@ -136,11 +136,11 @@ final class TileScan {
     }
 
     private boolean meets(double[] of, int at) {
-        return of[at] <= maxX && minX <= of[at + 2] && of[at + 1] <= maxZ && minZ <= of[at + 3];
+        return of[at] <= maxX && minX <= of[at + 3] && of[at + 2] <= maxZ && minZ <= of[at + 5];
     }
 
     private boolean isFirst(double[] boxes, int at) {
         return (column == column0 || column == tiles.column(boxes[at], -Tiles.MARGIN))
-                && (row == row0 || row == tiles.row(boxes[at + 1], -Tiles.MARGIN));
+                && (row == row0 || row == tiles.row(boxes[at + 2], -Tiles.MARGIN));
     }
 }

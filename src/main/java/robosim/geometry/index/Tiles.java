@@ -157,24 +157,24 @@ final class Tiles {
         if (isSingle()) {
             return true;
         }
-        if (!(boxes[at] >= originX && boxes[at + 1] >= originZ && boxes[at + 2] <= maxX && boxes[at + 3] <= maxZ)) {
+        if (!(boxes[at] >= originX && boxes[at + 2] >= originZ && boxes[at + 3] <= maxX && boxes[at + 5] <= maxZ)) {
             return false;
         }
         return isSmall(boxes, at);
     }
 
     private boolean isSmall(double[] boxes, int at) {
-        double wide = (boxes[at + 2] - boxes[at]) * scaleX + 2;
-        double deep = (boxes[at + 3] - boxes[at + 1]) * scaleZ + 2;
+        double wide = (boxes[at + 3] - boxes[at]) * scaleX + 2;
+        double deep = (boxes[at + 5] - boxes[at + 2]) * scaleZ + 2;
         return wide * deep <= MOST_TILES;
     }
 
     /** Lists a box that fits. */
     void add(int id, double[] boxes, int at) {
         int x0 = column(boxes[at], -MARGIN);
-        int x1 = column(boxes[at + 2], MARGIN);
-        int z1 = row(boxes[at + 3], MARGIN);
-        for (int row = row(boxes[at + 1], -MARGIN); row <= z1; row++) {
+        int x1 = column(boxes[at + 3], MARGIN);
+        int z1 = row(boxes[at + 5], MARGIN);
+        for (int row = row(boxes[at + 2], -MARGIN); row <= z1; row++) {
             for (int tile = at(x0, row); tile <= at(x1, row); tile += TileLists.STRIDE) {
                 push(tile, id, boxes, at);
             }
@@ -207,9 +207,9 @@ final class Tiles {
     /** Strikes a box that is listed, by the same numbers. */
     void remove(int id, double[] boxes, int at) {
         int x0 = column(boxes[at], -MARGIN);
-        int x1 = column(boxes[at + 2], MARGIN);
-        int z1 = row(boxes[at + 3], MARGIN);
-        for (int row = row(boxes[at + 1], -MARGIN); row <= z1; row++) {
+        int x1 = column(boxes[at + 3], MARGIN);
+        int z1 = row(boxes[at + 5], MARGIN);
+        for (int row = row(boxes[at + 2], -MARGIN); row <= z1; row++) {
             for (int tile = at(x0, row); tile <= at(x1, row); tile += TileLists.STRIDE) {
                 strike(tile, id, boxes, at);
             }
@@ -236,13 +236,13 @@ final class Tiles {
     /** Lists a box anew that was listed by other numbers; both fit. */
     void move(int id, double[] before, int from, double[] boxes, int at) {
         int x0 = column(boxes[at], -MARGIN);
-        int x1 = column(boxes[at + 2], MARGIN);
-        int z0 = row(boxes[at + 1], -MARGIN);
-        int z1 = row(boxes[at + 3], MARGIN);
+        int x1 = column(boxes[at + 3], MARGIN);
+        int z0 = row(boxes[at + 2], -MARGIN);
+        int z1 = row(boxes[at + 5], MARGIN);
         boolean isSame = x0 == column(before[from], -MARGIN)
-                && x1 == column(before[from + 2], MARGIN)
-                && z0 == row(before[from + 1], -MARGIN)
-                && z1 == row(before[from + 3], MARGIN);
+                && x1 == column(before[from + 3], MARGIN)
+                && z0 == row(before[from + 2], -MARGIN)
+                && z1 == row(before[from + 5], MARGIN);
         if (!isSame) {
             remove(id, before, from);
             add(id, boxes, at);
@@ -294,7 +294,7 @@ final class Tiles {
         while (store.data[tile] > 0) {
             int id = store.data[TileLists.first(store.data, tile, store.data[tile])];
             store.strike(tile, id);
-            parts.addPart(id, boxes, 4 * id);
+            parts.addPart(id, boxes, 6 * id);
         }
         if (depth < MOST_DEPTH) {
             parts.divideCrowded(boxes, depth + 1);
@@ -310,7 +310,7 @@ final class Tiles {
     private boolean holdsFew(int first, int length, double[] boxes) {
         int small = 0;
         for (int k = first; k < first + length; k++) {
-            small += isSmall(boxes, 4 * store.data[k]) ? 1 : 0;
+            small += isSmall(boxes, 6 * store.data[k]) ? 1 : 0;
         }
         return 2 * small < length;
     }

@@ -63,7 +63,7 @@ final class HeldMove {
                     return t;
                 }
                 contact = true;
-                Penetration ways = s.penetration;
+                Penetration ways = s.penetration();
                 if (planar) {
                     ways.planar(kindA, a, i, kindB, b, j);
                 } else {

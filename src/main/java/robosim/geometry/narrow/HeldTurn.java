@@ -48,7 +48,7 @@ final class HeldTurn {
             int j,
             Scratch s) {
         Gjk gjk = s.gjk;
-        Penetration ways = s.penetration;
+        Penetration ways = s.penetration();
         double way = degrees < 0 ? -1 : 1;
         planar = inPlane;
         wx = way * axisX;

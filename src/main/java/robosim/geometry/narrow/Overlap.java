@@ -51,9 +51,9 @@ public final class Overlap {
 
     private static boolean meshes(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, Scratch s) {
         if (dimension == Dimension.PLANAR) {
-            return s.pairs.touch(dimension, a, i, b, j);
+            return s.pairs().touch(dimension, a, i, b, j);
         }
-        return s.meshPairs.touch(a, i, b, j)
+        return s.meshPairs().touch(a, i, b, j)
                 || (hasInside(dimension, a, i) && Inside.holdsMesh(a, i, b, j, s))
                 || (hasInside(dimension, b, j) && Inside.holdsMesh(b, j, a, i, s));
     }

@@ -71,8 +71,8 @@ public final class PlanarCone {
             return Double.POSITIVE_INFINITY;
         }
         flatten(Leaf.SPHERE, b, j, s.flat);
-        s.cone.set(ox, 0, oz, ux, 0, uz, halfCos);
-        return ConeSphere.distance(s.cone, s.flat, 0);
+        s.cones().cone.set(ox, 0, oz, ux, 0, uz, halfCos);
+        return ConeSphere.distance(s.cones().cone, s.flat, 0);
     }
 
     private static double polygon(
@@ -105,8 +105,8 @@ public final class PlanarCone {
             return 0;
         }
         flatten(kind, b, j, s.flat);
-        s.cone.set(ox, 0, oz, ux, 0, uz, halfCos);
-        return s.conePolytope.flat(s.cone, axis, kind, s.flat, 0);
+        s.cones().cone.set(ox, 0, oz, ux, 0, uz, halfCos);
+        return s.cones().polytope.flat(s.cones().cone, axis, kind, s.flat, 0);
     }
 
     /** The projection as a leaf of no height in the plane y = 0. */

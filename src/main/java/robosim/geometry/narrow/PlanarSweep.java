@@ -25,7 +25,7 @@ public final class PlanarSweep {
             int kindA, double[] a, int i, double dx, double dy, double dz, int kindB, double[] b, int j, Scratch s) {
         if (AxisBody.isPolytope(kindA)) {
             if (AxisBody.isPolytope(kindB)) {
-                double time = s.sweep.axes.time(MovingAxes.PLANAR, kindA, a, i, dx, 0, dz, kindB, b, j);
+                double time = s.sweep().axes.time(MovingAxes.PLANAR, kindA, a, i, dx, 0, dz, kindB, b, j);
                 return Double.isNaN(time)
                         ? ExactAxes.time(MovingAxes.PLANAR, kindA, a, i, dx, 0, dz, kindB, b, j)
                         : time;
@@ -36,7 +36,7 @@ public final class PlanarSweep {
         } else if (isDisc(kindA) && (isDisc(kindB) || AxisBody.isPolytope(kindB))) {
             return disc(a, i, dx, dz, kindB, b, j, s);
         }
-        return s.sweep.move.time(true, kindA, a, i, dx, 0, dz, kindB, b, j, s);
+        return s.sweep().move.time(true, kindA, a, i, dx, 0, dz, kindB, b, j, s);
     }
 
     /**
@@ -67,10 +67,11 @@ public final class PlanarSweep {
             return Double.POSITIVE_INFINITY;
         }
         if (wx == 0 && wz == 0 && PlanarTurn.isCovered(kindA) && PlanarTurn.isCovered(kindB)) {
-            return s.sweep.turn.free(
-                    kindA, a, i, px, pz, wy < 0 ? -degrees : degrees, kindB, b, j, Double.POSITIVE_INFINITY);
+            return s.sweep()
+                    .turn
+                    .free(kindA, a, i, px, pz, wy < 0 ? -degrees : degrees, kindB, b, j, Double.POSITIVE_INFINITY);
         }
-        return s.sweep.heldTurn.free(true, kindA, a, i, px, py, pz, wx, wy, wz, degrees, kindB, b, j, s);
+        return s.sweep().heldTurn.free(true, kindA, a, i, px, py, pz, wx, wy, wz, degrees, kindB, b, j, s);
     }
 
     static boolean isDisc(int kind) {
@@ -87,10 +88,10 @@ public final class PlanarSweep {
 
     /** Time of contact of a disc in the plane; NaN where pairs of doubles cannot tell. */
     static double roughly(double[] a, int i, double dx, double dz, int kindB, double[] b, int j, Scratch s) {
-        MovingDisc disc = s.sweep.disc;
+        MovingDisc disc = s.sweep().disc;
         return isDisc(kindB)
-                ? disc.discs(a, i, dx, dz, b, j, s.sweep.outline)
-                : disc.polygon(a, i, dx, dz, kindB, b, j, s.sweep.outline);
+                ? disc.discs(a, i, dx, dz, b, j, s.sweep().outline)
+                : disc.polygon(a, i, dx, dz, kindB, b, j, s.sweep().outline);
     }
 
     static double exactDisc(

@@ -1,5 +1,7 @@
 package robosim.geometry.narrow;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * Working memory of the kernels, so that a query allocates nothing. One for each owner of queries; never shared
  * between threads.
@@ -21,12 +23,6 @@ public final class Scratch {
     final MeshRay meshRay = new MeshRay();
     final MeshSight meshSight = new MeshSight();
 
-    /** Two meshes in space, descended at once. */
-    final MeshPairs meshPairs = new MeshPairs(this);
-
-    /** Two meshes seen from above, descended at once. */
-    final ContactPairs pairs = new ContactPairs(this);
-
     /** A placed triangle of the first and of the second mesh, as leaf rows. */
     final double[] triangleA = new double[Leaf.STRIDE];
 
@@ -42,8 +38,6 @@ public final class Scratch {
     final double[] triangleBox = new double[6];
     final double[] meshBox = new double[6];
 
-    final SweepScratch sweep = new SweepScratch();
-
     /** Distance and penetration of the two leaves of a question, in space or in the plane. */
     final Gjk gjk = new Gjk();
 
@@ -52,7 +46,6 @@ public final class Scratch {
 
     final PolytopePolytope polytopes = new PolytopePolytope();
     final SphereDistance sphereDistance = new SphereDistance();
-    final Penetration penetration = new Penetration();
 
     /** The projections of the two leaves of a planar question. */
     final PlanarShape planarA = new PlanarShape();
@@ -73,7 +66,47 @@ public final class Scratch {
     /** A leaf laid flat. */
     final double[] flat = new double[Leaf.STRIDE];
 
-    final Cone cone = new Cone();
-    final ConePolytope conePolytope = new ConePolytope();
-    final ConeCylinder coneCylinder = new ConeCylinder();
+    // What is large and not asked of every world is made when first asked.
+    private @Nullable MeshPairs meshPairs;
+    private @Nullable ContactPairs pairs;
+    private @Nullable SweepScratch sweep;
+    private @Nullable Penetration penetration;
+    private @Nullable ConeScratch cones;
+
+    /** Two meshes in space, descended at once. */
+    MeshPairs meshPairs() {
+        if (meshPairs == null) {
+            meshPairs = new MeshPairs(this);
+        }
+        return meshPairs;
+    }
+
+    /** Two meshes seen from above, descended at once. */
+    ContactPairs pairs() {
+        if (pairs == null) {
+            pairs = new ContactPairs(this);
+        }
+        return pairs;
+    }
+
+    SweepScratch sweep() {
+        if (sweep == null) {
+            sweep = new SweepScratch();
+        }
+        return sweep;
+    }
+
+    Penetration penetration() {
+        if (penetration == null) {
+            penetration = new Penetration();
+        }
+        return penetration;
+    }
+
+    ConeScratch cones() {
+        if (cones == null) {
+            cones = new ConeScratch();
+        }
+        return cones;
+    }
 }

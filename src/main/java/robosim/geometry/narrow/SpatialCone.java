@@ -38,7 +38,7 @@ public final class SpatialCone {
         if (axis == 0 || !(halfSin > 0)) {
             return axis;
         }
-        Cone cone = s.cone;
+        Cone cone = s.cones().cone;
         double size = RayMath.largest(ux, uy, uz);
         int power = size > 0x1p100 || size < 0x1p-100 ? -Math.getExponent(size) : 0;
         cone.set(
@@ -51,10 +51,10 @@ public final class SpatialCone {
                 halfCos);
         double nearest = switch (kind) {
             case Leaf.UPRIGHT_BOX, Leaf.BOX, Leaf.TRIANGLE, Leaf.PRISM ->
-                s.conePolytope.distance(cone, axis, kind, row, j);
+                s.cones().polytope.distance(cone, axis, kind, row, j);
             case Leaf.SPHERE -> ConeSphere.distance(cone, row, j);
-            case Leaf.UPRIGHT_CYLINDER -> s.coneCylinder.distance(cone, row, j, 0, 1, 0);
-            case Leaf.CYLINDER -> s.coneCylinder.distance(cone, row, j, row[j + 7], row[j + 10], row[j + 13]);
+            case Leaf.UPRIGHT_CYLINDER -> s.cones().cylinder.distance(cone, row, j, 0, 1, 0);
+            case Leaf.CYLINDER -> s.cones().cylinder.distance(cone, row, j, row[j + 7], row[j + 10], row[j + 13]);
             default -> throw new IllegalArgumentException("kind must be one of Leaf's (got: " + kind + ")");
         };
         return Math.min(axis, nearest);

@@ -51,7 +51,7 @@ public final class SpatialDistance {
             gjk.spatial(kindA, a, i, kindB, b, j); // which the test may have asked something else
         }
         s.hull.grow(Double.MIN_VALUE);
-        double widest = s.penetration.slab(kindA, a, i, kindB, b, j, s.hull.x(), s.hull.y(), s.hull.z());
+        double widest = s.penetration().slab(kindA, a, i, kindB, b, j, s.hull.x(), s.hull.y(), s.hull.z());
         return Math.max(lower, widest - gjk.error());
     }
 

@@ -21,7 +21,7 @@ public final class SpatialSweep {
         if (AxisBody.isPolytope(kindA) && AxisBody.isPolytope(kindB)) {
             boolean upright = Leaf.isUpright(kindA) && Leaf.isUpright(kindB);
             int mode = upright ? MovingAxes.UPRIGHT : MovingAxes.SPATIAL;
-            double time = s.sweep.axes.time(mode, kindA, a, i, dx, dy, dz, kindB, b, j);
+            double time = s.sweep().axes.time(mode, kindA, a, i, dx, dy, dz, kindB, b, j);
             return Double.isNaN(time) ? ExactAxes.time(mode, kindA, a, i, dx, dy, dz, kindB, b, j) : time;
         }
         if (Leaf.isUpright(kindA) && Leaf.isUpright(kindB)) {
@@ -35,7 +35,7 @@ public final class SpatialSweep {
         if (kindB == Leaf.SPHERE) {
             return sphere(b, j, -dx, -dy, -dz, kindA, a, i, s);
         }
-        return s.sweep.move.time(false, kindA, a, i, dx, dy, dz, kindB, b, j, s);
+        return s.sweep().move.time(false, kindA, a, i, dx, dy, dz, kindB, b, j, s);
     }
 
     /** A sphere against anything: what held axes do not prove free is found in closed form, but on a rim. */
@@ -46,7 +46,7 @@ public final class SpatialSweep {
         if (kindB == Leaf.UPRIGHT_BOX && MovingBall.isAbove(a, i, dy, b, j)) {
             return Double.POSITIVE_INFINITY;
         }
-        HeldMove held = s.sweep.move;
+        HeldMove held = s.sweep().move;
         double time = held.time(false, Leaf.SPHERE, a, i, dx, dy, dz, kindB, b, j, s);
         if (held.contact) {
             return exact ? ExactBall.time(a, i, dx, dy, dz, kindB, b, j) : time;
@@ -54,7 +54,7 @@ public final class SpatialSweep {
         if (time > 1 || !(exact || kindB == Leaf.UPRIGHT_CYLINDER)) {
             return time;
         }
-        double found = s.sweep.ball.time(a, i, dx, dy, dz, kindB, b, j, time);
+        double found = s.sweep().ball.time(a, i, dx, dy, dz, kindB, b, j, time);
         if (!Double.isNaN(found)) {
             return found;
         }
@@ -100,9 +100,9 @@ public final class SpatialSweep {
                 return Double.POSITIVE_INFINITY;
             }
             double depth = Math.min(otherTop + otherHalf - mid + half, top + half - otherMid + otherHalf);
-            return s.sweep.turn.free(kindA, a, i, px, pz, wy < 0 ? -degrees : degrees, kindB, b, j, depth);
+            return s.sweep().turn.free(kindA, a, i, px, pz, wy < 0 ? -degrees : degrees, kindB, b, j, depth);
         }
-        return s.sweep.heldTurn.free(false, kindA, a, i, px, py, pz, wx, wy, wz, degrees, kindB, b, j, s);
+        return s.sweep().heldTurn.free(false, kindA, a, i, px, py, pz, wx, wy, wz, degrees, kindB, b, j, s);
     }
 
     // A box or cylinder reaches from middle - half to middle + half; a prism, of half 0, from middle to top.
@@ -130,7 +130,7 @@ public final class SpatialSweep {
             return Double.POSITIVE_INFINITY;
         }
         double time = PlanarSweep.roughly(a, i, dx, dz, kindB, b, j, s);
-        MovingDisc disc = s.sweep.disc;
+        MovingDisc disc = s.sweep().disc;
         if (time == Double.POSITIVE_INFINITY && !disc.contact) {
             return time;
         }

@@ -48,7 +48,7 @@ public final class SweptBounds {
         if (degrees == 0) {
             return;
         }
-        TurnBody body = s.sweep.body;
+        TurnBody body = s.sweep().body;
         double sign = degrees < 0 ? -1 : 1;
         body.load(kind, row, at, px, py, pz, wx, wy, wz);
         // The stored end is that angle to rounding.

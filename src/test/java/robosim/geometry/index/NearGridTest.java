@@ -55,7 +55,7 @@ class NearGridTest {
             box = null;
         } else {
             box = kind == 1 ? scene.box(random) : shifted(box, random.nextDouble(-5, 5), random.nextDouble(-5, 5));
-            tree.move(id, box[0], box[1], box[2], box[3]);
+            tree.move(id, new double[] {box[0], 0, box[1], box[2], 0, box[3]});
         }
         boxes[id] = box;
     }
@@ -130,31 +130,37 @@ class NearGridTest {
     @Test
     void isFitForWhatIsOfOneSize() {
         SplittableRandom random = new SplittableRandom(7);
-        double[] even = new double[4 * 500];
-        double[] crowd = new double[4 * 500];
-        double[] walls = new double[4 * 500];
-        for (int at = 0; at < even.length; at += 4) {
+        double[] even = new double[6 * 500];
+        double[] crowd = new double[6 * 500];
+        double[] walls = new double[6 * 500];
+        for (int at = 0; at < even.length; at += 6) {
             put(even, at, random.nextDouble(100), random.nextDouble(100), 1);
             put(crowd, at, random.nextDouble(1e-3), random.nextDouble(1e-3), 1e-6);
-            put(walls, at, random.nextDouble(100), random.nextDouble(100), at % 80 == 0 ? 60 : 0.1);
+            put(walls, at, random.nextDouble(100), random.nextDouble(100), at % 120 == 0 ? 60 : 0.1);
         }
         put(crowd, 0, 1e6, 1e6, 1);
-        assertThat(asked(new NearGrid(even, 500), even).isUnfit()).isFalse();
-        assertThat(asked(new NearGrid(crowd, 500), crowd).isUnfit()).isTrue();
-        assertThat(new NearGrid(walls, 500).isUnfit()).isTrue();
+        assertThat(asked(grid(even), even).isUnfit()).isFalse();
+        assertThat(asked(grid(crowd), crowd).isUnfit()).isTrue();
+        assertThat(grid(walls).isUnfit()).isTrue();
     }
 
     private static void put(double[] boxes, int at, double x, double z, double size) {
         boxes[at] = x;
-        boxes[at + 1] = z;
-        boxes[at + 2] = x + size;
-        boxes[at + 3] = z + size;
+        boxes[at + 2] = z;
+        boxes[at + 3] = x + size;
+        boxes[at + 5] = z + size;
+    }
+
+    private static NearGrid grid(double[] boxes) {
+        boolean[] listed = new boolean[500];
+        Arrays.fill(listed, true);
+        return new NearGrid(boxes, listed, 500);
     }
 
     private static NearGrid asked(NearGrid grid, double[] boxes) {
         TileGathering gathering = new TileGathering();
         for (int id = 0; id < 500; id++) {
-            gathering.start(boxes[4 * id], boxes[4 * id + 1], boxes[4 * id + 2], boxes[4 * id + 3], id);
+            gathering.start(boxes[6 * id], boxes[6 * id + 2], boxes[6 * id + 3], boxes[6 * id + 5], id);
             gathering.gather(grid, boxes);
         }
         return grid;

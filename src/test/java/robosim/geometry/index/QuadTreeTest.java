@@ -552,12 +552,10 @@ class QuadTreeTest {
     /** An outline of every box. */
     static double[] outlines(QuadCursor cursor) {
         double[] boxes = cursor.boxes();
-        double[] outlines = new double[Outline.length(boxes.length / 4)];
-        for (int id = 0; id < boxes.length / 4; id++) {
-            if (!Double.isNaN(boxes[4 * id])) {
-                int at = 4 * id;
-                Outline.write(outlines, id, boxes[at], boxes[at + 1], boxes[at + 2], boxes[at + 3]);
-            }
+        double[] outlines = new double[Outline.length(boxes.length / 6)];
+        for (int id = 0; id < boxes.length / 6; id++) {
+            int at = 6 * id;
+            Outline.write(outlines, id, boxes[at], boxes[at + 2], boxes[at + 3], boxes[at + 5]);
         }
         return outlines;
     }

@@ -246,8 +246,8 @@ class MovingBallTest {
             BigDecimal justBefore = new BigDecimal(time).multiply(BigDecimal.ONE.subtract(new BigDecimal(0x1p-200)));
             assertThat(twin.meetsBy(justBefore)).as(what).isFalse();
             assertThat(twin.meetsBy(new BigDecimal(Math.nextUp(time)))).as(what).isTrue();
-            double held = scratch.sweep.move.time(false, Leaf.SPHERE, ball, 0, d[0], d[1], d[2], kind, b, 0, scratch);
-            double found = scratch.sweep.ball.time(ball, 0, d[0], d[1], d[2], kind, b, 0, held);
+            double held = scratch.sweep().move.time(false, Leaf.SPHERE, ball, 0, d[0], d[1], d[2], kind, b, 0, scratch);
+            double found = scratch.sweep().ball.time(ball, 0, d[0], d[1], d[2], kind, b, 0, held);
             inDoubles += Double.isNaN(found) ? 0 : 1;
         } else {
             misses++;

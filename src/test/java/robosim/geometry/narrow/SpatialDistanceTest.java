@@ -49,7 +49,7 @@ class SpatialDistanceTest {
 
     /** The normal separates: moved along it by the depth (and a little) the two are apart, by less still touching. */
     private void leaves(String pair, boolean touch, double distance, int kindA, double[] a, int kindB, double[] b) {
-        double depth = scratch.penetration.spatial(kindA, a, 0, kindB, b, 0);
+        double depth = scratch.penetration().spatial(kindA, a, 0, kindB, b, 0);
         double[] contact = new double[6];
         SpatialContact.between(kindA, a, 0, kindB, b, 0, contact, scratch);
         double length = Math.sqrt(contact[3] * contact[3] + contact[4] * contact[4] + contact[5] * contact[5]);
@@ -122,7 +122,7 @@ class SpatialDistanceTest {
     void cylinderIsInBoxByItsRadius() { // ncollide #157 had no contact
         double[] cylinder = Rows.cylinder(10.97, 0.925, 61.02, 0.5, 0.925, Rows.identity());
         double[] box = Rows.box(11.5, 0.75, 60.5, 0.05, 0.75, 0.5, Rows.identity());
-        assertThat(scratch.penetration.spatial(Leaf.CYLINDER, cylinder, 0, Leaf.BOX, box, 0))
+        assertThat(scratch.penetration().spatial(Leaf.CYLINDER, cylinder, 0, Leaf.BOX, box, 0))
                 .isCloseTo(0.5 - Math.hypot(0.48, 0.02), within(1e-9));
     }
 
@@ -132,7 +132,8 @@ class SpatialDistanceTest {
         double[] b = Rows.box(0, 0, 1.9, 1, 1, 1, Rows.identity());
         double[] contact = new double[6];
         SpatialContact.between(Leaf.BOX, a, 0, Leaf.BOX, b, 0, contact, scratch);
-        assertThat(scratch.penetration.spatial(Leaf.BOX, a, 0, Leaf.BOX, b, 0)).isCloseTo(0.1, within(1e-15));
+        assertThat(scratch.penetration().spatial(Leaf.BOX, a, 0, Leaf.BOX, b, 0))
+                .isCloseTo(0.1, within(1e-15));
         assertThat(new double[] {contact[3], contact[4], contact[5]}).containsExactly(0, 0, -1);
         assertThat(contact[2]).isBetween(0.9, 1.0);
     }
@@ -142,7 +143,7 @@ class SpatialDistanceTest {
         for (double z : new double[] {0.5, 1}) {
             double[] a = Rows.box(0.5, 0.5, z, 0.5, 0.5, z, Rows.identity());
             double[] b = Rows.box(0.5, 0.9, z, 0.5, 0.1, z, Rows.identity());
-            assertThat(scratch.penetration.spatial(Leaf.BOX, a, 0, Leaf.BOX, b, 0))
+            assertThat(scratch.penetration().spatial(Leaf.BOX, a, 0, Leaf.BOX, b, 0))
                     .isCloseTo(0.2, within(1e-15));
         }
     }
@@ -163,29 +164,31 @@ class SpatialDistanceTest {
     void allTiesAreTold() {
         double[] a = Rows.box(0, 0, 0, 1, 1, 1, Rows.identity());
         double[] b = Rows.box(2, 2, 0, 1, 1, 1, Rows.identity()); // along an edge
-        assertThat(scratch.penetration.spatial(Leaf.BOX, a, 0, Leaf.BOX, b, 0)).isZero();
-        assertThat(scratch.penetration.count()).isEqualTo(2);
+        assertThat(scratch.penetration().spatial(Leaf.BOX, a, 0, Leaf.BOX, b, 0))
+                .isZero();
+        assertThat(scratch.penetration().count()).isEqualTo(2);
         b[2] = 2; // at a corner
-        assertThat(scratch.penetration.spatial(Leaf.BOX, a, 0, Leaf.BOX, b, 0)).isZero();
-        assertThat(scratch.penetration.count()).isEqualTo(3);
-        assertThat(scratch.penetration.planar(Leaf.BOX, a, 0, Leaf.BOX, b, 0)).isZero();
-        assertThat(scratch.penetration.count()).isEqualTo(2);
+        assertThat(scratch.penetration().spatial(Leaf.BOX, a, 0, Leaf.BOX, b, 0))
+                .isZero();
+        assertThat(scratch.penetration().count()).isEqualTo(3);
+        assertThat(scratch.penetration().planar(Leaf.BOX, a, 0, Leaf.BOX, b, 0)).isZero();
+        assertThat(scratch.penetration().count()).isEqualTo(2);
         double[] ball = Rows.sphere(0, 0, 0, 0.5); // in the middle
-        assertThat(scratch.penetration.spatial(Leaf.SPHERE, ball, 0, Leaf.BOX, a, 0))
+        assertThat(scratch.penetration().spatial(Leaf.SPHERE, ball, 0, Leaf.BOX, a, 0))
                 .isEqualTo(1.5);
-        assertThat(scratch.penetration.count()).isEqualTo(6);
+        assertThat(scratch.penetration().count()).isEqualTo(6);
     }
 
     @Test
     void standingCylindersPushEachOtherAlongTheirCentres() {
         double[] a = Rows.cylinder(0, 0, 0, 3, 5, Rows.identity());
         double[] b = Rows.cylinder(3, 1, 4, 2, 5, Rows.identity());
-        assertThat(scratch.penetration.spatial(Leaf.UPRIGHT_CYLINDER, a, 0, Leaf.UPRIGHT_CYLINDER, b, 0))
+        assertThat(scratch.penetration().spatial(Leaf.UPRIGHT_CYLINDER, a, 0, Leaf.UPRIGHT_CYLINDER, b, 0))
                 .isCloseTo(0, within(1e-14));
-        assertThat(scratch.penetration.count()).isEqualTo(1);
-        assertThat(scratch.penetration.nx(0)).isEqualTo(-0.6);
-        assertThat(scratch.penetration.ny(0)).isZero();
-        assertThat(scratch.penetration.nz(0)).isEqualTo(-0.8);
+        assertThat(scratch.penetration().count()).isEqualTo(1);
+        assertThat(scratch.penetration().nx(0)).isEqualTo(-0.6);
+        assertThat(scratch.penetration().ny(0)).isZero();
+        assertThat(scratch.penetration().nz(0)).isEqualTo(-0.8);
     }
 
     /** In the plane too no direction of a ring gets a out sooner, and the one told does. */
@@ -198,13 +201,20 @@ class SpatialDistanceTest {
                 for (int n = 0; n < 60; n++) {
                     double[] a = Rows.random(kindA, random, 1);
                     double[] b = Rows.random(kindB, random, 1);
-                    double depth = scratch.penetration.planar(kindA, a, 0, kindB, b, 0);
+                    double depth = scratch.penetration().planar(kindA, a, 0, kindB, b, 0);
                     if (depth < 1e-6) {
                         continue;
                     }
                     deep++;
                     String pair = kindA + " " + Arrays.toString(a) + " with " + kindB + " " + Arrays.toString(b);
-                    double[] way = {0, 0, 0, scratch.penetration.nx(0), 0, scratch.penetration.nz(0)};
+                    double[] way = {
+                        0,
+                        0,
+                        0,
+                        scratch.penetration().nx(0),
+                        0,
+                        scratch.penetration().nz(0)
+                    };
                     double[] moved = shifted(kindA, a, way, depth + 1e-9);
                     assertThat(PlanarOverlap.test(kindA, moved, 0, kindB, b, 0, scratch))
                             .as(pair)

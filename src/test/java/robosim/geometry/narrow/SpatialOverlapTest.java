@@ -87,7 +87,8 @@ class SpatialOverlapTest {
                 0.125,
                 new double[] {c, s, 0, -s, c, 0, 0, 0, 1});
         both(Leaf.BOX, a, Leaf.BOX, b, true);
-        assertThat(scratch.penetration.spatial(Leaf.BOX, a, 0, Leaf.BOX, b, 0)).isBetween(3.38e-5, 3.382e-5);
+        assertThat(scratch.penetration().spatial(Leaf.BOX, a, 0, Leaf.BOX, b, 0))
+                .isBetween(3.38e-5, 3.382e-5);
         double[] r = {
             0.96193976625564348026,
             0.15401279915737359216,
