@@ -143,16 +143,17 @@ final class Population {
         }
         int near =
                 at.cursor.gather(box[0], box[2], box[3], box[5], -1, at.leaves().outlines());
-        return touchesGathered(at, near, -1);
-    }
-
-    private boolean touchesGathered(Level at, int near, int but) {
         for (int k = 0; k < near; k++) {
             int other = at.cursor.gathered(k);
             if ((dimension == Dimension.PLANAR || at.meets(other, box)) && touches(at, other)) {
                 return true;
             }
         }
+        return collidesBeside(at, -1);
+    }
+
+    /** Whether what has been placed touches one of the moveable objects that are not in the tree. */
+    private boolean collidesBeside(Level at, int but) {
         for (int k = 0; k < at.moversBesideTree(); k++) {
             int other = bodies.mover(k);
             if (other != but && at.meets(other, box) && touches(at, other)) {
@@ -229,12 +230,19 @@ final class Population {
     }
 
     private boolean collidesIn(Level at, int but) {
-        if (at.stacks.cursor() != null) {
-            return collidesAnywhere(at, but);
+        boolean isNear = at.stacks.cursor() == null && at.cursor.startNear(box[0], box[2], box[3], box[5]);
+        return isNear ? collidesNear(at, but) : collidesAnywhere(at, but);
+    }
+
+    private boolean collidesNear(Level at, int but) {
+        double[] outlines = at.leaves().outlines();
+        for (int id = at.cursor.nextNear(outlines); id >= 0; id = at.cursor.nextNear(outlines)) {
+            boolean isOther = (id | at.mark) != but;
+            if (isOther && (dimension == Dimension.PLANAR || at.meets(id, box)) && touches(at, id)) {
+                return true;
+            }
         }
-        int near = at.cursor.gatherNear(
-                box[0], box[2], box[3], box[5], but ^ at.mark, at.leaves().outlines());
-        return near < 0 ? collidesAnywhere(at, but) : touchesGathered(at, near, but);
+        return collidesBeside(at, but);
     }
 
     private boolean collidesAnywhere(Level at, int but) {

@@ -16,6 +16,7 @@ public final class QuadCursor {
     private final TileWalk walk;
     private final TileScan scan;
     private final TileWalk.Line line = new TileWalk.Line();
+    private final TileProbe probe;
     private final TileGathering gathering = new TileGathering();
     private int layer;
 
@@ -24,6 +25,7 @@ public final class QuadCursor {
     private double z0;
     private double x1;
     private double z1;
+    private double slack;
 
     QuadCursor(QuadTree tree) {
         this.tree = tree;
@@ -31,11 +33,12 @@ public final class QuadCursor {
         Tiles none = Tiles.single();
         walk = new TileWalk(line);
         scan = new TileScan(none);
+        probe = new TileProbe(none);
     }
 
     /** How many regions this cursor has looked into since it was made. */
     public long visited() {
-        return ordered.visited() + walk.visited() + scan.visited();
+        return ordered.visited() + walk.visited() + scan.visited() + probe.visited();
     }
 
     /** Starts the query for all objects whose boxes meet this closed box; take them with {@link #next()}. */
@@ -65,6 +68,43 @@ public final class QuadCursor {
     }
 
     /**
+     * Starts the query for all objects whose outlines may meet this closed box, if it is small; take them
+     * with {@link #nextNear}.
+     *
+     * @return whether it is small: else start a query that gives each object once
+     */
+    public boolean startNear(double minX, double minZ, double maxX, double maxZ) {
+        tree.settle();
+        x0 = minX;
+        z0 = minZ;
+        x1 = maxX;
+        z1 = maxZ;
+        layer = 0;
+        slack = TileProbe.rounding(tree.most, minX, minZ, maxX, maxZ);
+        Tiles finest = nextLayer();
+        if (finest == null) {
+            probe.stop();
+            return true;
+        }
+        return probe.start(finest, minX, minZ, maxX, maxZ, slack) <= FEW_TILES;
+    }
+
+    /** The next object near a small box, in no promised order, maybe again; -1 after the last. */
+    public int nextNear(double[] outlines) {
+        while (true) {
+            int id = probe.next(outlines);
+            if (id != Tiles.NONE) {
+                return id;
+            }
+            Tiles tiles = nextLayer();
+            if (tiles == null) {
+                return -1;
+            }
+            probe.start(tiles, x0, z0, x1, z1, slack);
+        }
+    }
+
+    /**
      * Gathers all objects but one that may meet this closed box, and answers how many there are; take them with
      * {@link #gathered}. One that lies across regions may be there again.
      */
@@ -75,22 +115,10 @@ public final class QuadCursor {
             gathering.gather(near, tree.boxes);
             return gathering.count();
         }
-        return gatherTiles(outlines);
+        return gatherTiles(TileProbe.rounding(tree.most, minX, minZ, maxX, maxZ), outlines);
     }
 
-    /**
-     * The same where much is asked between changes, if the box is small.
-     *
-     * @return -1 if it is large: else start a query that gives each object once
-     */
-    public int gatherNear(double minX, double minZ, double maxX, double maxZ, int but, double[] outlines) {
-        tree.settle();
-        gathering.start(minX, minZ, maxX, maxZ, but);
-        return gathering.tiles(layers.get(0)) <= FEW_TILES ? gatherTiles(outlines) : -1;
-    }
-
-    private int gatherTiles(double[] outlines) {
-        double slack = gathering.rounding(tree.most);
+    private int gatherTiles(double slack, double[] outlines) {
         for (int k = 0; k < layers.count(); k++) {
             if (!layers.get(k).isEmpty()) {
                 gathering.gather(layers.get(k), slack, outlines);

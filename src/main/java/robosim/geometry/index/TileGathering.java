@@ -32,23 +32,12 @@ final class TileGathering {
         count = 0;
     }
 
-    /** What rounding may do to the distance of the box to outlines that reach no farther than the most. */
-    double rounding(double most) {
-        // Twenty roundings of 2^-53 in sums of what is no greater than these, and what underflows.
-        return 0x1p-47 * (most + Math.abs(minX) + Math.abs(minZ) + Math.abs(maxX) + Math.abs(maxZ)) + 0x1p-1000;
-    }
-
     int count() {
         return count;
     }
 
     int id(int k) {
         return ids[k];
-    }
-
-    /** On how many tiles the box lies. */
-    int tiles(Tiles over) {
-        return (over.column(maxX, 0) - over.column(minX, 0) + 1) * (over.row(maxZ, 0) - over.row(minZ, 0) + 1);
     }
 
     /** Adds the objects whose outlines the box, wider by some slack on all sides, may meet. */

@@ -92,11 +92,8 @@ class NearGridTest {
     }
 
     private BitSet gathered(double[] query, int but) {
-        return gathered(cursor.gather(query[0], query[1], query[2], query[3], but, QuadTreeTest.outlines(cursor)), but);
-    }
-
-    private BitSet gathered(int count, int but) {
         BitSet ids = new BitSet();
+        int count = cursor.gather(query[0], query[1], query[2], query[3], but, QuadTreeTest.outlines(cursor));
         for (int k = 0; k < count; k++) {
             ids.set(cursor.gathered(k));
         }
@@ -111,9 +108,8 @@ class NearGridTest {
             cursor.startBox(query[0], query[1], query[2], query[3]);
         } else if (way == 2) {
             cursor.startPoint(query[0], query[1], reach);
-        } else {
-            int count = cursor.gatherNear(query[0], query[1], query[2], query[3], but, QuadTreeTest.outlines(cursor));
-            return count < 0 ? gathered(query, but) : gathered(count, but);
+        } else if (!cursor.startNear(query[0], query[1], query[2], query[3])) {
+            return gathered(query, but);
         }
         int id = next(way, reach);
         while (id >= 0) {
@@ -124,7 +120,9 @@ class NearGridTest {
     }
 
     private int next(int way, double reach) {
-        return way == 1 ? cursor.next() : cursor.next(reach);
+        return way == 1
+                ? cursor.next()
+                : way == 2 ? cursor.next(reach) : cursor.nextNear(QuadTreeTest.outlines(cursor));
     }
 
     @Test

@@ -86,26 +86,37 @@ class OutlineTest {
     void boxesMissNone(double offset) {
         QuadCursor cursor = scene(64, offset);
         int near = 0;
+        int small = 0;
         int leftOut = 0;
         for (int k = 0; k < 1000; k++) {
             double[] corner = corner(random.nextInt(COUNT), random.nextBoolean() ? 1 : -1, 1);
             double width = random.nextInt(3);
-            int count = cursor.gatherNear(corner[0], corner[1], corner[0] + width, corner[1] + width, -1, outlines);
+            boolean isNear = cursor.startNear(corner[0], corner[1], corner[0] + width, corner[1] + width);
             BitSet ids = new BitSet();
-            for (int i = 0; i < count; i++) {
-                ids.set(cursor.gathered(i));
+            for (int id = isNear ? cursor.nextNear(outlines) : -1; id >= 0; id = cursor.nextNear(outlines)) {
+                ids.set(id);
             }
-            for (int id = 0; count >= 0 && id < COUNT; id++) {
+            int count = cursor.gather(corner[0], corner[1], corner[0] + width, corner[1] + width, -1, outlines);
+            BitSet gathered = new BitSet();
+            for (int i = 0; i < count; i++) {
+                gathered.set(cursor.gathered(i));
+            }
+            for (int id = 0; id < COUNT; id++) {
                 // The box as its diagonal, which is enough of it.
                 if (!isSeparate(id, corner[0], corner[1], width, width, 1)) {
-                    assertThat(ids.get(id))
+                    assertThat(gathered.get(id))
+                            .as("%d near %s, %s", id, corner[0], corner[1])
+                            .isTrue();
+                    assertThat(ids.get(id) || !isNear)
                             .as("%d near %s, %s", id, corner[0], corner[1])
                             .isTrue();
                     near++;
                 }
             }
-            leftOut += count < 0 ? 0 : COUNT - ids.cardinality();
+            small += isNear ? 1 : 0;
+            leftOut += COUNT - gathered.cardinality();
         }
+        assertThat(small).isGreaterThan(300);
         assertThat(near).isGreaterThan(500);
         assertThat(leftOut).isGreaterThan(100_000);
     }

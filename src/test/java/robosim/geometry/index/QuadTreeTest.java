@@ -482,13 +482,13 @@ class QuadTreeTest {
 
     /** What is near a small box is all that meets it, and nothing that rounding cannot have brought near. */
     private static void assertNear(QuadCursor cursor, double[][] boxes, double[] query, BitSet expected) {
-        int count = cursor.gatherNear(query[0], query[1], query[2], query[3], -1, outlines(cursor));
-        BitSet ids = new BitSet();
-        for (int k = 0; k < count; k++) {
-            ids.set(cursor.gathered(k));
-        }
-        if (count < 0) { // too large to be near
+        if (!cursor.startNear(query[0], query[1], query[2], query[3])) {
             return;
+        }
+        BitSet ids = new BitSet();
+        double[] outlines = outlines(cursor);
+        for (int id = cursor.nextNear(outlines); id >= 0; id = cursor.nextNear(outlines)) {
+            ids.set(id);
         }
         BitSet missed = (BitSet) expected.clone();
         missed.andNot(ids);
