@@ -4,8 +4,9 @@ import java.util.Arrays;
 
 /**
  * The lists of objects of all {@link Tiles} of a layer, also of those within others, in one array. A tile has a place of
- * {@link #STRIDE} numbers: how long its list is, and as long as it has room the list itself, else where it begins. Most
- * lists are that short, and one look at memory is all that a query needs of a tile.
+ * {@link #STRIDE} numbers: how long its list of ids is, and as long as it has room the list itself, else where it begins. Most
+ * lists are that short, and one look at memory is all that a query needs of a tile. Of many objects another array has, where
+ * an id stands in the first, the object's {@link Sketch} about the tile.
  */
 final class TileLists {
     /** Numbers of a tile's place. */
@@ -21,13 +22,21 @@ final class TileLists {
 
     int[] data = new int[16];
 
+    /** Empty where these are not kept: to look at an object itself is as quick as long as all are in a cache. */
+    int[] sketches;
+
     private int used;
 
     /** By the logarithm of their length, runs that nobody uses; each holds where the next one begins. */
     private final int[] free = new int[Integer.SIZE];
 
-    TileLists() {
+    TileLists(boolean hasSketches) {
+        sketches = new int[hasSketches ? data.length : 0];
         Arrays.fill(free, NONE);
+    }
+
+    boolean hasSketches() {
+        return sketches.length > 0;
     }
 
     /** Makes room for the empty lists of so many tiles; answers where the first one's place is. */
@@ -41,12 +50,16 @@ final class TileLists {
     }
 
     /** Puts an object at the end of a list. */
-    void push(int place, int id) {
+    void push(int place, int id, int sketch) {
         int length = data[place];
         if (length >= SHORT && (length == SHORT || length == room(length))) {
             relocate(place, length, room(length + 1));
         }
-        data[first(data, place, length + 1) + length] = id;
+        int at = first(data, place, length + 1) + length;
+        data[at] = id;
+        if (hasSketches()) {
+            sketches[at] = sketch;
+        }
         data[place] = length + 1;
     }
 
@@ -54,17 +67,35 @@ final class TileLists {
     void strike(int place, int id) {
         int last = data[place] - 1;
         int first = first(data, place, last + 1);
+        copy(first + last, find(first, id), 1);
+        data[place] = last;
+        if (last == SHORT) {
+            copy(first, place + 1, SHORT);
+            giveUp(first, LEAST);
+        } else if (last > SHORT && room(last) < room(last + 1)) {
+            relocate(place, last, room(last));
+        }
+    }
+
+    /** Gives an object of a list another sketch. */
+    void redraw(int place, int id, int sketch) {
+        if (hasSketches()) {
+            sketches[find(first(data, place, data[place]), id)] = sketch;
+        }
+    }
+
+    private int find(int first, int id) {
         int at = first;
         while (data[at] != id) {
             at++;
         }
-        data[at] = data[first + last];
-        data[place] = last;
-        if (last == SHORT) {
-            System.arraycopy(data, first, data, place + 1, SHORT);
-            giveUp(first, LEAST);
-        } else if (last > SHORT && room(last) < room(last + 1)) {
-            relocate(place, last, room(last));
+        return at;
+    }
+
+    private void copy(int from, int to, int count) {
+        System.arraycopy(data, from, data, to, count);
+        if (hasSketches()) {
+            System.arraycopy(sketches, from, sketches, to, count);
         }
     }
 
@@ -77,7 +108,7 @@ final class TileLists {
     private void relocate(int place, int length, int room) {
         int to = take(room);
         int from = first(data, place, length);
-        System.arraycopy(data, from, data, to, length);
+        copy(from, to, length);
         if (length > SHORT) {
             giveUp(from, room(length) == room ? 2 * room : room / 2);
         }
@@ -102,7 +133,7 @@ final class TileLists {
 
     private int claim(int numbers) {
         if (data.length - used < numbers) {
-            data = Arrays.copyOf(data, Math.max(used + numbers, used + (used >> 3)));
+            resize(Math.max(used + numbers, used + (used >> 3)));
         }
         int first = used;
         used += numbers;
@@ -111,6 +142,11 @@ final class TileLists {
 
     /** Gives up room that there is for more. */
     void trim() {
-        data = Arrays.copyOf(data, used);
+        resize(used);
+    }
+
+    private void resize(int capacity) {
+        data = Arrays.copyOf(data, capacity);
+        sketches = Arrays.copyOf(sketches, hasSketches() ? capacity : 0);
     }
 }

@@ -13,6 +13,7 @@ final class TileProbe {
     private double maxX;
     private double maxZ;
     private double slack;
+
     private int columns;
 
     /** The next tile, how many there are left, and how many of them in its row. */
@@ -20,6 +21,18 @@ final class TileProbe {
 
     private int left;
     private int leftX;
+
+    /** The last column, and after the last row. */
+    private int lastColumn;
+
+    private int endRow;
+
+    // The box in steps of a tile, and what is asked of the sketches of the list that is read.
+    private int lowX;
+    private int lowZ;
+    private int highX;
+    private int highZ;
+    private int question;
 
     /** The next object of the list that is read, and the list's end. */
     private int entry;
@@ -62,12 +75,21 @@ final class TileProbe {
         int rest = over.rest();
         entry = TileLists.first(data, rest, data[rest]);
         end = entry + data[rest];
+        question = Sketch.EVERYBODY;
+        if (over.store.hasSketches()) {
+            lowX = Sketch.low(over.across(x0));
+            lowZ = Sketch.low(over.along(z0));
+            highX = Sketch.high(over.across(x1));
+            highZ = Sketch.high(over.along(z1));
+        }
         int column = over.column(x0, 0);
         int row = over.row(z0, 0);
-        columns = over.column(x1, 0) - column + 1;
+        lastColumn = over.column(x1, 0);
+        endRow = over.row(z1, 0) + 1;
+        columns = lastColumn - column + 1;
         tile = over.at(column, row);
         leftX = columns;
-        left = columns * (over.row(z1, 0) - row + 1);
+        left = columns * (endRow - row);
         return left;
     }
 
@@ -89,15 +111,23 @@ final class TileProbe {
     /** The same, but where it comes to a divided tile it only starts there. */
     private int nextListed(double[] outlines) {
         int[] data = tiles.store.data;
+        int[] sketches = tiles.store.sketches;
+        boolean hasSketches = tiles.store.hasSketches();
         double x = minX / 2 + maxX / 2;
         double z = minZ / 2 + maxZ / 2;
         double wide = maxX / 2 - minX / 2 + slack;
         double deep = maxZ / 2 - minZ / 2 + slack;
         int listed = entry;
         int last = end;
+        int asked = question;
         while (true) {
             while (listed < last) {
-                int id = data[listed++];
+                int id = data[listed];
+                boolean mayMeet = !hasSketches || Sketch.mayMeet(asked, sketches[listed]);
+                listed++;
+                if (!mayMeet) {
+                    continue;
+                }
                 int at = Outline.at(id);
                 double halfX = outlines[at + Outline.HALF_X];
                 double halfZ = outlines[at + Outline.HALF_Z];
@@ -110,6 +140,7 @@ final class TileProbe {
                 if (gaps >= 0) {
                     entry = listed;
                     end = last;
+                    question = asked;
                     return id;
                 }
             }
@@ -117,11 +148,15 @@ final class TileProbe {
                 end = entry;
                 return Tiles.NONE;
             }
-            left--;
             visited++;
             int length = data[tile];
             listed = TileLists.first(data, tile, length);
             last = listed + length;
+            if (hasSketches) {
+                int row = endRow - (left + columns - 1) / columns;
+                asked = Sketch.question(lowX, lowZ, highX, highZ, lastColumn + 1 - leftX, row);
+            }
+            left--;
             tile += TileLists.STRIDE;
             if (--leftX == 0) {
                 leftX = columns;

@@ -70,8 +70,8 @@ final class Tiles {
         double length = maxZ - minZ;
         boolean isDivided = tiles > 1 && isOrdinary(width) && isOrdinary(length);
         double side = Math.sqrt(width / tiles * length);
-        countX = isDivided ? along(width / side, mostAlong) : 1;
-        countZ = isDivided ? along((double) tiles / countX, mostAlong) : 1;
+        countX = isDivided ? count(width / side, mostAlong) : 1;
+        countZ = isDivided ? count((double) tiles / countX, mostAlong) : 1;
         boolean isSingle = countX * countZ == 1;
         originX = isSingle ? 0 : minX;
         originZ = isSingle ? 0 : minZ;
@@ -95,13 +95,13 @@ final class Tiles {
         return new Tiles(minX, minZ, maxX, maxZ, tiles, MOST_COUNT, store);
     }
 
-    private static int along(double tiles, int most) {
+    private static int count(double tiles, int most) {
         return (int) Math.max(1, Math.min(most, Math.rint(tiles)));
     }
 
     /** One tile, which everything fits. */
     static Tiles single() {
-        return over(0, 0, 0, 0, 1, new TileLists());
+        return over(0, 0, 0, 0, 1, new TileLists(false));
     }
 
     private static boolean isOrdinary(double size) {
@@ -169,25 +169,45 @@ final class Tiles {
         return wide * deep <= MOST_TILES;
     }
 
+    /** Where a place is, in tiles from the window's corner. */
+    double across(double x) {
+        return (x - originX) * scaleX;
+    }
+
+    double along(double z) {
+        return (z - originZ) * scaleZ;
+    }
+
     /** Lists a box that fits. */
     void add(int id, double[] boxes, int at) {
         int x0 = column(boxes[at], -MARGIN);
         int x1 = column(boxes[at + 3], MARGIN);
         int z1 = row(boxes[at + 5], MARGIN);
         for (int row = row(boxes[at + 2], -MARGIN); row <= z1; row++) {
-            for (int tile = at(x0, row); tile <= at(x1, row); tile += TileLists.STRIDE) {
-                push(tile, id, boxes, at);
+            for (int column = x0; column <= x1; column++) {
+                push(column, row, id, boxes, at);
             }
         }
         objects++;
     }
 
-    private void push(int tile, int id, double[] boxes, int at) {
+    private void push(int column, int row, int id, double[] boxes, int at) {
+        int tile = at(column, row);
         if (store.data[tile] < 0) {
             within(store.data[tile]).addPart(id, boxes, at);
         } else {
-            store.push(tile, id);
+            store.push(tile, id, store.hasSketches() ? sketch(column, row, boxes, at) : Sketch.ANYWHERE);
         }
+    }
+
+    private int sketch(int column, int row, double[] boxes, int at) {
+        return Sketch.of(
+                Sketch.low(across(boxes[at])),
+                Sketch.low(along(boxes[at + 2])),
+                Sketch.high(across(boxes[at + 3])),
+                Sketch.high(along(boxes[at + 5])),
+                column,
+                row);
     }
 
     /** Lists a box of which a part is here, within a tile. */
@@ -195,7 +215,7 @@ final class Tiles {
         if (isSmall(boxes, at)) {
             add(id, boxes, at);
         } else {
-            store.push(rest(), id);
+            store.push(rest(), id, Sketch.ANYWHERE);
         }
     }
 
@@ -248,20 +268,21 @@ final class Tiles {
             add(id, boxes, at);
             return;
         }
-        if (innerCount > 0) {
-            moveWithin(x0, x1, z0, z1, id, before, from, boxes, at);
+        boolean isNothingNew = innerCount == 0 && !store.hasSketches();
+        for (int row = isNothingNew ? z1 + 1 : z0; row <= z1; row++) {
+            for (int column = x0; column <= x1; column++) {
+                moveWithin(column, row, id, before, from, boxes, at);
+            }
         }
     }
 
-    /** Lists a box anew within those tiles of a rectangle that are divided. */
-    private void moveWithin(int x0, int x1, int z0, int z1, int id, double[] before, int from, double[] boxes, int at) {
-        for (int row = z0; row <= z1; row++) {
-            for (int tile = at(x0, row); tile <= at(x1, row); tile += TileLists.STRIDE) {
-                if (store.data[tile] < 0) {
-                    within(store.data[tile]).removePart(id, before, from);
-                    within(store.data[tile]).addPart(id, boxes, at);
-                }
-            }
+    private void moveWithin(int column, int row, int id, double[] before, int from, double[] boxes, int at) {
+        int tile = at(column, row);
+        if (store.data[tile] < 0) {
+            within(store.data[tile]).removePart(id, before, from);
+            within(store.data[tile]).addPart(id, boxes, at);
+        } else {
+            store.redraw(tile, id, sketch(column, row, boxes, at));
         }
     }
 

@@ -1,0 +1,64 @@
+package robosim.geometry.index;
+
+/**
+ * A box as it lies about a tile, in one number: how far it reaches, in {@link #STEPS} of a tile, up to one and a half tiles
+ * beside. It tells of most objects of a tile that they are not near without a look at where they are.
+ */
+final class Sketch {
+    /** Parts of a tile. */
+    private static final int STEPS = 32;
+
+    /** What rounding may do to a place, in steps. */
+    private static final double SLACK = STEPS * Tiles.MARGIN;
+
+    private static final int BESIDE = 3 * STEPS / 2;
+    private static final int MOST = 127;
+
+    /** More than matters below 0: from there on numbers are positive, which are quickly cut. */
+    private static final int BELOW = 4 * STEPS;
+
+    private static final int HIGH_BITS = 0x80808080;
+
+    /** Of what is always looked at. */
+    static final int ANYWHERE = 0;
+
+    /** The question that no sketch is refused by. */
+    static final int EVERYBODY = -1;
+
+    private Sketch() {}
+
+    /** The least step of a place, in tiles. */
+    static int low(double place) {
+        return Math.max(0, (int) (place * STEPS + (BELOW - SLACK))) - BELOW;
+    }
+
+    /** The greatest step of a place. */
+    static int high(double place) {
+        return Math.max(0, (int) (place * STEPS + (BELOW + SLACK))) - BELOW;
+    }
+
+    /** A box from low to high steps, about a tile. */
+    static int of(int lowX, int lowZ, int highX, int highZ, int column, int row) {
+        int x = BESIDE - STEPS * column;
+        int z = BESIDE - STEPS * row;
+        return clamp(lowX + x)
+                | clamp(lowZ + z) << 8
+                | (MOST - clamp(highX + x)) << 16
+                | (MOST - clamp(highZ + z)) << 24;
+    }
+
+    /** What to ask about other boxes for this one. */
+    static int question(int lowX, int lowZ, int highX, int highZ, int column, int row) {
+        return of(highX, highZ, lowX, lowZ, column, row) | HIGH_BITS;
+    }
+
+    private static int clamp(int steps) {
+        return Math.max(0, Math.min(steps, MOST));
+    }
+
+    /** Whether boxes may meet; never wrong where it says no. */
+    static boolean mayMeet(int question, int sketch) {
+        // Four comparisons in one subtraction: each borrows its high bit where the sketch's number is greater.
+        return ((question - sketch) & HIGH_BITS) == HIGH_BITS;
+    }
+}
