@@ -1,6 +1,7 @@
 package robosim.geometry.narrow;
 
 import java.util.Arrays;
+import robosim.geometry.index.Growth;
 
 /**
  * Upright boxes and cylinders and spheres that stay where they are, beside each other in half of a {@link Leaf}'s row: what
@@ -18,11 +19,6 @@ final class UprightRows {
     static final UprightRows NONE = new UprightRows();
 
     private static final byte VACANT = -1;
-
-    private static final int LEAST = 16;
-
-    /** Fewer than these grow by as many again. */
-    private static final int SMALL = 1 << 15;
 
     private int size;
     private byte[] kinds = new byte[0];
@@ -78,7 +74,7 @@ final class UprightRows {
     /** Makes room for one more and answers its place. */
     int append() {
         if (size == kinds.length) {
-            resize(size == 0 ? LEAST : size < SMALL ? 2 * size + 2 : size + (size >> 2));
+            resize(size == 0 ? Growth.FIRST : Growth.of(size));
         }
         kinds[size] = VACANT;
         return size++;
