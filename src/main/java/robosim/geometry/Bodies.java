@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.index.Growth;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Pose;
 
@@ -19,7 +20,7 @@ final class Bodies {
     static final int SHARED = 1 << 29;
 
     private final Names names = new Names();
-    private @Nullable GeometryObject[] values = new GeometryObject[16];
+    private @Nullable GeometryObject[] values = new GeometryObject[Growth.FIRST];
 
     /** The static objects that this world shares with others; null where all are its own. */
     private @Nullable Statics shared;

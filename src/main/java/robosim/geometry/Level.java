@@ -3,6 +3,7 @@ package robosim.geometry;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Attitude;
+import robosim.geometry.index.Growth;
 import robosim.geometry.index.QuadCursor;
 import robosim.geometry.index.QuadTree;
 import robosim.geometry.model.Accuracy;
@@ -10,7 +11,6 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.narrow.DiscWay;
-import robosim.geometry.narrow.Enclosure;
 import robosim.geometry.narrow.Leaf;
 import robosim.geometry.narrow.LeafColumn;
 import robosim.geometry.narrow.OwnLeaves;
@@ -68,27 +68,6 @@ final class Level {
     private final double[] box = new double[6];
     private final double[] attitude = new double[Attitude.STRIDE];
 
-    /** An object in its own frame, ready to be placed at a level. */
-    static final class Form {
-        final OwnLeaves own;
-        private final @Nullable Enclosure enclosure;
-        private final @Nullable LeafColumn exact;
-
-        Form(GeometryObject object, Accuracy accuracy) {
-            own = OwnLeaves.of(object);
-            enclosure = accuracy == Accuracy.EXACT ? null : new Enclosure(own);
-            exact = accuracy == Accuracy.EXACT ? null : new LeafColumn(own.size());
-            if (exact != null) {
-                exact.append(own.size());
-            }
-        }
-
-        /** How many leaves stand for the object. */
-        int size() {
-            return enclosure == null ? own.size() : 1;
-        }
-    }
-
     Level(Bodies bodies, Accuracy accuracy, Dimension dimension, double width, double length, @Nullable Level shared) {
         this.bodies = bodies;
         this.shared = shared;
@@ -96,7 +75,7 @@ final class Level {
         leaves = new LeafColumn(1);
         leaves.reserveUpright(0);
         spans = new Spans();
-        shapes = new byte[16];
+        shapes = new byte[Growth.FIRST];
         this.accuracy = accuracy;
         this.dimension = dimension;
         tree = new QuadTree(-width / 2, -length / 2, width / 2, length / 2, this::trim);
@@ -149,31 +128,13 @@ final class Level {
     /** Writes the leaves of an object at a place into a column that has room. */
     void place(
             Form form, double cx, double cy, double cz, double[] rotation, int at, LeafColumn column, int firstLeaf) {
-        place(dimension, form, cx, cy, cz, rotation, at, column, firstLeaf);
+        form.place(dimension, cx, cy, cz, rotation, at, column, firstLeaf);
     }
 
     /** The same with all that heights reach to, even where an object is upright and they do not matter. */
     void placeTipped(
             Form form, double cx, double cy, double cz, double[] rotation, int at, LeafColumn column, int firstLeaf) {
-        place(Dimension.SPATIAL, form, cx, cy, cz, rotation, at, column, firstLeaf);
-    }
-
-    private void place(
-            Dimension as,
-            Form form,
-            double cx,
-            double cy,
-            double cz,
-            double[] rotation,
-            int at,
-            LeafColumn column,
-            int firstLeaf) {
-        if (form.enclosure == null || form.exact == null) {
-            form.own.place(cx, cy, cz, rotation, at, column, firstLeaf);
-        } else {
-            form.own.place(cx, cy, cz, rotation, at, form.exact, 0);
-            form.enclosure.place(accuracy, as, form.exact, cx, cy, cz, rotation, at, column, firstLeaf);
-        }
+        form.place(Dimension.SPATIAL, cx, cy, cz, rotation, at, column, firstLeaf);
     }
 
     /** Makes a column hold what stands here for an object that is not, or not yet, in the world. */

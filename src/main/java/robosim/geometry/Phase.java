@@ -52,7 +52,7 @@ final class Phase {
     private final double[] part = new double[6];
 
     private Level level;
-    private Level.Form form;
+    private Form form;
     private double dx;
     private double dy;
     private double dz;

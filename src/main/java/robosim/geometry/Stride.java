@@ -218,7 +218,7 @@ final class Stride {
     private void placeProbe() {
         if (!hasProbe) {
             hasProbe = true;
-            Level.Form form = level.form(id);
+            Form form = level.form(id);
             probe.clear();
             probe.append(form.size());
             level.place(form, end[0], end[1], end[2], bodies.places(), bodies.place(id) + 3, probe, 0);

@@ -22,15 +22,6 @@ public final class QuadTree {
     /** Numbers of a box: its least x, y and z, then its greatest. Heights do not count here, but stand beside the others. */
     public static final int BOX = 6;
 
-    /** Room for so many more is not worth giving up. */
-    private static final int FEW = 1024;
-
-    /** Room at first. */
-    private static final int FIRST = 16;
-
-    /** Fewer than these grow by as many again. */
-    private static final int SMALL = 1 << 15;
-
     private static final RegionTree NO_REGIONS = new RegionTree(new Cells(0, 0, 0, 0));
 
     private final Cells cells;
@@ -84,8 +75,8 @@ public final class QuadTree {
         regions = NO_REGIONS;
         tiles = new TileLayers();
         frozen = null;
-        boxes = new double[BOX * FIRST];
-        listed = new boolean[FIRST];
+        boxes = new double[BOX * Growth.FIRST];
+        listed = new boolean[Growth.FIRST];
     }
 
     private QuadTree(QuadTree of) {
@@ -153,7 +144,7 @@ public final class QuadTree {
     /** Gives an id a box of {@link #BOX} numbers without adding it. */
     public void keep(int id, double[] box) {
         if (id >= listed.length) {
-            resize(capacity(id));
+            resize(Math.min(MAX_ID + 1, Growth.of(id)));
         }
         limit = Math.max(limit, id + 1);
         System.arraycopy(box, 0, boxes, BOX * id, BOX);
@@ -205,10 +196,6 @@ public final class QuadTree {
         if (-minX > most || maxX > most || -minZ > most || maxZ > most) {
             most = Math.max(Math.max(-minX, maxX), Math.max(-minZ, maxZ));
         }
-    }
-
-    private static int capacity(int id) {
-        return Math.min(MAX_ID + 1, id < SMALL ? 2 * id + 2 : id + (id >> 2));
     }
 
     private void resize(int capacity) {
@@ -292,7 +279,7 @@ public final class QuadTree {
 
     /** Gives up room that there is for more. */
     private void trim() {
-        if (listed.length - limit > FEW + (limit >> 6)) {
+        if (Growth.isWasteful(limit, listed.length)) {
             resize(limit);
         }
     }

@@ -1,6 +1,7 @@
 package robosim.geometry.narrow;
 
 import java.util.Arrays;
+import robosim.geometry.index.Growth;
 import robosim.geometry.index.Outline;
 
 /**
@@ -25,11 +26,6 @@ final class UprightRows {
     static final UprightRows NONE = new UprightRows();
 
     private static final byte VACANT = -1;
-
-    private static final int LEAST = 16;
-
-    /** Fewer than these grow by as many again. */
-    private static final int SMALL = 1 << 15;
 
     private int size;
     private byte[] kinds = new byte[0];
@@ -91,7 +87,7 @@ final class UprightRows {
     /** Makes room for a place, and for all before it. */
     void reserve(int place) {
         if (place >= kinds.length) {
-            resize(Math.max(place + 1, size == 0 ? LEAST : size < SMALL ? 2 * size + 2 : size + (size >> 2)));
+            resize(place < Growth.FIRST ? Growth.FIRST : Growth.of(place));
         }
         while (size <= place) {
             kinds[size++] = VACANT;

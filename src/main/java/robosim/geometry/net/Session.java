@@ -1,7 +1,6 @@
 package robosim.geometry.net;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -54,11 +53,6 @@ public final class Session {
 
     private @Nullable World world;
     private Set<String> moveable = Set.of();
-
-    /** The width of the last beam, in radians and in degrees. */
-    private double lastWidth;
-
-    private double lastDegrees;
 
     /** With RoboSim's options. */
     public Session() {
@@ -249,13 +243,12 @@ public final class Session {
     }
 
     private Reply measure(SonarRequestBundle bundle) {
-        Double[] distances = new Double[bundle.requests().size()];
+        List<Double> distances = new ArrayList<>(bundle.requests().size());
         List<Problem> problems = new ArrayList<>();
-        int index = 0;
         for (SonarRequest request : bundle.requests()) {
-            distances[index] = measure(request, index++, problems);
+            distances.add(measure(request, distances.size(), problems));
         }
-        return new Reply(new DistanceBundle(Arrays.asList(distances)), problems);
+        return new Reply(new DistanceBundle(distances), problems);
     }
 
     private double measure(SonarRequest request, int index, List<Problem> problems) {
@@ -266,22 +259,14 @@ public final class Session {
         }
         Beam beam = request.beam() == null ? options.beam() : request.beam();
         try {
-            return world.sonar(name, request.xOffset(), request.zOffset(), beam.min(), beam.max(), degrees(beam));
+            double width = Degrees.toDegrees(beam.width());
+            return world.sonar(name, request.xOffset(), request.zOffset(), beam.min(), beam.max(), width);
         } catch (IllegalArgumentException e) {
             String reason = reason(e);
             complaints.warn("a distance of object " + Text.quoted(name) + " is NaN: " + reason);
             problems.add(Problem.of(index, reason));
             return Double.NaN;
         }
-    }
-
-    /** The width of a beam in degrees: most requests have that of the one before. */
-    private double degrees(Beam beam) {
-        if (beam.width() != lastWidth) {
-            lastWidth = beam.width();
-            lastDegrees = Degrees.toDegrees(lastWidth);
-        }
-        return lastDegrees;
     }
 
     /** Logged, and told to who asks. */

@@ -16,13 +16,11 @@ public record DistanceBundle(List<Double> distances) implements Bundle {
     /** Refuses a list or a distance that is null, and a distance that is negative. */
     public DistanceBundle {
         distances = Checks.copy("distances", distances, Double.class);
-        int k = 0;
-        for (double distance : distances) {
-            if (distance < 0) {
+        for (int k = 0; k < distances.size(); k++) {
+            if (distances.get(k) < 0) {
                 throw new IllegalArgumentException(
-                        "distances[" + k + "] must be at least 0, or NaN (got: " + distance + ")");
+                        "distances[" + k + "] must be at least 0, or NaN (got: " + distances.get(k) + ")");
             }
-            k++;
         }
     }
 }
