@@ -183,7 +183,7 @@ final class MeshRay {
         iy = inverse(dy);
         iz = inverse(dz);
         enter(tree);
-        if (Math.max(Math.abs(startX), Math.max(Math.abs(startY), Math.abs(startZ))) > FARTHEST) {
+        if (Math.abs(startX) > FARTHEST || Math.abs(startY) > FARTHEST || Math.abs(startZ) > FARTHEST) {
             return;
         }
         setAcross();
@@ -223,19 +223,16 @@ final class MeshRay {
                 long b = key(nodes, link + WideTree.PART, within);
                 long c = key(nodes, link + 2 * WideTree.PART, within);
                 long d = key(nodes, link + 3 * WideTree.PART, within);
-                // In order without branches, which no one could predict; those that are missed come last.
+                // The nearest without branches, which no one could predict; the others about in order, which is no
+                // worse.
                 long ab = lesser(a, b);
-                long ba = greater(a, b);
                 long cd = lesser(c, d);
-                long dc = greater(c, d);
                 long nearest = lesser(ab, cd);
-                long inner = greater(ab, cd);
-                long outer = lesser(ba, dc);
-                long last = greater(ba, dc);
-                long second = lesser(inner, outer);
-                long third = greater(inner, outer);
-                stack[depth] = last;
-                depth += isMet(last);
+                long third = greater(c, d);
+                long fourth = greater(a, b);
+                long second = greater(ab, cd);
+                stack[depth] = fourth;
+                depth += isMet(fourth);
                 stack[depth] = third;
                 depth += isMet(third);
                 stack[depth] = second;
@@ -283,6 +280,12 @@ final class MeshRay {
                 | (Float.floatToRawIntBits(nodes[at + WideTree.LINK]) & 0xffffffffL);
     }
 
+    /** The bits of a number, in its order; of 0 where it is below. */
+    private static long positive(double value) {
+        long bits = Double.doubleToRawLongBits(value);
+        return bits & ~(bits >> 63);
+    }
+
     private static long lesser(long a, long b) {
         return b + ((a - b) & ((a - b) >> 63));
     }
@@ -307,16 +310,13 @@ final class MeshRay {
         double y = (oy - tree.origin(1)) * scale;
         double z = (oz - tree.origin(2)) * scale;
         double slack = 2 * pad * scale;
-        double far = (Math.abs(x) - nodes[3] - slack) * Math.abs(ix);
-        double farY = (Math.abs(y) - nodes[4] - slack) * Math.abs(iy);
-        double farZ = (Math.abs(z) - nodes[5] - slack) * Math.abs(iz);
-        far = farY > far ? farY : far;
-        far = farZ > far ? farZ : far;
+        long farX = positive((Math.abs(x) - nodes[3] - slack) * Math.abs(ix));
+        long farY = positive((Math.abs(y) - nodes[4] - slack) * Math.abs(iy));
+        long farZ = positive((Math.abs(z) - nodes[5] - slack) * Math.abs(iz));
         // Where the box is met at all, that is not before the line has come to each of its sides, and where it is then
         // already past the place nearest to the middle, that is no farther from it than the corners.
-        double nearest = -(x * dx + y * dy + z * dz);
-        ahead = far < nearest ? far : nearest;
-        ahead = ahead > 0 ? ahead : 0;
+        long nearest = positive(-(x * dx + y * dy + z * dz));
+        ahead = Double.longBitsToDouble(lesser(greater(greater(farX, farY), farZ), nearest));
         startX = x + ahead * dx;
         startY = y + ahead * dy;
         startZ = z + ahead * dz;
