@@ -94,7 +94,7 @@ final class Commands {
     }
 
     /** What a failure tells people: its message, where that is a sentence. */
-    private static String text(Exception failure) {
+    static String text(Exception failure) {
         String message = failure.getMessage();
         if (failure instanceof FileSystemException onFiles && message != null) {
             return file(onFiles, message);
