@@ -3,6 +3,7 @@ package robosim.geometry.junit;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
@@ -22,7 +23,7 @@ final class Evidence {
         this.folder = folder;
     }
 
-    /** Takes away what an earlier run left. */
+    /** Takes away what an earlier run left, and its folder unless somebody else has put something into it. */
     void clear() throws IOException {
         Files.deleteIfExists(folder.resolve(REPLAY));
         Files.deleteIfExists(folder.resolve(PICTURE));
@@ -31,6 +32,13 @@ final class Evidence {
         while (Files.deleteIfExists(talk(connection))) {
             Files.deleteIfExists(picture(connection));
             connection++;
+        }
+        if (Files.isDirectory(folder)) {
+            try {
+                Files.deleteIfExists(folder);
+            } catch (DirectoryNotEmptyException e) {
+                // It is not ours alone.
+            }
         }
     }
 

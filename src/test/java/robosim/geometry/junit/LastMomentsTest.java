@@ -85,7 +85,22 @@ class LastMomentsTest {
         Path stale = folder.resolve(Doomed.class.getName() + ".Failing.passes/last-moments.svg");
         Files.createDirectories(stale.getParent());
         Files.writeString(stale, "of a run before");
-        assertThat(run(Doomed.Failing.class, "passes", folder)).isEmptyDirectory();
+        Path passed = run(Doomed.Failing.class, "passes", folder);
+        assertThat(passed).doesNotExist();
+        // The others of the class have failed.
+        assertThat(passed.resolveSibling(passed.getFileName().toString().replace("passes", "blocked")))
+                .isNotEmptyDirectory();
+    }
+
+    @Test
+    void whatSomebodyPutBesideTheEvidenceStays(@TempDir Path folder) throws Exception {
+        Path passed = Files.createDirectories(folder.resolve(Doomed.class.getName() + ".Failing.passes"));
+        Path own = passed.resolve("notes.txt");
+        Files.writeString(own, "somebody's own");
+        Files.writeString(passed.resolve("failure.txt"), "of a run before");
+        run(Doomed.Failing.class, "passes", folder);
+        assertThat(passed).isDirectoryContaining(file -> file.equals(own));
+        assertThat(passed.resolve("failure.txt")).doesNotExist();
     }
 
     /** docs/scenario-tests.md tells what truly happens. */
