@@ -24,6 +24,7 @@ public final class Arrival {
         if (steps < 0) {
             throw new IllegalArgumentException("steps must be at least 0 (got: " + steps + ")");
         }
+        world.seek(goal);
         long start = world.clock().steps();
         double nearest = goal.missing(robot);
         GeometryObject best = robot.object();
@@ -48,6 +49,7 @@ public final class Arrival {
                     + Words.center(best)
                     + "; it stands " + Words.place(robot.object()) + world.lastRefusal(robot.name()));
         }
+        world.seek(null);
         return robot;
     }
 }

@@ -6,7 +6,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.GeometryObject;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.viewer.Pictures;
@@ -56,7 +58,8 @@ final class Evidence {
         if (world != null) {
             lines += "\n  replay: " + unlessItFails("written", () -> replay(world.scenario(title)));
             lines += "\n  image:  "
-                    + unlessItFails("drawn", () -> picture(world.scenario(title), folder.resolve(PICTURE)));
+                    + unlessItFails(
+                            "drawn", () -> picture(world.scenario(title), world.goals(), folder.resolve(PICTURE)));
         }
         int connection = 0;
         for (byte[] recording : talks.recorded()) {
@@ -82,7 +85,7 @@ final class Evidence {
             Files.write(file, recording);
             return file.toString();
         });
-        String image = unlessItFails("drawn", () -> picture(Scenario.read(file), picture(connection)));
+        String image = unlessItFails("drawn", () -> picture(Scenario.read(file), List.of(), picture(connection)));
         return written + "\n  image:  " + image;
     }
 
@@ -95,10 +98,10 @@ final class Evidence {
         return file.toString();
     }
 
-    /** The robots at the end, with their last ways, what they sensed and what refused them. */
-    private String picture(Scenario scenario, Path file) throws IOException {
+    /** The robots at the end, with their last ways, what they sensed, what refused them and where they were to come. */
+    private String picture(Scenario scenario, List<GeometryObject> goals, Path file) throws IOException {
         Files.createDirectories(folder);
-        Pictures.lastMoments(scenario, file);
+        Pictures.lastMoments(scenario, goals, file);
         return file.toString();
     }
 
