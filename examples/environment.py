@@ -469,6 +469,10 @@ class Robot:
         self.refused_in_a_row = 0 if allowed else self.refused_in_a_row + 1
 
 
+def count(number, one):
+    return f"{number:,} {one}{'' if number == 1 else 's'}"
+
+
 class Tally:
     """What was asked, what was answered, and how long it took."""
 
@@ -485,16 +489,16 @@ class Tally:
         return ordered[max(0, math.ceil(share * len(ordered)) - 1)] * 1e6
 
     def text(self, steps, robots):
-        times = [self.micros(s, share) for s in (self.sonar_seconds, self.move_seconds) for share in (0.5, 0.99)]
+        micros = [self.micros(s, share) for s in (self.sonar_seconds, self.move_seconds) for share in (0.5, 0.99)]
         lines = [
-            f"environment   {steps:,} steps of {robots} robots: {self.asked:,} moves asked, {self.made:,} made;"
-            f" {self.distances:,} distances, {self.echoes:,} of them echoes",
+            f"environment   {count(steps, 'step')} of {count(robots, 'robot')}: {count(self.asked, 'move')} asked,"
+            f" {self.made:,} made; {count(self.distances, 'distance')}, {self.echoes:,} of them echoes",
             "              every answer kept to the protocol",
             "              a round of sonar took {:.1f} us (median), {:.1f} us (99 %); of moves {:.1f} us, {:.1f} us"
-            .format(*times),
+            .format(*micros),
         ]
-        for reason, count in sorted(self.reasons.items(), key=lambda item: (-item[1], item[0]))[:3]:
-            lines.append(f"              {count:,} times {reason}")
+        for reason, times in sorted(self.reasons.items(), key=lambda item: (-item[1], item[0]))[:3]:
+            lines.append(f"              {count(times, 'time')} {reason}")
         return "\n".join(lines)
 
 

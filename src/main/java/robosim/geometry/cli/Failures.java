@@ -54,23 +54,19 @@ final class Failures implements Consumer<Outcome> {
         if (all == 0) {
             return;
         }
-        out.printf(Locale.ROOT, "%,d %s failed:%n", all, all == 1 ? "replicate" : "replicates");
+        out.println(Told.count(all, "replicate") + " failed:");
         long rest = all;
         for (Map.Entry<String, Failure> entry : told.entrySet()) {
             Failure failure = entry.getValue();
             rest -= failure.times;
             out.println("  " + Text.line(firstLine(entry.getKey())));
-            out.println("    " + (failure.times == 1 ? "in " : times(failure.times) + ", first in ")
+            out.println("    " + (failure.times == 1 ? "in " : Told.count(failure.times, "time") + ", first in ")
                     + place(failure.first));
         }
         if (rest > 0) {
             out.printf(Locale.ROOT, "  and %,d with other errors%n", rest);
         }
         out.println("The lines in the results whose \"type\" is \"failure\" tell all of it.");
-    }
-
-    private static String times(long times) {
-        return String.format(Locale.ROOT, "%,d times", times);
     }
 
     /** Which replicate, in the words of its line in the results. */

@@ -82,10 +82,9 @@ final class ReplayCommand implements Callable<Integer> {
         PrintWriter out = spec.commandLine().getOut();
         out.printf(
                 Locale.ROOT,
-                "%,d %s, %,d steps, %,d moves and distances: %s%n",
-                files.size(),
-                files.size() == 1 ? "scenario" : "scenarios",
-                steps,
+                "%s, %s, %,d moves and distances: %s%n",
+                Told.count(files.size(), "scenario"),
+                Told.count(steps, "step"),
                 compared,
                 different + unreadable == 0
                         ? "all the same, bit for bit"
@@ -158,8 +157,9 @@ final class ReplayCommand implements Callable<Integer> {
     private void conclude(Path file, StepReader reader, Replay replay) {
         PrintWriter out = spec.commandLine().getOut();
         if (replay.mismatches() > most) {
-            out.printf(
-                    Locale.ROOT, "%s: and %,d more steps are answered otherwise%n", file, replay.mismatches() - most);
+            long rest = replay.mismatches() - most;
+            out.println(file + ": and " + Told.count(rest, "more step") + (rest == 1 ? " is" : " are")
+                    + " answered otherwise");
         }
         if (reader instanceof ScenarioReader lines && lines.torn() > 0) {
             out.println(file + ": line " + lines.torn()

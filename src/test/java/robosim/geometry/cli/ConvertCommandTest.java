@@ -29,8 +29,8 @@ class ConvertCommandTest extends CommandRun {
                 .hasSize(6)
                 .contains(
                         "Read SDFormat: box 1, capsule 1, collision 7, cylinder 1, link 7, model 7, sphere 1",
-                        "Wrote " + xml + ": 4 objects, 4 of them moveable; the world is 4.0 x 4.0 x 10.0 m, the objects"
-                                + " reach X -0.500000 to 0.500000, Y 0.00000 to 1.00000, Z -2.00000 to 3.20000");
+                        "Wrote " + xml + ": 4 objects, 4 of them moveable; the world is 4 x 4 x 10 m, the objects"
+                                + " reach X -0.5 to 0.5, Y 0 to 1, Z -2 to 3.2");
         assertThat(WorldReader.read(xml))
                 .isEqualTo(SdfReader.read(in, List.of()).world());
         assertThat(Files.list(folder)).containsExactly(xml);

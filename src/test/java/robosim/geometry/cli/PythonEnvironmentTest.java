@@ -37,7 +37,7 @@ import robosim.geometry.protocol.Bundle;
 @Timeout(120)
 class PythonEnvironmentTest {
     private static final Pattern SUMMARY =
-            Pattern.compile("environment +([\\d,]+) steps of (\\d+) robots: ([\\d,]+) moves asked, ([\\d,]+) made;"
+            Pattern.compile("environment +([\\d,]+) steps? of (\\d+) robots?: ([\\d,]+) moves? asked, ([\\d,]+) made;"
                     + " ([\\d,]+) distances, ([\\d,]+) of them echoes");
 
     private final AtomicInteger carriedOut = new AtomicInteger();
@@ -243,7 +243,7 @@ class PythonEnvironmentTest {
                         ":2: this <box> reaches beyond the world;"),
                 Arguments.of(
                         "<group center='9 0 0' heading='90'><cylinder center='0 0 -1' radius='0.1' height='1'/></group>",
-                        "1 steps of"),
+                        "1 step of 1 robot: 1 move asked"),
                 Arguments.of(
                         "<group center='9 0 0' heading='90'><cylinder center='0 0 1' radius='0.1' height='1'/></group>",
                         ":2: this <group> reaches beyond the world;"),
@@ -273,7 +273,7 @@ class PythonEnvironmentTest {
             Process process =
                     start("--world", world.toString(), "--connect", "127.0.0.1:" + server.port(), "--steps", "1");
             String text = rest(output(process));
-            boolean done = told.startsWith("1 steps");
+            boolean done = told.startsWith("1 step ");
             assertThat(text).contains(told).doesNotContain("Traceback");
             if (!done) {
                 assertThat(text).startsWith("Not done: " + folder).hasLineCount(1);

@@ -69,7 +69,7 @@ class ReplayCommandTest extends CommandRun {
                         + " 5.000000000000001 (0x1.4000000000001p2), got 5.0 (0x1.4p2)")
                 .contains("15 scenarios, ", "1 answered otherwise, 0 unreadable");
         assertThat(run("replay", "--most", "0", file)).isEqualTo(ExitCodes.FINDINGS);
-        assertThat(out.toString()).contains("and 1 more steps are answered otherwise");
+        assertThat(out.toString()).contains("and 1 more step is answered otherwise");
     }
 
     @Test
