@@ -479,17 +479,21 @@ public final class ReferenceEnvironment {
             return text.toString();
         }
 
+        private static String count(long count, String one) {
+            return String.format(Locale.ROOT, "%,d %s%s", count, one, count == 1 ? "" : "s");
+        }
+
         String text(long steps, int robots) {
             return String.format(
                     Locale.ROOT,
-                    "environment   %,d steps of %d robots: %,d moves asked, %,d made; %,d distances, %,d of them echoes%n"
+                    "environment   %s of %s: %s asked, %,d made; %s, %,d of them echoes%n"
                             + "              every answer kept to the protocol%n"
                             + "              a round of sonar took %s us (median), %s us (99 %%); of moves %s us, %s us%n",
-                    steps,
-                    robots,
-                    asked,
+                    count(steps, "step"),
+                    count(robots, "robot"),
+                    count(asked, "move"),
                     made,
-                    distances,
+                    count(distances, "distance"),
                     echoes,
                     sonarNanos.micros(0.5),
                     sonarNanos.micros(0.99),

@@ -8,25 +8,59 @@ measures how long answers take. Of meshes in OBJ files it reads those of triangl
     python3 examples/environment.py --world worlds/rooms.xml --connect localhost:7575
 
 against a module that listens, or with --listen 7575 for a module that dials. docs/protocol.md tells what goes over the
-wire, and docs/protocol.schema.json is its schema.
+wire, and docs/protocol.schema.json is its schema. It exits with 0 where all answers kept to the protocol, with 1 where
+one did not, and with 2 where it could not be asked: bad usage, a world with a fault, a connection that failed.
 """
 
 import argparse
 import json
 import math
+import os
 import pathlib
 import random
+import re
 import socket
 import sys
 import time
-import xml.etree.ElementTree as ElementTree
+import xml.parsers.expat as expat
 
-SPACE = "{urn:robosim:world:1}"
+SPACE = "urn:robosim:world:1"
+SCHEMA_HINTS = "http://www.w3.org/2001/XMLSchema-instance "
 METRES = {"km": 1000.0, "m": 1.0, "cm": 0.01, "mm": 0.001, "in": 0.0254, "ft": 0.3048}
+NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]{1,3})?")
+SIZES = {"box": ["width", "height", "length"], "cylinder": ["radius", "height"], "sphere": ["radius"]}
+SHAPES = ["box", "cylinder", "sphere", "mesh", "group"]
+PLACED = ["name", "moveable", "center", "heading", "turned", "rotation"]
+
+# Of each element: the attributes that it needs, those that it may have, and what may stand in it.
+GRAMMAR = {
+    "world": (["width", "height", "length"], ["unit", "dimension", "accuracy"], SHAPES),
+    "box": (SIZES["box"], PLACED, []),
+    "cylinder": (SIZES["cylinder"], PLACED, []),
+    "sphere": (SIZES["sphere"], PLACED, []),
+    "mesh": ([], PLACED + ["solid", "file", "scale"], ["bounds", "vertices", "triangles", "quads"]),
+    "group": ([], PLACED, ["bounds"] + SHAPES),
+    "bounds": ([], [], ["box", "cylinder", "sphere"]),
+    "vertices": ([], [], []),
+    "triangles": ([], [], []),
+    "quads": ([], [], []),
+    "sonar": (["count"], ["first", "step", "min", "max", "width"], []),
+}
+WORDS = {
+    "unit": list(METRES),
+    "dimension": ["PLANAR", "SPATIAL"],
+    "accuracy": ["SPHERE", "AABB", "OBB", "DOP", "EXACT"],
+    "moveable": ["true", "false", "1", "0"],
+    "solid": ["true", "false", "1", "0"],
+}
 
 
 class ProtocolFault(Exception):
     """The module said what the protocol does not allow."""
+
+
+class NotDone(Exception):
+    """What the environment was to do cannot be done; the message is for people and names the remedy."""
 
 
 class Connection:
@@ -52,12 +86,17 @@ class Connection:
         if first and line and not line.startswith(b"{"):
             line = self.lines.readline()  # we were late: the header for Java peers, on a line of its own
         if not line.endswith(b"\n"):
-            raise ProtocolFault("the module ended the conversation")
-        answer = json.loads(line)
-        if answer["type"] == "error":
-            raise ProtocolFault(answer["message"])
-        if answer["type"] != kind:
-            raise ProtocolFault(f"the answer must be {kind} (got: {answer['type']})")
+            raise NotDone("the module ended the conversation; its log tells why")
+        try:
+            answer = json.loads(line)
+            given = answer["type"]
+        except (ValueError, KeyError, TypeError):
+            raise ProtocolFault(f"an answer must be a JSON object with a type (got: {line[:100]!r}); is it the"
+                                " geometry module that listens there?") from None
+        if given == "error":
+            raise NotDone(f"the module refused it: {answer['message']}")
+        if given != kind:
+            raise ProtocolFault(f"the answer must be {kind} (got: {given})")
         return answer
 
     def ask(self, message, kind):
@@ -67,67 +106,201 @@ class Connection:
         return self.receive(kind), time.perf_counter() - begin
 
 
+class Element:
+    """An element of a world file: what is taken from it is checked, and a fault told with its line."""
+
+    def __init__(self, place, tag, attributes, parent):
+        self.place = place
+        self.tag = tag
+        self.attributes = attributes
+        self.parent = parent
+        self.children = []
+        self.text = ""
+
+    def fault(self, problem):
+        return NotDone(f"{self.place}: {problem}")
+
+    def check(self):
+        """Nothing may stand here that would not be understood."""
+        needed, allowed, children = GRAMMAR[self.tag]
+        if self.parent is not None and self.parent.tag == "world":
+            allowed, children = allowed + ["color"], children + ["sonar"]
+        for name in needed:
+            if name not in self.attributes:
+                raise self.fault(f"<{self.tag}> needs the attribute {name}")
+        for name, value in self.attributes.items():
+            if name not in needed + allowed:
+                names = ", ".join(needed + allowed) or "none"
+                raise self.fault(f"<{self.tag}> has no attribute {name}; it can have: {names}")
+            if name in WORDS and value.strip() not in WORDS[name]:
+                raise self.fault(f"{name} must be one of {', '.join(WORDS[name])} (got: {value})")
+        for child in self.children:
+            if child.tag not in children:
+                inside = ", ".join(f"<{name}>" for name in children) or "nothing"
+                raise child.fault(f"<{child.tag}> cannot stand in <{self.tag}>; there can be: {inside}")
+            child.check()
+
+    def named(self, tag):
+        return [child for child in self.children if child.tag == tag]
+
+    def flag(self, name):
+        return self.attributes.get(name, "false").strip() in ("true", "1")
+
+    def number(self, text, name, unit=None):
+        """A number; where the world has a unit, a length may have one of its own."""
+        suffix = text.lstrip("0123456789.eE+-")
+        plain = text[: len(text) - len(suffix)]
+        if not NUMBER.fullmatch(plain) or suffix and (suffix not in METRES or unit is None):
+            like = "0.25" if unit is None else "0.25 or 25cm"
+            raise self.fault(f"{name} of <{self.tag}> must be a number like {like} (got: {text})"
+                             + ('; a length with a unit needs unit="m" or another at <world>' if suffix in METRES else ""))
+        value = float(plain) * METRES[suffix] / METRES[unit] if suffix else float(plain)
+        if abs(value) > 2.0**100:
+            raise self.fault(f"{name} of <{self.tag}> must be at most 2^100 (got: {text})")
+        return value
+
+    def numbers(self, name, count, unit=None):
+        words = self.attributes[name].split()
+        if len(words) != count:
+            raise self.fault(f"{name} of <{self.tag}> must be {count} numbers (got: {len(words)})")
+        return [self.number(word, name, unit) for word in words]
+
+    def one(self, name, default, least=-math.inf, below=math.inf, unit=None):
+        """An attribute that is a number within bounds."""
+        if name not in self.attributes:
+            return default
+        value = self.number(self.attributes[name].strip(), name, unit)
+        if not least <= value < below:
+            bounds = f"at least {least:g}" + ("" if below == math.inf else f" and below {below:g}")
+            raise self.fault(f"{name} of <{self.tag}> must be {bounds} (got: {self.attributes[name]})")
+        return value
+
+    def indices(self):
+        words = self.text.split()
+        if not all(word.isascii() and word.isdigit() for word in words):
+            raise self.fault(f"<{self.tag}> must hold indices of vertices, whole numbers from 0")
+        return [int(word) for word in words]
+
+
+def parse(path):
+    """The root element of a world file."""
+    parser = expat.ParserCreate(namespace_separator=" ")
+    opened, roots = [], []
+
+    def refuse_doctype(*_):
+        raise NotDone(f"{path}:{parser.CurrentLineNumber}: a world has no document type; remove the DOCTYPE")
+
+    def start(name, attributes):
+        space, _, tag = name.rpartition(" ")
+        place = f"{path}:{parser.CurrentLineNumber}"
+        if not opened and (space, tag) != (SPACE, "world"):
+            raise NotDone(f'{place}: the root must be <world xmlns="{SPACE}" ...> (got: <{tag}>)')
+        if space != SPACE or tag not in GRAMMAR:
+            raise NotDone(f"{place}: there is no <{tag}> in a world (namespace: {space or 'none'})")
+        own = {name: value for name, value in attributes.items() if not name.startswith(SCHEMA_HINTS)}
+        element = Element(place, tag, own, opened[-1] if opened else None)
+        (opened[-1].children if opened else roots).append(element)
+        opened.append(element)
+
+    def characters(text):
+        opened[-1].text += text
+
+    parser.StartDoctypeDeclHandler = refuse_doctype
+    parser.StartElementHandler = start
+    parser.EndElementHandler = lambda _: opened.pop()
+    parser.CharacterDataHandler = characters
+    parser.buffer_text = True
+    try:
+        parser.Parse(pathlib.Path(path).read_bytes(), True)
+    except expat.ExpatError as e:
+        raise NotDone(f"{path}:{e.lineno}: this is no well-formed XML: {expat.ErrorString(e.code)}") from None
+    except OSError as e:
+        raise NotDone(f"{path}: the world cannot be read; check --world ({e.strerror})") from None
+    roots[0].check()
+    return roots[0]
+
+
 class World:
     """A world file, as objects for an init message and the sonars of its robots."""
 
     def __init__(self, path):
         self.folder = pathlib.Path(path).parent
-        root = ElementTree.parse(path).getroot()
-        self.unit = root.get("unit")
-        self.size = [self.length(root, side) for side in ("width", "height", "length")]
+        root = parse(path)
+        self.unit = root.attributes.get("unit", "").strip() or None
+        self.size = [root.one(side, 0.0, least=0, unit=self.unit) for side in SIZES["box"]]
+        if 0.0 in self.size:
+            raise root.fault(f"width, height and length of <world> must be above 0 (got: {self.size})")
         self.objects = []
+        self.places = []
         self.robots = []
-        for element in root:
+        names = {}
+        for element in root.children:
             made = self.read(element)
+            self.check_border(element, made)
             self.objects.append(made)
-            rings = element.findall(SPACE + "sonar")
+            self.places.append(element.place)
+            name = made.get("name")
+            if name is not None and names.setdefault(name, element) is not element:
+                raise element.fault(f"names must be unique in a world; {names[name].place} has this one too (got: {name})")
+            rings = element.named("sonar")
+            if rings and name is None:
+                raise element.fault(f"<{element.tag}> with a sonar needs a name")
             # What lies on its side has no level sensors, and stays.
+            beams = [beam for ring in rings for beam in self.ring(ring)]
             if made.get("moveable") and made.get("rotation", [0, 0, 0, 0, 1])[4] == 1:
-                self.robots.append((made, [beam for ring in rings for beam in self.ring(ring)]))
+                self.robots.append((made, beams))
 
-    def number(self, text):
-        for unit in sorted(METRES, key=len, reverse=True):
-            if text.endswith(unit):
-                return float(text[: -len(unit)]) * METRES[unit] / METRES[self.unit]
-        return float(text)
-
-    def length(self, element, name, default=None):
-        text = element.get(name)
-        return default if text is None else self.number(text)
+    def check_border(self, element, made):
+        """The module would leave out what is not in the world; seen from above, as that is what it is sent as."""
+        width, _, length = self.size
+        for size, axis in ((width, 0), (length, 2)):
+            for sign in (1.0, -1.0):
+                direction = [0.0, 0.0, 0.0]
+                direction[axis] = sign
+                # Not by the last bits: on them the module decides.
+                if reach(made, direction) > size / 2 * (1 + 1e-9):
+                    raise element.fault(f"this <{element.tag}> reaches beyond the world; move it or enlarge the world")
 
     def read(self, element):
-        kind = element.tag[len(SPACE):]
-        made = {"kind": kind, "center": [self.number(n) for n in element.get("center", "0 0 0").split()]}
-        if element.get("name") is not None:
-            made["name"] = element.get("name")
-        if element.get("moveable") == "true":
+        kind = element.tag
+        made = {"kind": kind, "center": [0.0, 0.0, 0.0]}
+        if "center" in element.attributes:
+            made["center"] = element.numbers("center", 3, self.unit)
+        if "name" in element.attributes:
+            made["name"] = element.attributes["name"]
+            if not made["name"].strip():
+                raise element.fault(f"name of <{kind}> must not be blank")
+        if element.flag("moveable"):
             made["moveable"] = True
+            if "name" not in made:
+                raise element.fault(f'<{kind}>: a moveable object needs a name; add name="..."')
         rotation = self.rotation(element)
         if rotation:
             made["rotation"] = rotation
-        for side in {"box": ["width", "height", "length"], "cylinder": ["radius", "height"], "sphere": ["radius"]}.get(
-            kind, []
-        ):
-            made[side] = self.length(element, side)
+        for side in SIZES.get(kind, []):
+            made[side] = element.one(side, 0.0, least=0, unit=self.unit)
         if kind == "mesh":
             self.mesh(element, made)
         elif kind == "group":
-            members = [e for e in element if e.tag not in (SPACE + "bounds", SPACE + "sonar")]
-            made["members"] = [self.read(member) for member in members]
-        bounds = element.find(SPACE + "bounds")
-        if bounds is not None:
-            made["boundingVolume"] = self.read(bounds[0])
+            made["members"] = [self.read(member) for member in element.children if member.tag in SHAPES]
+            if not made["members"]:
+                raise element.fault("<group> must have a member")
+        for bounds in element.named("bounds"):
+            if len(bounds.children) != 1 or len(element.named("bounds")) != 1:
+                raise bounds.fault("there must be one <bounds> at most, with one <box>, <cylinder> or <sphere>")
+            made["boundingVolume"] = self.read(bounds.children[0])
         return made
 
     @staticmethod
     def rotation(element):
         """Nine numbers, row by row; its columns are the object's own axes."""
-        if element.get("rotation") is not None:
-            return [float(n) for n in element.get("rotation").split()]
-        if element.get("turned") is not None:
-            rx, ry = (float(n) for n in element.get("turned").split())
-        else:
-            rx, ry = 0.0, float(element.get("heading", 0))
+        given = [name for name in ("heading", "turned", "rotation") if name in element.attributes]
+        if len(given) > 1:
+            raise element.fault(f"<{element.tag}> must have at most one of heading, turned and rotation"
+                                f" (got: {' and '.join(given)})")
+        if given == ["rotation"]:
+            return element.numbers("rotation", 9)
+        rx, ry = element.numbers("turned", 2) if given == ["turned"] else (0.0, element.one("heading", 0.0))
         if rx == 0 and ry == 0:
             return None
         c, s = turn(ry)
@@ -136,49 +309,93 @@ class World:
 
     def mesh(self, element, made):
         vertices, faces = [], []
-        if element.get("file") is not None:
+        if ("file" in element.attributes) == bool(element.named("vertices")):
+            raise element.fault("<mesh> must have either a file or <vertices> and faces")
+        if "file" in element.attributes:
             self.obj(element, vertices, faces)
-        for part in element:
-            numbers = (part.text or "").split()
-            if part.tag == SPACE + "vertices":
-                flat = [self.number(n) for n in numbers]
+        for part in element.children:
+            if part.tag == "vertices":
+                flat = [part.number(n, "a coordinate", self.unit) for n in part.text.split()]
+                if len(flat) % 3 != 0:
+                    raise part.fault(f"<vertices> must hold three numbers for each (got: {len(flat)})")
                 vertices += [flat[k:k + 3] for k in range(0, len(flat), 3)]
-            elif part.tag in (SPACE + "triangles", SPACE + "quads"):
-                corners = 3 if part.tag == SPACE + "triangles" else 4
-                flat = [int(n) for n in numbers]
+            elif part.tag in ("triangles", "quads"):
+                corners = 3 if part.tag == "triangles" else 4
+                flat = part.indices()
+                if len(flat) % corners != 0:
+                    raise part.fault(f"<{part.tag}> must hold {corners} indices for each (got: {len(flat)})")
                 faces += [flat[k:k + corners] for k in range(0, len(flat), corners)]
+        if not faces:
+            raise element.fault("<mesh> must have a face")
+        for face in faces:
+            if not all(0 <= corner < len(vertices) for corner in face):
+                raise element.fault(f"an index must be from 0 to {len(vertices) - 1}, the last vertex (got: {face})")
         made["vertices"], made["faces"] = vertices, faces
-        if element.get("solid") == "true":
+        if element.flag("solid"):
             made["solid"] = True
 
     def obj(self, element, vertices, faces):
-        scale = float(element.get("scale", 1))
-        for line in (self.folder / element.get("file")).read_text().splitlines():
+        name = element.attributes["file"]
+        scale = element.one("scale", 1.0, least=0)
+        if not name.lower().endswith(".obj"):
+            raise element.fault(f"this program reads meshes of OBJ files alone (got: {name})")
+        path = self.folder / name
+        if self.folder.resolve() not in path.resolve().parents:
+            raise element.fault(f"file must lead to a file under the folder of the world (got: {name})")
+        try:
+            lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
+        except OSError as e:
+            raise element.fault(f"the mesh {path} cannot be read ({e.strerror})") from None
+        for number, line in enumerate(lines, 1):
             words = line.split()
-            if words and words[0] == "v":
-                vertices.append([float(n) * scale for n in words[1:4]])
-            elif words and words[0] == "f":
-                corners = [int(word.split("/")[0]) for word in words[1:]]
-                corners = [k - 1 if k > 0 else len(vertices) + k for k in corners]
-                if len(corners) > 4:
-                    name = element.get("file")
-                    raise ValueError(f"{name}: a face must have 3 or 4 corners here (got: {len(corners)})")
-                faces.append(corners)
+            try:
+                if words and words[0] == "v":
+                    x, y, z = (float(n) * scale for n in words[1:4])
+                    vertices.append([x, y, z])
+                elif words and words[0] == "f":
+                    corners = [int(word.split("/")[0]) for word in words[1:]]
+                    if len(corners) not in (3, 4):
+                        raise NotDone(f"{path}:{number}: a face must have 3 or 4 corners here (got: {len(corners)})")
+                    faces.append([k - 1 if k > 0 else len(vertices) + k for k in corners])
+            except ValueError:
+                raise NotDone(f"{path}:{number}: this must be `v x y z` or `f i j k` (got: {line[:100]})") from None
 
     def ring(self, ring):
         """Each sensor of a ring: its bearing in radians, its direction in the robot's own frame, and its beam."""
-        count = int(ring.get("count"))
-        first = float(ring.get("first", 0))
-        step = float(ring.get("step", 360 / count))
+        count = ring.one("count", 0.0, least=1, below=10001)
+        if count != int(count):
+            raise ring.fault(f"count of <sonar> must be a whole number (got: {ring.attributes['count']})")
+        first = ring.one("first", 0.0)
+        step = ring.one("step", 360 / count)
         # On the wire every angle is in radians, and no end is null.
         beam = {
-            "min": self.length(ring, "min", 0.0),
-            "max": self.length(ring, "max"),
-            "width": math.radians(float(ring.get("width", 0))),
+            "min": ring.one("min", 0.0, least=0, unit=self.unit),
+            "max": ring.one("max", None, least=0, unit=self.unit),
+            "width": math.radians(ring.one("width", 0.0, least=0, below=180)),
         }
-        for sensor in range(count):
+        if beam["max"] is not None and beam["max"] < beam["min"]:
+            raise ring.fault(f"max of <sonar> must be at least its min (got: {beam['max']:g} and {beam['min']:g})")
+        for sensor in range(int(count)):
             c, s = turn(first + sensor * step)
             yield math.atan2(s, c), (c, -s), beam
+
+
+def reach(made, direction):
+    """How far an object reaches in a direction of length 1, from the origin of its frame."""
+    r = made.get("rotation", [1, 0, 0, 0, 1, 0, 0, 0, 1])
+    dx, dy, dz = (sum(r[3 * row + column] * direction[row] for row in range(3)) for column in range(3))
+    kind = made["kind"]
+    if kind == "box":
+        own = (made["width"] * abs(dx) + made["height"] * abs(dy) + made["length"] * abs(dz)) / 2
+    elif kind == "cylinder":
+        own = made["radius"] * math.hypot(dx, dz) + made["height"] * abs(dy) / 2
+    elif kind == "sphere":
+        own = made["radius"]
+    elif kind == "mesh":
+        own = max(x * dx + y * dy + z * dz for x, y, z in made["vertices"])
+    else:
+        own = max(reach(member, (dx, dy, dz)) for member in made["members"])
+    return sum(c * d for c, d in zip(made["center"], direction)) + own
 
 
 def turn(degrees):
@@ -252,6 +469,10 @@ class Robot:
         self.refused_in_a_row = 0 if allowed else self.refused_in_a_row + 1
 
 
+def count(number, one):
+    return f"{number:,} {one}{'' if number == 1 else 's'}"
+
+
 class Tally:
     """What was asked, what was answered, and how long it took."""
 
@@ -268,16 +489,16 @@ class Tally:
         return ordered[max(0, math.ceil(share * len(ordered)) - 1)] * 1e6
 
     def text(self, steps, robots):
-        times = [self.micros(s, share) for s in (self.sonar_seconds, self.move_seconds) for share in (0.5, 0.99)]
+        micros = [self.micros(s, share) for s in (self.sonar_seconds, self.move_seconds) for share in (0.5, 0.99)]
         lines = [
-            f"environment   {steps:,} steps of {robots} robots: {self.asked:,} moves asked, {self.made:,} made;"
-            f" {self.distances:,} distances, {self.echoes:,} of them echoes",
+            f"environment   {count(steps, 'step')} of {count(robots, 'robot')}: {count(self.asked, 'move')} asked,"
+            f" {self.made:,} made; {count(self.distances, 'distance')}, {self.echoes:,} of them echoes",
             "              every answer kept to the protocol",
             "              a round of sonar took {:.1f} us (median), {:.1f} us (99 %); of moves {:.1f} us, {:.1f} us"
-            .format(*times),
+            .format(*micros),
         ]
-        for reason, count in sorted(self.reasons.items(), key=lambda item: (-item[1], item[0]))[:3]:
-            lines.append(f"              {count:,} times {reason}")
+        for reason, times in sorted(self.reasons.items(), key=lambda item: (-item[1], item[0]))[:3]:
+            lines.append(f"              {count(times, 'time')} {reason}")
         return "\n".join(lines)
 
 
@@ -325,15 +546,50 @@ def step(connection, robots, tally):
 
 def open_socket(options):
     if options.connect:
-        host, _, port = options.connect.rpartition(":")
-        return socket.create_connection((host, int(port)))
-    with socket.create_server(("127.0.0.1", options.listen), backlog=1) as server:
+        host, port = options.connect
+        try:
+            sock = socket.create_connection((host, port), timeout=10)
+        except ConnectionRefusedError:
+            raise NotDone(f"nobody listens at {host}:{port}; start the module first, in another terminal:"
+                          f' mvn -q compile exec:java -Dexec.args="serve {port}"'
+                          f" (or java -jar robosim-geometry-...-app.jar serve {port})") from None
+        except socket.gaierror:
+            raise NotDone(f"there is no host {host}; check --connect, like localhost:7575") from None
+        except socket.timeout:
+            raise NotDone(f"{host}:{port} did not answer within 10 s; check --connect, and whether a firewall lets"
+                          " you through") from None
+        except OSError as e:
+            raise NotDone(f"{host}:{port} cannot be reached ({e.strerror}); check --connect") from None
+        sock.settimeout(None)
+        return sock
+    try:
+        server = socket.create_server(("127.0.0.1", options.listen), backlog=1)
+    except OSError as e:
+        raise NotDone(f"port {options.listen} cannot be listened on ({os.strerror(e.errno or 0)}); end the program that"
+                      " has it, or take another port, 0 for any free one") from None
+    with server:
         print(f"Listening on port {server.getsockname()[1]}", flush=True)
         return server.accept()[0]
 
 
 def first_line(path):
-    return pathlib.Path(path).read_text(encoding="utf-8").split("\n", 1)[0]
+    try:
+        return pathlib.Path(path).read_text(encoding="utf-8").split("\n", 1)[0]
+    except (OSError, UnicodeDecodeError) as e:
+        raise NotDone(f"{path}: the secret cannot be read; check --secret-file ({e})") from None
+
+
+def load(connection, world):
+    width, height, length = world.size
+    # The world as RoboSim sees it: from above, and exactly.
+    settings = {"width": width, "height": height, "length": length, "dimension": "PLANAR", "accuracy": "EXACT"}
+    connection.send({"type": "init", "objects": world.objects, "settings": settings})
+    try:
+        connection.ask({"type": "ping", "id": "ready"}, "pong")  # an init has no answer, but this has
+    except NotDone as refused:
+        number = re.search(r"/objects/(\d+)", str(refused))
+        place = f"{world.places[int(number.group(1))]}: " if number else ""
+        raise NotDone(f"{place}{refused}") from None
 
 
 def run(options):
@@ -341,16 +597,13 @@ def run(options):
     seeds = random.Random(options.seed)
     robots = [Robot(made, sensors, options.speed, seeds.random()) for made, sensors in world.robots]
     if not robots:
-        raise ValueError(f"world must hold a moveable object that stands upright (got: {options.world})")
+        raise NotDone(f"{options.world}: a world must hold a moveable object that stands upright, else nothing can"
+                      ' wander; give one moveable="true"')
     secret = first_line(options.secret_file) if options.secret_file else None
     tally = Tally()
     with open_socket(options) as sock:
         connection = Connection(sock, secret)
-        width, height, length = world.size
-        # The world as RoboSim sees it: from above, and exactly.
-        settings = {"width": width, "height": height, "length": length, "dimension": "PLANAR", "accuracy": "EXACT"}
-        connection.send({"type": "init", "objects": world.objects, "settings": settings})
-        connection.ask({"type": "ping", "id": "ready"}, "pong")  # an init has no answer, but this has
+        load(connection, world)
         for _ in range(options.steps):
             sense(connection, robots, tally)
             step(connection, robots, tally)
@@ -359,23 +612,62 @@ def run(options):
     print(f"              by {connection.module}")
 
 
+def place(text):
+    host, colon, number = text.rpartition(":")
+    if not colon or not host:
+        raise argparse.ArgumentTypeError(f"must be HOST:PORT, like localhost:7575 (got: {text})")
+    return host.strip("[]"), port(number, least=1)
+
+
+def port(text, least=0):
+    if not (text.isascii() and text.isdigit() and least <= int(text) <= 65535):
+        raise argparse.ArgumentTypeError(f"a port must be {least} to 65535 (got: {text})")
+    return int(text)
+
+
+def steps(text):
+    if not (text.isascii() and text.isdigit()):
+        raise argparse.ArgumentTypeError(f"must be a whole number of at least 0 (got: {text})")
+    return int(text)
+
+
+def speed(text):
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not 0 < value < 1e9:
+        raise argparse.ArgumentTypeError(f"must be a number above 0 (got: {text})")
+    return value
+
+
 def main():
-    parser = argparse.ArgumentParser(description="RoboSim's environment module, in JSON lines.")
+    parser = argparse.ArgumentParser(
+        description="RoboSim's environment module, in JSON lines.",
+        epilog="Exit codes: 0 all answers kept to the protocol; 1 one did not; 2 not done: bad usage, a world with a"
+        " fault, a connection that failed.",
+    )
     parser.add_argument("--world", required=True, help="a world with moveable objects")
-    place = parser.add_mutually_exclusive_group(required=True)
-    place.add_argument("--connect", metavar="HOST:PORT", help="dial a module that listens")
-    place.add_argument("--listen", metavar="PORT", type=int, help="wait for a module that dials; 0 for any port")
-    parser.add_argument("--steps", type=int, default=1000, help="rounds of sonar and moves")
+    ways = parser.add_mutually_exclusive_group(required=True)
+    ways.add_argument("--connect", metavar="HOST:PORT", type=place, help="dial a module that listens")
+    ways.add_argument("--listen", metavar="PORT", type=port, help="wait for a module that dials; 0 for any port")
+    parser.add_argument("--steps", type=steps, default=1000, help="rounds of sonar and moves")
     parser.add_argument("--seed", type=int, default=1, help="of the robots' whims")
-    parser.add_argument("--speed", type=float, default=0.05, help="world units a robot advances in a step")
+    parser.add_argument("--speed", type=speed, default=0.05, help="world units a robot advances in a step")
     parser.add_argument("--secret-file", metavar="FILE", help="its first line is the secret for a module that asks for one")
     try:
         run(parser.parse_args())
     except ProtocolFault as fault:
-        sys.exit(f"The module broke the protocol, or ended it: {fault}")
-    except (OSError, ValueError) as failed:
-        print(f"The conversation failed: {failed}", file=sys.stderr)
+        sys.exit(f"The module broke the protocol: {fault}")
+    except NotDone as reason:
+        print(f"Not done: {reason}", file=sys.stderr)
         sys.exit(2)
+    except OSError as failed:
+        print(f"Not done: the connection failed ({failed.strerror or failed}); the module's log may tell why",
+              file=sys.stderr)
+        sys.exit(2)
+    except KeyboardInterrupt:
+        sys.exit(130)
 
 
 if __name__ == "__main__":

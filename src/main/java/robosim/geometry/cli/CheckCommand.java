@@ -12,7 +12,6 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.world.ImportOptions;
-import robosim.geometry.world.Skipped;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldCheck;
 import robosim.geometry.world.WorldException;
@@ -95,12 +94,11 @@ final class CheckCommand implements Callable<Integer> {
             return ExitCodes.UNUSABLE;
         }
         WorldCheck check = check(read.world());
-        List<Skipped> skipped = read.skipped();
         PrintWriter out = spec.commandLine().getOut();
         out.print(
                 json
-                        ? Json.of(CheckJson.of(file, check, skipped)) + System.lineSeparator()
-                        : CheckText.of(file, check, skipped));
+                        ? Json.of(CheckJson.of(file, check, read)) + System.lineSeparator()
+                        : CheckText.of(file, check, read));
         out.flush();
         return check.isFine() && read.isWhole() ? ExitCodes.FINE : ExitCodes.FINDINGS;
     }

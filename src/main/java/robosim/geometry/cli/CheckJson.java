@@ -12,6 +12,7 @@ import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldCheck;
 import robosim.geometry.world.WorldException;
+import robosim.geometry.world.WorldImport;
 
 /** A checked world for scripts. docs/command-line.md tells its fields. */
 final class CheckJson {
@@ -35,14 +36,15 @@ final class CheckJson {
         return json;
     }
 
-    /** @param skipped what of the file is not in the world */
-    static Map<String, @Nullable Object> of(Path file, WorldCheck check, List<Skipped> skipped) {
+    /** @param read the account of the file */
+    static Map<String, @Nullable Object> of(Path file, WorldCheck check, WorldImport read) {
         Map<String, @Nullable Object> json = new LinkedHashMap<>();
         json.put("file", file);
         json.put("valid", true);
-        json.put("fine", check.isFine() && skipped.isEmpty());
+        json.put("fine", check.isFine() && read.isWhole());
         json.put("problems", List.of());
-        json.put("skipped", skipped.stream().map(CheckJson::skipped).toList());
+        json.put("skipped", read.skipped().stream().map(CheckJson::skipped).toList());
+        json.put("notes", read.remarks());
         json.put("world", world(check.world()));
         Map<String, @Nullable Object> counts = new LinkedHashMap<>();
         check.counts().forEach((kind, count) -> counts.put(Things.kind(kind), count));

@@ -12,6 +12,7 @@ import robosim.geometry.world.Skipped;
 import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldCheck;
+import robosim.geometry.world.WorldImport;
 
 /** A checked world in words. */
 final class CheckText {
@@ -23,21 +24,23 @@ final class CheckText {
 
     private final WorldCheck check;
     private final List<Skipped> skipped;
+    private final List<String> notes;
     private final World world;
     private final String unit;
     private final StringBuilder text = new StringBuilder();
 
-    private CheckText(WorldCheck check, List<Skipped> skipped) {
+    private CheckText(WorldCheck check, WorldImport read) {
         this.check = check;
-        this.skipped = skipped;
+        this.skipped = read.skipped();
+        this.notes = read.remarks();
         this.world = check.world();
         Unit given = world.unit();
         this.unit = given == null ? "" : " " + given.symbol();
     }
 
-    /** @param skipped what of the file is not in the world */
-    static String of(Path file, WorldCheck check, List<Skipped> skipped) {
-        CheckText text = new CheckText(check, skipped);
+    /** @param read the account of the file */
+    static String of(Path file, WorldCheck check, WorldImport read) {
+        CheckText text = new CheckText(check, read);
         text.contents(file);
         text.skipped();
         text.outside();
@@ -46,7 +49,7 @@ final class CheckText {
         text.needs();
         text.add(
                 "verdict",
-                check.isFine() && skipped.isEmpty()
+                check.isFine() && read.isWhole()
                         ? "fine"
                         : "FINDINGS: " + text.findings().stream().collect(Collectors.joining(", ")));
         return text.text.toString();
@@ -98,6 +101,10 @@ final class CheckText {
         skipped.stream().limit(SKIPPED).forEach(each -> add("skipped", "%s", each));
         if (skipped.size() > SKIPPED) {
             add("", "  and %,d more; --json tells all", skipped.size() - SKIPPED);
+        }
+        notes.stream().limit(SKIPPED).forEach(each -> add("note", "%s", each));
+        if (notes.size() > SKIPPED) {
+            add("", "  and %,d more; --json tells all", notes.size() - SKIPPED);
         }
     }
 

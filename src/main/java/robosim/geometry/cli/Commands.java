@@ -5,6 +5,8 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
+import java.util.ArrayList;
+import java.util.List;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 
@@ -42,6 +44,9 @@ import picocli.CommandLine.Command;
         })
 final class Commands {
     static final String NAME = "robosim-geometry";
+
+    /** What people type first who do not know a program. */
+    private static final String HELP = "help";
 
     private final boolean standard;
 
@@ -90,11 +95,25 @@ final class Commands {
             line.usage(line.getErr());
             return ExitCodes.UNUSABLE;
         }
-        return line.execute(arguments);
+        return line.execute(arguments[0].equals(HELP) ? asked(line, arguments) : arguments);
+    }
+
+    /** {@code help sweep} asks for what {@code sweep --help} does; what is no command is left to be refused. */
+    private static String[] asked(CommandLine line, String... arguments) {
+        List<String> words = new ArrayList<>(List.of(arguments).subList(1, arguments.length));
+        CommandLine command = line;
+        for (String word : words) {
+            command = command.getSubcommands().get(word);
+            if (command == null) {
+                return words.toArray(new String[0]);
+            }
+        }
+        words.add("--help");
+        return words.toArray(new String[0]);
     }
 
     /** What a failure tells people: its message, where that is a sentence. */
-    private static String text(Exception failure) {
+    static String text(Exception failure) {
         String message = failure.getMessage();
         if (failure instanceof FileSystemException onFiles && message != null) {
             return file(onFiles, message);

@@ -4,9 +4,11 @@ import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -81,6 +83,7 @@ final class ConvertCommand implements Callable<Integer> {
             names = "--up",
             paramLabel = "AXIS",
             defaultValue = "y",
+            completionCandidates = Axes.class,
             description = "which axis of a mesh points up: y or z (default: ${DEFAULT-VALUE})")
     private ImportOptions.Up up = ImportOptions.Up.Y;
 
@@ -95,6 +98,16 @@ final class ConvertCommand implements Callable<Integer> {
 
     @Option(names = "--all", description = "names all that is left out; else the first " + MOST_LINES)
     private boolean all;
+
+    /** What a shell offers for {@code --up}: as the help writes it. */
+    static final class Axes implements Iterable<String> {
+        @Override
+        public Iterator<String> iterator() {
+            return Stream.of(ImportOptions.Up.values())
+                    .map(axis -> axis.name().toLowerCase(Locale.ROOT))
+                    .iterator();
+        }
+    }
 
     private ConvertCommand() {}
 
@@ -156,9 +169,9 @@ final class ConvertCommand implements Callable<Integer> {
         line.append(String.format(
                 Locale.ROOT,
                 "; the world is %s x %s x %s%s",
-                world.width(),
-                world.height(),
-                world.length(),
+                Told.number(world.width()),
+                Told.number(world.height()),
+                Told.number(world.length()),
                 unit.isEmpty() ? "" : " " + unit));
         Extents extents = Extents.of(world.objects());
         if (!extents.isEmpty()) {
@@ -167,11 +180,11 @@ final class ConvertCommand implements Callable<Integer> {
             for (int axis = 0; axis < 3; axis++) {
                 line.append(String.format(
                         Locale.ROOT,
-                        "%s %s %.6g to %.6g",
+                        "%s %s %s to %s",
                         axis == 0 ? "" : ",",
                         axes.charAt(axis),
-                        extents.least(axis),
-                        extents.most(axis)));
+                        Told.number(extents.least(axis)),
+                        Told.number(extents.most(axis))));
             }
         }
         return line.toString();

@@ -121,7 +121,7 @@ final class DemoCommand implements Callable<Integer> {
         Summary summary = new Summary(output, timings);
         Scene scene = Pictures.of(loaded, Pictures.title(worldFile));
         scene = scene.described(summary.line(audited == 0), Pictures.unit(loaded));
-        try (WireReader talk = WireReader.open(output.resolve("to-module.bin"), output.resolve("from-module.bin"))) {
+        try (WireReader talk = WireFiles.open(output.resolve(WireFiles.TO_MODULE))) {
             scene = Pictures.whole(talk, scene);
         }
         Painter.write(scene, Theme.LIGHT, output.resolve("world.svg"));

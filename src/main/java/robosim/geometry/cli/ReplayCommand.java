@@ -18,9 +18,9 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.scenario.Mismatch;
 import robosim.geometry.scenario.Replay;
-import robosim.geometry.scenario.ScenarioException;
 import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.scenario.Step;
+import robosim.geometry.scenario.StepReader;
 
 /** Carries out recorded conversations anew. */
 @Command(
@@ -38,6 +38,7 @@ import robosim.geometry.scenario.Step;
         footer = {
             "  robosim-geometry serve 5555 --record recordings",
             "  robosim-geometry replay recordings",
+            "  robosim-geometry replay target/demo",
             "  robosim-geometry replay bug.scenario.jsonl worlds/scenarios"
         })
 final class ReplayCommand implements Callable<Integer> {
@@ -48,7 +49,9 @@ final class ReplayCommand implements Callable<Integer> {
     @Parameters(
             arity = "1..*",
             paramLabel = "FILE|FOLDER",
-            description = "scenarios, or folders in whose trees every *" + ScenarioReader.ENDING + " is one")
+            description = "scenarios, or folders in whose trees every *" + ScenarioReader.ENDING
+                    + " is one; also the demo's " + WireFiles.TO_MODULE + ", with " + WireFiles.FROM_MODULE
+                    + " beside it")
     private List<Path> places = List.of();
 
     @Option(
@@ -79,10 +82,9 @@ final class ReplayCommand implements Callable<Integer> {
         PrintWriter out = spec.commandLine().getOut();
         out.printf(
                 Locale.ROOT,
-                "%,d %s, %,d steps, %,d moves and distances: %s%n",
-                files.size(),
-                files.size() == 1 ? "scenario" : "scenarios",
-                steps,
+                "%s, %s, %,d moves and distances: %s%n",
+                Told.count(files.size(), "scenario"),
+                Told.count(steps, "step"),
                 compared,
                 different + unreadable == 0
                         ? "all the same, bit for bit"
@@ -95,7 +97,8 @@ final class ReplayCommand implements Callable<Integer> {
         List<Path> files = new ArrayList<>();
         for (Path place : places) {
             if (Files.isRegularFile(place)) {
-                files.add(place);
+                Path toModule = WireFiles.at(place);
+                files.add(toModule == null ? place : toModule);
                 continue;
             }
             if (!Files.isDirectory(place)) {
@@ -104,23 +107,34 @@ final class ReplayCommand implements Callable<Integer> {
             }
             int before = files.size();
             try (Stream<Path> tree = Files.walk(place)) {
-                tree.filter(file -> file.toString().endsWith(ScenarioReader.ENDING) && Files.isRegularFile(file))
+                tree.filter(file -> isRecording(file) && Files.isRegularFile(file))
                         .sorted()
                         .forEach(files::add);
             }
             if (files.size() == before) {
                 throw new ParameterException(
                         spec.commandLine(),
-                        "FOLDER must hold a *" + ScenarioReader.ENDING + ", itself or in its tree (got: " + place
-                                + ")");
+                        "FOLDER must hold a *" + ScenarioReader.ENDING + " or the demo's " + WireFiles.TO_MODULE
+                                + ", itself or in its tree (got: " + place + ")");
             }
         }
         return files;
     }
 
-    private void replay(Path file, int number, Progress progress) throws IOException {
+    private static boolean isRecording(Path file) {
+        return file.toString().endsWith(ScenarioReader.ENDING) || file.endsWith(WireFiles.TO_MODULE);
+    }
+
+    private StepReader open(Path file) throws IOException {
+        if (file.endsWith(WireFiles.TO_MODULE)) {
+            return WireFiles.open(file);
+        }
+        return root == null ? ScenarioReader.open(file) : ScenarioReader.open(file, root);
+    }
+
+    private void replay(Path file, int number, Progress progress) {
         PrintWriter out = spec.commandLine().getOut();
-        try (ScenarioReader reader = root == null ? ScenarioReader.open(file) : ScenarioReader.open(file, root)) {
+        try (StepReader reader = open(file)) {
             Replay replay = new Replay(reader.header().options());
             for (Step step = reader.next(); step != null; step = reader.next()) {
                 Mismatch mismatch = replay.step(step);
@@ -132,21 +146,23 @@ final class ReplayCommand implements Callable<Integer> {
             }
             progress.clear();
             conclude(file, reader, replay);
-        } catch (ScenarioException e) {
+        } catch (IOException e) {
             progress.clear();
             unreadable++;
-            spec.commandLine().getErr().println(e.getMessage());
+            String told = Commands.text(e);
+            spec.commandLine().getErr().println(told.startsWith(file.toString()) ? told : file + ": " + told);
         }
     }
 
-    private void conclude(Path file, ScenarioReader reader, Replay replay) {
+    private void conclude(Path file, StepReader reader, Replay replay) {
         PrintWriter out = spec.commandLine().getOut();
         if (replay.mismatches() > most) {
-            out.printf(
-                    Locale.ROOT, "%s: and %,d more steps are answered otherwise%n", file, replay.mismatches() - most);
+            long rest = replay.mismatches() - most;
+            out.println(file + ": and " + Told.count(rest, "more step") + (rest == 1 ? " is" : " are")
+                    + " answered otherwise");
         }
-        if (reader.torn() > 0) {
-            out.println(file + ": line " + reader.torn()
+        if (reader instanceof ScenarioReader lines && lines.torn() > 0) {
+            out.println(file + ": line " + lines.torn()
                     + " breaks off, as where a recording is killed; it was passed over");
         }
         steps += replay.steps();

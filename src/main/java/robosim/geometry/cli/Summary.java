@@ -38,12 +38,12 @@ final class Summary {
     /** One line for a picture. */
     String line(boolean right) {
         return format(
-                "%,d robots, %,d steps: %,d moves asked, %,d refused, %,d distances; the audit found %s wrong",
-                count("robots"),
-                count("steps"),
-                count("moves.asked"),
+                "%s, %s: %s asked, %,d refused, %s; the audit found %s wrong",
+                Told.count(count("robots"), "robot"),
+                Told.count(count("steps"), "step"),
+                Told.count(count("moves.asked"), "move"),
                 count("moves.asked") - count("moves.made"),
-                count("distances"),
+                Told.count(count("distances"), "distance"),
                 right ? "nothing" : "something");
     }
 
@@ -58,7 +58,8 @@ final class Summary {
         long distances = count("distances");
         StringBuilder text = new StringBuilder();
         text.append(format(
-                "conversation  %,d steps of %,d robots, two processes over TCP%n", count("steps"), count("robots")));
+                "conversation  %s of %s, two processes over TCP%n",
+                Told.count(count("steps"), "step"), Told.count(count("robots"), "robot")));
         text.append(format("moves         %,d asked, %,d made, %,d refused%n", asked, made, asked - made));
         refusals(text);
         text.append(format("distances     %,d answered, %,d of them echoes%n", distances, count("echoes")));
@@ -103,7 +104,7 @@ final class Summary {
             }
         }
         if (rest > 0) {
-            text.append(format("  %,10d refused by %,d other objects%n", rest, obstacles.size() - NAMED));
+            text.append(format("  %,10d refused by %s%n", rest, Told.count(obstacles.size() - NAMED, "other object")));
         }
     }
 

@@ -137,9 +137,9 @@ final class SweepCommand implements Callable<Integer> {
         int code = output.tell(results, out);
         long earlier = Math.max(0, before.get());
         out.printf(
-                "%,d replicates on %s%s, %.1f s: %s%n",
-                size - earlier,
-                threads == 1 ? "1 thread" : threads + " threads",
+                "%s on %s%s, %.1f s: %s%n",
+                Told.count(size - earlier, "replicate"),
+                Told.count(threads, "thread"),
                 earlier > 0 ? String.format(", %,d were there", earlier) : "",
                 (System.nanoTime() - start) / 1e9,
                 file);

@@ -28,7 +28,11 @@ final class SweepOutput {
     /** Tells it; answers the exit code. */
     int tell(SweepResults results, PrintWriter out) throws IOException {
         SweepSummary summary = new SweepSummary();
-        results.forEach(summary);
+        Failures failures = new Failures();
+        results.forEach(outcome -> {
+            summary.accept(outcome);
+            failures.accept(outcome);
+        });
         String text = summary.markdown();
         out.print(text);
         if (table != null) {
@@ -37,13 +41,11 @@ final class SweepOutput {
         if (plot != null) {
             Files.writeString(plot, SweepPlot.svg(results.header(), summary));
         }
-        if (summary.failures() > 0) {
-            out.printf("%,d replicates failed; their lines in the results tell why%n", summary.failures());
-        }
+        failures.tell(out);
         if (digest) {
             out.println("digest " + results.digest());
         }
         out.flush();
-        return summary.failures() > 0 ? ExitCodes.FINDINGS : ExitCodes.FINE;
+        return failures.areThere() ? ExitCodes.FINDINGS : ExitCodes.FINE;
     }
 }

@@ -13,9 +13,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.scenario.ScenarioReader;
-import robosim.geometry.scenario.StepReader;
 import robosim.geometry.scenario.WatchReader;
-import robosim.geometry.scenario.WireReader;
 import robosim.geometry.viewer.Pictures;
 import robosim.geometry.viewer.Theme;
 import robosim.geometry.viewer.Viewer;
@@ -39,11 +37,6 @@ import robosim.geometry.world.World;
 final class ViewCommand implements Callable<Integer> {
     static final String NAME = "view";
 
-    /** The two files that the demonstration leaves. */
-    private static final String TO_MODULE = "to-module.bin";
-
-    private static final String FROM_MODULE = "from-module.bin";
-
     @Spec
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CommandSpec spec;
@@ -52,7 +45,7 @@ final class ViewCommand implements Callable<Integer> {
             arity = "0..1",
             paramLabel = "FILE",
             description = "a world of any format that convert reads, a recording (*" + ScenarioReader.ENDING
-                    + "), or a folder with the demo's " + TO_MODULE + " and " + FROM_MODULE)
+                    + "), or a folder with the demo's " + WireFiles.TO_MODULE + " and " + WireFiles.FROM_MODULE)
     private @Nullable Path file;
 
     @Option(
@@ -111,10 +104,9 @@ final class ViewCommand implements Callable<Integer> {
     private void view(Path shown) throws IOException, InterruptedException {
         String name = shown.toString().toLowerCase(Locale.ROOT);
         String title = Pictures.title(shown);
-        Path toModule = name.endsWith(TO_MODULE) ? shown : shown.resolve(TO_MODULE);
-        if (Files.isRegularFile(toModule)) {
-            StepReader recording = WireReader.open(toModule, toModule.resolveSibling(FROM_MODULE));
-            Viewer.recording(recording, title, lender(), theme());
+        Path toModule = WireFiles.at(shown);
+        if (toModule != null) {
+            Viewer.recording(WireFiles.open(toModule), title, lender(), theme());
         } else if (name.endsWith(".jsonl")) {
             Viewer.recording(ScenarioReader.open(shown), title, lender(), theme());
         } else {

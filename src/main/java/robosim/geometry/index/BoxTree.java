@@ -1,5 +1,7 @@
 package robosim.geometry.index;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * Boxes that are given once, such as those of a mesh's triangles, in a binary tree that is then only read: any number of
  * threads may share it.
@@ -35,6 +37,7 @@ public final class BoxTree {
     private final double unit;
     private final double reach;
     private final double scale;
+    private volatile @Nullable WideTree wide;
 
     /**
      * Builds the tree.
@@ -102,6 +105,21 @@ public final class BoxTree {
     /** The item at a place of the leaves' order: its index among the boxes given. */
     public int item(int place) {
         return order[place];
+    }
+
+    /** The same with up to four parts a node, made when first asked. */
+    public WideTree wide() {
+        WideTree made = wide;
+        if (made == null) {
+            synchronized (this) {
+                made = wide;
+                if (made == null) {
+                    made = new WideTree(this);
+                    wide = made;
+                }
+            }
+        }
+        return made;
     }
 
     /** The nodes' numbers. The tree's own array: read only. */

@@ -1,6 +1,6 @@
 package robosim.geometry.junit;
 
-import robosim.geometry.model.Point;
+import robosim.geometry.model.GeometryObject;
 
 /** A robot on its way to a goal. */
 public final class Arrival {
@@ -24,9 +24,10 @@ public final class Arrival {
         if (steps < 0) {
             throw new IllegalArgumentException("steps must be at least 0 (got: " + steps + ")");
         }
+        world.seek(goal);
         long start = world.clock().steps();
         double nearest = goal.missing(robot);
-        Point best = robot.center();
+        GeometryObject best = robot.object();
         long bestStep = 0;
         for (int k = 1; k <= steps && nearest > 0; k++) {
             if (world.clock().isIdle()) {
@@ -38,15 +39,17 @@ public final class Arrival {
             double missing = goal.missing(robot);
             if (missing < nearest) {
                 nearest = missing;
-                best = robot.center();
+                best = robot.object();
                 bestStep = world.clock().steps() - start;
             }
         }
         if (nearest > 0) {
-            throw robot.failure(" was to reach " + goal + " in " + steps + " steps, but came no nearer than "
-                    + Words.number(nearest) + " short of it, after " + bestStep + " steps at " + Words.point(best)
+            throw robot.failure(" was to reach " + goal + " in " + Words.steps(steps) + ", but came no nearer than "
+                    + Words.found(nearest) + " short of it, after " + Words.steps(bestStep) + " at "
+                    + Words.center(best)
                     + "; it stands " + Words.place(robot.object()) + world.lastRefusal(robot.name()));
         }
+        world.seek(null);
         return robot;
     }
 }

@@ -3,9 +3,12 @@ package robosim.geometry.junit;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.GeometryObject;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.viewer.Pictures;
@@ -22,7 +25,7 @@ final class Evidence {
         this.folder = folder;
     }
 
-    /** Takes away what an earlier run left. */
+    /** Takes away what an earlier run left, and its folder unless somebody else has put something into it. */
     void clear() throws IOException {
         Files.deleteIfExists(folder.resolve(REPLAY));
         Files.deleteIfExists(folder.resolve(PICTURE));
@@ -31,6 +34,13 @@ final class Evidence {
         while (Files.deleteIfExists(talk(connection))) {
             Files.deleteIfExists(picture(connection));
             connection++;
+        }
+        if (Files.isDirectory(folder)) {
+            try {
+                Files.deleteIfExists(folder);
+            } catch (DirectoryNotEmptyException e) {
+                // It is not ours alone.
+            }
         }
     }
 
@@ -48,7 +58,8 @@ final class Evidence {
         if (world != null) {
             lines += "\n  replay: " + unlessItFails("written", () -> replay(world.scenario(title)));
             lines += "\n  image:  "
-                    + unlessItFails("drawn", () -> picture(world.scenario(title), folder.resolve(PICTURE)));
+                    + unlessItFails(
+                            "drawn", () -> picture(world.scenario(title), world.goals(), folder.resolve(PICTURE)));
         }
         int connection = 0;
         for (byte[] recording : talks.recorded()) {
@@ -74,7 +85,7 @@ final class Evidence {
             Files.write(file, recording);
             return file.toString();
         });
-        String image = unlessItFails("drawn", () -> picture(Scenario.read(file), picture(connection)));
+        String image = unlessItFails("drawn", () -> picture(Scenario.read(file), List.of(), picture(connection)));
         return written + "\n  image:  " + image;
     }
 
@@ -87,10 +98,10 @@ final class Evidence {
         return file.toString();
     }
 
-    /** The robots at the end, with their last ways, what they sensed and what refused them. */
-    private String picture(Scenario scenario, Path file) throws IOException {
+    /** The robots at the end, with their last ways, what they sensed, what refused them and where they were to come. */
+    private String picture(Scenario scenario, List<GeometryObject> goals, Path file) throws IOException {
         Files.createDirectories(folder);
-        Pictures.lastMoments(scenario, file);
+        Pictures.lastMoments(scenario, goals, file);
         return file.toString();
     }
 

@@ -1,6 +1,11 @@
 package robosim.geometry.junit;
 
+import java.util.List;
+import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
+import robosim.geometry.Geometry;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.protocol.Text;
 
@@ -8,10 +13,12 @@ import robosim.geometry.protocol.Text;
 public final class Goal {
     private final String words;
     private final ToDoubleFunction<Robot> missing;
+    private final Function<Geometry, List<GeometryObject>> objects;
 
-    private Goal(String words, ToDoubleFunction<Robot> missing) {
+    private Goal(String words, ToDoubleFunction<Robot> missing, Function<Geometry, List<GeometryObject>> objects) {
         this.words = words;
         this.missing = missing;
+        this.objects = objects;
     }
 
     /**
@@ -22,12 +29,15 @@ public final class Goal {
     public static Goal at(double x, double z, double radius) {
         Robot.check("radius", radius);
         Point goal = new Point(x, 0, z);
+        String words = "(" + Words.number(x) + ", " + Words.number(z) + ") to within " + Words.number(radius);
         return new Goal(
-                "(" + Words.number(x) + ", " + Words.number(z) + ") to within " + Words.number(radius), robot -> {
+                words,
+                robot -> {
                     double dx = robot.center().x() - goal.x();
                     double dz = robot.center().z() - goal.z();
                     return Math.max(0, Math.sqrt(dx * dx + dz * dz) - radius);
-                });
+                },
+                world -> List.of(new CylinderObject(goal, radius, 0).named("goal " + words)));
     }
 
     /**
@@ -39,12 +49,18 @@ public final class Goal {
         Robot.check("distance", distance);
         return new Goal(
                 Text.quoted(object) + " to within " + Words.number(distance),
-                robot -> Math.max(0, robot.rangeTo(object).value() - distance));
+                robot -> Math.max(0, robot.rangeTo(object).value() - distance),
+                world -> world.hasObject(object) ? List.of(world.getObject(object)) : List.of());
     }
 
     /** How far the robot still is from it; 0 where it is there. */
     double missing(Robot robot) {
         return missing.applyAsDouble(robot);
+    }
+
+    /** To be drawn: what covers of the floor where the goal is. */
+    List<GeometryObject> objects(Geometry world) {
+        return objects.apply(world);
     }
 
     @Override

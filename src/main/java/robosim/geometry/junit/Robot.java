@@ -105,7 +105,7 @@ public final class Robot {
         double distance = range(direction);
         if (distance > range) {
             throw failure(" was to sense something within " + Words.number(range) + sight(direction) + ", but "
-                    + echo(direction, distance) + "; it stands " + Words.place(object()));
+                    + echo(direction, distance, range) + "; it stands " + Words.place(object()));
         }
         return this;
     }
@@ -116,7 +116,7 @@ public final class Robot {
         double distance = range(direction);
         if (distance <= range) {
             throw failure(" was to sense nothing within " + Words.number(range) + sight(direction) + ", but "
-                    + echo(direction, distance) + "; it stands " + Words.place(object()));
+                    + echo(direction, distance, range) + "; it stands " + Words.place(object()));
         }
         return this;
     }
@@ -131,7 +131,7 @@ public final class Robot {
         return " at " + Words.number(direction) + " degrees" + world.moment();
     }
 
-    private String echo(double direction, double distance) {
+    private String echo(double direction, double distance, double range) {
         if (Double.isInfinite(distance)) {
             return "nothing echoes there at any distance";
         }
@@ -139,7 +139,7 @@ public final class Robot {
         double heading = heading() + direction;
         Point at = new Point(
                 from.x() + distance * Degrees.cos(heading), from.y(), from.z() - distance * Degrees.sin(heading));
-        return "the first echo is " + Words.number(distance) + " away, at about " + Words.point(at);
+        return "the first echo is " + Words.apart(distance, range) + " away, at about " + Words.point(at, distance);
     }
 
     /**

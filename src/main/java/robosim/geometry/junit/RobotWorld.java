@@ -41,6 +41,8 @@ public final class RobotWorld {
     private final List<Refusal> refusals = new ArrayList<>();
     private final List<Watch> watches = new ArrayList<>();
 
+    private @Nullable Goal sought;
+
     /** A move that was blocked. */
     private record Refusal(String mover, @Nullable String obstacle, String words) {
         boolean isBetween(String robot, String other) {
@@ -190,6 +192,16 @@ public final class RobotWorld {
             }
         }
         return "";
+    }
+
+    /** From now on some robot is to reach it, until it has; null for none. */
+    void seek(@Nullable Goal goal) {
+        sought = goal;
+    }
+
+    /** The goal that is not reached yet, as an object at its place; empty where there is none. */
+    List<GeometryObject> goals() {
+        return sought == null ? List.of() : sought.objects(geometry);
     }
 
     /** When it is, for a message; empty before the first step. */

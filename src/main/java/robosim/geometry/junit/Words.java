@@ -2,43 +2,136 @@ package robosim.geometry.junit;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.math.RoundingMode;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.MoveResult;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Move;
+import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.SphereObject;
 import robosim.geometry.protocol.Text;
 
-/** Numbers, places and refusals as a failure tells them. */
+/**
+ * Numbers, places and refusals as a failure tells them: without the noise of rounding, and so that no two numbers that a
+ * sentence compares look the same.
+ */
 final class Words {
-    private static final MathContext DIGITS = new MathContext(9);
+    /** Of what was found out. */
+    private static final MathContext FOUND = new MathContext(9);
+
+    /** Of what somebody wrote down: no literal that a person writes is longer, and 0.1 + 0.2 is 0.3. */
+    private static final MathContext ASKED = new MathContext(12);
+
+    private static final MathContext DIFFERENCE = new MathContext(2);
 
     private Words() {}
 
-    /** As short as it can be without being another number. */
+    /** A number that was asked for. */
     static String number(double value) {
-        String text = String.valueOf(value);
-        return text.endsWith(".0") ? text.substring(0, text.length() - 2) : text;
+        return text(value, ASKED);
     }
 
-    /** To nine digits: where things are, for people. */
-    private static String rounded(double value) {
-        return new BigDecimal(value).round(DIGITS).stripTrailingZeros().toPlainString();
+    /** A number that was found. */
+    static String found(double value) {
+        return text(value, FOUND);
     }
 
-    /** A number that was found, in so few digits as tell it from the one that was asked for. */
+    private static String text(double value, MathContext digits) {
+        return Double.isFinite(value) ? text(exactly(value).round(digits)) : String.valueOf(value);
+    }
+
+    private static BigDecimal exactly(double value) {
+        return new BigDecimal(value);
+    }
+
+    private static String text(BigDecimal value) {
+        BigDecimal plain = value.stripTrailingZeros();
+        int exponent = plain.precision() - plain.scale();
+        boolean readable = plain.signum() == 0 || (exponent > -6 && exponent <= 16);
+        return readable
+                ? plain.toPlainString()
+                : plain.toString().replace("E+", "e").replace('E', 'e');
+    }
+
+    /** A number that was found beside the one that was asked for: on the same side of it as it is told, and not equal. */
     static String apart(double found, double asked) {
-        String few = rounded(found);
-        return few.equals(number(asked)) ? number(found) : few;
+        if (found == asked || !Double.isFinite(found) || !Double.isFinite(asked)) {
+            return found(found);
+        }
+        int told = exactly(found).round(FOUND).compareTo(exactly(asked).round(ASKED));
+        if (Integer.signum(told) == Double.compare(found, asked)) {
+            return found(found);
+        }
+        BigDecimal off = exactly(found).subtract(exactly(asked)).abs().round(DIFFERENCE);
+        return (found < asked ? "just under " : "just over ") + number(asked) + " (by " + text(off) + ")";
     }
 
-    static String point(Point point) {
-        return "(" + rounded(point.x()) + ", " + rounded(point.y()) + ", " + rounded(point.z()) + ")";
+    /** A part of something whole; what is not all of it is not told as all of it, nor what is something as nothing. */
+    private static String share(double share, double whole) {
+        if (share == 0) {
+            return "0";
+        }
+        double part = share * whole;
+        BigDecimal told = exactly(part).round(FOUND);
+        if (share < 1 && told.compareTo(exactly(whole).round(ASKED)) >= 0) {
+            return "just under " + number(whole);
+        }
+        return share < 1e-9 ? "just over 0" : text(told);
+    }
+
+    /**
+     * A place.
+     *
+     * @param size of what is there: a billionth of it is nothing, as it is of the largest coordinate
+     */
+    static String point(Point point, double size) {
+        BigDecimal scale = exactly(Math.max(largest(point), size));
+        int decimals = FOUND.getPrecision() - scale.precision() + scale.scale();
+        return "(" + rounded(point.x(), decimals) + ", " + rounded(point.y(), decimals) + ", "
+                + rounded(point.z(), decimals) + ")";
+    }
+
+    private static String rounded(double value, int decimals) {
+        return text(exactly(value).setScale(decimals, RoundingMode.HALF_EVEN));
     }
 
     static String place(GeometryObject object) {
-        return "at " + point(object.center()) + ", heading " + rounded(object.heading());
+        return "at " + center(object) + ", heading " + rounded(object.heading(), FOUND.getPrecision());
+    }
+
+    /** Where an object is. */
+    static String center(GeometryObject object) {
+        return point(object.center(), size(object));
+    }
+
+    /** About how large an object is. */
+    private static double size(GeometryObject object) {
+        if (object instanceof BoxObject box) {
+            return Math.max(Math.max(box.width(), box.height()), box.length());
+        }
+        if (object instanceof CylinderObject cylinder) {
+            return Math.max(cylinder.radius(), cylinder.height());
+        }
+        if (object instanceof SphereObject sphere) {
+            return sphere.radius();
+        }
+        if (object instanceof ObjectGroup group) {
+            return group.members().stream()
+                    .mapToDouble(member -> Math.max(size(member), largest(member.center())))
+                    .max()
+                    .orElse(0);
+        }
+        return ((MeshObject) object)
+                .vertices().stream().mapToDouble(Words::largest).max().orElse(0);
+    }
+
+    private static double largest(Point point) {
+        return Math.max(Math.max(Math.abs(point.x()), Math.abs(point.y())), Math.abs(point.z()));
     }
 
     /** As in {@code box "wall 3" at (4, 0, 0)}; null is the border. */
@@ -48,7 +141,11 @@ final class Words {
         }
         String kind = object.kind().name().toLowerCase(Locale.ROOT);
         String name = object.name();
-        return kind + (name == null ? " without a name" : " " + Text.quoted(name)) + " at " + point(object.center());
+        return kind + (name == null ? " without a name" : " " + Text.quoted(name)) + " at " + center(object);
+    }
+
+    static String steps(long count) {
+        return count + (count == 1 ? " step" : " steps");
     }
 
     /** As in {@code drive 2} or {@code turn by 90}. */
@@ -69,10 +166,13 @@ final class Words {
     static String blocked(Move move, MoveResult result) {
         double length = Math.sqrt(move.x() * move.x() + move.y() * move.y() + move.z() * move.z());
         String after = result.fraction() < 1
-                ? rounded(result.fraction() * length) + " of " + rounded(length)
-                : rounded(result.turnFraction()) + " of its turn";
+                ? share(result.fraction(), length) + " of " + number(length)
+                : share(result.turnFraction(), 1) + " of its turn";
         Point contact = result.contact();
-        return "blocked after " + after + " by " + object(result.obstacle())
-                + (contact == null ? "" : ", where it touches " + point(contact));
+        GeometryObject obstacle = result.obstacle();
+        return "blocked after " + after + " by " + object(obstacle)
+                + (contact == null
+                        ? ""
+                        : ", where it touches " + point(contact, obstacle == null ? 0 : size(obstacle)));
     }
 }

@@ -2,6 +2,7 @@ package robosim.geometry.narrow;
 
 import robosim.geometry.exact.Filter;
 import robosim.geometry.index.BoxTree;
+import robosim.geometry.index.WideTree;
 import robosim.geometry.model.TriangleMesh;
 
 /**
@@ -34,8 +35,9 @@ final class MeshRay {
 
     private static final int INFINITE = Float.floatToRawIntBits(Float.POSITIVE_INFINITY);
 
-    private final int[] stack = new int[BoxTree.MAX_DEPTH + 2];
-    private final int[] entries = new int[BoxTree.MAX_DEPTH + 2];
+    private static final long MISSED = (long) Integer.MAX_VALUE << 32;
+
+    private final long[] stack = new long[3 * BoxTree.MAX_DEPTH];
 
     // The line in the own frame, the unit direction of which is a world unit's length long.
     private double ox;
@@ -65,6 +67,20 @@ final class MeshRay {
     private double startX;
     private double startY;
     private double startZ;
+
+    // For the boxes: the inverse and its size, by how much that widens them, and the start times the inverse, negated.
+    private float fx;
+    private float fy;
+    private float fz;
+    private float gx;
+    private float gy;
+    private float gz;
+    private float wx;
+    private float wy;
+    private float wz;
+    private float cx;
+    private float cy;
+    private float cz;
 
     // Two directions across the line and the line's place along them.
     private double px;
@@ -167,75 +183,68 @@ final class MeshRay {
         iy = inverse(dy);
         iz = inverse(dz);
         enter(tree);
-        if (Math.max(Math.abs(startX), Math.max(Math.abs(startY), Math.abs(startZ))) > FARTHEST) {
+        if (Math.abs(startX) > FARTHEST || Math.abs(startY) > FARTHEST || Math.abs(startZ) > FARTHEST) {
             return;
         }
         setAcross();
-        float widen = (float) ((pad * scale + FLOAT_PAD) * (1 + 0x1p-20));
-        float fx = (float) ix;
-        float fy = (float) iy;
-        float fz = (float) iz;
-        float gx = Math.abs(fx);
-        float gy = Math.abs(fy);
-        float gz = Math.abs(fz);
-        float wx = widen * gx;
-        float wy = widen * gy;
-        float wz = widen * gz;
-        float cx = (float) (-startX * ix);
-        float cy = (float) (-startY * iy);
-        float cz = (float) (-startZ * iz);
+        setLine((float) ((pad * scale + FLOAT_PAD) * (1 + 0x1p-20)));
+        descend(tree, mesh.leafCorners(), judge);
+        if (pending >= 0) {
+            judge.judge(pending);
+        }
+    }
+
+    /** Takes what the boxes are asked about into floats. */
+    private void setLine(float widen) {
+        fx = (float) ix;
+        fy = (float) iy;
+        fz = (float) iz;
+        gx = Math.abs(fx);
+        gy = Math.abs(fy);
+        gz = Math.abs(fz);
+        wx = widen * gx;
+        wy = widen * gy;
+        wz = widen * gz;
+        cx = (float) (-startX * ix);
+        cy = (float) (-startY * iy);
+        cz = (float) (-startZ * iz);
+    }
+
+    private void descend(BoxTree tree, double[] corners, Judge judge) {
+        double scale = tree.scale();
+        float[] nodes = tree.wide().numbers();
+        long[] stack = this.stack;
         int within = within(scale);
-        float[] nodes = tree.numbers();
-        double[] corners = mesh.leafCorners();
-        int[] stack = this.stack;
-        int[] entries = this.entries;
         int depth = 0;
-        int node = 0;
-        // The two parts side by side and all that they need at hand: as two calls it is a tenth slower.
+        int link = 0;
         while (true) {
-            int at = BoxTree.STRIDE * node;
-            int link = Float.floatToRawIntBits(nodes[at + BoxTree.LINK]);
-            int count = Float.floatToRawIntBits(nodes[at + BoxTree.COUNT]);
-            if (count == 0) {
-                int a = BoxTree.STRIDE * link;
-                float tx = Math.fma(nodes[a], fx, cx);
-                float ty = Math.fma(nodes[a + 1], fy, cy);
-                float tz = Math.fma(nodes[a + 2], fz, cz);
-                float hx = Math.fma(nodes[a + 3], gx, wx);
-                float hy = Math.fma(nodes[a + 4], gy, wy);
-                float hz = Math.fma(nodes[a + 5], gz, wz);
-                int enterA = Math.max(
-                        Math.max(Float.floatToRawIntBits(tx - hx), Float.floatToRawIntBits(ty - hy)),
-                        Math.max(Float.floatToRawIntBits(tz - hz), 0));
-                int leaveA = Math.min(
-                        Math.min(Float.floatToRawIntBits(tx + hx), Float.floatToRawIntBits(ty + hy)),
-                        Math.min(Float.floatToRawIntBits(tz + hz), within));
-                float sx = Math.fma(nodes[a + 8], fx, cx);
-                float sy = Math.fma(nodes[a + 9], fy, cy);
-                float sz = Math.fma(nodes[a + 10], fz, cz);
-                float kx = Math.fma(nodes[a + 11], gx, wx);
-                float ky = Math.fma(nodes[a + 12], gy, wy);
-                float kz = Math.fma(nodes[a + 13], gz, wz);
-                int enterB = Math.max(
-                        Math.max(Float.floatToRawIntBits(sx - kx), Float.floatToRawIntBits(sy - ky)),
-                        Math.max(Float.floatToRawIntBits(sz - kz), 0));
-                int leaveB = Math.min(
-                        Math.min(Float.floatToRawIntBits(sx + kx), Float.floatToRawIntBits(sy + ky)),
-                        Math.min(Float.floatToRawIntBits(sz + kz), within));
-                // Without branches, which no one could predict: 1 where a part is missed, and where b comes first.
-                int missA = (int) (((long) leaveA - enterA) >>> 63);
-                int missB = (int) (((long) leaveB - enterB) >>> 63);
-                int later = missA | (((enterB - enterA) >>> 31) & (1 - missB));
-                stack[depth] = link + 1 - later;
-                entries[depth] = Math.max(enterA, enterB);
-                depth += 1 - (missA | missB);
-                if ((missA & missB) == 0) {
-                    node = link + later;
+            if (link >= 0) {
+                long a = key(nodes, link, within);
+                long b = key(nodes, link + WideTree.PART, within);
+                long c = key(nodes, link + 2 * WideTree.PART, within);
+                long d = key(nodes, link + 3 * WideTree.PART, within);
+                // The nearest without branches, which no one could predict; the others about in order, which is no
+                // worse.
+                long ab = lesser(a, b);
+                long cd = lesser(c, d);
+                long nearest = lesser(ab, cd);
+                long third = greater(c, d);
+                long fourth = greater(a, b);
+                long second = greater(ab, cd);
+                stack[depth] = fourth;
+                depth += isMet(fourth);
+                stack[depth] = third;
+                depth += isMet(third);
+                stack[depth] = second;
+                depth += isMet(second);
+                if (nearest < MISSED) {
+                    link = (int) nearest;
                     continue;
                 }
             } else {
                 double before = reach;
-                for (int k = link; k < link + count; k++) {
+                int end = WideTree.last(link);
+                for (int k = WideTree.first(link); k <= end; k++) {
                     tryTriangle(corners, k, judge);
                 }
                 if (reach < before) {
@@ -244,15 +253,49 @@ final class MeshRay {
             }
             do {
                 if (depth == 0) {
-                    if (pending >= 0) {
-                        judge.judge(pending);
-                    }
                     return;
                 }
                 depth--;
-            } while (entries[depth] > within);
-            node = stack[depth];
+            } while ((int) (stack[depth] >>> 32) > within);
+            link = (int) stack[depth];
         }
+    }
+
+    /** Where the line enters a part, as the bits of a float at least 0, above its link; or {@link #MISSED} above it. */
+    private long key(float[] nodes, int at, int within) {
+        float tx = Math.fma(nodes[at], fx, cx);
+        float ty = Math.fma(nodes[at + 1], fy, cy);
+        float tz = Math.fma(nodes[at + 2], fz, cz);
+        float hx = Math.fma(nodes[at + 3], gx, wx);
+        float hy = Math.fma(nodes[at + 4], gy, wy);
+        float hz = Math.fma(nodes[at + 5], gz, wz);
+        int enter = Math.max(
+                Math.max(Float.floatToRawIntBits(tx - hx), Float.floatToRawIntBits(ty - hy)),
+                Math.max(Float.floatToRawIntBits(tz - hz), 0));
+        int leave = Math.min(
+                Math.min(Float.floatToRawIntBits(tx + hx), Float.floatToRawIntBits(ty + hy)),
+                Math.min(Float.floatToRawIntBits(tz + hz), within));
+        int missed = ((leave - enter) | leave) >> 31; // the difference may only overflow where `leave` is below 0
+        return (((long) (enter | (missed >>> 1))) << 32)
+                | (Float.floatToRawIntBits(nodes[at + WideTree.LINK]) & 0xffffffffL);
+    }
+
+    /** The bits of a number, in its order; of 0 where it is below. */
+    private static long positive(double value) {
+        long bits = Double.doubleToRawLongBits(value);
+        return bits & ~(bits >> 63);
+    }
+
+    private static long lesser(long a, long b) {
+        return b + ((a - b) & ((a - b) >> 63));
+    }
+
+    private static long greater(long a, long b) {
+        return a - ((a - b) & ((a - b) >> 63));
+    }
+
+    private static int isMet(long key) {
+        return (int) ((key - MISSED) >>> 63);
     }
 
     private static double inverse(double slope) {
@@ -267,16 +310,13 @@ final class MeshRay {
         double y = (oy - tree.origin(1)) * scale;
         double z = (oz - tree.origin(2)) * scale;
         double slack = 2 * pad * scale;
-        double far = (Math.abs(x) - nodes[3] - slack) * Math.abs(ix);
-        double farY = (Math.abs(y) - nodes[4] - slack) * Math.abs(iy);
-        double farZ = (Math.abs(z) - nodes[5] - slack) * Math.abs(iz);
-        far = farY > far ? farY : far;
-        far = farZ > far ? farZ : far;
+        long farX = positive((Math.abs(x) - nodes[3] - slack) * Math.abs(ix));
+        long farY = positive((Math.abs(y) - nodes[4] - slack) * Math.abs(iy));
+        long farZ = positive((Math.abs(z) - nodes[5] - slack) * Math.abs(iz));
         // Where the box is met at all, that is not before the line has come to each of its sides, and where it is then
         // already past the place nearest to the middle, that is no farther from it than the corners.
-        double nearest = -(x * dx + y * dy + z * dz);
-        ahead = far < nearest ? far : nearest;
-        ahead = ahead > 0 ? ahead : 0;
+        long nearest = positive(-(x * dx + y * dy + z * dz));
+        ahead = Double.longBitsToDouble(lesser(greater(greater(farX, farY), farZ), nearest));
         startX = x + ahead * dx;
         startY = y + ahead * dy;
         startZ = z + ahead * dz;

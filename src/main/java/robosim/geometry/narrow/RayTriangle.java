@@ -87,8 +87,12 @@ final class RayTriangle {
         double correction = rest / det;
         double error = (REST_ERROR * restSize + Math.abs(correction) * VOLUME_ERROR * detSize) / Math.abs(det);
         double distance = RayMath.along(at, correction, dx, dy, dz);
+        double inWorldUnits = error * RayMath.length(dx, dy, dz);
+        if (RayMath.isFine(inWorldUnits, distance, 0)) { // as it nearly always is: the coordinates only let more pass
+            return distance;
+        }
         double largest = Math.max(RayMath.largest(ox, oy, oz), extent(t, j));
-        if (RayMath.isFine(error * RayMath.length(dx, dy, dz), distance, largest)) {
+        if (RayMath.isFine(inWorldUnits, distance, largest)) {
             return distance;
         }
         RayRefine refine = s.refine;

@@ -209,6 +209,12 @@ public final class ScenarioReader implements StepReader {
             return reading.read();
         } catch (IOException | IllegalArgumentException e) {
             throw lines.refused(String.valueOf(e.getMessage()), e);
+        } catch (NoClassDefFoundError e) {
+            throw lines.refused(
+                    "scenarios need Jackson: put com.fasterxml.jackson.core:jackson-core on the class path, or on the"
+                            + " module path with --add-modules com.fasterxml.jackson.core (missing: " + e.getMessage()
+                            + ")",
+                    e);
         }
     }
 

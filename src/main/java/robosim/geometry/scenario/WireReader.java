@@ -55,6 +55,9 @@ public final class WireReader implements StepReader {
     public @Nullable Step next() throws IOException {
         Bundle request = requests.read();
         if (request == null) {
+            if (answers.read() != null) {
+                throw refused("an answer in the other file must have its request (got: one more)", null);
+            }
             return null;
         }
         steps++;

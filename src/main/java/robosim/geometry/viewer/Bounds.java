@@ -30,6 +30,10 @@ final class Bounds {
         maxZ = Math.max(maxZ, z);
     }
 
+    boolean isWithin(Scene.View view) {
+        return view.minX() <= minX && view.minZ() <= minZ && maxX <= view.maxX() && maxZ <= view.maxZ();
+    }
+
     double width() {
         return Math.max(0, maxX - minX);
     }

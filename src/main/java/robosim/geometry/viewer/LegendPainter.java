@@ -86,6 +86,11 @@ final class LegendPainter {
             canvas.polygons(List.of(arrow), Style.filled(Palette.FLOOR, 0.95));
             x = label(x + 22, y, "robot and its heading");
         }
+        if (scene.marks().stream().anyMatch(mark -> mark.why() == Scene.Mark.Why.GOAL)) {
+            Style ring = Style.filled(Palette.GOAL, 0.12).outlined(Palette.GOAL, 1.8, 0.9);
+            canvas.circle(x + 8, y - 5, 8, ring.dashed(5));
+            x = label(x + 22, y, "goal");
+        }
         if (!scene.refusals().isEmpty()) {
             TracePainter.cross(canvas, x + 4, y - 5, 0);
             label(x + 22, y, "refused move, " + scene.refusals().size() + " shown");

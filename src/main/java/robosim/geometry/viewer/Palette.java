@@ -12,6 +12,8 @@ final class Palette {
     static final Ink QUIET = new Ink(0x6a7078, 0x98a0ab);
     static final Ink REFUSED = new Ink(0xc8102e, 0xff5c6c);
 
+    static final Ink GOAL = new Ink(0x1e7a34, 0x6fd98a);
+
     static final Ink PICKED = new Ink(0x1a1d21, 0xffffff);
 
     private static final Ink BOX = new Ink(0x9aa3ae, 0x5a6472);

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.GeometryObject;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.Step;
 import robosim.geometry.scenario.StepReader;
@@ -87,9 +88,18 @@ public final class Pictures {
      * Draws the end of a conversation, as {@link #lastMoments(Scenario)} has it, to a file whose name ends in {@code .svg}
      * or {@code .png}.
      *
+     * @param goals where something was to come; within the picture
      * @throws IOException where the file cannot be written
      */
-    public static void lastMoments(Scenario scenario, Path file) throws IOException {
-        Painter.write(lastMoments(scenario), Theme.LIGHT, file);
+    public static void lastMoments(Scenario scenario, List<GeometryObject> goals, Path file) throws IOException {
+        Scene scene = lastMoments(scenario);
+        Scene.View view = scene.view();
+        for (GeometryObject goal : goals) {
+            view = view.with(goal);
+        }
+        List<Scene.Mark> marks = goals.stream()
+                .map(goal -> new Scene.Mark(goal, Scene.Mark.Why.GOAL))
+                .toList();
+        Painter.write(scene.viewed(view).marked(marks, scene.farthest()), Theme.LIGHT, file);
     }
 }

@@ -58,6 +58,11 @@ public record Scene(
         return new Scene(newTitle, subtitle, unit, view, things, trails, pings, refusals, blocked, marks, farthest);
     }
 
+    /** This scene with another part of its world. */
+    public Scene viewed(View newView) {
+        return new Scene(title, subtitle, unit, newView, things, trails, pings, refusals, blocked, marks, farthest);
+    }
+
     /** This scene with what happened in it. */
     public Scene with(List<Trail> newTrails, List<Ping> newPings, List<Refusal> newRefusals) {
         return new Scene(
@@ -100,6 +105,15 @@ public record Scene(
             double down = around.maxZ() - around.minZ();
             boolean whole = things.isEmpty() || across * down * 4 >= width * length;
             return whole ? world(width, length) : around;
+        }
+
+        /** This part, and where an object is not within it as much more as holds the object too. */
+        public View with(GeometryObject object) {
+            Bounds bounds = new Bounds();
+            Outline.of(object).forEach(bounds::add);
+            boolean within = bounds.isWithin(this);
+            bounds.add(this);
+            return within ? this : bounds.view();
         }
 
         /** What holds every object, and a margin around them. */
@@ -177,7 +191,9 @@ public record Scene(
             /** It is looked at. */
             PICKED,
             /** It may not stand there. */
-            REFUSED
+            REFUSED,
+            /** Something is to come there. */
+            GOAL
         }
     }
 }

@@ -3,6 +3,7 @@ package robosim.geometry.viewer;
 import java.util.Arrays;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import robosim.geometry.model.GeometryObject;
@@ -134,16 +135,38 @@ final class TracePainter {
     void marks() {
         canvas.open("marks-on-objects", "");
         for (Scene.Mark mark : scene.marks()) {
-            canvas.open(mark.why() == Scene.Mark.Why.PICKED ? "picked" : "refused", Labels.name(mark.object()));
-            Style style = mark.why() == Scene.Mark.Why.PICKED
-                    ? Style.line(Palette.PICKED, 2.5, 1)
-                    : Style.filled(Palette.REFUSED, 0.12)
-                            .outlined(Palette.REFUSED, 1.8, 0.9)
-                            .dashed(5);
+            canvas.open(role(mark), Labels.name(mark.object()));
+            Style style = switch (mark.why()) {
+                case PICKED -> Style.line(Palette.PICKED, 2.5, 1);
+                case REFUSED -> dashed(Palette.REFUSED);
+                case GOAL -> dashed(Palette.GOAL);
+            };
             ThingPainter.draw(mark.object(), style, frame, canvas);
+            if (mark.why() == Scene.Mark.Why.GOAL) {
+                middle(mark.object());
+            }
             canvas.close();
         }
         canvas.close();
+    }
+
+    private static String role(Scene.Mark mark) {
+        return mark.why().name().toLowerCase(Locale.ROOT);
+    }
+
+    private static Style dashed(Ink ink) {
+        return Style.filled(ink, 0.12).outlined(ink, 1.8, 0.9).dashed(5);
+    }
+
+    /** A goal may be smaller than anything that could be seen. */
+    private void middle(GeometryObject goal) {
+        Bounds bounds = new Bounds();
+        Outline.of(goal).forEach(bounds::add);
+        double x = frame.x(bounds.middleX());
+        double y = frame.y(bounds.middleZ());
+        Style style = Style.line(Palette.GOAL, 1.8, 1);
+        canvas.line(x - 6, y, x + 6, y, style);
+        canvas.line(x, y - 6, x, y + 6, style);
     }
 
     void refusals() {

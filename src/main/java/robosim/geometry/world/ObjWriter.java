@@ -55,8 +55,8 @@ public final class ObjWriter {
     }
 
     private void world(World world, LongConsumer progress) throws IOException {
-        out.write("# " + world.width() + " x " + world.height() + " x " + world.length() + ", Y up"
-                + (world.unit() == null ? "" : ", in " + world.unit().symbol()) + "\n");
+        out.write("# " + number(world.width()) + " x " + number(world.height()) + " x " + number(world.length())
+                + ", Y up" + (world.unit() == null ? "" : ", in " + world.unit().symbol()) + "\n");
         long done = 0;
         for (WorldObject each : world.objects()) {
             progress.accept(done++);
@@ -152,8 +152,13 @@ public final class ObjWriter {
 
     private void vertex(Placement place, double x, double y, double z) throws IOException {
         Point at = place.apply(new Point(x, y, z));
-        out.write("v " + at.x() + " " + at.y() + " " + at.z() + "\n");
+        out.write("v " + number(at.x()) + " " + number(at.y()) + " " + number(at.z()) + "\n");
         vertices++;
+    }
+
+    /** No viewer needs the sign of a zero. */
+    private static String number(double value) {
+        return Decimal.of(value + 0.0);
     }
 
     /** A face over the last so many vertices, counted from 0. */

@@ -1,6 +1,7 @@
 package robosim.geometry.world;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -42,7 +43,9 @@ public final class SdfReader {
                     Accuracy.EXACT,
                     objects.objects());
             Map<String, Integer> read = new TreeMap<>(objects.counts());
-            return new WorldImport(world, "SDFormat", read, tree.passedOver(), tree.skipped(), objects.remarks());
+            List<String> remarks = new ArrayList<>(tree.remarks());
+            remarks.addAll(objects.remarks());
+            return new WorldImport(world, "SDFormat", read, tree.passedOver(), tree.skipped(), remarks);
         } catch (IllegalArgumentException e) {
             throw new WorldException(file.toString(), 0, 0, String.valueOf(e.getMessage()), e);
         }

@@ -96,7 +96,7 @@ final class SdfShapes {
             throw shape.wrong("a plane must look straight up, to be the ground; use a box for " + owner
                     + " (got: a normal of " + up.x() + " " + (0.0 - up.z()) + " " + up.y() + " in the world)");
         }
-        tree.skip(
+        tree.ground(
                 shape,
                 named(shape, owner),
                 "it is infinite ground, at height " + place.origin().y()

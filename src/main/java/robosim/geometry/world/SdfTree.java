@@ -2,6 +2,7 @@ package robosim.geometry.world;
 
 import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -10,12 +11,17 @@ import org.jspecify.annotations.Nullable;
 
 /** The scopes of a world, with everything that it includes in its place, and the account of what is not read. */
 final class SdfTree {
-    /** What most worlds include from their simulator's own models, and what has no surface to be met. */
-    private static final Set<String> WELL_KNOWN = Set.of("model://sun", "model://ground_plane");
+    /** What most worlds include of that which every Gazebo has with it, and why nothing is missing without it. */
+    private static final Map<String, String> WELL_KNOWN = Map.of(
+            "model://sun", "it is a light",
+            "model://ground_plane",
+                    "it is infinite ground, and a world has no plane; use a box if robots must meet it");
 
     private final SdfFiles files;
     private final Map<String, Integer> passedOver = new TreeMap<>();
     private final List<Skipped> skipped = new ArrayList<>();
+    private final Set<String> remarks = new LinkedHashSet<>();
+    private final Set<SdfFile> wellKnown = new HashSet<>();
 
     /** The files that are being included, one by the other. */
     private final Set<SdfFile> open;
@@ -42,6 +48,20 @@ final class SdfTree {
 
     List<Skipped> skipped() {
         return skipped;
+    }
+
+    /** What is worth a word, and is not missing. */
+    List<String> remarks() {
+        return List.copyOf(remarks);
+    }
+
+    /** Leaves out ground: what every Gazebo has with it, and most worlds include, is not missed. */
+    void ground(SdfElement plane, String what, String reason) throws WorldException {
+        if (wellKnown.contains(plane.file)) {
+            remarks.add(new Skipped(plane.file.shown(), plane.line, what, reason).toString());
+        } else {
+            skip(plane, what, reason);
+        }
     }
 
     /** The scope of the one world of a file, or of its models where it has no world. */
@@ -189,11 +209,16 @@ final class SdfTree {
         }
         SdfElement root = files.included(uri);
         if (root == null) {
-            if (WELL_KNOWN.contains(address)) {
-                skip(include, "<include> of " + address, "it is not there, and has nothing in it but light or ground");
+            String reason = WELL_KNOWN.get(address);
+            if (reason != null) {
+                remarks.add(
+                        new Skipped(include.file.shown(), include.line, "<include> of " + address, reason).toString());
                 return;
             }
             throw files.missing(uri);
+        }
+        if (WELL_KNOWN.containsKey(address)) {
+            wellKnown.add(root.file);
         }
         if (!open.add(root.file)) {
             throw uri.wrong("a file must not include itself, also not through others (got: " + address + ")");

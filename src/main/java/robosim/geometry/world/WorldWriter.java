@@ -152,13 +152,13 @@ public final class WorldWriter {
         Pose pose = object.pose();
         Point center = pose.center();
         if (!center.equals(new Point())) {
-            attribute("center", center.x() + " " + center.y() + " " + center.z());
+            attribute("center", Decimal.of(center.x()) + " " + Decimal.of(center.y()) + " " + Decimal.of(center.z()));
         }
         double heading = pose.heading();
         if (!Pose.of(center, heading).equals(pose)) {
             StringBuilder numbers = new StringBuilder();
             for (int k = 0; k < 9; k++) {
-                numbers.append(k == 0 ? "" : " ").append(pose.rotation(k));
+                numbers.append(k == 0 ? "" : " ").append(Decimal.of(pose.rotation(k)));
             }
             attribute("rotation", numbers.toString());
         } else if (heading != 0) {
@@ -212,8 +212,9 @@ public final class WorldWriter {
     private void surface(MeshObject mesh, int depth) {
         indent(depth).append("<vertices>\n");
         for (Point vertex : mesh.vertices()) {
-            indent(depth + 1).append(vertex.x()).append(' ').append(vertex.y()).append(' ');
-            out.append(vertex.z()).append('\n');
+            indent(depth + 1).append(Decimal.of(vertex.x())).append(' ');
+            out.append(Decimal.of(vertex.y())).append(' ');
+            out.append(Decimal.of(vertex.z())).append('\n');
         }
         indent(depth).append("</vertices>\n");
         int size = 0; // of the faces in the run that is open
@@ -262,7 +263,7 @@ public final class WorldWriter {
     }
 
     private void number(String attribute, double value) {
-        attribute(attribute, Double.toString(value));
+        attribute(attribute, Decimal.of(value));
     }
 
     private void attribute(String attribute, String value) {

@@ -98,6 +98,23 @@ class CommandsTest {
         }
     }
 
+    @Test
+    void helpIsAWordToo() {
+        assertThat(run("--help")).isZero();
+        String all = out.toString();
+        for (String[] line : new String[][] {{"help"}, {"help", "sweep"}, {"help", "sweep", "merge"}}) {
+            out.getBuffer().setLength(0);
+            assertThat(run(line)).as(Arrays.toString(line)).isZero();
+            assertThat(out.toString())
+                    .startsWith("Usage: robosim-geometry "
+                            + String.join(" ", line).substring(4).strip());
+            assertThat(out.toString().equals(all)).isEqualTo(line.length == 1);
+        }
+        assertThat(err.toString()).isEmpty();
+        assertThat(run("help", "fly")).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains("Unmatched argument at index 0: 'fly'");
+    }
+
     /** As in the footers of the help, with a line that ends in a backslash going on. */
     static List<String> examples() {
         List<String> examples = new ArrayList<>();
@@ -134,6 +151,15 @@ class CommandsTest {
         assertThat(new String(bash.getInputStream().readAllBytes(), StandardCharsets.UTF_8).strip())
                 .isEqualTo("render replay");
         assertThat(bash.waitFor()).isZero();
+        // compopt is for a shell that completes; there is none here.
+        ask = "compopt() { :; }; "
+                + ask.replace(
+                        "(robosim-geometry re); COMP_CWORD=1", "(robosim-geometry convert --up ''); COMP_CWORD=3");
+        bash = new ProcessBuilder("/bin/bash", "-c", ask)
+                .redirectErrorStream(true)
+                .start();
+        assertThat(new String(bash.getInputStream().readAllBytes(), StandardCharsets.UTF_8).strip())
+                .isEqualTo("y z");
     }
 
     /** An exit code of 1 would say that something was found. */

@@ -29,8 +29,8 @@ class ConvertCommandTest extends CommandRun {
                 .hasSize(6)
                 .contains(
                         "Read SDFormat: box 1, capsule 1, collision 7, cylinder 1, link 7, model 7, sphere 1",
-                        "Wrote " + xml + ": 4 objects, 4 of them moveable; the world is 4.0 x 4.0 x 10.0 m, the objects"
-                                + " reach X -0.500000 to 0.500000, Y 0.00000 to 1.00000, Z -2.00000 to 3.20000");
+                        "Wrote " + xml + ": 4 objects, 4 of them moveable; the world is 4 x 4 x 10 m, the objects"
+                                + " reach X -0.5 to 0.5, Y 0 to 1, Z -2 to 3.2");
         assertThat(WorldReader.read(xml))
                 .isEqualTo(SdfReader.read(in, List.of()).world());
         assertThat(Files.list(folder)).containsExactly(xml);
@@ -127,6 +127,44 @@ class ConvertCommandTest extends CommandRun {
         assertThat(run("check", "--json", FILES.resolve("sdf/inner_walls/model.sdf")))
                 .isZero();
         assertThat(out.toString()).contains("\"fine\":true,", "\"skipped\":[]");
+    }
+
+    /** What every Gazebo has with it is not missing, whether it is there or not. */
+    @Test
+    void sunAndGroundAreANote() throws IOException {
+        Path sdf = Files.writeString(folder.resolve("w.sdf"), """
+                <sdf version="1.6"><world name="w">
+                <include><uri>model://sun</uri></include>
+                <include><uri>model://ground_plane</uri></include>
+                <model name="m"><static>1</static><link name="l"><collision name="c"><geometry>
+                <box><size>1 1 1</size></box></geometry></collision></link></model>
+                </world></sdf>
+                """);
+        assertThat(run("check", sdf)).as(out.toString()).isEqualTo(ExitCodes.FINE);
+        assertThat(out.toString())
+                .contains(
+                        "note      " + sdf + ":2: left out <include> of model://sun: it is a light\n",
+                        "note      " + sdf + ":3: left out <include> of model://ground_plane: it is infinite ground,",
+                        "verdict   fine")
+                .doesNotContain("skipped");
+        assertThat(run("check", "--json", sdf)).isEqualTo(ExitCodes.FINE);
+        assertThat(out.toString()).contains("\"fine\":true", "\"skipped\":[],\"notes\":[\"" + sdf + ":2: left out");
+        assertThat(run("convert", "--strict", sdf, folder.resolve("w.xml"))).isEqualTo(ExitCodes.FINE);
+        assertThat(out.toString()).contains(sdf + ":3: left out <include> of model://ground_plane: ");
+
+        Path ground = Files.createDirectories(folder.resolve("models/ground_plane"));
+        Files.writeString(ground.resolve("model.config"), "<model><sdf version='1.6'>model.sdf</sdf></model>");
+        Files.writeString(ground.resolve("model.sdf"), """
+                <sdf version="1.6"><model name="ground_plane"><static>1</static><link name="link"><collision name="c">
+                <geometry><plane><normal>0 0 1</normal></plane></geometry></collision></link></model></sdf>
+                """);
+        assertThat(run("check", sdf, "--models", folder.resolve("models"))).isEqualTo(ExitCodes.FINE);
+        assertThat(out.toString())
+                .contains("model.sdf:2: left out <plane> of ground_plane::link::c: it is infinite ground, at height")
+                .doesNotContain("skipped");
+        // Any other that is not there is refused as before.
+        Files.writeString(sdf, Files.readString(sdf).replace("model://sun", "model://moon"));
+        assertThat(run("check", sdf)).isEqualTo(ExitCodes.UNUSABLE);
     }
 
     @Test

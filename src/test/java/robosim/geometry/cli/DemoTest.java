@@ -74,6 +74,9 @@ class DemoTest {
         assertThat(Integer.parseInt(
                         properties(folder.resolve("environment.properties")).getProperty("echoes")))
                 .isBetween(500, 2612);
+        assertThat(Commands.run(new PrintWriter(out, true), new PrintWriter(err, true), "replay", folder.toString()))
+                .isZero();
+        assertThat(out.toString()).contains("1 scenario, 402 steps, 3,013 moves and distances: all the same");
     }
 
     @Test

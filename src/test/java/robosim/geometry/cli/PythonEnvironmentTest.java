@@ -7,6 +7,8 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -21,6 +23,9 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
 import robosim.geometry.net.GeometryClient;
 import robosim.geometry.net.GeometryServer;
 import robosim.geometry.net.NetOptions;
@@ -32,7 +37,7 @@ import robosim.geometry.protocol.Bundle;
 @Timeout(120)
 class PythonEnvironmentTest {
     private static final Pattern SUMMARY =
-            Pattern.compile("environment +([\\d,]+) steps of (\\d+) robots: ([\\d,]+) moves asked, ([\\d,]+) made;"
+            Pattern.compile("environment +([\\d,]+) steps? of (\\d+) robots?: ([\\d,]+) moves? asked, ([\\d,]+) made;"
                     + " ([\\d,]+) distances, ([\\d,]+) of them echoes");
 
     private final AtomicInteger carriedOut = new AtomicInteger();
@@ -205,6 +210,142 @@ class PythonEnvironmentTest {
             String text = rest(output(process));
             assertThat(process.waitFor()).as(text).isZero();
             checkSummary(text, 200, 1);
+        }
+    }
+
+    private static final String ROBOT =
+            "<cylinder name='r' moveable='true' radius='0.3' height='1'><sonar count='8'/></cylinder>";
+
+    /** What stands in a world of 20 x 4 x 20 m, and what is told of it. */
+    static List<Arguments> faults() {
+        return List.of(
+                Arguments.of(
+                        "<box width='-1' height='1' length='1'/>", ":2: width of <box> must be at least 0 (got: -1)"),
+                Arguments.of(
+                        "<box width='1' height='1' length='1' centre='3 0 0'/>", ":2: <box> has no attribute centre"),
+                Arguments.of("<ball radius='1'/>", ":2: there is no <ball> in a world"),
+                Arguments.of("<box width='1' length='1'/>", ":2: <box> needs the attribute height"),
+                Arguments.of(
+                        "<box width='1' height='1' length='x'/>", ":2: length of <box> must be a number like 0.25 or"),
+                Arguments.of("<box width='1' height='1e999' length='1'/>", ":2: height of <box> must be at most 2^100"),
+                Arguments.of("<box width='1' height='1' length='1' center='3 0'/>", "must be 3 numbers (got: 2)"),
+                Arguments.of(
+                        "<box width='1' height='1' length='1' moveable='yes'/>", "moveable must be one of true, false"),
+                Arguments.of(
+                        "<box width='1' height='1' length='1' moveable='true'/>", "a moveable object needs a name"),
+                Arguments.of(
+                        "<sphere radius='1' heading='1' turned='0 1'/>",
+                        "must have at most one of heading, turned and"),
+                Arguments.of("<sphere name='r' radius='1' center='3 0 0'/>", "must be unique in a world; "),
+                Arguments.of("<sphere radius='1' center='-300 0 0'/>", ":2: this <sphere> reaches beyond the world;"),
+                Arguments.of(
+                        "<box width='1' height='1' length='20' heading='3'/>",
+                        ":2: this <box> reaches beyond the world;"),
+                Arguments.of(
+                        "<group center='9 0 0' heading='90'><cylinder center='0 0 -1' radius='0.1' height='1'/></group>",
+                        "1 step of 1 robot: 1 move asked"),
+                Arguments.of(
+                        "<group center='9 0 0' heading='90'><cylinder center='0 0 1' radius='0.1' height='1'/></group>",
+                        ":2: this <group> reaches beyond the world;"),
+                Arguments.of("<group/>", ":2: <group> must have a member"),
+                Arguments.of("<mesh file='../up.obj'/>", ":2: file must lead to a file under the folder of the world"),
+                Arguments.of("<mesh file='no.obj'/>", "no.obj cannot be read (No such file or directory)"),
+                Arguments.of("<mesh file='no.stl'/>", "reads meshes of OBJ files alone (got: no.stl)"),
+                Arguments.of(
+                        "<mesh><vertices>0 0 0 1 0 0 0 1 0</vertices><triangles>0 1 3</triangles></mesh>",
+                        ":2: an index must be from 0 to 2, the last vertex (got: [0, 1, 3])"),
+                Arguments.of(
+                        "<mesh solid='true'><vertices>0 0 0 1 0 0 0 1 0</vertices><triangles>0 1 2</triangles></mesh>",
+                        ":2: the module refused it: line 2, at /objects/0: a solid mesh must be closed"),
+                Arguments.of("<box width='1'", "this is no well-formed XML"));
+    }
+
+    /** A module is there: what is told is the world's fault, and not that of a connection. */
+    @ParameterizedTest
+    @MethodSource("faults")
+    void aFaultyWorldIsToldWithItsLine(String object, String told, @TempDir Path folder) throws Exception {
+        Path world = folder.resolve("faulty.xml");
+        Files.writeString(
+                world,
+                "<world xmlns='urn:robosim:world:1' width='20' height='4' length='20' unit='m'>\n" + object + "\n"
+                        + ROBOT + "</world>");
+        try (GeometryServer server = new GeometryServer(InetAddress.getLoopbackAddress(), 0, options)) {
+            Process process =
+                    start("--world", world.toString(), "--connect", "127.0.0.1:" + server.port(), "--steps", "1");
+            String text = rest(output(process));
+            boolean done = told.startsWith("1 step ");
+            assertThat(text).contains(told).doesNotContain("Traceback");
+            if (!done) {
+                assertThat(text).startsWith("Not done: " + folder).hasLineCount(1);
+            }
+            assertThat(process.waitFor()).isEqualTo(done ? ExitCodes.FINE : ExitCodes.UNUSABLE);
+        }
+    }
+
+    @Test
+    void whatElseCannotBeDoneIsToldWithItsRemedy(@TempDir Path folder) throws Exception {
+        Path secret = Files.writeString(folder.resolve("secret"), "of another\n");
+        Path still = Files.writeString(
+                folder.resolve("still.xml"), "<world xmlns='urn:robosim:world:1' width='2' height='4' length='2'/>");
+        String rooms = "worlds/rooms.xml";
+        try (ServerSocket taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
+                GeometryServer server = new GeometryServer(
+                        InetAddress.getLoopbackAddress(),
+                        0,
+                        options.withAccess(null, Secret.of("a secret of many words".toCharArray())))) {
+            String port = String.valueOf(taken.getLocalPort());
+            String place = "127.0.0.1:" + server.port();
+            refused("port " + port + " cannot be listened on", "--world", rooms, "--listen", port);
+            refused("must hold a moveable object", "--world", still.toString(), "--connect", place);
+            refused("the world cannot be read; check --world", "--world", "nowhere.xml", "--connect", place);
+            refused("check --secret-file", "--world", rooms, "--connect", place, "--secret-file", "nowhere");
+            refused("the module refused it: ", "--world", rooms, "--connect", place);
+            refused(
+                    "the module refused it: ",
+                    "--world",
+                    rooms,
+                    "--connect",
+                    place,
+                    "--secret-file",
+                    secret.toString());
+            refused("must be HOST:PORT", "--world", rooms, "--connect", "localhost");
+            refused("a port must be 1 to 65535 (got: 0)", "--world", rooms, "--connect", "localhost:0");
+            refused("must be a number above 0 (got: nan)", "--world", rooms, "--connect", place, "--speed", "nan");
+            refused("at least 0 (got: -1)", "--world", rooms, "--connect", place, "--steps=-1");
+            taken.close();
+            refused(
+                    "nobody listens at 127.0.0.1:" + port + "; start the module first, in another terminal: mvn -q"
+                            + " compile exec:java -Dexec.args=\"serve " + port + "\"",
+                    "--world",
+                    rooms,
+                    "--connect",
+                    "127.0.0.1:" + port);
+        }
+    }
+
+    private static void refused(String told, String... arguments) throws Exception {
+        Process process = start(arguments);
+        String text = rest(output(process));
+        assertThat(text).contains(told).doesNotContain("Traceback");
+        assertThat(process.waitFor()).as(text).isEqualTo(ExitCodes.UNUSABLE);
+    }
+
+    /** What is no module answers otherwise; that is a fault of the protocol, and no finding of ours. */
+    @Test
+    void whatIsNoModuleIsToldSo() throws Exception {
+        try (ServerSocket web = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            Process process = start("--world", "worlds/rooms.xml", "--connect", "127.0.0.1:" + web.getLocalPort());
+            try (Socket socket = web.accept()) {
+                socket.getInputStream().read();
+                String bad = "HTTP/1.1 400 Bad Request\r\nConnection: close\r\n\r\n";
+                socket.getOutputStream().write(bad.getBytes(StandardCharsets.US_ASCII));
+                String text = rest(output(process));
+                assertThat(text)
+                        .startsWith("The module broke the protocol: ")
+                        .contains("is it the geometry module that listens there?")
+                        .hasLineCount(1);
+                assertThat(process.waitFor()).isEqualTo(ExitCodes.FINDINGS);
+            }
         }
     }
 }

@@ -3,15 +3,28 @@ package robosim.geometry.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.DistanceBundle;
+import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.MessageWriter;
+import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.protocol.MoveRequest;
+import robosim.geometry.protocol.SonarRequest;
+import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.scenario.Replay;
 import robosim.geometry.scenario.Scenario;
 
@@ -56,7 +69,7 @@ class ReplayCommandTest extends CommandRun {
                         + " 5.000000000000001 (0x1.4000000000001p2), got 5.0 (0x1.4p2)")
                 .contains("15 scenarios, ", "1 answered otherwise, 0 unreadable");
         assertThat(run("replay", "--most", "0", file)).isEqualTo(ExitCodes.FINDINGS);
-        assertThat(out.toString()).contains("and 1 more steps are answered otherwise");
+        assertThat(out.toString()).contains("and 1 more step is answered otherwise");
     }
 
     @Test
@@ -74,6 +87,51 @@ class ReplayCommandTest extends CommandRun {
                 .isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).contains("must hold a *.scenario.jsonl");
         assertThat(run("replay")).isEqualTo(ExitCodes.UNUSABLE);
+    }
+
+    /** What the demonstration leaves, by its folder or by either file. */
+    @Test
+    void theBytesOfAWireAreReplayed() throws IOException {
+        Path demo = Files.createDirectory(folder.resolve("demo"));
+        Bundle init = new InitBundle(List.of(
+                new BoxObject(new Point(3, 0, 0), 0.2, 2, 4),
+                new CylinderObject(new Point(), 0.25, 1).moveable("robot")));
+        Bundle moves = new MoveBundle(List.of(new MoveRequest("robot", 2, 0, 0, 0, 0)));
+        Bundle sonars = new SonarRequestBundle(List.of(new SonarRequest("robot", 1, 0)));
+        write(demo.resolve("to-module.bin"), init, sonars, moves, sonars);
+        Path answers = demo.resolve("from-module.bin");
+        Bundle first = new DistanceBundle(List.of(2.9));
+        write(answers, first, moves, new DistanceBundle(List.of(0.9)));
+        for (Path place : List.of(folder, demo, demo.resolve("to-module.bin"), answers)) {
+            assertThat(run("replay", place)).as(err.toString()).isZero();
+            assertThat(out.toString())
+                    .isEqualTo("1 scenario, 4 steps, 3 moves and distances: all the same, bit for bit\n");
+        }
+        write(answers, first, new MoveBundle(List.of()), new DistanceBundle(List.of(2.9)));
+        assertThat(run("replay", demo)).isEqualTo(ExitCodes.FINDINGS);
+        assertThat(out.toString())
+                .contains("to-module.bin: step 3, ", "expected refused, got made", "step 4, ", "1 answered otherwise");
+        write(answers, first);
+        assertThat(run("replay", demo)).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains("message 3: a request must have its answer in the other file");
+        write(answers, first, moves, first, first);
+        assertThat(run("replay", demo)).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains("an answer in the other file must have its request");
+        Files.write(answers, new byte[] {1, 2, 3});
+        assertThat(run("replay", demo)).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).startsWith(demo.resolve("to-module.bin") + ": a stream must begin with AC ED");
+        Files.delete(answers);
+        assertThat(run("replay", demo)).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains(answers + ": there is no such file or folder");
+    }
+
+    private static void write(Path file, Bundle... bundles) throws IOException {
+        try (OutputStream out = Files.newOutputStream(file)) {
+            MessageWriter writer = new MessageWriter(out);
+            for (Bundle bundle : bundles) {
+                writer.write(bundle);
+            }
+        }
     }
 
     @Test

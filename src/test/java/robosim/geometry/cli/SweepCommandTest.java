@@ -82,7 +82,10 @@ class SweepCommandTest extends CommandRun {
         // One in 40 fails, which is told.
         assertThat(run("sweep", name, "worlds/rooms.xml", "worlds/maze.xml", "-n", 40, "-o", whole, "--digest"))
                 .isEqualTo(ExitCodes.FINDINGS);
-        assertThat(out.toString()).contains("replicates failed; their lines in the results tell why");
+        assertThat(out.toString())
+                .containsPattern(
+                        "\n[2-9] replicates failed:\n  java.lang.IllegalStateException: a flat battery\n"
+                                + "    [2-9] times, first in index \\d+: world (rooms|maze), replicate \\d+, seed 0x[0-9a-f]{16}\n");
         String digest = digest();
         Path[] parts = new Path[3];
         for (int k = 0; k < 3; k++) {
@@ -96,6 +99,56 @@ class SweepCommandTest extends CommandRun {
         run("sweep", "merge", parts[2], parts[0], parts[1], "--digest", "-o", merged);
         assertThat(digest()).isEqualTo(digest);
         assertThat(merged).hasSameTextualContentAs(whole);
+    }
+
+    /** One that fails in a way of its own for each world and step, at times in many lines. */
+    public static final class Fussy implements SweepScenario {
+        private static final long serialVersionUID = 1;
+
+        /** As the command makes it. */
+        public Fussy() {}
+
+        @Override
+        public Result run(Replicate replicate) {
+            if (replicate.has("step") && replicate.number("step") < 1 && replicate.number() % 4 == 1) {
+                return Result.of("v", 1);
+            }
+            throw new AssertionError("no step of " + (replicate.has("step") ? replicate.text("step") : "none")
+                    + "\nand more of it\u0007");
+        }
+    }
+
+    /** The first few errors, each with the replicate that met it first; the order of the threads is none of theirs. */
+    @Test
+    void whyReplicatesFailIsToldOnce() throws IOException {
+        Path results = folder.resolve("results.jsonl");
+        String name = Fussy.class.getName();
+        assertThat(run("sweep", name, "worlds/rooms.xml", "-n", 8, "-p", "step=0,1,2,3,4", "-o", results))
+                .isEqualTo(ExitCodes.FINDINGS);
+        String told = out.toString();
+        assertThat(told.substring(told.indexOf("38 replicates failed"), told.indexOf("40 replicates on")))
+                .matches("""
+                        38 replicates failed:
+                          java.lang.AssertionError: no step of 0 ...
+                            6 times, first in index 0: world rooms, step=0, replicate 0, seed 0x[0-9a-f]{16}
+                          java.lang.AssertionError: no step of 1 ...
+                            8 times, first in index 1: world rooms, step=1, replicate 0, seed 0x[0-9a-f]{16}
+                          java.lang.AssertionError: no step of 2 ...
+                            8 times, first in index 2: world rooms, step=2, replicate 0, seed 0x[0-9a-f]{16}
+                          and 16 with other errors
+                        The lines in the results whose "type" is "failure" tell all of it.
+                        """);
+        String seed = told.replaceAll("(?s).*?index 1:.*?(0x[0-9a-f]{16}).*", "$1");
+        assertThat(Files.readAllLines(results))
+                .anyMatch(line -> line.contains("\"index\":1,") && line.contains("\"seed\":\"" + seed + "\""));
+        assertThat(run("sweep", "merge", results)).isEqualTo(ExitCodes.FINDINGS);
+        assertThat(out.toString()).contains("no step of 2 ...", "and 16 with other errors");
+        Path single = folder.resolve("single.jsonl");
+        assertThat(run("sweep", name, "worlds/rooms.xml", "-n", 1, "-o", single))
+                .isEqualTo(ExitCodes.FINDINGS);
+        assertThat(out.toString())
+                .containsPattern(
+                        "1 replicate failed:\n.*no step of none \\.\\.\\.\n    in index 0: world rooms, replicate 0");
     }
 
     @Test

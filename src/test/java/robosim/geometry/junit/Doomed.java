@@ -50,6 +50,32 @@ final class Doomed {
         }
 
         @Test
+        void lost(RobotWorld world) {
+            world.robot("r1")
+                    .follows(robot -> robot.triesToDrive(0.1))
+                    .reaches(Goal.at(1, 0, 0.2))
+                    .within(9);
+            world.robot("r1").reaches(Goal.at(-30, 2, 0.25)).within(3);
+        }
+
+        @Test
+        void undocked(RobotWorld world) {
+            world.robot("r1")
+                    .follows(robot -> robot.drives(0.1))
+                    .reaches(Goal.near("r2", 0.1))
+                    .within(100);
+        }
+
+        @Test
+        void arrived(RobotWorld world) {
+            world.robot("r1")
+                    .follows(robot -> robot.triesToDrive(0.1))
+                    .reaches(Goal.at(1, 0, 0.2))
+                    .within(9);
+            world.robot("r1").drives(3.5);
+        }
+
+        @Test
         void assumed(RobotWorld world) {
             assumeTrue(world.robots().isEmpty());
         }

@@ -66,6 +66,33 @@ class LastMomentsTest {
         assertThat(Files.readString(file)).contains("1 refused: r1 by wall", "Failing.blocked, seed 7");
     }
 
+    /** A disc, within the picture wherever it is; an object; and none that was reached. */
+    @Test
+    void itShowsTheGoalThatWasMissed(@TempDir Path folder) throws Exception {
+        Path file = run(Doomed.Failing.class, "lost", folder).resolve("last-moments.svg");
+        Document picture = parse(file);
+        List<Element> goals = groups(picture, "goal", "goal (-30, 2) to within 0.25");
+        assertThat(goals).hasSize(1);
+        assertThat(groups(picture, "goal", "")).hasSize(1);
+        Element disc = (Element) goals.get(0).getElementsByTagName("circle").item(0);
+        double x = Double.parseDouble(disc.getAttribute("cx"));
+        double width = Double.parseDouble(
+                picture.getDocumentElement().getAttribute("viewBox").split(" ")[2]);
+        assertThat(x).isBetween(0.0, width / 4);
+        assertThat(Double.parseDouble(disc.getAttribute("r"))).isPositive();
+        assertThat(Files.readString(file)).contains(">goal</text>");
+
+        picture = parse(run(Doomed.Failing.class, "undocked", folder).resolve("last-moments.svg"));
+        assertThat(groups(picture, "goal", "r2")).hasSize(1);
+        assertThat(groups(picture, "block", "r1"))
+                .as("what its behaviour failed at")
+                .hasSize(1);
+
+        file = run(Doomed.Failing.class, "arrived", folder).resolve("last-moments.svg");
+        assertThat(groups(parse(file), "goal", "")).isEmpty();
+        assertThat(Files.readString(file)).doesNotContain(">goal</text>");
+    }
+
     @Test
     void whatATestDidToTheWorldItselfIsSeen(@TempDir Path folder) throws Exception {
         Path file = run(Doomed.Failing.class, "broken", folder).resolve("last-moments.svg");
@@ -85,7 +112,22 @@ class LastMomentsTest {
         Path stale = folder.resolve(Doomed.class.getName() + ".Failing.passes/last-moments.svg");
         Files.createDirectories(stale.getParent());
         Files.writeString(stale, "of a run before");
-        assertThat(run(Doomed.Failing.class, "passes", folder)).isEmptyDirectory();
+        Path passed = run(Doomed.Failing.class, "passes", folder);
+        assertThat(passed).doesNotExist();
+        // The others of the class have failed.
+        assertThat(passed.resolveSibling(passed.getFileName().toString().replace("passes", "blocked")))
+                .isNotEmptyDirectory();
+    }
+
+    @Test
+    void whatSomebodyPutBesideTheEvidenceStays(@TempDir Path folder) throws Exception {
+        Path passed = Files.createDirectories(folder.resolve(Doomed.class.getName() + ".Failing.passes"));
+        Path own = passed.resolve("notes.txt");
+        Files.writeString(own, "somebody's own");
+        Files.writeString(passed.resolve("failure.txt"), "of a run before");
+        run(Doomed.Failing.class, "passes", folder);
+        assertThat(passed).isDirectoryContaining(file -> file.equals(own));
+        assertThat(passed.resolve("failure.txt")).doesNotExist();
     }
 
     /** docs/scenario-tests.md tells what truly happens. */

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.Point;
@@ -103,6 +104,77 @@ class RobotTest {
                                 + " \"thing\" at (0.5, 0, 0)");
     }
 
+    /** Turned and back, it stands a few last bits off: nobody is told them as a place. */
+    @Test
+    void theNoiseOfRoundingIsNotTold() {
+        r1.drives(0.1 + 0.2)
+                .turns(30)
+                .turns(30)
+                .turns(30)
+                .drives(1.1)
+                .turns(-0.1)
+                .turns(0.1)
+                .turns(-90);
+        r1.drives(0.1).turns(90).drives(-1.1).turns(-90).drives(0.2);
+        assertThat(r1.heading()).isNotZero().isCloseTo(0, within(1e-12));
+        assertThat(r1.center().z()).isNotZero().isCloseTo(0, within(1e-12));
+        assertThatThrownBy(() -> r1.drives(0.1 + 0.2).drives(3))
+                .hasMessage("robot \"r1\" was to drive 3, but is blocked after 2.1 of 3 by box \"wall\" at (4, 0, 0),"
+                        + " where it touches (3.5, 0, 0); it stands at (0.9, 0, 0), heading 0");
+        assertThatThrownBy(() -> r1.sensesNothing(0, 4))
+                .hasMessageContaining("the first echo is 2.6 away, at about (3.5,");
+        r1.follows(robot -> robot.triesToDrive(0.1));
+        assertThatThrownBy(() -> r1.reaches(Goal.at(2, 0, 0.1 + 0.2)).within(1))
+                .hasMessageContaining(
+                        "was to reach (2, 0) to within 0.3 in 1 step, but came no nearer than 0.7 short of it,"
+                                + " after 1 step at (1, 0, 0); it stands at (1, 0, 0), heading 0");
+    }
+
+    @Test
+    void whatIsComparedNeverLooksTheSame() {
+        double gap = r1.rangeTo("wall").value();
+        assertThatThrownBy(() -> r1.rangeTo("wall").isAtLeast(3.000000000001))
+                .hasMessageContaining("at least 3 from \"wall\", but is just under 3 (by 9.7e-13) from it");
+        assertThatThrownBy(() -> r1.rangeTo("wall").isAtLeast(3.00000000001))
+                .hasMessageContaining("at least 3.00000000001 from \"wall\", but is 3 from it");
+        assertThatThrownBy(() -> r1.rangeTo("wall").isAtMost(Math.nextDown(gap)))
+                .hasMessageContaining("at most 3 from \"wall\", but is just over 3 (by 4.4e-16) from it");
+        assertThatThrownBy(() -> r1.senses(0, Math.nextDown(3.5)))
+                .hasMessageContaining("within 3.5 at 0 degrees, but the first echo is just over 3.5 (by 4.4e-16) away");
+        assertThatThrownBy(() -> r1.drives(3.0000000001))
+                .hasMessageContaining("drive 3.0000000001, but is blocked after 3 of 3.0000000001 by");
+        assertThatThrownBy(() -> r1.drives(3))
+                .hasMessageContaining("drive 3, but is blocked after just under 3 of 3 by");
+    }
+
+    /** Found and asked for, at every distance from each other: told in the order that they have. */
+    @Test
+    void whatIsToldHasTheOrderOfTheNumbers() {
+        SplittableRandom random = new SplittableRandom(11);
+        int close = 0;
+        for (int k = 0; k < 20_000; k++) {
+            double asked = random.nextInt(4) == 0 ? random.nextInt(100) / 10.0 : random.nextDouble() * 10;
+            double off = Math.pow(10, -17 * random.nextDouble()) * (random.nextBoolean() ? 1 : -1);
+            double found = random.nextInt(9) == 0 ? Math.nextUp(asked) : Math.max(0, asked + off);
+            String told = Words.apart(found, asked);
+            String beside = Words.number(asked);
+            if (found == asked) {
+                continue;
+            }
+            if (told.startsWith("just ")) {
+                close++;
+                assertThat(told).startsWith(found < asked ? "just under " + beside : "just over " + beside);
+                assertThat(Math.abs(found - asked)).isLessThan(1e-8 * Math.max(1, asked));
+            } else {
+                assertThat(Double.compare(Double.parseDouble(told), Double.parseDouble(beside)))
+                        .as("%s and %s", found, asked)
+                        .isEqualTo(Double.compare(found, asked));
+                assertThat(told.length()).isLessThanOrEqualTo(17);
+            }
+        }
+        assertThat(close).isBetween(2_000, 18_000);
+    }
+
     @Test
     void itReachesAGoalInSteps() {
         r1.follows(robot -> robot.triesToDrive(0.5));
@@ -114,7 +186,7 @@ class RobotTest {
                         "robot \"r1\" was to reach (3, 1) to within 0.5 in 3 steps, but came no nearer than ")
                 .hasMessageContaining(
                         "it stands at (2.5, 0, 0), heading 0; the last that stopped it: robot \"r1\" was to"
-                                + " drive 0.5 in step 8 and was blocked after 0.5 of 0.5 by box \"wall\"");
+                                + " drive 0.5 in step 8 and was blocked after just under 0.5 of 0.5 by box \"wall\"");
     }
 
     @Test

@@ -65,6 +65,10 @@ class WireReaderTest {
             reader.next();
             assertThatThrownBy(reader::next).hasMessageContaining("message 2").hasMessageContaining("got: distances");
         }
+        try (WireReader reader = open(List.of(INIT), List.of(HEARD))) {
+            reader.next();
+            assertThatThrownBy(reader::next).hasMessageContaining("must have its request (got: one more)");
+        }
         try (WireReader reader = open(List.of(HEARD), List.of())) {
             assertThatThrownBy(reader::next).hasMessageContaining("message 1").hasMessageContaining("got: distances");
         }

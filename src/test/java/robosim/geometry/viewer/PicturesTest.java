@@ -6,6 +6,7 @@ import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -19,7 +20,7 @@ class PicturesTest {
         Scenario scenario =
                 Talk.begun().drives(2, true).looks(3.5).drives(9, false).scenario();
         Path file = folder.resolve("last.svg");
-        Pictures.lastMoments(scenario, file);
+        Pictures.lastMoments(scenario, List.of(), file);
         String svg = Files.readString(file);
         DocumentBuilderFactory.newInstance()
                 .newDocumentBuilder()

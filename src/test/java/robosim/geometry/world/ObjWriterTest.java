@@ -99,7 +99,7 @@ class ObjWriterTest {
         ObjWriter.write(new World(4, 4, 4, all), file, told::add);
         assertThat(told).containsExactly(0L, 1L);
         assertThat(Files.readAllLines(file))
-                .startsWith("# 4.0 x 4.0 x 4.0, Y up")
+                .startsWith("# 4 x 4 x 4, Y up")
                 .contains("o a_ball_of_two_lines", "o object_2");
     }
 

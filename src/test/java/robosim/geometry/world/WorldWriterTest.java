@@ -47,7 +47,7 @@ class WorldWriterTest {
         String[] texts = {
             "<box", "<cylinder", "<sphere", "<mesh", "<group", "<bounds>", "<quads>", "<triangles>", "solid=", "color=",
             "<sonar", "max=", "heading=", "rotation=", "moveable=", "center=", "unit=", "PLANAR", "SPATIAL", "&quot;",
-            "&lt;", "&amp;", "&#9;", "&#10;", "\ud83e\udd16", "  <group", "      <group", "E-3"
+            "&lt;", "&amp;", "&#9;", "&#10;", "\ud83e\udd16", "  <group", "      <group", "0.00"
         };
         boolean[] found = new boolean[texts.length];
         for (int k = 0; k < texts.length; k++) {
@@ -78,12 +78,12 @@ class WorldWriterTest {
                         new WorldObject(new ObjectGroup(List.of(new BoxObject(new Point(), 1, 1, 0.1))))));
         assertThat(WorldWriter.toXml(world)).isEqualTo("""
                         <?xml version="1.0" encoding="UTF-8"?>
-                        <world xmlns="urn:robosim:world:1" width="4.0" height="2.0" length="4.5" dimension="SPATIAL" accuracy="EXACT">
-                          <sphere name="ball" moveable="true" center="1.0 0.0 -1.0" radius="0.5" color="#ff0000">
-                            <sonar count="4" first="0.0" step="90.0" min="0.0" max="3.0" width="10.0"/>
+                        <world xmlns="urn:robosim:world:1" width="4" height="2" length="4.5" dimension="SPATIAL" accuracy="EXACT">
+                          <sphere name="ball" moveable="true" center="1 0 -1" radius="0.5" color="#ff0000">
+                            <sonar count="4" first="0" step="90" min="0" max="3" width="10"/>
                           </sphere>
                           <group>
-                            <box width="1.0" height="1.0" length="0.1"/>
+                            <box width="1" height="1" length="0.1"/>
                           </group>
                         </world>
                         """);
