@@ -41,15 +41,18 @@ final class Sketch {
     static int of(int lowX, int lowZ, int highX, int highZ, int column, int row) {
         int x = BESIDE - STEPS * column;
         int z = BESIDE - STEPS * row;
-        return clamp(lowX + x)
-                | clamp(lowZ + z) << 8
-                | (MOST - clamp(highX + x)) << 16
-                | (MOST - clamp(highZ + z)) << 24;
+        return numbers(clamp(lowX + x), clamp(lowZ + z), MOST - clamp(highX + x), MOST - clamp(highZ + z));
     }
 
-    /** What to ask about other boxes for this one. */
+    /** What to ask about other boxes for this one: how far they may begin, and end. */
     static int question(int lowX, int lowZ, int highX, int highZ, int column, int row) {
-        return of(highX, highZ, lowX, lowZ, column, row) | HIGH_BITS;
+        int x = BESIDE - STEPS * column;
+        int z = BESIDE - STEPS * row;
+        return numbers(clamp(highX + x), clamp(highZ + z), MOST - clamp(lowX + x), MOST - clamp(lowZ + z)) | HIGH_BITS;
+    }
+
+    private static int numbers(int a, int b, int c, int d) {
+        return a | b << 8 | c << 16 | d << 24;
     }
 
     private static int clamp(int steps) {
