@@ -59,8 +59,8 @@ public final class Geometry {
     private final Population population;
     private final Bodies bodies;
     private final Level level;
-    private final Ranging ranging;
     private final Beams beams;
+    private final Proximity proximity;
     private final Motion motion;
     private final Stride stride;
     private final double[] vector = new double[6];
@@ -112,8 +112,8 @@ public final class Geometry {
         population = new Population(width, height, length, dimension, accuracy, shared, scratch);
         bodies = population.bodies;
         level = population.level;
-        ranging = new Ranging(bodies, scratch);
-        beams = new Beams(dimension, bodies, ranging);
+        beams = new Beams(dimension, bodies, new Ranging(bodies, scratch));
+        proximity = new Proximity(bodies, scratch);
         motion = new Motion(bodies, population.border, scratch);
         stride = new Stride(bodies, population.border, scratch);
     }
@@ -383,7 +383,7 @@ public final class Geometry {
     public double getProximity(String name, double max) {
         int id = population.known(name);
         Arguments.range(0, max);
-        return ranging.proximity(level, id, max);
+        return proximity.of(level, id, max);
     }
 
     /**

@@ -8,18 +8,16 @@ import robosim.geometry.index.RayTarget;
 import robosim.geometry.index.SpaceKeys;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Cast;
-import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.LeafColumn;
 import robosim.geometry.narrow.Scratch;
 
-/** Beams and least distances in a world: nearest first, and no farther than what has been found. */
+/** Beams in a world: nearest first, and no farther than what has been found. */
 final class Ranging {
     /** More than what a square may lose by underflow. */
     private static final double UNDERFLOW = 0x1p-1000;
 
     private final Bodies bodies;
     private final Cast cast;
-    private final Distance distance;
 
     private double ox;
     private double oy;
@@ -40,12 +38,6 @@ final class Ranging {
     private int hit;
     private int hitLeaf;
 
-    /** What stands for the object whose distance to others is asked. */
-    private final LeafColumn own = new LeafColumn(1);
-
-    /** And its bounds. */
-    private final double[] box = new double[6];
-
     /** The sides of the cone seen from above: outward normals; both zero where it has none. */
     private double leftX;
 
@@ -56,7 +48,6 @@ final class Ranging {
     Ranging(Bodies bodies, Scratch scratch) {
         this.bodies = bodies;
         cast = new Cast(scratch);
-        distance = new Distance(scratch);
     }
 
     /** The object that gave the last answer, or -1. */
@@ -320,86 +311,6 @@ final class Ranging {
             case 1 -> oy + at * cast.unit(1);
             default -> oz + at * cast.unit(2);
         };
-    }
-
-    /** The least distance of an object to any other, +Infinity where that is beyond the limit. */
-    double proximity(Level level, int id, double limit) {
-        Level home = level.of(id);
-        System.arraycopy(home.bounds(), 6 * Bodies.bare(id), box, 0, 6);
-        own.clear();
-        own.appendWhole(home.leaves(), home.first(Bodies.bare(id)), home.count(Bodies.bare(id)));
-        best = Double.POSITIVE_INFINITY;
-        hit = -1;
-        Level shared = level.shared();
-        double reach = shared == null ? limit : nearestToOwn(shared, limit, id);
-        reach = nearestToOwn(level, reach, id);
-        for (int m = 0; m < level.moversBesideTree(); m++) {
-            if (bodies.mover(m) != id) {
-                reach = tryPair(level, bodies.mover(m), reach);
-            }
-        }
-        return best <= limit ? best : none();
-    }
-
-    /** Tries what stands in a level's trees near the object in question; answers how far there is still to look. */
-    private double nearestToOwn(Level level, double limit, int but) {
-        int ignored = but ^ level.mark;
-        double x = box[0] / 2 + box[3] / 2;
-        double z = box[2] / 2 + box[5] / 2;
-        double hx = Math.max(box[3] - x, x - box[0]);
-        double hz = Math.max(box[5] - z, z - box[2]);
-        double radius = Math.sqrt(hx * hx + hz * hz + UNDERFLOW) * (1 + 0x1p-50);
-        double reach = limit;
-        level.cursor.startPoint(x, z, reach + radius);
-        for (int other = level.cursor.next(reach + radius); other >= 0; other = level.cursor.next(reach + radius)) {
-            if (other != ignored) {
-                reach = tryPair(level, other, reach);
-            }
-        }
-        OctTree.@Nullable Cursor stacked = level.stacks.cursor();
-        if (stacked == null) {
-            return reach;
-        }
-        double y = box[1] / 2 + box[4] / 2;
-        double hy = Math.max(box[4] - y, y - box[1]);
-        double all = Math.sqrt(hx * hx + hy * hy + hz * hz + UNDERFLOW) * (1 + 0x1p-50);
-        keys.startPoint(x, y, z);
-        stacked.start(level.bounds(), keys);
-        for (int other = stacked.next(reach + all); other >= 0; other = stacked.next(reach + all)) {
-            if (other != ignored) {
-                reach = tryPair(level, other, reach);
-            }
-        }
-        return reach;
-    }
-
-    private double tryPair(Level level, int other, double reach) {
-        if (boxGap(level, other) > reach) {
-            return reach;
-        }
-        int first = level.first(other);
-        int last = first + level.count(other);
-        for (int i = 0; i < own.size(); i++) {
-            for (int j = first; j < last; j++) {
-                double found = distance.between(level.dimension, own, i, level.leaves(), j, Math.min(reach, best));
-                best = Math.min(best, found);
-            }
-        }
-        return Math.min(reach, best);
-    }
-
-    /** A lower bound of the distance of another object: that of their bounds. */
-    private double boxGap(Level level, int other) {
-        double[] b = level.bounds();
-        int k = 6 * other;
-        double squared = 0;
-        for (int axis = 0; axis < 3; axis += level.dimension == Dimension.PLANAR ? 2 : 1) {
-            double gap = Math.max(box[axis] - b[k + 3 + axis], b[k + axis] - box[3 + axis]);
-            if (gap > 0) {
-                squared += gap * gap;
-            }
-        }
-        return squared < UNDERFLOW ? 0 : Math.sqrt(squared) * (1 - 0x1p-50);
     }
 
     /** The line on its way through a level's quadtree, where places are given in lengths of its direction. */

@@ -4,13 +4,13 @@ package robosim.geometry.index;
  * A ray's way over {@link Tiles}, front to back: from each tile to the neighbour through whose side the ray leaves it, and
  * of what each lists the objects whose outlines the ray's line may meet.
  *
- * <p>Why none is missed: in tiles, the start is {@code g = (o - origin) scale}, wrong by at most {@code 2^-52 |g|}, and the
- * parameter at which the ray crosses a line between tiles is {@code (line - g) / v}, three roundings more, so at each
- * parameter the ray is off the tile that is visited then by at most {@code 2^-50} times the tiles from the start to the
- * line, along either axis, whatever the slope. With {@link Tiles#REACH} that is below 2^-26 tiles, and below 2^-13 of the
- * tiles within divided ones, of which at most 2^12 lie along an outer one: far below {@link Tiles#MARGIN}, by which every
- * object is listed beyond its box. A slope below 2^-60 of the other is taken for none: it moves the ray by less than 2^-34
- * tiles.
+ * <p>Why none is missed: in tiles, the start is {@code g = (o - origin) scale}, wrong by at most {@code 2^-52 |g|}, which moves
+ * the ray by as much. The parameter at which the ray crosses the k-th line between tiles is {@code (line - g) / v} and k times
+ * {@code 1 / v}, k + 5 roundings in all, so there the ray is off the line by at most {@code (k + 5) 2^-53} times the tiles from
+ * the start, along either axis, whatever the slope. With {@link Tiles#REACH} and 2^14 lines that is below 2^-16 tiles; within
+ * divided tiles, where there are 16 lines and the start is up to 2^34 tiles away, below 2^-14 of theirs: far below {@link
+ * Tiles#MARGIN}, by which every object is listed beyond its box. So too what begins just within the reach is listed on a tile
+ * that does for certain. A slope below 2^-60 of the other is taken for none: it moves the ray by less than 2^-34 tiles.
  */
 final class TileWalk {
     private static final double FLAT = 0x1p-60;

@@ -11,7 +11,7 @@ import java.util.Arrays;
  * objects.
  */
 final class Tiles {
-    /** In tiles. A walk of at most {@link #REACH} tiles errs by less than 2^-26: see {@link TileWalk}. */
+    /** In tiles. A walk of at most {@link #REACH} tiles errs by less than 2^-14: see {@link TileWalk}. */
     static final double MARGIN = 0x1p-10;
 
     /** The farthest place, in tiles from the window's corner, from which a walk may start. */
@@ -20,7 +20,10 @@ final class Tiles {
     /** Most tiles that an object may lie on. */
     private static final int MOST_TILES = 32;
 
-    private static final int MOST_COUNT = 1 << 12;
+    /** Along an axis, and in all. */
+    private static final int MOST_COUNT = 1 << 14;
+
+    private static final long MOST_IN_ALL = 1 << 24;
     static final int NONE = -1;
 
     /** In place of a length: here a walk has left the window. */
@@ -92,7 +95,7 @@ final class Tiles {
 
     /** Some tiles over a window of a world. */
     static Tiles over(double minX, double minZ, double maxX, double maxZ, long tiles, TileLists store) {
-        return new Tiles(minX, minZ, maxX, maxZ, tiles, MOST_COUNT, store);
+        return new Tiles(minX, minZ, maxX, maxZ, Math.min(tiles, MOST_IN_ALL), MOST_COUNT, store);
     }
 
     private static int count(double tiles, int most) {
