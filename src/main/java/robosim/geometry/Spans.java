@@ -4,9 +4,9 @@ import java.util.Arrays;
 import robosim.geometry.narrow.LeafColumn;
 
 /**
- * Which leaves of a column stand for which object. As long as each object has one, and all are of one sort, that is the
- * leaf of the object's own number, and nothing has to be looked up; from the first one on that has more, or another sort, a
- * place and a number for each.
+ * Which leaves of a column stand for which object. As long as each object has one of half a row, that is the leaf of the
+ * object's own number, and nothing has to be looked up; from the first one on that has others, a place and a number for
+ * each.
  */
 final class Spans {
     private static final int UPRIGHT = LeafColumn.UPRIGHT;
@@ -16,7 +16,7 @@ final class Spans {
     private int[] first = new int[0];
     private int[] count = new int[0];
 
-    /** Leaves that no object uses any more. */
+    /** Leaves of whole rows that no object uses any more. */
     private int unused;
 
     int first(int id) {

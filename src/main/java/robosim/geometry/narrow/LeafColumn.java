@@ -8,7 +8,7 @@ import robosim.geometry.model.TriangleMesh;
 
 /**
  * Leaves beside each other: a kind, a row of {@link Leaf#STRIDE} doubles and, for meshes, the triangles of each. A world's
- * also has leaves of half a row, with numbers of their own, which have the bit {@link #UPRIGHT}: these are read through
+ * also has leaves of half a row, each with its object's number and the bit {@link #UPRIGHT}: these are read through
  * {@link #rows(int)} and {@link #at}, or left to what asks for a leaf by its number.
  */
 public final class LeafColumn {
@@ -56,7 +56,7 @@ public final class LeafColumn {
         return size;
     }
 
-    /** How many leaves of half a row there are. */
+    /** For how many objects, from the first number on, there is half a row. */
     public int uprightSize() {
         return upright.size();
     }

@@ -7,12 +7,10 @@ import robosim.geometry.index.Outline;
 /**
  * Upright boxes and cylinders and spheres that stay where they are, beside each other in half of a {@link Leaf}'s row: what
  * a world has most of. A box has its cosine and sine at {@link #COS} and {@link #SIN} in place of the nine numbers that
- * they make; the others stand as in a row.
+ * they make; the others stand as in a row. Every row is an {@link Outline} too, also at the places of other objects, of
+ * which nothing else stands here.
  */
 final class UprightRows {
-    /** Doubles in a row. */
-    static final int STRIDE = Outline.STRIDE;
-
     static final int COS = Outline.COS;
     static final int SIN = Outline.SIN;
 
