@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.math.BigDecimal;
 import java.util.BitSet;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -119,6 +120,36 @@ class OutlineTest {
         assertThat(small).isGreaterThan(300);
         assertThat(near).isGreaterThan(500);
         assertThat(leftOut).isGreaterThan(100_000);
+    }
+
+    /** From a corner of the world over up to a hundred tiles, wherever in its tile the point lies. */
+    @Test
+    void raysReachPointsFarAway() {
+        int count = 10_000;
+        QuadTree tree = new QuadTree(0, 0, 1, 1);
+        double[] points = new double[Outline.length(count)];
+        for (int id = 0; id < count; id++) {
+            double x = random.nextDouble();
+            double z = random.nextDouble();
+            tree.add(id, x, z, x, z);
+            Outline.write(points, id, x, z, x, z);
+        }
+        QuadCursor cursor = tree.cursor();
+        long met = 0;
+        for (int id = 0; id < count; id++) {
+            int target = id;
+            BitSet ids = new BitSet();
+            double x = points[Outline.at(id) + Outline.X];
+            double z = points[Outline.at(id) + Outline.Z];
+            cursor.trace(0, 0, x, z, 1 + 0x1p-40, points, (each, reach) -> {
+                ids.set(each);
+                return reach;
+            });
+            assertThat(ids.get(target)).as("point %s, %s", x, z).isTrue();
+            met += ids.cardinality();
+        }
+        assertThat(met).as("hardly any but those aimed at").isLessThan(count + 100);
+        assertThat(cursor.visited()).as("tiles").isGreaterThan(50L * count);
     }
 
     /** A corner, rounded. */
