@@ -44,6 +44,8 @@ final class Tiles {
      */
     private final int base;
 
+    private final int rest;
+
     /** Of divided tiles, by {@code NONE - length}. */
     private Tiles[] inner = {};
 
@@ -83,6 +85,7 @@ final class Tiles {
         this.maxX = maxX;
         this.maxZ = maxZ;
         base = store.append((countX + 2) * (countZ + 2) + 1);
+        rest = base + TileLists.STRIDE * (countX + 2) * (countZ + 2);
         for (int row = -1; row <= countZ; row++) {
             store.data[at(-1, row)] = OUT;
             store.data[at(countX, row)] = OUT;
@@ -126,7 +129,7 @@ final class Tiles {
 
     /** The place of the list of what is too large for the tiles. */
     int rest() {
-        return base + TileLists.STRIDE * (countX + 2) * (countZ + 2);
+        return rest;
     }
 
     boolean hasRest() {
