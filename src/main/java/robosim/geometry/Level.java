@@ -29,6 +29,9 @@ final class Level {
     /** More than any place or size in the plane. */
     final double extent;
 
+    /** Whether heights do not count, and objects are as they are. */
+    final boolean isFlat;
+
     /** What ids of other objects have beside their number here: 0, or {@link Bodies#SHARED} in a view of what is shared. */
     final int mark;
 
@@ -82,6 +85,7 @@ final class Level {
         cursor = tree.cursor();
         stacks = new Stacks(dimension == Dimension.SPATIAL);
         extent = width + length;
+        isFlat = dimension == Dimension.PLANAR && accuracy == Accuracy.EXACT;
     }
 
     private Level(Level of) {
@@ -89,6 +93,7 @@ final class Level {
         accuracy = of.accuracy;
         dimension = of.dimension;
         extent = of.extent;
+        isFlat = of.isFlat;
         mark = Bodies.SHARED;
         tree = of.tree.view();
         cursor = tree.cursor();

@@ -5,7 +5,10 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.index.NearTarget;
+import robosim.geometry.index.QuadCursor;
 import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
@@ -41,6 +44,13 @@ final class Population {
 
     private final double[] box = new double[6];
 
+    // What is asked: an upright cylinder, or what has been placed, about all at a level but one.
+    private Level asked;
+    private int ignored;
+    private CylinderObject disc = new CylinderObject(new Point(), 0, 0);
+    private final NearTarget meetDisc = this::meetDisc;
+    private final NearTarget meetCandidate = this::meetCandidate;
+
     Population(
             double width,
             double height,
@@ -57,6 +67,7 @@ final class Population {
         bodies = shared == null ? new Bodies() : new Bodies(shared);
         level = new Level(bodies, accuracy, dimension, width, length, view(accuracy));
         levels = new Level[] {level};
+        asked = level;
         near = new Near(bodies);
     }
 
@@ -219,30 +230,61 @@ final class Population {
 
     /** Whether an object would touch or overlap any in the world but one; any with -1. */
     boolean collides(Level at, GeometryObject object, int but) {
+        asked = at;
+        ignored = but;
+        Level shared = at.shared();
+        if (at.isFlat
+                && shared == null
+                && Arguments.present("object", object) instanceof CylinderObject cylinder
+                && cylinder.pose().isUpright()) {
+            disc = cylinder;
+            Point c = cylinder.center();
+            double r = cylinder.radius();
+            int near = at.cursor.near(c.x(), c.z(), r, r, at.leaves().outlines(), meetDisc);
+            if (near == QuadCursor.ENOUGH || (near == QuadCursor.ALL && at.moversBesideTree() == 0)) {
+                return near == QuadCursor.ENOUGH;
+            }
+        }
         at.placed(Arguments.present("object", object), candidate);
         if (candidate.size() == 1) {
             candidate.roughBounds(0, box);
         } else {
             at.boundsOf(candidate, 0, candidate.size(), box);
         }
-        Level shared = at.shared();
         return collidesIn(at, but) || (shared != null && collidesIn(shared, but));
     }
 
-    private boolean collidesIn(Level at, int but) {
-        boolean isNear = at.stacks.cursor() == null && at.cursor.startNear(box[0], box[2], box[3], box[5]);
-        return isNear ? collidesNear(at, but) : collidesAnywhere(at, but);
+    private boolean meetDisc(int id) {
+        if (id == ignored) {
+            return false;
+        }
+        Point c = disc.center();
+        int sure = Overlap.sure(c.x(), c.z(), disc.radius(), asked.leaves(), id);
+        if (sure == 0) {
+            asked.placed(disc, candidate);
+            return touches(asked, id);
+        }
+        return sure < 0;
     }
 
-    private boolean collidesNear(Level at, int but) {
-        double[] outlines = at.leaves().outlines();
-        for (int id = at.cursor.nextNear(outlines); id >= 0; id = at.cursor.nextNear(outlines)) {
-            boolean isOther = (id | at.mark) != but;
-            if (isOther && (dimension == Dimension.PLANAR || at.meets(id, box)) && touches(at, id)) {
-                return true;
-            }
+    private boolean collidesIn(Level at, int but) {
+        int near = QuadCursor.TOO_MANY;
+        if (at.stacks.cursor() == null) {
+            asked = at;
+            double x = box[0] / 2 + box[3] / 2;
+            double z = box[2] / 2 + box[5] / 2;
+            double halfX = QuadCursor.half(box[0], box[3]);
+            double halfZ = QuadCursor.half(box[2], box[5]);
+            near = at.cursor.near(x, z, halfX, halfZ, at.leaves().outlines(), meetCandidate);
         }
-        return collidesBeside(at, but);
+        return near == QuadCursor.TOO_MANY
+                ? collidesAnywhere(at, but)
+                : near == QuadCursor.ENOUGH || collidesBeside(at, but);
+    }
+
+    private boolean meetCandidate(int id) {
+        boolean isOther = (id | asked.mark) != ignored;
+        return isOther && (dimension == Dimension.PLANAR || asked.meets(id, box)) && touches(asked, id);
     }
 
     private boolean collidesAnywhere(Level at, int but) {

@@ -23,8 +23,14 @@ public final class Outline {
 
     public static final int SIN = 7;
 
+    /** The id of a row before all others, that of a rectangle which is nowhere: neither a box nor a ray meets it. */
+    static final int NOWHERE = Tiles.NONE;
+
     /** Where the first row begins: behind an array's head, so that a row of a large array is one line of a cache. */
-    private static final int START = 6;
+    private static final int START = 6 + STRIDE;
+
+    /** So far from reaching anything that no sum with what a world has for numbers is above 0. */
+    private static final double SHORT_OF_ALL = -0x1p1000;
 
     private Outline() {}
 
@@ -36,6 +42,29 @@ public final class Outline {
     /** How long an array of so many rows is. */
     public static int length(int rows) {
         return START + STRIDE * rows;
+    }
+
+    /** An array with room for so many rows, and for some numbers more. */
+    public static double[] rows(int count, int more) {
+        double[] rows = new double[length(count) + more];
+        int at = at(NOWHERE);
+        rows[at + HALF_X] = SHORT_OF_ALL;
+        rows[at + HALF_Z] = SHORT_OF_ALL;
+        rows[at + COS] = 1;
+        return rows;
+    }
+
+    /** Whether a row and a rectangle, which is wider by what rounding may do, may meet. */
+    static boolean mayMeet(double[] rows, int id, double x, double z, double wide, double deep) {
+        int at = at(id);
+        double halfX = rows[at + HALF_X];
+        double halfZ = rows[at + HALF_Z];
+        double cos = Math.abs(rows[at + COS]);
+        double sin = Math.abs(rows[at + SIN]);
+        double gapX = Math.fma(halfX, cos, Math.fma(halfZ, sin, wide)) - Math.abs(rows[at + X] - x);
+        double gapZ = Math.fma(halfX, sin, Math.fma(halfZ, cos, deep)) - Math.abs(rows[at + Z] - z);
+        // Two comparisons in one: a negative difference is a gap.
+        return (Double.doubleToRawLongBits(gapX) | Double.doubleToRawLongBits(gapZ)) >= 0;
     }
 
     /** Makes a row that of a box, to within the rounding that a query allows for. */

@@ -10,13 +10,22 @@ public final class QuadCursor {
     /** A box on so many tiles meets few objects twice. */
     private static final int FEW_TILES = 9;
 
+    /** The target wanted no more. */
+    public static final int ENOUGH = TileProbe.ENOUGH;
+
+    /** The rectangle lies on too many regions. */
+    public static final int TOO_MANY = TileProbe.TOO_MANY;
+
+    /** The target has met all. */
+    public static final int ALL = TileProbe.ALL;
+
     private final QuadTree tree;
     private final TileLayers layers;
     private final NearestFirst ordered = new NearestFirst();
     private final TileWalk walk;
     private final TileScan scan;
     private final TileWalk.Line line = new TileWalk.Line();
-    private final TileProbe probe;
+    private final TileProbe probe = new TileProbe();
     private final TileGathering gathering = new TileGathering();
     private int layer;
 
@@ -31,7 +40,6 @@ public final class QuadCursor {
     private double z0;
     private double x1;
     private double z1;
-    private double slack;
 
     QuadCursor(QuadTree tree) {
         this.tree = tree;
@@ -39,12 +47,11 @@ public final class QuadCursor {
         Tiles none = Tiles.single();
         walk = new TileWalk(line, none);
         scan = new TileScan(none);
-        probe = new TileProbe(none);
     }
 
     /** How many regions this cursor has looked into since it was made. */
     public long visited() {
-        return ordered.visited() + walk.visited() + scan.visited() + probe.visited();
+        return ordered.visited() + walk.visited() + scan.visited();
     }
 
     /** Starts the query for all objects whose boxes meet this closed box; take them with {@link #next()}. */
@@ -73,41 +80,31 @@ public final class QuadCursor {
         }
     }
 
-    /**
-     * Starts the query for all objects whose outlines may meet this closed box, if it is small; take them
-     * with {@link #nextNear}.
-     *
-     * @return whether it is small: else start a query that gives each object once
-     */
-    public boolean startNear(double minX, double minZ, double maxX, double maxZ) {
-        tree.settle();
-        x0 = minX;
-        z0 = minZ;
-        x1 = maxX;
-        z1 = maxZ;
-        layer = 0;
-        slack = TileProbe.rounding(tree.most, minX, minZ, maxX, maxZ);
-        Tiles finest = nextLayer();
-        if (finest == null) {
-            probe.stop();
-            return true;
-        }
-        return probe.start(finest, minX, minZ, maxX, maxZ, slack) <= FEW_TILES;
+    /** Half of what lies between two numbers, rounded up: at least as far as either is from the middle, min / 2 + max / 2. */
+    public static double half(double min, double max) {
+        double middle = min / 2 + max / 2;
+        return Math.nextUp(Math.max(middle - min, max - middle));
     }
 
-    /** The next object near a small box, in no promised order, maybe again; -1 after the last. */
-    public int nextNear(double[] outlines) {
-        while (true) {
-            int id = probe.next(outlines);
-            if (id != Tiles.NONE) {
-                return id;
+    /**
+     * Lets a target meet all objects that may meet a small rectangle about a place, until it wants no more. One that lies
+     * across regions may come again.
+     *
+     * @param halfX half its size, at least 0
+     * @return {@link #ENOUGH}, {@link #ALL}, or {@link #TOO_MANY} where it is not small: start a query that gives each once
+     */
+    public int near(double x, double z, double halfX, double halfZ, double[] outlines, NearTarget target) {
+        tree.settle();
+        probe.start(x, z, halfX, halfZ, tree.most);
+        for (int k = 0; k < layers.count(); k++) {
+            if (!layers.get(k).isEmpty()) {
+                int asked = probe.ask(layers.get(k), FEW_TILES, outlines, target);
+                if (asked != ALL) {
+                    return asked;
+                }
             }
-            Tiles tiles = nextLayer();
-            if (tiles == null) {
-                return -1;
-            }
-            probe.start(tiles, x0, z0, x1, z1, slack);
         }
+        return ALL;
     }
 
     /**
@@ -121,16 +118,20 @@ public final class QuadCursor {
             gathering.gather(near, tree.boxes);
             return gathering.count();
         }
-        return gatherTiles(TileProbe.rounding(tree.most, minX, minZ, maxX, maxZ), outlines);
+        double halfX = maxX / 2 - minX / 2;
+        double halfZ = maxZ / 2 - minZ / 2;
+        gathering.startAbout(minX / 2 + maxX / 2, minZ / 2 + maxZ / 2, halfX, halfZ, tree.most, but);
+        gatherTiles(Integer.MAX_VALUE, outlines);
+        return gathering.count();
     }
 
-    private int gatherTiles(double slack, double[] outlines) {
+    private boolean gatherTiles(int most, double[] outlines) {
         for (int k = 0; k < layers.count(); k++) {
-            if (!layers.get(k).isEmpty()) {
-                gathering.gather(layers.get(k), slack, outlines);
+            if (!layers.get(k).isEmpty() && !gathering.gather(layers.get(k), most, outlines)) {
+                return false;
             }
         }
-        return gathering.count();
+        return true;
     }
 
     /** The k-th object that was gathered. */

@@ -6,7 +6,9 @@ package robosim.geometry.index;
  */
 final class Sketch {
     /** Parts of a tile. */
-    private static final int STEPS = 32;
+    static final int STEPS = 1 << Sketch.STEP_BITS;
+
+    static final int STEP_BITS = 5;
 
     /** What rounding may do to a place, in steps. */
     private static final double SLACK = STEPS * Tiles.MARGIN;
@@ -22,8 +24,8 @@ final class Sketch {
     /** Of what is always looked at. */
     static final int ANYWHERE = 0;
 
-    /** The question that no sketch is refused by. */
-    static final int EVERYBODY = -1;
+    /** Of nothing: so near to the end of all numbers does no question reach. */
+    static final int NOWHERE = MOST | MOST << 8 | MOST << 16 | MOST << 24;
 
     private Sketch() {}
 
@@ -44,11 +46,25 @@ final class Sketch {
         return numbers(clamp(lowX + x), clamp(lowZ + z), MOST - clamp(highX + x), MOST - clamp(highZ + z));
     }
 
-    /** What to ask about other boxes for this one: how far they may begin, and end. */
+    /** What to ask about other boxes on a tile for this one: how far they may begin, and end. */
     static int question(int lowX, int lowZ, int highX, int highZ, int column, int row) {
         int x = BESIDE - STEPS * column;
         int z = BESIDE - STEPS * row;
-        return numbers(clamp(highX + x), clamp(highZ + z), MOST - clamp(lowX + x), MOST - clamp(lowZ + z)) | HIGH_BITS;
+        return numbers(reach(highX + x), reach(highZ + z), reach(MOST - lowX - x), reach(MOST - lowZ - z)) | HIGH_BITS;
+    }
+
+    /** The same for a box that lies on one tile only. */
+    static int question(int lowX, int lowZ, int highX, int highZ) {
+        int x = lowX & STEPS - 1;
+        int z = lowZ & STEPS - 1;
+        int toX = x + highX - lowX;
+        int toZ = z + highZ - lowZ;
+        return numbers(BESIDE + toX, BESIDE + toZ, MOST - BESIDE - x, MOST - BESIDE - z) | HIGH_BITS;
+    }
+
+    /** What lies on a tile begins and ends less than a tile and a step from its other end. */
+    private static int reach(int steps) {
+        return Math.max(0, Math.min(steps, MOST - 1));
     }
 
     private static int numbers(int a, int b, int c, int d) {

@@ -16,11 +16,18 @@ final class TileGathering {
     /** The heads of the lists to read, and one place more. */
     private int[] heads = new int[5];
 
+    // A closed box, for a grid.
     private double minX;
     private double minZ;
     private double maxX;
     private double maxZ;
     private int but;
+
+    // A rectangle, for tiles: its centre, and half its size with what rounding may do to the gap to an outline.
+    private double x;
+    private double z;
+    private double wide;
+    private double deep;
 
     /** Starts with nothing, for a closed box and all objects but one. */
     void start(double x0, double z0, double x1, double z1, int without) {
@@ -28,6 +35,23 @@ final class TileGathering {
         minZ = z0;
         maxX = x1;
         maxZ = z1;
+        but = without;
+        count = 0;
+    }
+
+    /** What rounding may do to the gap between a rectangle and outlines that reach no farther than the most. */
+    static double slack(double x, double z, double halfX, double halfZ, double most) {
+        // Twenty roundings of 2^-53 in sums of what is no greater than these, and what underflows.
+        return 0x1p-47 * (most + Math.abs(x) + Math.abs(z) + halfX + halfZ) + 0x1p-1000;
+    }
+
+    /** Starts with nothing, for all objects near a place, where no coordinate is of a greater magnitude than the most. */
+    void startAbout(double placeX, double placeZ, double halfX, double halfZ, double most, int without) {
+        double slack = slack(placeX, placeZ, halfX, halfZ, most);
+        x = placeX;
+        z = placeZ;
+        wide = halfX + slack;
+        deep = halfZ + slack;
         but = without;
         count = 0;
     }
@@ -40,55 +64,74 @@ final class TileGathering {
         return ids[k];
     }
 
-    /** Adds the objects whose outlines the box, wider by some slack on all sides, may meet. */
-    void gather(Tiles over, double slack, double[] outlines) {
+    /** Adds the objects whose outlines may meet; answers false, and adds none, where it would take more tiles than these. */
+    boolean gather(Tiles over, int mostTiles, double[] outlines) {
+        int column = over.column(x - wide, 0);
+        int row = over.row(z - deep, 0);
+        int more = over.column(x + wide, 0) - column;
+        int deeper = over.row(z + deep, 0) - row;
+        if ((more + 1) * (deeper + 1) > mostTiles) {
+            return false;
+        }
         if (over.hasRest()) {
-            read(over, over.rest(), over.rest(), slack, outlines);
+            read(over, over.rest(), outlines);
         }
-        int column0 = over.column(minX, 0);
-        int column1 = over.column(maxX, 0);
-        int last = over.row(maxZ, 0);
-        for (int row = over.row(minZ, 0); row <= last; row++) {
-            read(over, over.at(column0, row), over.at(column1, row), slack, outlines);
+        int first = over.at(column, row);
+        int last = first + TileLists.STRIDE * more;
+        for (int left = deeper; left >= 0; left--) {
+            for (int tile = first; tile <= last; tile += TileLists.STRIDE) {
+                read(over, tile, outlines);
+            }
+            first += over.rowStep();
+            last += over.rowStep();
         }
+        return true;
     }
 
-    /** Adds what counts of the lists of some tiles beside each other. */
-    private void read(Tiles over, int first, int last, double slack, double[] outlines) {
+    /** Adds what counts of a list. */
+    private void read(Tiles over, int tile, double[] outlines) {
         int[] data = over.store.data;
-        double x = minX / 2 + maxX / 2;
-        double z = minZ / 2 + maxZ / 2;
-        double wide = maxX / 2 - minX / 2 + slack;
-        double deep = maxZ / 2 - minZ / 2 + slack;
+        int length = data[tile];
+        if ((length & ~TileLists.SHORT) != 0) {
+            readLong(over, tile, outlines);
+            return;
+        }
+        if (count + TileLists.SHORT > ids.length) {
+            grow();
+        }
         int to = count;
-        for (int tile = first; tile <= last; tile += TileLists.STRIDE) {
-            int length = data[tile];
-            int begin = TileLists.first(data, tile, length);
-            while (to + length > ids.length) {
-                grow();
-            }
-            for (int k = begin; k < begin + length; k++) {
-                int id = data[k];
-                int at = Outline.at(id);
-                ids[to] = id;
-                double halfX = outlines[at + Outline.HALF_X];
-                double halfZ = outlines[at + Outline.HALF_Z];
-                double cos = Math.abs(outlines[at + Outline.COS]);
-                double sin = Math.abs(outlines[at + Outline.SIN]);
-                double gapX = halfX * cos + halfZ * sin + wide - Math.abs(outlines[at + Outline.X] - x);
-                double gapZ = halfX * sin + halfZ * cos + deep - Math.abs(outlines[at + Outline.Z] - z);
-                // A negative difference is a gap.
-                long apart = Double.doubleToRawLongBits(gapX) | Double.doubleToRawLongBits(gapZ);
-                int isOther = (id - but | but - id) >>> SIGN;
-                to += isOther & (int) (~apart >>> (Long.SIZE - 1));
-            }
-            if (length < 0) {
-                count = to;
-                gather(over.within(length), slack, outlines);
-                to = count;
-            }
+        ids[to] = data[tile + 1];
+        to += mayMeet(outlines, data[tile + 1]);
+        ids[to] = data[tile + 2];
+        to += mayMeet(outlines, data[tile + 2]);
+        ids[to] = data[tile + 3];
+        to += mayMeet(outlines, data[tile + 3]);
+        count = to;
+    }
+
+    private void readLong(Tiles over, int tile, double[] outlines) {
+        int[] data = over.store.data;
+        int length = data[tile];
+        if (length < 0) {
+            gather(over.within(length), Integer.MAX_VALUE, outlines);
+            return;
+        }
+        while (count + length > ids.length) {
+            grow();
+        }
+        int first = TileLists.first(data, tile, length);
+        int to = count;
+        for (int k = first; k < first + length; k++) {
+            ids[to] = data[k];
+            to += mayMeet(outlines, data[k]);
         }
         count = to;
+    }
+
+    /** 1 for an object that counts, else 0. */
+    private int mayMeet(double[] outlines, int id) {
+        int isOther = (id - but | but - id) >>> SIGN;
+        return isOther & (Outline.mayMeet(outlines, id, x, z, wide, deep) ? 1 : 0);
     }
 
     private void grow() {

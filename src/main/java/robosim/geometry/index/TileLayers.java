@@ -12,9 +12,6 @@ final class TileLayers {
     /** A layer of so few objects is one tile. */
     private static final int FEW = 6;
 
-    /** More objects than a cache has room for. */
-    private static final int MANY = 1 << 17;
-
     /** So few tiles are not worth their while. */
     private static final int FEW_TILES = 16;
 
@@ -149,12 +146,7 @@ final class TileLayers {
         double roomX = isGrowing ? (maxX - minX) / 8 : 0;
         double roomZ = isGrowing ? (maxZ - minZ) / 8 : 0;
         return Tiles.over(
-                minX - roomX,
-                minZ - roomZ,
-                maxX + roomX,
-                maxZ + roomZ,
-                tiles(objects) >> coarser,
-                new TileLists(objects > MANY));
+                minX - roomX, minZ - roomZ, maxX + roomX, maxZ + roomZ, tiles(objects) >> coarser, new TileLists(true));
     }
 
     /** About one tile an object, and a half more where their number grows. */

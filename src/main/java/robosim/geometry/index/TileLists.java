@@ -5,8 +5,9 @@ import java.util.Arrays;
 /**
  * The lists of objects of all {@link Tiles} of a layer, also of those within others, in one array. A tile has a place of
  * {@link #STRIDE} numbers: how long its list of ids is, and as long as it has room the list itself, else where it begins. Most
- * lists are that short, and one look at memory is all that a query needs of a tile. Of many objects another array has, where
- * an id stands in the first, the object's {@link Sketch} about the tile.
+ * lists are that short, and one look at memory is all that a query needs of a tile. Where a list is shorter still, {@link
+ * Outline#NOWHERE} fills its room: so who would guess wrong how long it is can read all of it. Of many objects another array
+ * has, where an id stands in the first, the object's {@link Sketch} about the tile.
  */
 final class TileLists {
     /** Numbers of a tile's place. */
@@ -41,7 +42,15 @@ final class TileLists {
 
     /** Makes room for the empty lists of so many tiles; answers where the first one's place is. */
     int append(int tiles) {
-        return claim(STRIDE * tiles);
+        int first = claim(STRIDE * tiles);
+        Arrays.fill(data, first, first + STRIDE * tiles, Outline.NOWHERE);
+        if (hasSketches()) {
+            Arrays.fill(sketches, first, first + STRIDE * tiles, Sketch.NOWHERE);
+        }
+        for (int place = first; place < first + STRIDE * tiles; place += STRIDE) {
+            data[place] = 0;
+        }
+        return first;
     }
 
     /** Where the list of a place begins, given how long it is. */
@@ -68,6 +77,10 @@ final class TileLists {
         int last = data[place] - 1;
         int first = first(data, place, last + 1);
         copy(first + last, find(first, id), 1);
+        data[first + last] = Outline.NOWHERE;
+        if (hasSketches()) {
+            sketches[first + last] = Sketch.NOWHERE;
+        }
         data[place] = last;
         if (last == SHORT) {
             copy(first, place + 1, SHORT);

@@ -1,180 +1,132 @@
 package robosim.geometry.index;
 
-import org.jspecify.annotations.Nullable;
-
 /**
- * The objects of {@link Tiles} whose outlines may meet a small box; one that lies on several of its tiles may
- * come again. Cheaper for a few tiles than {@link TileScan}, which gives each once.
+ * Who of {@link Tiles} may be near a small rectangle, each as often as its tiles list it; most often that is one tile. Sketches
+ * tell, and who is on a list without them is looked at. How long a list is would be guessed wrong each other time, so all room
+ * of a short one is read.
+ *
+ * <p>Why none is missed: where a rectangle of a reach below 2^30 steps ends within a window, its place is less than 2^31 steps
+ * from the corner. So a difference, two products and a sum, each rounded by 2^-53 of itself, misjudge that end by less than
+ * 2^-19 steps, which is far below {@link Tiles#MARGIN}, by which every object is listed beyond its box and drawn wider. An end
+ * beyond the window counts as on its edge: who meets only there is listed on a tile beside, or out of these tiles.
  */
 final class TileProbe {
-    private Tiles tiles;
-    private double minX;
-    private double minZ;
-    private double maxX;
-    private double maxZ;
+    /** The target wants no more. */
+    static final int ENOUGH = -1;
+
+    /** The rectangle lies on too many tiles. */
+    static final int TOO_MANY = 0;
+
+    /** The target has met all. */
+    static final int ALL = 1;
+
+    /** In steps. */
+    private static final double MOST_REACH = 0x1p30;
+
+    private double x;
+    private double z;
+    private double halfX;
+    private double halfZ;
     private double slack;
 
-    private int columns;
-
-    /** The next tile, how many there are left, and how many of them in its row. */
-    private int tile;
-
-    private int left;
-    private int leftX;
-
-    /** The last column, and after the last row. */
-    private int lastColumn;
-
-    private int endRow;
-
-    // The box in steps of a tile, and what is asked of the sketches of the list that is read.
-    private int lowX;
-    private int lowZ;
-    private int highX;
-    private int highZ;
-    private int question;
-
-    /** The next object of the list that is read, and the list's end. */
-    private int entry;
-
-    private int end;
-    private boolean isWithin;
-    private @Nullable TileProbe inner;
-    private long visited;
-
-    TileProbe(Tiles any) {
-        tiles = any;
+    /** Takes a rectangle about a place where no coordinate is of a greater magnitude than the most. */
+    void start(double placeX, double placeZ, double toX, double toZ, double most) {
+        x = placeX;
+        z = placeZ;
+        halfX = toX;
+        halfZ = toZ;
+        slack = TileGathering.slack(placeX, placeZ, toX, toZ, most);
     }
 
-    long visited() {
-        return visited + (inner == null ? 0 : inner.visited());
+    /** Lets a target meet those of some tiles, unless the rectangle lies on more than so many. */
+    int ask(Tiles over, int most, double[] outlines, NearTarget target) {
+        double placeX = (x - over.originX) * over.stepsX;
+        double placeZ = (z - over.originZ) * over.stepsZ;
+        double reachX = halfX * over.stepsX;
+        double reachZ = halfZ * over.stepsZ;
+        // Rounded towards 0, which no object on the tiles is below.
+        int lowX = (int) (placeX - reachX);
+        int lowZ = (int) (placeZ - reachZ);
+        int highX = (int) (placeX + reachX);
+        int highZ = (int) (placeZ + reachZ);
+        int lastX = (over.countX << Sketch.STEP_BITS) - 1;
+        int lastZ = (over.countZ << Sketch.STEP_BITS) - 1;
+        if ((lowX | lowZ | lastX - highX | lastZ - highZ) < 0) {
+            if (!(reachX < MOST_REACH && reachZ < MOST_REACH)) {
+                return TOO_MANY;
+            }
+            lowX = clamp(lowX, lastX);
+            lowZ = clamp(lowZ, lastZ);
+            highX = clamp(highX, lastX);
+            highZ = clamp(highZ, lastZ);
+        }
+        int column = lowX >> Sketch.STEP_BITS;
+        int row = lowZ >> Sketch.STEP_BITS;
+        int more = (highX >> Sketch.STEP_BITS) - column;
+        int deeper = (highZ >> Sketch.STEP_BITS) - row;
+        if ((more | deeper) == 0) {
+            int question = Sketch.question(lowX, lowZ, highX, highZ);
+            return read(over, over.at(column, row), question, outlines, target) ? ENOUGH : ALL;
+        }
+        if ((more + 1) * (deeper + 1) > most) {
+            return TOO_MANY;
+        }
+        for (int k = row; k <= row + deeper; k++) {
+            for (int j = column; j <= column + more; j++) {
+                int question = Sketch.question(lowX, lowZ, highX, highZ, j, k);
+                if (read(over, over.at(j, k), question, outlines, target)) {
+                    return ENOUGH;
+                }
+            }
+        }
+        return ALL;
     }
 
-    void stop() {
-        left = 0;
-        isWithin = false;
-        end = entry;
+    private static int clamp(int step, int last) {
+        return Math.max(0, Math.min(step, last));
     }
 
-    /** What rounding may do to the gap between a box and outlines that reach no farther than the most. */
-    static double rounding(double most, double x0, double z0, double x1, double z1) {
-        // Twenty roundings of 2^-53 in sums of what is no greater than these, and what underflows.
-        return 0x1p-47 * (most + Math.abs(x0) + Math.abs(z0) + Math.abs(x1) + Math.abs(z1)) + 0x1p-1000;
-    }
-
-    /** Starts at the first tile and answers on how many the box lies. */
-    int start(Tiles over, double x0, double z0, double x1, double z1, double rounding) {
-        slack = rounding;
-        tiles = over;
-        minX = x0;
-        minZ = z0;
-        maxX = x1;
-        maxZ = z1;
-        isWithin = false;
+    private boolean read(Tiles over, int tile, int question, double[] outlines, NearTarget target) {
         int[] data = over.store.data;
-        int rest = over.rest();
-        entry = TileLists.first(data, rest, data[rest]);
-        end = entry + data[rest];
-        question = Sketch.EVERYBODY;
-        if (over.store.hasSketches()) {
-            lowX = Sketch.low(over.across(x0));
-            lowZ = Sketch.low(over.along(z0));
-            highX = Sketch.high(over.across(x1));
-            highZ = Sketch.high(over.along(z1));
+        int[] sketches = over.store.sketches;
+        if ((data[tile] & ~TileLists.SHORT) != 0 || sketches.length == 0) {
+            return readOther(over, tile, question, outlines, target);
         }
-        int column = over.column(x0, 0);
-        int row = over.row(z0, 0);
-        lastColumn = over.column(x1, 0);
-        endRow = over.row(z1, 0) + 1;
-        columns = lastColumn - column + 1;
-        tile = over.at(column, row);
-        leftX = columns;
-        left = columns * (endRow - row);
-        return left;
+        return (Sketch.mayMeet(question, sketches[tile + 1]) && target.meet(data[tile + 1]))
+                || (Sketch.mayMeet(question, sketches[tile + 2]) && target.meet(data[tile + 2]))
+                || (Sketch.mayMeet(question, sketches[tile + 3]) && target.meet(data[tile + 3]));
     }
 
-    /** The next object, or {@link Tiles#NONE} after the last. */
-    int next(double[] outlines) {
-        while (true) {
-            int id = isWithin ? within().next(outlines) : Tiles.NONE;
-            if (id != Tiles.NONE) {
-                return id;
-            }
-            isWithin = false;
-            id = nextListed(outlines);
-            if (!isWithin) {
-                return id;
+    /** Reads a long list, one without sketches, or those within a divided tile. */
+    private boolean readOther(Tiles over, int tile, int question, double[] outlines, NearTarget target) {
+        int[] data = over.store.data;
+        int[] sketches = over.store.sketches;
+        int length = data[tile];
+        if (length < 0) {
+            Tiles inner = over.within(length);
+            return readRows(inner, inner.rest(), outlines, target)
+                    || ask(inner, Integer.MAX_VALUE, outlines, target) == ENOUGH;
+        }
+        if (sketches.length == 0) {
+            return readRows(over, tile, outlines, target);
+        }
+        int first = data[tile + 1];
+        for (int k = first; k < first + length; k++) {
+            if (Sketch.mayMeet(question, sketches[k]) && target.meet(data[k])) {
+                return true;
             }
         }
+        return false;
     }
 
-    /** The same, but where it comes to a divided tile it only starts there. */
-    private int nextListed(double[] outlines) {
-        int[] data = tiles.store.data;
-        int[] sketches = tiles.store.sketches;
-        boolean hasSketches = tiles.store.hasSketches();
-        double x = minX / 2 + maxX / 2;
-        double z = minZ / 2 + maxZ / 2;
-        double wide = maxX / 2 - minX / 2 + slack;
-        double deep = maxZ / 2 - minZ / 2 + slack;
-        int listed = entry;
-        int last = end;
-        int asked = question;
-        while (true) {
-            while (listed < last) {
-                int id = data[listed];
-                boolean mayMeet = !hasSketches || Sketch.mayMeet(asked, sketches[listed]);
-                listed++;
-                if (!mayMeet) {
-                    continue;
-                }
-                int at = Outline.at(id);
-                double halfX = outlines[at + Outline.HALF_X];
-                double halfZ = outlines[at + Outline.HALF_Z];
-                double cos = Math.abs(outlines[at + Outline.COS]);
-                double sin = Math.abs(outlines[at + Outline.SIN]);
-                double gapX = halfX * cos + halfZ * sin + wide - Math.abs(outlines[at + Outline.X] - x);
-                double gapZ = halfX * sin + halfZ * cos + deep - Math.abs(outlines[at + Outline.Z] - z);
-                // Two comparisons in one branch: a negative difference is a gap.
-                long gaps = Double.doubleToRawLongBits(gapX) | Double.doubleToRawLongBits(gapZ);
-                if (gaps >= 0) {
-                    entry = listed;
-                    end = last;
-                    question = asked;
-                    return id;
-                }
-            }
-            if (left == 0) {
-                end = entry;
-                return Tiles.NONE;
-            }
-            visited++;
-            int length = data[tile];
-            listed = TileLists.first(data, tile, length);
-            last = listed + length;
-            if (hasSketches) {
-                int row = endRow - (left + columns - 1) / columns;
-                asked = Sketch.question(lowX, lowZ, highX, highZ, lastColumn + 1 - leftX, row);
-            }
-            left--;
-            tile += TileLists.STRIDE;
-            if (--leftX == 0) {
-                leftX = columns;
-                tile += tiles.rowStep() - TileLists.STRIDE * columns;
-            }
-            if (length < 0) {
-                end = entry;
-                within().start(tiles.within(length), minX, minZ, maxX, maxZ, slack);
-                isWithin = true;
-                return Tiles.NONE;
+    private boolean readRows(Tiles over, int tile, double[] outlines, NearTarget target) {
+        int[] data = over.store.data;
+        int first = TileLists.first(data, tile, data[tile]);
+        for (int k = first; k < first + data[tile]; k++) {
+            if (Outline.mayMeet(outlines, data[k], x, z, halfX + slack, halfZ + slack) && target.meet(data[k])) {
+                return true;
             }
         }
-    }
-
-    private TileProbe within() {
-        if (inner == null) {
-            inner = new TileProbe(tiles);
-        }
-        return inner;
+        return false;
     }
 }

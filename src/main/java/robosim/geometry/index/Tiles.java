@@ -61,6 +61,11 @@ final class Tiles {
 
     final double scaleZ;
 
+    /** Steps of a {@link Sketch} a unit. */
+    final double stepsX;
+
+    final double stepsZ;
+
     final int countX;
     final int countZ;
 
@@ -82,6 +87,8 @@ final class Tiles {
         originZ = isSingle ? 0 : minZ;
         scaleX = isSingle ? 0 : countX / width;
         scaleZ = isSingle ? 0 : countZ / length;
+        stepsX = Sketch.STEPS * scaleX;
+        stepsZ = Sketch.STEPS * scaleZ;
         this.maxX = maxX;
         this.maxZ = maxZ;
         base = store.append((countX + 2) * (countZ + 2) + 1);

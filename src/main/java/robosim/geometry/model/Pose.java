@@ -163,7 +163,7 @@ public final class Pose {
 
     /** Whether the own Y is the world's, exactly: the pose is a place and a heading. */
     public boolean isUpright() {
-        return Attitude.isUpright(attitude, 0);
+        return attitude == FORWARD || Attitude.isUpright(attitude, 0);
     }
 
     /** The numbers of {@link Attitude} behind this pose, written into a column. */

@@ -49,6 +49,25 @@ public final class Overlap {
         return sure == 0 ? PlanarOverlap.test(kindA, a, i, kindB, b.rows(j), b.at(j), s) : sure < 0;
     }
 
+    /**
+     * Whether a disc touches an object of half a row, as seen from above: below 0 where it does, above where it does not, 0
+     * where doubles cannot tell or the object's leaves are others.
+     */
+    public static int sure(double x, double z, double r, LeafColumn b, int id) {
+        double[] row = b.uprightRows();
+        int at = LeafColumn.uprightAt(id | LeafColumn.UPRIGHT);
+        if (!b.isUprightObject(id)) {
+            return 0;
+        }
+        double sin = row[at + UprightRows.SIN];
+        double half = row[at + Leaf.SIZE];
+        if (UprightRows.isRound(row, at)) {
+            return DiscDisc.touch(x, z, r, row[at], row[at + 2], half) ? -1 : 1;
+        }
+        return DiscRectangle.sure(
+                x, z, r, row[at], row[at + 2], half, row[at + Leaf.SIZE + 2], row[at + UprightRows.COS], sin);
+    }
+
     private static boolean meshes(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, Scratch s) {
         if (dimension == Dimension.PLANAR) {
             return s.pairs().touch(dimension, a, i, b, j);

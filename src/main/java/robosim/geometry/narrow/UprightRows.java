@@ -29,7 +29,7 @@ final class UprightRows {
     private byte[] kinds = new byte[0];
 
     // What takes a cylinder or sphere for a row copies as many numbers as a row has.
-    private double[] rows = new double[Leaf.STRIDE];
+    private double[] rows = Outline.rows(0, Leaf.STRIDE);
 
     private final double[] spread = new double[Leaf.STRIDE];
 

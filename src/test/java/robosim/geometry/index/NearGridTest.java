@@ -108,8 +108,9 @@ class NearGridTest {
             cursor.startBox(query[0], query[1], query[2], query[3]);
         } else if (way == 2) {
             cursor.startPoint(query[0], query[1], reach);
-        } else if (!cursor.startNear(query[0], query[1], query[2], query[3])) {
-            return gathered(query, but);
+        } else {
+            BitSet near = QuadTreeTest.near(cursor, QuadTreeTest.outlines(cursor), query);
+            return near == null ? gathered(query, but) : near;
         }
         int id = next(way, reach);
         while (id >= 0) {
@@ -120,9 +121,7 @@ class NearGridTest {
     }
 
     private int next(int way, double reach) {
-        return way == 1
-                ? cursor.next()
-                : way == 2 ? cursor.next(reach) : cursor.nextNear(QuadTreeTest.outlines(cursor));
+        return way == 1 ? cursor.next() : cursor.next(reach);
     }
 
     @Test

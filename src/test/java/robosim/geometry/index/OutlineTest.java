@@ -14,7 +14,7 @@ class OutlineTest {
     private static final int COUNT = 300;
 
     private final SplittableRandom random = new SplittableRandom(5);
-    private final double[] outlines = new double[Outline.length(COUNT)];
+    private final double[] outlines = Outline.rows(COUNT, 0);
 
     private QuadCursor scene(double size, double offset) {
         QuadTree tree = new QuadTree(-size, -size, size, size);
@@ -93,11 +93,8 @@ class OutlineTest {
         for (int k = 0; k < 1000; k++) {
             double[] corner = corner(random.nextInt(COUNT), random.nextBoolean() ? 1 : -1, 1);
             double width = random.nextInt(3);
-            boolean isNear = cursor.startNear(corner[0], corner[1], corner[0] + width, corner[1] + width);
-            BitSet ids = new BitSet();
-            for (int id = isNear ? cursor.nextNear(outlines) : -1; id >= 0; id = cursor.nextNear(outlines)) {
-                ids.set(id);
-            }
+            double[] box = {corner[0], corner[1], corner[0] + width, corner[1] + width};
+            BitSet ids = QuadTreeTest.near(cursor, outlines, box);
             int count = cursor.gather(corner[0], corner[1], corner[0] + width, corner[1] + width, -1, outlines);
             BitSet gathered = new BitSet();
             for (int i = 0; i < count; i++) {
@@ -109,13 +106,13 @@ class OutlineTest {
                     assertThat(gathered.get(id))
                             .as("%d near %s, %s", id, corner[0], corner[1])
                             .isTrue();
-                    assertThat(ids.get(id) || !isNear)
+                    assertThat(ids == null || ids.get(id))
                             .as("%d near %s, %s", id, corner[0], corner[1])
                             .isTrue();
                     near++;
                 }
             }
-            small += isNear ? 1 : 0;
+            small += ids != null ? 1 : 0;
             leftOut += COUNT - gathered.cardinality();
         }
         assertThat(small).isGreaterThan(300);
@@ -128,7 +125,7 @@ class OutlineTest {
     void raysReachPointsFarAway() {
         int count = 10_000;
         QuadTree tree = new QuadTree(0, 0, 1, 1);
-        double[] points = new double[Outline.length(count)];
+        double[] points = Outline.rows(count, 0);
         for (int id = 0; id < count; id++) {
             double x = random.nextDouble();
             double z = random.nextDouble();

@@ -8,6 +8,7 @@ import java.math.MathContext;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.SplittableRandom;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -473,32 +474,32 @@ class QuadTreeTest {
             ids.set(id);
         }
         assertThat(ids).isEqualTo(expected);
-        assertNear(cursor, boxes, query, expected);
+        assertNear(cursor, query, expected);
         assertThat(tree.size()).isEqualTo(size);
         return ids.cardinality();
     }
 
-    /** What is near a small box is all that meets it, and nothing that rounding cannot have brought near. */
-    private static void assertNear(QuadCursor cursor, double[][] boxes, double[] query, BitSet expected) {
-        if (!cursor.startNear(query[0], query[1], query[2], query[3])) {
-            return;
+    /** What is near a small box is all that meets it. */
+    private static void assertNear(QuadCursor cursor, double[] query, BitSet expected) {
+        BitSet ids = near(cursor, outlines(cursor), query);
+        if (ids != null) {
+            BitSet missed = (BitSet) expected.clone();
+            missed.andNot(ids);
+            assertThat(missed.isEmpty()).as("missed: %s", missed).isTrue();
         }
+    }
+
+    /** Who is near a box, or null where it is not small. */
+    static @Nullable BitSet near(QuadCursor cursor, double[] outlines, double[] box) {
         BitSet ids = new BitSet();
-        double[] outlines = outlines(cursor);
-        for (int id = cursor.nextNear(outlines); id >= 0; id = cursor.nextNear(outlines)) {
+        double halfX = QuadCursor.half(box[0], box[2]);
+        double halfZ = QuadCursor.half(box[1], box[3]);
+        int asked = cursor.near(box[0] / 2 + box[2] / 2, box[1] / 2 + box[3] / 2, halfX, halfZ, outlines, id -> {
             ids.set(id);
-        }
-        BitSet missed = (BitSet) expected.clone();
-        missed.andNot(ids);
-        assertThat(missed.isEmpty()).as("missed: %s", missed).isTrue();
-        ids.andNot(expected);
-        ids.stream().forEach(id -> {
-            double[] box = boxes[id];
-            double gap = Math.max(
-                    Math.max(box[0] - query[2], query[0] - box[2]), Math.max(box[1] - query[3], query[1] - box[3]));
-            double most = Arrays.stream(box).map(Math::abs).max().orElseThrow();
-            assertThat(gap).as("box %d near", id).isLessThanOrEqualTo(0x1p-22 * most + Float.MIN_VALUE);
+            return false;
         });
+        assertThat(asked).isNotEqualTo(QuadCursor.ENOUGH);
+        return asked == QuadCursor.ALL ? ids : null;
     }
 
     // Some at random, some along the axes, some exactly at corners or along borders.
@@ -552,7 +553,7 @@ class QuadTreeTest {
     /** An outline of every box. */
     static double[] outlines(QuadCursor cursor) {
         double[] boxes = cursor.boxes();
-        double[] outlines = new double[Outline.length(boxes.length / 6)];
+        double[] outlines = Outline.rows(boxes.length / 6, 0);
         for (int id = 0; id < boxes.length / 6; id++) {
             int at = 6 * id;
             Outline.write(outlines, id, boxes[at], boxes[at + 2], boxes[at + 3], boxes[at + 5]);
