@@ -13,6 +13,11 @@ final class Beams {
     private final double[] vector = new double[3];
     private final Fan fan = new Fan();
 
+    // Where a beam begins that stands on an object.
+    private double ox;
+    private double oy;
+    private double oz;
+
     Beams(Dimension dimension, Bodies bodies, Ranging ranging) {
         this.dimension = dimension;
         this.bodies = bodies;
@@ -67,14 +72,19 @@ final class Beams {
             double min,
             double max,
             double width) {
+        mount(id, x, y, z);
+        bodies.toWorld(id, dx, dy, dz, vector);
+        return distance(seen, ox, oy, oz, vector[0], vector[1], vector[2], min, max, width, id);
+    }
+
+    /** Takes a point of an object's own frame for where a beam begins. */
+    private void mount(int id, double x, double y, double z) {
         double[] places = bodies.places();
         int at = bodies.place(id);
         bodies.toWorld(id, x, y, z, vector);
-        double ox = places[at] + vector[0];
-        double oy = places[at + 1] + vector[1];
-        double oz = places[at + 2] + vector[2];
-        bodies.toWorld(id, dx, dy, dz, vector);
-        return distance(seen, ox, oy, oz, vector[0], vector[1], vector[2], min, max, width, id);
+        ox = places[at] + vector[0];
+        oy = places[at + 1] + vector[1];
+        oz = places[at + 2] + vector[2];
     }
 
     /** A sweep of single rays from a point of an object's own frame, level with it, as many as there is room for. */
@@ -93,12 +103,7 @@ final class Beams {
         Arguments.angle("stepDegrees", stepDegrees);
         Arguments.range(min, max);
         Arguments.present("out", out);
-        double[] places = bodies.places();
-        int at = bodies.place(id);
-        bodies.toWorld(id, x, y, z, vector);
-        double ox = places[at] + vector[0];
-        double oy = places[at + 1] + vector[1];
-        double oz = places[at + 2] + vector[2];
+        mount(id, x, y, z);
         for (int k = 0; k < out.length; k++) {
             fan.aim(firstDegrees, stepDegrees, k);
             bodies.toWorld(id, fan.x(), 0, fan.z(), vector);
