@@ -44,6 +44,8 @@ final class Tiles {
      */
     private final int base;
 
+    private final int rowStep;
+
     /** Of divided tiles, by {@code NONE - length}. */
     private Tiles[] inner = {};
 
@@ -89,6 +91,7 @@ final class Tiles {
         stepsZ = Sketch.STEPS * scaleZ;
         this.maxX = maxX;
         this.maxZ = maxZ;
+        rowStep = TileLists.STRIDE * (countX + 2);
         base = store.append((countX + 2) * (countZ + 2) + 1);
         for (int row = -1; row <= countZ; row++) {
             store.data[at(-1, row)] = OUT;
@@ -142,12 +145,12 @@ final class Tiles {
 
     /** The place of a tile's list. */
     int at(int column, int row) {
-        return base + TileLists.STRIDE * ((row + 1) * (countX + 2) + column + 1);
+        return base + (row + 1) * rowStep + TileLists.STRIDE * (column + 1);
     }
 
     /** How far apart those of two rows are. */
     int rowStep() {
-        return TileLists.STRIDE * (countX + 2);
+        return rowStep;
     }
 
     /** The column of a place; never decreases with it. */
