@@ -1,10 +1,9 @@
 package robosim.geometry;
 
-import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.index.OctTree;
-import robosim.geometry.index.RayTarget;
+import robosim.geometry.index.QuadCursor;
 import robosim.geometry.index.SpaceKeys;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Cast;
@@ -34,9 +33,16 @@ final class Ranging {
     private static final int FEW = 4;
     private boolean hasHeights;
     private double highest;
-    private final Line line = new Line();
     private int hit;
     private int hitLeaf;
+
+    /** How many objects are remembered that a ray has been tried on. */
+    private static final int RECENT = 8;
+
+    /** By the last bits of an id: the query's number above the id. */
+    private final long[] recent = new long[RECENT];
+
+    private long query;
 
     /** The sides of the cone seen from above: outward normals; both zero where it has none. */
     private double leftX;
@@ -142,7 +148,46 @@ final class Ranging {
         if (dx == 0 && dz == 0) {
             return nearestAboveOrBelow(level, reach, ignored);
         }
-        return line.nearest(level, ignored, reach);
+        return nearestInTree(level, reach, ignored, dx, dz);
+    }
+
+    private double nearestInTree(Level level, double limit, int but, double dx, double dz) {
+        boolean isFlat = level.dimension == Dimension.PLANAR;
+        double slack = slack(level);
+        double inverse = cast.inverseLength();
+        double[] outlines = level.leaves().outlines();
+        QuadCursor cursor = level.cursor;
+        double reach = limit;
+        double last = loose(reach, slack) * inverse;
+        query += 1L << Integer.SIZE;
+        cursor.startRay(ox, oz, dx, dz);
+        for (int id = cursor.nextOnRay(last, outlines); id >= 0; id = cursor.nextOnRay(last, outlines)) {
+            if (id != but) {
+                reach = isFlat ? tryOnPlane(level, id, outlines, reach) : tryOnce(level, id, reach);
+                last = loose(reach, slack) * inverse;
+            }
+        }
+        return reach;
+    }
+
+    private double tryOnPlane(Level level, int id, double[] outlines, double reach) {
+        double found = cast.upright(outlines, id);
+        if (Double.isNaN(found)) {
+            return tryOnce(level, id, reach);
+        }
+        take(found, id | level.mark, id | LeafColumn.UPRIGHT);
+        return best < reach ? best : reach;
+    }
+
+    /** Tries an object that may come again and again along a ray, as it lies across regions. */
+    private double tryOnce(Level level, int id, double reach) {
+        long mark = query | id;
+        int place = id & (RECENT - 1);
+        if (recent[place] == mark || !isAtHeight(level, id, reach)) {
+            return reach;
+        }
+        recent[place] = mark;
+        return tryBody(level, id, reach);
     }
 
     private double nearestAboveOrBelow(Level level, double limit, int but) {
@@ -255,10 +300,13 @@ final class Ranging {
     }
 
     private void tryLeaf(Level level, LeafColumn leaves, int id, int leaf, double reach) {
-        double found = cast.distance(leaves, leaf, best < reach ? best : reach);
-        if (found < best || (found == best && hit >= 0 && bodies.isEarlier(id | level.mark, hit))) {
+        take(cast.distance(leaves, leaf, best < reach ? best : reach), id | level.mark, leaf);
+    }
+
+    private void take(double found, int id, int leaf) {
+        if (found < best || (found == best && hit >= 0 && bodies.isEarlier(id, hit))) {
             best = found;
-            hit = id | level.mark;
+            hit = id;
             hitLeaf = leaf;
         }
     }
@@ -311,37 +359,5 @@ final class Ranging {
             case 1 -> oy + at * cast.unit(1);
             default -> oz + at * cast.unit(2);
         };
-    }
-
-    /** The line on its way through a level's quadtree, where places are given in lengths of its direction. */
-    private final class Line implements RayTarget {
-        private @Nullable Level level;
-        private int ignored;
-        private double slack;
-        private double inverse;
-        private double reach;
-
-        /** Tries what the line may meet; answers how far there is still to look. */
-        double nearest(Level of, int but, double limit) {
-            level = of;
-            ignored = but;
-            slack = slack(of);
-            inverse = cast.inverseLength();
-            reach = limit;
-            double[] outlines = of.leaves().outlines();
-            of.cursor.trace(ox, oz, cast.way(0), cast.way(2), loose(limit, slack) * inverse, outlines, this);
-            return reach;
-        }
-
-        @Override
-        public double meet(int id, double limit) {
-            Level of = Objects.requireNonNull(level);
-            if (id == ignored || !isAtHeight(of, id, reach)) {
-                return limit;
-            }
-            double before = reach;
-            reach = tryBody(of, id, before);
-            return reach < before ? loose(reach, slack) * inverse : limit;
-        }
     }
 }

@@ -29,6 +29,9 @@ public final class QuadCursor {
     private final TileGathering gathering = new TileGathering();
     private int layer;
 
+    /** Whether the ray is answered by the regions, in order. */
+    private boolean isInOrder;
+
     // The box, for the layers to come.
     private double x0;
     private double z0;
@@ -39,7 +42,7 @@ public final class QuadCursor {
         this.tree = tree;
         layers = tree.tiles;
         Tiles none = Tiles.single();
-        walk = new TileWalk(line);
+        walk = new TileWalk(line, none);
         scan = new TileScan(none);
     }
 
@@ -149,14 +152,12 @@ public final class QuadCursor {
     }
 
     /**
-     * Lets a target meet all objects whose boxes the ray may meet at a parameter up to the limit, region by region, as long
-     * as the target wants. A point of the ray is its start plus the parameter times the direction.
+     * Starts the query for all objects whose outlines a ray may meet; take them with {@link #nextOnRay}. A point of the ray is
+     * its start plus a parameter times the direction.
      *
-     * @param limit at least 0; may be infinite
-     * @return the target's last limit
      * @throws IllegalArgumentException where the start is not finite, or the direction zero or not finite
      */
-    public double trace(double ox, double oz, double dx, double dz, double limit, double[] outlines, RayTarget target) {
+    public void startRay(double ox, double oz, double dx, double dz) {
         double sum = Math.abs(ox) + Math.abs(oz);
         double speed = Math.abs(dx) + Math.abs(dz);
         if (!(sum < Double.POSITIVE_INFINITY && speed > 0 && speed < Double.POSITIVE_INFINITY)) {
@@ -165,33 +166,55 @@ public final class QuadCursor {
         }
         tree.settle();
         line.start(ox, oz, dx, dz, tree.most);
+        layer = 0;
+        isInOrder = false;
         if (!line.isOrdinary()) {
-            return traceInOrder(ox, oz, dx, dz, limit, target);
+            startInOrder();
+        } else if (!walkOn()) {
+            walk.stop();
         }
-        double left = limit;
-        for (int k = 0; k < layers.count(); k++) {
-            Tiles tiles = layers.get(k);
-            if (!tiles.isEmpty()) {
-                double before = left;
-                left = walk.trace(tiles, before, outlines, target);
-                if (Double.isNaN(left)) { // too far away: all in order then
-                    return traceInOrder(ox, oz, dx, dz, before, target);
-                }
-            }
-        }
-        return left;
     }
 
-    private double traceInOrder(double ox, double oz, double dx, double dz, double limit, RayTarget target) {
-        tree.growRegions();
-        ordered.startRay(tree.regions, ox, oz, dx, dz, limit);
-        double left = limit;
-        for (int id = ordered.next(tree.regions, tree.boxes, left);
-                id >= 0;
-                id = ordered.next(tree.regions, tree.boxes, left)) {
-            left = target.meet(id, left);
+    /** Turns to the next layer, or to all objects in order where the ray is too far from it; false after the last layer. */
+    private boolean walkOn() {
+        Tiles tiles = nextLayer();
+        if (tiles == null) {
+            return false;
         }
-        return left;
+        if (!walk.start(tiles)) {
+            startInOrder();
+        }
+        return true;
+    }
+
+    private void startInOrder() {
+        isInOrder = true;
+        tree.growRegions();
+        ordered.startRay(tree.regions, line.ox(), line.oz(), line.dx(), line.dz(), Double.POSITIVE_INFINITY);
+    }
+
+    /**
+     * The next object that the ray may meet at a parameter up to the limit, region by region, maybe again; -1 after the last.
+     *
+     * @param limit at least 0; may be infinite, and may shrink from call to call
+     */
+    public int nextOnRay(double limit, double[] outlines) {
+        if (isInOrder) {
+            return ordered.next(tree.regions, tree.boxes, limit);
+        }
+        int id = walk.next(limit, outlines);
+        return id == Tiles.NONE ? nextFarther(limit, outlines) : id;
+    }
+
+    private int nextFarther(double limit, double[] outlines) {
+        int id = Tiles.NONE;
+        while (id == Tiles.NONE && walkOn()) {
+            if (isInOrder) {
+                return ordered.next(tree.regions, tree.boxes, limit);
+            }
+            id = walk.next(limit, outlines);
+        }
+        return id;
     }
 
     /**

@@ -1,8 +1,10 @@
 package robosim.geometry.index;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * A ray's way over {@link Tiles}, front to back: from each tile to the neighbour through whose side the ray leaves it, and
- * of what each lists the objects whose outlines the ray's line may meet.
+ * of what each lists the objects whose outlines the ray may meet; one that lies on several tiles may come again.
  *
  * <p>Why none is missed: in tiles, the start is {@code g = (o - origin) scale}, wrong by at most {@code 2^-52 |g|}, which moves
  * the ray by as much. The parameter at which the ray crosses the k-th line between tiles is {@code (line - g) / v} and k times
@@ -17,13 +19,32 @@ final class TileWalk {
     private static final double LEAST = 0x1p-300;
 
     private final Line line;
+    private Tiles tiles;
+    private int[] data;
+
+    // The parameters at which the ray enters the next tile, and crosses the lines after it.
+    private double from;
+    private double crossX;
+    private double crossZ;
+    private double tileX;
+    private double tileZ;
+
+    /** The next tile, and how far its neighbours are in the store. */
+    private int tile;
+
+    private int nextX;
+    private int nextZ;
+
+    /** The next object of the list that is read, and the list's end. */
+    private int entry;
+
+    private int end;
+    private boolean isWithin;
+    private @Nullable TileWalk inner;
     private long visited;
 
-    /** The ray, and which objects it was given last: one for a walk and those within its tiles. */
+    /** A ray: one for a walk and those within its tiles. */
     static final class Line {
-        /** How many objects are remembered, so that one that lies on several tiles comes once or twice. */
-        private static final int RECENT = 8;
-
         private double ox;
         private double oz;
         private double dx;
@@ -35,11 +56,6 @@ final class TileWalk {
         /** What rounding may do to how far an outline is aside. */
         private double aside;
 
-        /** By the last bits of an id: the query's number above the id. */
-        private final long[] recent = new long[RECENT];
-
-        private long query;
-
         /** Takes a new ray in a world where no coordinate is of a greater magnitude than the most. */
         void start(double x, double z, double wayX, double wayZ, double most) {
             ox = x;
@@ -50,81 +66,76 @@ final class TileWalk {
             aside = 0x1p-47 * (most + (Math.abs(x) + Math.abs(z))) * (Math.abs(wayX) + Math.abs(wayZ)) + 0x1p-1000;
             double square = wayX * wayX + wayZ * wayZ;
             halfSquare = square > 0x1p-900 && square < 0x1p900 ? square / 2 : Double.POSITIVE_INFINITY;
-            query += 1L << Integer.SIZE;
+        }
+
+        double ox() {
+            return ox;
+        }
+
+        double oz() {
+            return oz;
+        }
+
+        double dx() {
+            return dx;
+        }
+
+        double dz() {
+            return dz;
         }
 
         /** Whether no product of a place and the direction can overflow. */
         boolean isOrdinary() {
             return aside < 0x1p960;
         }
-
-        /** The middle of the way to a reach, times the direction; 0 where that is beyond all numbers. */
-        private double half(double reach) {
-            double half = reach * halfSquare;
-            return half < Double.POSITIVE_INFINITY ? half : 0;
-        }
-
-        /** As long, or for ever, and wide of what rounding does. */
-        private double margin(double reach) {
-            return reach * halfSquare * (1 + 0x1p-48) + aside;
-        }
-
-        private boolean isNew(int id) {
-            long mark = query | id;
-            int place = id & (RECENT - 1);
-            boolean isNew = recent[place] != mark;
-            recent[place] = mark;
-            return isNew;
-        }
     }
 
-    TileWalk(Line line) {
+    TileWalk(Line line, Tiles any) {
         this.line = line;
+        tiles = any;
+        data = any.store.data;
     }
 
     long visited() {
-        return visited;
+        return visited + (inner == null ? 0 : inner.visited());
     }
 
-    /**
-     * Walks the line over tiles and lets the target meet each object whose outline it may meet on a tile that begins within
-     * the reach.
-     *
-     * @return how far there is still to look; NaN, and nothing was met, where the line begins too far away or is too slow
-     */
-    double trace(Tiles over, double limit, double[] outlines, RayTarget target) {
-        return trace(over, false, limit, outlines, target);
+    void stop() {
+        end = entry;
+        from = Double.NaN;
+        isWithin = false;
     }
 
-    private double trace(Tiles over, boolean isWithin, double limit, double[] outlines, RayTarget target) {
+    /** Starts where the line begins; false, and there is nothing to take, where that is too far away or it is too slow. */
+    boolean start(Tiles over) {
+        return start(over, false);
+    }
+
+    private boolean start(Tiles over, boolean isPart) {
         Line l = line;
         double vx = l.dx * over.scaleX;
         double vz = l.dz * over.scaleZ;
         double gx = (l.ox - over.originX) * over.scaleX;
         double gz = (l.oz - over.originZ) * over.scaleZ;
-        double from = 0;
+        tiles = over;
+        data = over.store.data;
+        isWithin = false;
+        from = 0;
         boolean isInside = gx >= 0 && gx <= over.countX && gz >= 0 && gz <= over.countZ;
         boolean isOrdinary = isInside && Math.abs(vx) > LEAST && Math.abs(vz) > LEAST;
         if (!isOrdinary) {
+            from = Double.NaN;
             if (over.isSingle()) {
-                return read(over, over.at(0, 0), limit, outlines, target);
+                read(over.at(0, 0));
+                return true;
             }
-            if (!isWithin && !isNear(gx, gz, vx, vz)) {
-                return Double.NaN;
+            if (!isPart && !isNear(gx, gz, vx, vz)) {
+                stop();
+                return false;
             }
             from = isInside ? 0 : entry(over, gx, gz, vx, vz);
         }
-        double reach = over.hasRest() ? read(over, over.rest(), limit, outlines, target) : limit;
-        if (!(from <= reach)) {
-            return reach;
-        }
-        double dx = l.dx;
-        double dz = l.dz;
-        double ox = l.ox;
-        double oz = l.oz;
-        double aside = l.aside;
-        double half = l.half(reach);
-        double margin = l.margin(reach);
+        read(over.rest());
         // -1 for a falling coordinate, else 0, without a branch that would be guessed wrong half of the time.
         int fallX = (int) (Double.doubleToRawLongBits(vx) >> 63);
         int fallZ = (int) (Double.doubleToRawLongBits(vz) >> 63);
@@ -134,65 +145,120 @@ final class TileWalk {
         boolean alongZ = Math.abs(vz) > FLAT * Math.abs(vx);
         double inverseX = 1 / vx;
         double inverseZ = 1 / vz;
-        double crossX = alongX ? (column + 1 + fallX - gx) * inverseX : Double.POSITIVE_INFINITY;
-        double crossZ = alongZ ? (row + 1 + fallZ - gz) * inverseZ : Double.POSITIVE_INFINITY;
-        double tileX = Math.abs(inverseX);
-        double tileZ = Math.abs(inverseZ);
-        int nextX = (1 + 2 * fallX) * TileLists.STRIDE;
-        int nextZ = (1 + 2 * fallZ) * over.rowStep();
-        int[] data = over.store.data;
-        int tile = over.at(column, row);
-        int steps = 0;
-        do {
-            steps++;
-            int length = data[tile];
-            int listed = TileLists.first(data, tile, length);
-            if (crossX < crossZ) {
-                from = crossX;
-                tile += nextX;
-                crossX += tileX;
-            } else {
-                from = crossZ;
-                tile += nextZ;
-                crossZ += tileZ;
-            }
-            for (int k = listed; k < listed + length; k++) {
-                int id = data[k];
-                if (meets(outlines, Outline.at(id), ox, oz, dx, dz, aside, half, margin) && l.isNew(id)) {
-                    reach = target.meet(id, reach);
-                    half = l.half(reach);
-                    margin = l.margin(reach);
-                }
-            }
-            if (length < 0) {
-                if (length == Tiles.OUT) {
-                    break;
-                }
-                reach = trace(over.within(length), true, reach, outlines, target);
-                half = l.half(reach);
-                margin = l.margin(reach);
-            }
-        } while (from <= reach);
-        visited += steps;
-        return reach;
+        crossX = alongX ? (column + 1 + fallX - gx) * inverseX : Double.POSITIVE_INFINITY;
+        crossZ = alongZ ? (row + 1 + fallZ - gz) * inverseZ : Double.POSITIVE_INFINITY;
+        tileX = Math.abs(inverseX);
+        tileZ = Math.abs(inverseZ);
+        nextX = (1 + 2 * fallX) * TileLists.STRIDE;
+        nextZ = (1 + 2 * fallZ) * over.rowStep();
+        tile = over.at(column, row);
+        return true;
     }
 
-    /** Reads a list that is not a tile's to walk over. */
-    private double read(Tiles over, int at, double limit, double[] outlines, RayTarget target) {
-        Line l = line;
-        int[] data = over.store.data;
-        int first = TileLists.first(data, at, data[at]);
-        int last = first + data[at];
-        double reach = limit;
-        for (int k = first; k < last; k++) {
-            int id = data[k];
-            double half = l.half(reach);
-            double margin = l.margin(reach);
-            if (meets(outlines, Outline.at(id), l.ox, l.oz, l.dx, l.dz, l.aside, half, margin) && l.isNew(id)) {
-                reach = target.meet(id, reach);
+    private void read(int place) {
+        entry = TileLists.first(data, place, data[place]);
+        end = entry + data[place];
+    }
+
+    /**
+     * The next object whose outline the line may meet on its way to the limit, on a tile that begins within it; {@link
+     * Tiles#NONE} after the last. The limit may shrink from call to call.
+     */
+    int next(double limit, double[] outlines) {
+        while (true) {
+            int id = isWithin ? within().next(limit, outlines) : Tiles.NONE;
+            if (id != Tiles.NONE) {
+                return id;
+            }
+            isWithin = false;
+            id = nextListed(limit, outlines);
+            if (!isWithin) {
+                return id;
             }
         }
-        return reach;
+    }
+
+    private TileWalk within() {
+        if (inner == null) {
+            inner = new TileWalk(line, tiles);
+        }
+        return inner;
+    }
+
+    /** The same, but where it comes to a divided tile it only starts there: a loop without calls, all in registers. */
+    private int nextListed(double limit, double[] outlines) {
+        Line l = line;
+        double ox = l.ox;
+        double oz = l.oz;
+        double dx = l.dx;
+        double dz = l.dz;
+        double aside = l.aside;
+        double middle = limit * l.halfSquare;
+        double half = middle < Double.POSITIVE_INFINITY ? middle : 0;
+        double margin = middle * (1 + 0x1p-48) + aside;
+        double enter = from;
+        double nearX = crossX;
+        double nearZ = crossZ;
+        double wideX = tileX;
+        double wideZ = tileZ;
+        int[] lists = data;
+        int at = tile;
+        int stepX = nextX;
+        int stepZ = nextZ;
+        int listed = entry;
+        int last = end;
+        int steps = 0;
+        int found = Tiles.NONE;
+        int length = 0;
+        search:
+        while (true) {
+            while (listed < last) {
+                int id = lists[listed++];
+                if (meets(outlines, Outline.at(id), ox, oz, dx, dz, aside, half, margin)) {
+                    found = id;
+                    break search;
+                }
+            }
+            if (!(enter <= limit)) {
+                break;
+            }
+            steps++;
+            length = lists[at];
+            listed = TileLists.first(lists, at, length);
+            last = listed + length;
+            // The nearer of the two lines, without a branch.
+            long isX = Double.doubleToRawLongBits(nearX - nearZ) >> 63;
+            enter = Double.longBitsToDouble(
+                    (Double.doubleToRawLongBits(nearX) & isX) | (Double.doubleToRawLongBits(nearZ) & ~isX));
+            at += (stepX & (int) isX) | (stepZ & ~(int) isX);
+            nearX += Double.longBitsToDouble(Double.doubleToRawLongBits(wideX) & isX);
+            nearZ += Double.longBitsToDouble(Double.doubleToRawLongBits(wideZ) & ~isX);
+            if (length < 0) {
+                listed = last;
+                break;
+            }
+        }
+        from = enter;
+        crossX = nearX;
+        crossZ = nearZ;
+        tile = at;
+        entry = listed;
+        end = last;
+        visited += steps;
+        if (length < 0) {
+            turn(length);
+        }
+        return found;
+    }
+
+    /** Goes into a divided tile, or no farther. */
+    private void turn(int length) {
+        if (length == Tiles.OUT) {
+            from = Double.NaN;
+        } else {
+            within().start(tiles.within(length), true);
+            isWithin = true;
+        }
     }
 
     /** Whether the line may meet an outline on its way to the reach. */
@@ -213,10 +279,12 @@ final class TileWalk {
         double cos = outlines[at + Outline.COS];
         double sin = outlines[at + Outline.SIN];
         // The direction along the outline's own axes.
-        double wayX = Math.abs(dx * cos - dz * sin);
-        double wayZ = Math.abs(dx * sin + dz * cos);
-        double across = (halfX * wayZ + halfZ * wayX + aside) - Math.abs(offX * dz - offZ * dx);
-        double along = (halfX * wayX + halfZ * wayZ + margin) - Math.abs(offX * dx + offZ * dz - half);
+        double wayX = Math.abs(Math.fma(dx, cos, -(dz * sin)));
+        double wayZ = Math.abs(Math.fma(dx, sin, dz * cos));
+        double across =
+                Math.fma(halfX, wayZ, Math.fma(halfZ, wayX, aside)) - Math.abs(Math.fma(offX, dz, -(offZ * dx)));
+        double along = Math.fma(halfX, wayX, Math.fma(halfZ, wayZ, margin))
+                - Math.abs(Math.fma(offX, dx, Math.fma(offZ, dz, -half)));
         // Two comparisons in one branch: a negative difference is a gap.
         return (Double.doubleToRawLongBits(across) | Double.doubleToRawLongBits(along)) >= 0;
     }

@@ -1,5 +1,6 @@
 package robosim.geometry.narrow;
 
+import robosim.geometry.index.Outline;
 import robosim.geometry.model.Dimension;
 
 /**
@@ -110,9 +111,6 @@ public final class Cast {
     /** Distance from the start to the leaf; +Infinity where it is missed; what is beyond the limit may be too. */
     public double distance(LeafColumn column, int leaf, double limit) {
         triangle = -1;
-        if (LeafColumn.isUpright(leaf) && dimension == Dimension.PLANAR && !cone) {
-            return upright(column, leaf);
-        }
         int kind = column.kind(leaf);
         if (!Leaf.isMesh(kind)) {
             return convex(kind, column.rows(leaf), column.at(leaf));
@@ -139,28 +137,25 @@ public final class Cast {
         return nearest;
     }
 
-    /** As {@link #convex}, without a row where doubles can tell. */
-    private double upright(LeafColumn column, int leaf) {
-        double[] row = column.outlines();
-        int at = LeafColumn.uprightAt(leaf);
-        double cx = row[at];
-        double cz = row[at + 2];
-        double size = row[at + Leaf.SIZE];
-        double distance = UprightRows.isRound(row, at)
-                ? RayDisc.distance(ox, oz, dx, dz, cx, cz, size)
-                : RayRectangle.sure(
-                        ox,
-                        oz,
-                        dx,
-                        dz,
-                        cx,
-                        cz,
-                        size,
-                        row[at + Leaf.SIZE + 2],
-                        row[at + UprightRows.COS],
-                        row[at + UprightRows.SIN]);
-        boolean isSure = distance > Magnified.SMALL || (isFarFromOrigin && !Double.isNaN(distance));
-        return isSure ? distance : convex(column.kind(leaf), column.rows(leaf), column.at(leaf));
+    /**
+     * Distance from the start of a line in PLANAR to an upright object by its number, +Infinity where it is missed; NaN
+     * where it is no such object or doubles cannot tell.
+     */
+    public double upright(double[] outlines, int id) {
+        int at = Outline.at(id);
+        if (!UprightRows.isHere(outlines, at)) {
+            return Double.NaN;
+        }
+        double cx = outlines[at + Outline.X];
+        double cz = outlines[at + Outline.Z];
+        double halfX = outlines[at + Outline.HALF_X];
+        double cos = outlines[at + Outline.COS];
+        double sin = outlines[at + Outline.SIN];
+        double distance = UprightRows.isRound(outlines, at)
+                ? RayDisc.distance(ox, oz, dx, dz, cx, cz, halfX)
+                : RayRectangle.sure(ox, oz, dx, dz, cx, cz, halfX, outlines[at + Outline.HALF_Z], cos, sin);
+        // Only a small distance may have been spoiled by what underflowed.
+        return distance > Magnified.SMALL || isFarFromOrigin ? distance : Double.NaN;
     }
 
     private double judge(int place) {

@@ -100,7 +100,12 @@ final class UprightRows {
 
     /** Whether what is at a place stands here. */
     boolean isHere(int place) {
-        return !Double.isNaN(rows[Outline.at(place) + Y]);
+        return isHere(rows, Outline.at(place));
+    }
+
+    /** The same of the place where a row begins. */
+    static boolean isHere(double[] rows, int at) {
+        return !Double.isNaN(rows[at + Y]);
     }
 
     /** Gives up room that there is for more. */

@@ -64,10 +64,11 @@ class OutlineTest {
             double limit = random.nextInt(3) == 0 ? 0.5 : 2;
             BitSet ids = new BitSet();
             double slack = 0x1p-44 * (Math.abs(ox) + Math.abs(oz)) / (Math.abs(dx) + Math.abs(dz));
-            cursor.trace(ox, oz, dx, dz, limit + slack, outlines, (id, reach) -> {
+            cursor.startRay(ox, oz, dx, dz);
+            for (int id = cursor.nextOnRay(limit + slack, outlines); id >= 0; ) {
                 ids.set(id);
-                return reach;
-            });
+                id = cursor.nextOnRay(limit + slack, outlines);
+            }
             for (int id = 0; id < COUNT; id++) {
                 if (!isSeparate(id, ox, oz, dx, dz, limit)) {
                     assertThat(ids.get(id))
@@ -138,10 +139,11 @@ class OutlineTest {
             BitSet ids = new BitSet();
             double x = points[Outline.at(id) + Outline.X];
             double z = points[Outline.at(id) + Outline.Z];
-            cursor.trace(0, 0, x, z, 1 + 0x1p-40, points, (each, reach) -> {
+            cursor.startRay(0, 0, x, z);
+            for (int each = cursor.nextOnRay(1 + 0x1p-40, points); each >= 0; ) {
                 ids.set(each);
-                return reach;
-            });
+                each = cursor.nextOnRay(1 + 0x1p-40, points);
+            }
             assertThat(ids.get(target)).as("point %s, %s", x, z).isTrue();
             met += ids.cardinality();
         }

@@ -231,11 +231,11 @@ class QuadTreeTest {
         }
         QuadCursor cursor = tree.cursor();
         BitSet near = new BitSet();
-        double last = cursor.trace(-5, 0.5, 1, 0, 100, outlines(cursor), (id, limit) -> {
+        double[] outlines = outlines(cursor);
+        cursor.startRay(-5, 0.5, 1, 0);
+        for (int id = cursor.nextOnRay(100, outlines); id >= 0; id = cursor.nextOnRay(6, outlines)) {
             near.set(id);
-            return Math.min(limit, 6);
-        });
-        assertThat(last).isEqualTo(6);
+        }
         assertThat(near.get(0, 2).cardinality()).isEqualTo(2);
         assertThat(near.cardinality()).isLessThan(6);
         BitSet ids = collectRay(cursor, new double[] {50.25, 0.5, 0x1p-1040, 0}, Double.POSITIVE_INFINITY);
@@ -347,14 +347,11 @@ class QuadTreeTest {
         assertThat(byBoxes).isBetween((long) queries, 3L * queries);
         for (int i = 0; i < queries; i++) {
             double angle = random.nextDouble(2 * Math.PI);
-            cursor.trace(
-                    random.nextDouble(side),
-                    random.nextDouble(side),
-                    StrictMath.cos(angle),
-                    StrictMath.sin(angle),
-                    Double.POSITIVE_INFINITY,
-                    outlines,
-                    (id, limit) -> 0);
+            cursor.startRay(
+                    random.nextDouble(side), random.nextDouble(side), StrictMath.cos(angle), StrictMath.sin(angle));
+            if (cursor.nextOnRay(Double.POSITIVE_INFINITY, outlines) >= 0) {
+                while (cursor.nextOnRay(0, outlines) >= 0) {}
+            }
         }
         assertThat(cursor.visited() - byBoxes).isBetween((long) queries, 12L * queries);
     }
@@ -406,7 +403,8 @@ class QuadTreeTest {
         for (int i = 0; i < count; i++) {
             double x = (i * 37) % 1000 - WORLD;
             double z = (i * 91) % 1000 - WORLD;
-            cursor.trace(x, z, i % 7 - 3, i % 5 + 1, 1000, outlines, (id, limit) -> limit);
+            cursor.startRay(x, z, i % 7 - 3, i % 5 + 1);
+            while (cursor.nextOnRay(1000, outlines) >= 0) {}
             cursor.startPoint(x, z, 100);
             while (cursor.next(100) >= 0) {}
             cursor.startBox(x, z, x + 50, z + 50);
@@ -538,16 +536,18 @@ class QuadTreeTest {
         // The caller's part: what rounding may do to the way to a box.
         double slack =
                 0x1p-44 * ((Math.abs(ray[0]) + Math.abs(ray[1])) / (Math.abs(ray[2]) + Math.abs(ray[3])) + limit);
-        cursor.trace(ray[0], ray[1], ray[2], ray[3], limit + slack, outlines(cursor), (id, reach) -> {
+        double[] outlines = outlines(cursor);
+        cursor.startRay(ray[0], ray[1], ray[2], ray[3]);
+        for (int id = cursor.nextOnRay(limit + slack, outlines); id >= 0; ) {
             ids.set(id);
-            return reach;
-        });
+            id = cursor.nextOnRay(limit + slack, outlines);
+        }
         return ids;
     }
 
     private static void trace(QuadTree tree, double dx, double dz) {
         QuadCursor cursor = tree.cursor();
-        cursor.trace(0, 0, dx, dz, 1, outlines(cursor), (id, limit) -> limit);
+        cursor.startRay(0, 0, dx, dz);
     }
 
     /** An outline of every box. */
