@@ -261,8 +261,8 @@ final class Population {
         discZ = c.z();
         discRadius = cylinder.radius();
         isDoubtful = false;
-        int near = at.cursor.near(
-                discX, discZ, discRadius, discRadius, at.leaves().outlines(), meetDisc);
+        int near =
+                at.cursor.near(discX, discZ, discRadius, discRadius, at.leaves().outlines(), meetDisc);
         return near == QuadCursor.ALL && isDoubtful ? QuadCursor.TOO_MANY : near;
     }
 
@@ -274,9 +274,6 @@ final class Population {
     }
 
     private boolean meetDisc(int id) {
-        if (id == ignored) {
-            return false;
-        }
         int sure = Overlap.sure(discX, discZ, discRadius, asked.leaves(), id);
         isDoubtful |= sure == 0;
         return sure < 0;

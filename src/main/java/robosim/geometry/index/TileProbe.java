@@ -49,7 +49,7 @@ final class TileProbe {
         int lowZ = (int) Math.fma(fromZ, over.stepsZ, -reachZ);
         int highX = (int) Math.fma(fromX, over.stepsX, reachX);
         int highZ = (int) Math.fma(fromZ, over.stepsZ, reachZ);
-        int tiles = (lowX ^ highX | lowZ ^ highZ) >> Sketch.STEP_BITS;
+        int tiles = ((lowX ^ highX) | (lowZ ^ highZ)) >> Sketch.STEP_BITS;
         int room = (over.countX << Sketch.STEP_BITS) - 1 - highX | (over.countZ << Sketch.STEP_BITS) - 1 - highZ;
         if (tiles == 0 && (lowX | lowZ | room) >= 0) {
             int tile = over.at(lowX >> Sketch.STEP_BITS, lowZ >> Sketch.STEP_BITS);
