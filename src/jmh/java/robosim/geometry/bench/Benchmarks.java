@@ -1,5 +1,6 @@
 package robosim.geometry.bench;
 
+import com.fasterxml.jackson.core.JsonFactory;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import joptsimple.OptionParser;
@@ -77,6 +78,7 @@ public final class Benchmarks {
                 StatUtils.class,
                 STRtree.class,
                 World.class,
+                JsonFactory.class,
                 Nullable.class);
     }
 }

@@ -32,6 +32,9 @@ public final class QuadCursor {
     /** Whether the ray is answered by the regions, in order. */
     private boolean isInOrder;
 
+    /** Whether a ray has layers still to come. */
+    private boolean hasMore;
+
     // The box, for the layers to come.
     private double x0;
     private double z0;
@@ -142,13 +145,15 @@ public final class QuadCursor {
     }
 
     private @Nullable Tiles nextLayer() {
-        while (layer < layers.count()) {
-            Tiles tiles = layers.get(layer++);
-            if (!tiles.isEmpty()) {
-                return tiles;
-            }
+        return hasLayer() ? layers.get(layer++) : null;
+    }
+
+    /** Turns to the next layer that is not empty, if there is one. */
+    private boolean hasLayer() {
+        while (layer < layers.count() && layers.get(layer).isEmpty()) {
+            layer++;
         }
-        return null;
+        return layer < layers.count();
     }
 
     /**
@@ -168,6 +173,7 @@ public final class QuadCursor {
         line.start(ox, oz, dx, dz, tree.most);
         layer = 0;
         isInOrder = false;
+        hasMore = false;
         if (!line.isOrdinary()) {
             startInOrder();
         } else if (!walkOn()) {
@@ -181,6 +187,7 @@ public final class QuadCursor {
         if (tiles == null) {
             return false;
         }
+        hasMore = hasLayer();
         if (!walk.start(tiles)) {
             startInOrder();
         }
@@ -203,7 +210,7 @@ public final class QuadCursor {
             return ordered.next(tree.regions, tree.boxes, limit);
         }
         int id = walk.next(limit, outlines);
-        return id == Tiles.NONE ? nextFarther(limit, outlines) : id;
+        return id == Tiles.NONE && hasMore ? nextFarther(limit, outlines) : id;
     }
 
     private int nextFarther(double limit, double[] outlines) {

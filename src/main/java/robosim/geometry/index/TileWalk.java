@@ -171,6 +171,9 @@ final class TileWalk {
                 return id;
             }
             isWithin = false;
+            if (entry >= end && !(from <= limit)) {
+                return Tiles.NONE;
+            }
             id = nextListed(limit, outlines);
             if (!isWithin) {
                 return id;

@@ -45,6 +45,7 @@ final class Tiles {
     private final int base;
 
     private final int rowStep;
+    private final int rest;
 
     /** Of divided tiles, by {@code NONE - length}. */
     private Tiles[] inner = {};
@@ -93,6 +94,7 @@ final class Tiles {
         this.maxZ = maxZ;
         rowStep = TileLists.STRIDE * (countX + 2);
         base = store.append((countX + 2) * (countZ + 2) + 1);
+        rest = base + TileLists.STRIDE * (countX + 2) * (countZ + 2);
         for (int row = -1; row <= countZ; row++) {
             store.data[at(-1, row)] = OUT;
             store.data[at(countX, row)] = OUT;
@@ -136,7 +138,7 @@ final class Tiles {
 
     /** The place of the list of what is too large for the tiles. */
     int rest() {
-        return base + TileLists.STRIDE * (countX + 2) * (countZ + 2);
+        return rest;
     }
 
     boolean hasRest() {

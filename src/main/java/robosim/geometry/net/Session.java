@@ -53,6 +53,8 @@ public final class Session {
 
     private @Nullable World world;
     private Set<String> moveable = Set.of();
+    private double radians;
+    private double degrees;
 
     /** With RoboSim's options. */
     public Session() {
@@ -259,14 +261,22 @@ public final class Session {
         }
         Beam beam = request.beam() == null ? options.beam() : request.beam();
         try {
-            double width = Degrees.toDegrees(beam.width());
-            return world.sonar(name, request.xOffset(), request.zOffset(), beam.min(), beam.max(), width);
+            return world.sonar(name, request.xOffset(), request.zOffset(), beam.min(), beam.max(), degrees(beam));
         } catch (IllegalArgumentException e) {
             String reason = reason(e);
             complaints.warn("a distance of object " + Text.quoted(name) + " is NaN: " + reason);
             problems.add(Problem.of(index, reason));
             return Double.NaN;
         }
+    }
+
+    /** How wide a beam is: most often as wide as the last. */
+    private double degrees(Beam beam) {
+        if (beam.width() != radians) {
+            radians = beam.width();
+            degrees = Degrees.toDegrees(radians);
+        }
+        return degrees;
     }
 
     /** Logged, and told to who asks. */
