@@ -47,7 +47,10 @@ final class Population {
     // What is asked: an upright cylinder, or what has been placed, about all at a level but one.
     private Level asked;
     private int ignored;
-    private CylinderObject disc = new CylinderObject(new Point(), 0, 0);
+    private double discX;
+    private double discZ;
+    private double discRadius;
+    private boolean isDoubtful;
     private final NearTarget meetDisc = this::meetDisc;
     private final NearTarget meetCandidate = this::meetCandidate;
 
@@ -230,17 +233,13 @@ final class Population {
 
     /** Whether an object would touch or overlap any in the world but one; any with -1. */
     boolean collides(Level at, GeometryObject object, int but) {
-        asked = at;
         ignored = but;
         Level shared = at.shared();
         if (at.isFlat
                 && shared == null
                 && Arguments.present("object", object) instanceof CylinderObject cylinder
                 && cylinder.pose().isUpright()) {
-            disc = cylinder;
-            Point c = cylinder.center();
-            double r = cylinder.radius();
-            int near = at.cursor.near(c.x(), c.z(), r, r, at.leaves().outlines(), meetDisc);
+            int near = quickly(at, cylinder);
             if (near == QuadCursor.ENOUGH || (near == QuadCursor.ALL && at.moversBesideTree() == 0)) {
                 return near == QuadCursor.ENOUGH;
             }
@@ -254,23 +253,36 @@ final class Population {
         return collidesIn(at, but) || (shared != null && collidesIn(shared, but));
     }
 
+    /** Whether an upright cylinder touches one that is in the tree; also too many where doubles cannot tell. */
+    private int quickly(Level at, CylinderObject cylinder) {
+        ask(at);
+        Point c = cylinder.center();
+        discX = c.x();
+        discZ = c.z();
+        discRadius = cylinder.radius();
+        isDoubtful = false;
+        int near =
+                at.cursor.near(discX, discZ, discRadius, discRadius, at.leaves().outlines(), meetDisc);
+        return near == QuadCursor.ALL && isDoubtful ? QuadCursor.TOO_MANY : near;
+    }
+
+    /** A reference is only written where it is another: that is slow. */
+    private void ask(Level at) {
+        if (asked != at) {
+            asked = at;
+        }
+    }
+
     private boolean meetDisc(int id) {
-        if (id == ignored) {
-            return false;
-        }
-        Point c = disc.center();
-        int sure = Overlap.sure(c.x(), c.z(), disc.radius(), asked.leaves(), id);
-        if (sure == 0) {
-            asked.placed(disc, candidate);
-            return touches(asked, id);
-        }
+        int sure = Overlap.sure(discX, discZ, discRadius, asked.leaves(), id);
+        isDoubtful |= sure == 0;
         return sure < 0;
     }
 
     private boolean collidesIn(Level at, int but) {
         int near = QuadCursor.TOO_MANY;
         if (at.stacks.cursor() == null) {
-            asked = at;
+            ask(at);
             double x = box[0] / 2 + box[3] / 2;
             double z = box[2] / 2 + box[5] / 2;
             double halfX = QuadCursor.half(box[0], box[3]);

@@ -27,52 +27,54 @@ final class TileProbe {
     private double z;
     private double halfX;
     private double halfZ;
-    private double slack;
+    private double most;
 
     /** Takes a rectangle about a place where no coordinate is of a greater magnitude than the most. */
-    void start(double placeX, double placeZ, double toX, double toZ, double most) {
+    void start(double placeX, double placeZ, double toX, double toZ, double mostAnywhere) {
         x = placeX;
         z = placeZ;
         halfX = toX;
         halfZ = toZ;
-        slack = TileGathering.slack(placeX, placeZ, toX, toZ, most);
+        most = mostAnywhere;
     }
 
     /** Lets a target meet those of some tiles, unless the rectangle lies on more than so many. */
-    int ask(Tiles over, int most, double[] outlines, NearTarget target) {
-        double placeX = (x - over.originX) * over.stepsX;
-        double placeZ = (z - over.originZ) * over.stepsZ;
+    int ask(Tiles over, int mostTiles, double[] outlines, NearTarget target) {
+        double fromX = x - over.originX;
+        double fromZ = z - over.originZ;
         double reachX = halfX * over.stepsX;
         double reachZ = halfZ * over.stepsZ;
         // Rounded towards 0, which no object on the tiles is below.
-        int lowX = (int) (placeX - reachX);
-        int lowZ = (int) (placeZ - reachZ);
-        int highX = (int) (placeX + reachX);
-        int highZ = (int) (placeZ + reachZ);
-        int lastX = (over.countX << Sketch.STEP_BITS) - 1;
-        int lastZ = (over.countZ << Sketch.STEP_BITS) - 1;
-        if ((lowX | lowZ | lastX - highX | lastZ - highZ) < 0) {
-            if (!(reachX < MOST_REACH && reachZ < MOST_REACH)) {
-                return TOO_MANY;
-            }
-            lowX = clamp(lowX, lastX);
-            lowZ = clamp(lowZ, lastZ);
-            highX = clamp(highX, lastX);
-            highZ = clamp(highZ, lastZ);
+        int lowX = (int) Math.fma(fromX, over.stepsX, -reachX);
+        int lowZ = (int) Math.fma(fromZ, over.stepsZ, -reachZ);
+        int highX = (int) Math.fma(fromX, over.stepsX, reachX);
+        int highZ = (int) Math.fma(fromZ, over.stepsZ, reachZ);
+        int tiles = ((lowX ^ highX) | (lowZ ^ highZ)) >> Sketch.STEP_BITS;
+        int room = (over.countX << Sketch.STEP_BITS) - 1 - highX | (over.countZ << Sketch.STEP_BITS) - 1 - highZ;
+        if (tiles == 0 && (lowX | lowZ | room) >= 0) {
+            int tile = over.at(lowX >> Sketch.STEP_BITS, lowZ >> Sketch.STEP_BITS);
+            int question = Sketch.question(lowX, lowZ, highX, highZ);
+            return read(over, tile, question, outlines, target) ? ENOUGH : ALL;
         }
+        boolean isFar = !(reachX < MOST_REACH && reachZ < MOST_REACH);
+        return isFar ? TOO_MANY : askMany(over, lowX, lowZ, highX, highZ, mostTiles, outlines, target);
+    }
+
+    private int askMany(
+            Tiles over, int x0, int z0, int x1, int z1, int mostTiles, double[] outlines, NearTarget target) {
+        int lowX = cut(x0, over.countX);
+        int lowZ = cut(z0, over.countZ);
+        int highX = cut(x1, over.countX);
+        int highZ = cut(z1, over.countZ);
         int column = lowX >> Sketch.STEP_BITS;
         int row = lowZ >> Sketch.STEP_BITS;
-        int more = (highX >> Sketch.STEP_BITS) - column;
-        int deeper = (highZ >> Sketch.STEP_BITS) - row;
-        if ((more | deeper) == 0) {
-            int question = Sketch.question(lowX, lowZ, highX, highZ);
-            return read(over, over.at(column, row), question, outlines, target) ? ENOUGH : ALL;
-        }
-        if ((more + 1) * (deeper + 1) > most) {
+        int lastColumn = highX >> Sketch.STEP_BITS;
+        int lastRow = highZ >> Sketch.STEP_BITS;
+        if ((lastColumn - column + 1) * (lastRow - row + 1) > mostTiles) {
             return TOO_MANY;
         }
-        for (int k = row; k <= row + deeper; k++) {
-            for (int j = column; j <= column + more; j++) {
+        for (int k = row; k <= lastRow; k++) {
+            for (int j = column; j <= lastColumn; j++) {
                 int question = Sketch.question(lowX, lowZ, highX, highZ, j, k);
                 if (read(over, over.at(j, k), question, outlines, target)) {
                     return ENOUGH;
@@ -82,8 +84,8 @@ final class TileProbe {
         return ALL;
     }
 
-    private static int clamp(int step, int last) {
-        return Math.max(0, Math.min(step, last));
+    private static int cut(int step, int tiles) {
+        return Math.max(0, Math.min(step, (tiles << Sketch.STEP_BITS) - 1));
     }
 
     private boolean read(Tiles over, int tile, int question, double[] outlines, NearTarget target) {
@@ -121,6 +123,7 @@ final class TileProbe {
 
     private boolean readRows(Tiles over, int tile, double[] outlines, NearTarget target) {
         int[] data = over.store.data;
+        double slack = TileGathering.slack(x, z, halfX, halfZ, most);
         int first = TileLists.first(data, tile, data[tile]);
         for (int k = first; k < first + data[tile]; k++) {
             if (Outline.mayMeet(outlines, data[k], x, z, halfX + slack, halfZ + slack) && target.meet(data[k])) {

@@ -44,6 +44,7 @@ final class Tiles {
      */
     private final int base;
 
+    private final int rowStep;
     private final int rest;
 
     /** Of divided tiles, by {@code NONE - length}. */
@@ -91,6 +92,7 @@ final class Tiles {
         stepsZ = Sketch.STEPS * scaleZ;
         this.maxX = maxX;
         this.maxZ = maxZ;
+        rowStep = TileLists.STRIDE * (countX + 2);
         base = store.append((countX + 2) * (countZ + 2) + 1);
         rest = base + TileLists.STRIDE * (countX + 2) * (countZ + 2);
         for (int row = -1; row <= countZ; row++) {
@@ -145,12 +147,12 @@ final class Tiles {
 
     /** The place of a tile's list. */
     int at(int column, int row) {
-        return base + TileLists.STRIDE * ((row + 1) * (countX + 2) + column + 1);
+        return base + (row + 1) * rowStep + TileLists.STRIDE * (column + 1);
     }
 
     /** How far apart those of two rows are. */
     int rowStep() {
-        return TileLists.STRIDE * (countX + 2);
+        return rowStep;
     }
 
     /** The column of a place; never decreases with it. */

@@ -64,18 +64,23 @@ final class DiscRectangle {
         double doubt = OFFSET * (Math.abs(dx) + Math.abs(dz) + hx + hz) + UNDERFLOW;
         double beyondX = Math.abs(dx * c - dz * s) - hx * square;
         double beyondZ = Math.abs(dx * s + dz * c) - hz * square;
-        double leastX = Math.max(0, beyondX - doubt);
-        double leastZ = Math.max(0, beyondZ - doubt);
+        double leastX = positive(beyondX - doubt);
+        double leastZ = positive(beyondZ - doubt);
         double near = r * r * square;
         double slack = SQUARES * near + UNDERFLOW;
         double least = leastX * leastX + leastZ * leastZ;
         if (least > (near + slack) + SQUARES * least) {
             return 1;
         }
-        double mostX = Math.max(0, beyondX + doubt);
-        double mostZ = Math.max(0, beyondZ + doubt);
+        double mostX = positive(beyondX + doubt);
+        double mostZ = positive(beyondZ + doubt);
         double most = mostX * mostX + mostZ * mostZ;
         return most < (near - slack) - SQUARES * most || (mostX == 0 && mostZ == 0) ? -1 : 0;
+    }
+
+    /** The number, or 0 where it is below; exact, and without a comparison. */
+    private static double positive(double number) {
+        return (number + Math.abs(number)) / 2;
     }
 
     private static boolean doubtfulTouch(double px, double pz, double r, double[] row, int at) {

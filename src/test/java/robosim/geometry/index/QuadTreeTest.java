@@ -489,6 +489,36 @@ class QuadTreeTest {
         }
     }
 
+    /** Only on one tile, but with a middle so far away that rounding could lose the end there. */
+    @Test
+    void boxesFromFarAwayAreNotSmall() {
+        QuadTree tree = new QuadTree(0, 0, 64, 64);
+        for (int id = 0; id < 100; id++) {
+            tree.add(id, id % 10 * 6, id / 10 * 6, id % 10 * 6 + 1, id / 10 * 6 + 1);
+        }
+        QuadCursor cursor = tree.cursor();
+        for (double reach = 64; reach < 0x1p90; reach *= 4) {
+            BitSet beside = near(cursor, outlines(cursor), new double[] {0.5 - 2 * reach, 0, 0.5, 1});
+            assertThat(beside == null ? reach > 0x1p20 : reach < 0x1p40 && beside.get(0))
+                    .as("reach %s", reach)
+                    .isTrue();
+        }
+    }
+
+    @Test
+    void halvesReachBothEnds() {
+        SplittableRandom random = new SplittableRandom(17);
+        for (int k = 0; k < 10_000; k++) {
+            double min = random.nextDouble(-1, 1) * Math.scalb(1.0, random.nextInt(-5, 5));
+            double max = Math.max(min, random.nextInt(4) == 0 ? Math.nextUp(min) : random.nextDouble(-1, 1));
+            BigDecimal middle = new BigDecimal(min / 2 + max / 2);
+            BigDecimal half = new BigDecimal(QuadCursor.half(min, max));
+            assertThat(middle.subtract(half)).isLessThanOrEqualTo(new BigDecimal(min));
+            assertThat(middle.add(half)).isGreaterThanOrEqualTo(new BigDecimal(max));
+            assertThat(half).isLessThanOrEqualTo(new BigDecimal((max - min) * 0.5 + 0x1p-50 * (max + 2 - min) * 32));
+        }
+    }
+
     /** Who is near a box, or null where it is not small. */
     static @Nullable BitSet near(QuadCursor cursor, double[] outlines, double[] box) {
         BitSet ids = new BitSet();
