@@ -505,6 +505,29 @@ class QuadTreeTest {
         }
     }
 
+    /** A long box that ends in a divided tile: of the small parts of that it reaches over many more than of the tiles. */
+    @Test
+    void boxesFromFarAwayMeetCrowds() {
+        SplittableRandom random = new SplittableRandom(71);
+        QuadTree tree = new QuadTree(0, 0, 64, 64);
+        for (int id = 0; id < 300; id++) {
+            double width = id < 100 ? 64 : id < 200 ? 1 : 0x1p-6;
+            double x = random.nextDouble(width);
+            double z = random.nextDouble(width);
+            tree.add(id, x, z, x, z);
+        }
+        QuadCursor cursor = tree.cursor();
+        int small = 0;
+        for (double reach = 1; reach < 0x1p40; reach *= 2) {
+            BitSet near = near(cursor, outlines(cursor), new double[] {0x1p-6 - 2 * reach, 0, 0x1p-6, 0x1p-6});
+            if (near != null) {
+                assertThat(near.get(200, 300).cardinality()).as("reach %s", reach).isEqualTo(100);
+                small++;
+            }
+        }
+        assertThat(small).isBetween(20, 30);
+    }
+
     @Test
     void halvesReachBothEnds() {
         SplittableRandom random = new SplittableRandom(17);
