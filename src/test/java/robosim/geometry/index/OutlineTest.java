@@ -179,7 +179,9 @@ class OutlineTest {
                 }
                 for (int id = 0; id < count; id++) {
                     if (QuadTreeTest.Entry.exact(ray, boxes[id]) != null) {
-                        assertThat(ids.get(id)).as("%d of %s from %s", id, base, ray[0]).isTrue();
+                        assertThat(ids.get(id))
+                                .as("%d of %s from %s", id, base, ray[0])
+                                .isTrue();
                         hits++;
                     }
                 }
