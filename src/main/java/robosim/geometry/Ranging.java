@@ -162,7 +162,8 @@ final class Ranging {
         query += 1L << Integer.SIZE;
         cursor.startRay(ox, oz, dx, dz);
         for (int id = cursor.nextOnRay(last, outlines); id >= 0; id = cursor.nextOnRay(last, outlines)) {
-            if (id != but) {
+            // What is the nearest so far comes again where it lies across regions.
+            if (id != but && (id | level.mark) != hit) {
                 reach = isFlat ? tryOnPlane(level, id, outlines, reach) : tryOnce(level, id, reach);
                 last = loose(reach, slack) * inverse;
             }

@@ -149,8 +149,8 @@ final class TileLayers {
                 minX - roomX, minZ - roomZ, maxX + roomX, maxZ + roomZ, tiles(objects) >> coarser, new TileLists(true));
     }
 
-    /** Somewhat more than one tile an object, and room for more where their number grows. */
+    /** About one tile an object, and a half more where their number grows. */
     private long tiles(long objects) {
-        return objects + (isGrowing ? objects / 2 : objects / 4);
+        return isGrowing ? objects + objects / 2 : objects;
     }
 }
