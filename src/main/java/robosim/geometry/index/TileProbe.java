@@ -7,8 +7,9 @@ package robosim.geometry.index;
  *
  * <p>Why none is missed: where a rectangle of a reach below 2^30 steps ends within a window, its place is less than 2^31 steps
  * from the corner. So a difference, two products and a sum, each rounded by 2^-53 of itself, misjudge that end by less than
- * 2^-19 steps, which is far below {@link Tiles#MARGIN}, by which every object is listed beyond its box and drawn wider. An end
- * beyond the window counts as on its edge: who meets only there is listed on a tile beside, or out of these tiles.
+ * 2^-19 steps, which is far below {@link Tiles#MARGIN}, by which every object is listed beyond its box and drawn wider. In
+ * divided tiles steps are up to 2^12 times as fine, and the same rectangle's end is misjudged by less than 2^-7 of them: still
+ * below. An end beyond the window counts as on its edge: who meets only there is listed on a tile beside, or out of these tiles.
  */
 final class TileProbe {
     /** The target wants no more. */
@@ -20,7 +21,7 @@ final class TileProbe {
     /** The target has met all. */
     static final int ALL = 1;
 
-    /** In steps. */
+    /** In steps, of tiles that are no part of others. */
     private static final double MOST_REACH = 0x1p30;
 
     private double x;
@@ -38,8 +39,12 @@ final class TileProbe {
         most = mostAnywhere;
     }
 
-    /** Lets a target meet those of some tiles, unless the rectangle lies on more than so many. */
+    /** Lets a target meet those of some tiles, unless the rectangle lies on more than so many or reaches too far. */
     int ask(Tiles over, int mostTiles, double[] outlines, NearTarget target) {
+        return ask(over, mostTiles, MOST_REACH, outlines, target);
+    }
+
+    private int ask(Tiles over, int mostTiles, double mostReach, double[] outlines, NearTarget target) {
         double fromX = x - over.originX;
         double fromZ = z - over.originZ;
         double reachX = halfX * over.stepsX;
@@ -56,7 +61,7 @@ final class TileProbe {
             int question = Sketch.question(lowX, lowZ, highX, highZ);
             return read(over, tile, question, outlines, target) ? ENOUGH : ALL;
         }
-        boolean isFar = !(reachX < MOST_REACH && reachZ < MOST_REACH);
+        boolean isFar = !(reachX < mostReach && reachZ < mostReach);
         return isFar ? TOO_MANY : askMany(over, lowX, lowZ, highX, highZ, mostTiles, outlines, target);
     }
 
@@ -107,7 +112,7 @@ final class TileProbe {
         if (length < 0) {
             Tiles inner = over.within(length);
             return readRows(inner, inner.rest(), outlines, target)
-                    || ask(inner, Integer.MAX_VALUE, outlines, target) == ENOUGH;
+                    || ask(inner, Integer.MAX_VALUE, Double.POSITIVE_INFINITY, outlines, target) == ENOUGH;
         }
         if (sketches.length == 0) {
             return readRows(over, tile, outlines, target);

@@ -323,6 +323,9 @@ final class Tiles {
         int length = store.data[tile];
         double x = originX + column / scaleX;
         double z = originZ + row / scaleZ;
+        if (isCoarse(x, 1 / scaleX) || isCoarse(z, 1 / scaleZ)) {
+            return;
+        }
         Tiles parts = new Tiles(x, z, x + 1 / scaleX, z + 1 / scaleZ, length, MOST_INNER, store);
         if (parts.isSingle() || parts.holdsFew(TileLists.first(store.data, tile, length), length, boxes)) {
             return;
@@ -340,6 +343,11 @@ final class Tiles {
         }
         inner[innerCount] = parts;
         store.data[tile] = NONE - innerCount++;
+    }
+
+    /** Whether places are rounded so much there that parts of a tile might leave out a strip as wide as their margin. */
+    private static boolean isCoarse(double place, double side) {
+        return side < 0x1p20 * Math.ulp(Math.abs(place) + side);
     }
 
     /** Whether most of a list would be too large for these tiles. */

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import robosim.geometry.Geometry;
@@ -72,6 +73,18 @@ class DiscsAgainstPairsTest {
             }
         }
         assertThat(placed).isBetween(Math.min(1, movers), movers);
+    }
+
+    /** The square about a disc meets the box, the disc does not: it counts as what stands for it at the level that is asked. */
+    @Test
+    void isCoarseWhereTheQuestionIs() {
+        Geometry world = new Geometry(64, 4, 64, Dimension.PLANAR, Accuracy.EXACT);
+        assertThat(world.addObject(new BoxObject(new Point(1, 0, 1), 0.5, 1, 0.5)))
+                .isTrue();
+        CylinderObject disc = new CylinderObject(new Point(), 0.875, 1);
+        assertThat(world.testObject(disc)).isFalse();
+        assertThat(world.testObject(disc, Accuracy.EXACT)).isFalse();
+        assertThat(world.testObject(disc, Accuracy.AABB)).isTrue();
     }
 
     private boolean meetsAny(GeometryObject object, int but) {

@@ -49,6 +49,20 @@ class SmallThingsTest {
         }
     }
 
+    /** So near the origin that squares vanish: the answers are those of the same scene at a size that is usual, to the bit. */
+    @Test
+    void raysInAFlatWorldShrinkWithTheScene() {
+        for (double size : new double[] {1, 0x1p-250, 0x1p-530}) {
+            Ray ray = new Ray(new Point(), new Point(1, 0, 0));
+            assertThat(planar(disc(size)).getRayDistance(ray, 0, INFINITE, 0) / size)
+                    .isEqualTo(planar(disc(1)).getRayDistance(ray, 0, INFINITE, 0));
+        }
+    }
+
+    private static CylinderObject disc(double size) {
+        return new CylinderObject(new Point(3.1 * size, 0, 0.37 * size), 1.07 * size, size);
+    }
+
     @Test
     void aDiscDoesNotTouchASpotElsewhere() {
         MeshObject spot = new MeshObject(

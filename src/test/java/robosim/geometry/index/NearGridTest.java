@@ -95,6 +95,7 @@ class NearGridTest {
         BitSet ids = new BitSet();
         int count = cursor.gather(query[0], query[1], query[2], query[3], but, QuadTreeTest.outlines(cursor));
         for (int k = 0; k < count; k++) {
+            assertThat(boxes[cursor.gathered(k)]).as("one that is gone").isNotNull();
             ids.set(cursor.gathered(k));
         }
         assertThat(ids.get(but < 0 ? OBJECTS : but)).isFalse();

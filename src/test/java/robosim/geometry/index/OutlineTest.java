@@ -151,6 +151,45 @@ class OutlineTest {
         assertThat(cursor.visited()).as("tiles").isGreaterThan(50L * count);
     }
 
+    /** Down through a crowd in a tile of few ulps, whose parts could not be placed where they belong. */
+    @Test
+    void raysMeetCrowdsFarFromTheOrigin() {
+        int count = 160;
+        int hits = 0;
+        for (int scene = 0; scene < 20; scene++) {
+            double base = Math.scalb(1.0, 30 + scene);
+            QuadTree tree = new QuadTree(base, 0, base + 280, 1);
+            double[] rows = Outline.rows(count, 0);
+            double[][] boxes = new double[count][];
+            for (int id = 0; id < count; id++) {
+                double x = base + (id % 2 == 0 ? random.nextInt(280) : 100 + random.nextInt(8));
+                double z = id % 2 == 0 ? random.nextDouble() : random.nextDouble(0.02);
+                boxes[id] = new double[] {x, z, x + random.nextInt(2), z};
+                tree.add(id, boxes[id][0], z, boxes[id][2], z);
+                Outline.write(rows, id, boxes[id][0], z, boxes[id][2], z);
+            }
+            QuadCursor cursor = tree.cursor();
+            for (int k = 0; k < 500; k++) {
+                double[] ray = {base + 100 + random.nextInt(10), 1.5, random.nextDouble(-1, 1), -1};
+                BitSet ids = new BitSet();
+                cursor.startRay(ray[0], ray[1], ray[2], ray[3]);
+                for (int id = cursor.nextOnRay(2, rows); id >= 0; ) {
+                    ids.set(id);
+                    id = cursor.nextOnRay(2, rows);
+                }
+                for (int id = 0; id < count; id++) {
+                    if (QuadTreeTest.Entry.exact(ray, boxes[id]) != null) {
+                        assertThat(ids.get(id))
+                                .as("%d of %s from %s", id, base, ray[0])
+                                .isTrue();
+                        hits++;
+                    }
+                }
+            }
+        }
+        assertThat(hits).isGreaterThan(10_000);
+    }
+
     /** A corner, rounded. */
     private double[] corner(int id, int signX, int signZ) {
         int at = Outline.at(id);

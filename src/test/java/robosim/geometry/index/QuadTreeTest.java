@@ -244,6 +244,43 @@ class QuadTreeTest {
                 .isEqualTo(50);
     }
 
+    /** A ray that is fast enough for a walk over small tiles, and too slow for one over the large ones after them. */
+    @Test
+    void aSlowRayGoesOnToLargerTiles() {
+        SplittableRandom random = new SplittableRandom(72);
+        QuadTree tree = new QuadTree(0, 0, 256, 256);
+        for (int id = 0; id < 500; id++) {
+            double size = id < 400 ? 1 : 60;
+            double x = random.nextDouble(200);
+            double z = random.nextDouble(200);
+            tree.add(id, x, z, x + size, z + size);
+        }
+        tree.settle();
+        Tiles small = tree.tiles.get(0);
+        Tiles large = tree.tiles.get(1);
+        assertThat(large.isSingle()).isFalse();
+        double least = Math.min(small.scaleX, small.scaleZ);
+        double most = Math.max(large.scaleX, large.scaleZ);
+        assertThat(least).isGreaterThan(1.1 * most);
+        double slow = 0x1p-300 / Math.sqrt(least * most);
+        double[][] boxes = new double[500][];
+        QuadCursor cursor = tree.cursor();
+        for (int id = 0; id < boxes.length; id++) {
+            double[] b = tree.boxes();
+            boxes[id] = new double[] {b[6 * id], b[6 * id + 2], b[6 * id + 3], b[6 * id + 5]};
+        }
+        double[] ray = {1, 1, slow, slow};
+        BitSet ids = collectRay(cursor, ray, Double.POSITIVE_INFINITY);
+        int hits = 0;
+        for (int id = 0; id < boxes.length; id++) {
+            if (Entry.exact(ray, boxes[id]) != null) {
+                assertThat(ids.get(id)).as("box %d", id).isTrue();
+                hits += id < 400 ? 0 : 1;
+            }
+        }
+        assertThat(hits).isPositive();
+    }
+
     /** A ray of every slope from every side of a lattice of boxes that touch the lines between tiles, to the bit. */
     @Test
     void raysBesideTheLinesBetweenTilesMissNothing() {
@@ -503,6 +540,31 @@ class QuadTreeTest {
                     .as("reach %s", reach)
                     .isTrue();
         }
+    }
+
+    /** A long box that ends in a divided tile: of the small parts of that it reaches over many more than of the tiles. */
+    @Test
+    void boxesFromFarAwayMeetCrowds() {
+        SplittableRandom random = new SplittableRandom(71);
+        QuadTree tree = new QuadTree(0, 0, 64, 64);
+        for (int id = 0; id < 300; id++) {
+            double width = id < 100 ? 64 : id < 200 ? 1 : 0x1p-6;
+            double x = random.nextDouble(width);
+            double z = random.nextDouble(width);
+            tree.add(id, x, z, x, z);
+        }
+        QuadCursor cursor = tree.cursor();
+        int small = 0;
+        for (double reach = 1; reach < 0x1p40; reach *= 2) {
+            BitSet near = near(cursor, outlines(cursor), new double[] {0x1p-6 - 2 * reach, 0, 0x1p-6, 0x1p-6});
+            if (near != null) {
+                assertThat(near.get(200, 300).cardinality())
+                        .as("reach %s", reach)
+                        .isEqualTo(100);
+                small++;
+            }
+        }
+        assertThat(small).isBetween(20, 30);
     }
 
     @Test
