@@ -44,7 +44,8 @@ final class Population {
 
     private final double[] box = new double[6];
 
-    // What is asked: an upright cylinder, or what has been placed, about all at a level but one.
+    // What is asked: an upright cylinder about all that stand still, or what has been placed about all at a level but
+    // one.
     private Level asked;
     private int ignored;
     private double discX;
@@ -253,7 +254,10 @@ final class Population {
         return collidesIn(at, but) || (shared != null && collidesIn(shared, but));
     }
 
-    /** Whether an upright cylinder touches one that is in the tree; also too many where doubles cannot tell. */
+    /**
+     * Whether an upright cylinder touches one that is in the tree and stands still: enough where it does, all where it does
+     * not, too many where it is not told so quickly, as with a moveable one nearby.
+     */
     private int quickly(Level at, CylinderObject cylinder) {
         ask(at);
         Point c = cylinder.center();

@@ -152,7 +152,7 @@ final class Ranging {
     }
 
     private double nearestInTree(Level level, double limit, int but, double dx, double dz) {
-        boolean isFlat = level.dimension == Dimension.PLANAR;
+        boolean isPlanar = level.dimension == Dimension.PLANAR;
         double slack = slack(level);
         double inverse = cast.inverseLength();
         double[] outlines = level.leaves().outlines();
@@ -164,7 +164,7 @@ final class Ranging {
         for (int id = cursor.nextOnRay(last, outlines); id >= 0; id = cursor.nextOnRay(last, outlines)) {
             // What is the nearest so far comes again where it lies across regions.
             if (id != but && (id | level.mark) != hit) {
-                reach = isFlat ? tryOnPlane(level, id, outlines, reach) : tryOnce(level, id, reach);
+                reach = isPlanar ? tryOnPlane(level, id, outlines, reach) : tryOnce(level, id, reach);
                 last = loose(reach, slack) * inverse;
             }
         }

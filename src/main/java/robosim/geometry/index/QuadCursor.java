@@ -121,17 +121,12 @@ public final class QuadCursor {
         double halfX = maxX / 2 - minX / 2;
         double halfZ = maxZ / 2 - minZ / 2;
         gathering.startAbout(minX / 2 + maxX / 2, minZ / 2 + maxZ / 2, halfX, halfZ, tree.most, but);
-        gatherTiles(Integer.MAX_VALUE, outlines);
-        return gathering.count();
-    }
-
-    private boolean gatherTiles(int most, double[] outlines) {
         for (int k = 0; k < layers.count(); k++) {
-            if (!layers.get(k).isEmpty() && !gathering.gather(layers.get(k), most, outlines)) {
-                return false;
+            if (!layers.get(k).isEmpty()) {
+                gathering.gather(layers.get(k), outlines);
             }
         }
-        return true;
+        return gathering.count();
     }
 
     /** The k-th object that was gathered. */

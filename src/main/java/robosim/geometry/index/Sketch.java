@@ -5,10 +5,10 @@ package robosim.geometry.index;
  * beside. It tells of most objects of a tile that they are not near without a look at where they are.
  */
 final class Sketch {
-    /** Parts of a tile. */
-    static final int STEPS = 1 << Sketch.STEP_BITS;
-
     static final int STEP_BITS = 5;
+
+    /** Parts of a tile. */
+    static final int STEPS = 1 << STEP_BITS;
 
     /** What rounding may do to a place, in steps. */
     private static final double SLACK = STEPS * Tiles.MARGIN;

@@ -64,15 +64,12 @@ final class TileGathering {
         return ids[k];
     }
 
-    /** Adds the objects whose outlines may meet; answers false, and adds none, where it would take more tiles than these. */
-    boolean gather(Tiles over, int mostTiles, double[] outlines) {
+    /** Adds the objects whose outlines may meet. */
+    void gather(Tiles over, double[] outlines) {
         int column = over.column(x - wide, 0);
         int row = over.row(z - deep, 0);
         int more = over.column(x + wide, 0) - column;
         int deeper = over.row(z + deep, 0) - row;
-        if ((more + 1) * (deeper + 1) > mostTiles) {
-            return false;
-        }
         if (over.hasRest()) {
             read(over, over.rest(), outlines);
         }
@@ -85,7 +82,6 @@ final class TileGathering {
             first += over.rowStep();
             last += over.rowStep();
         }
-        return true;
     }
 
     /** Adds what counts of a list. */
@@ -113,7 +109,7 @@ final class TileGathering {
         int[] data = over.store.data;
         int length = data[tile];
         if (length < 0) {
-            gather(over.within(length), Integer.MAX_VALUE, outlines);
+            gather(over.within(length), outlines);
             return;
         }
         while (count + length > ids.length) {

@@ -6,8 +6,8 @@ import java.util.Arrays;
  * The lists of objects of all {@link Tiles} of a layer, also of those within others, in one array. A tile has a place of
  * {@link #STRIDE} numbers: how long its list of ids is, and as long as it has room the list itself, else where it begins. Most
  * lists are that short, and one look at memory is all that a query needs of a tile. Where a list is shorter still, {@link
- * Outline#NOWHERE} fills its room: so who would guess wrong how long it is can read all of it. Of many objects another array
- * has, where an id stands in the first, the object's {@link Sketch} about the tile.
+ * Outline#NOWHERE} fills its room: so who would guess wrong how long it is can read all of it. Another array has, where an
+ * id stands in the first, the object's {@link Sketch} about the tile.
  */
 final class TileLists {
     /** Numbers of a tile's place. */
@@ -23,7 +23,7 @@ final class TileLists {
 
     int[] data = new int[16];
 
-    /** Empty where these are not kept: to look at an object itself is as quick as long as all are in a cache. */
+    /** Empty where these are not kept: of a single tile they tell nothing. */
     int[] sketches;
 
     private int used;

@@ -84,9 +84,9 @@ final class TileWalk {
             return dz;
         }
 
-        /** Whether no product of a place and the direction can overflow. */
+        /** Whether no product of a place or a tile and the direction can overflow. */
         boolean isOrdinary() {
-            return aside < 0x1p960;
+            return aside < 0x1p960 && Math.abs(dx) + Math.abs(dz) < 0x1p600;
         }
     }
 
@@ -197,8 +197,9 @@ final class TileWalk {
         double dz = l.dz;
         double aside = l.aside;
         double middle = limit * l.halfSquare;
-        double half = middle < Double.POSITIVE_INFINITY ? middle : 0;
-        double margin = middle * (1 + 0x1p-48) + aside;
+        boolean isFinite = middle < 0x1p1000;
+        double half = isFinite ? middle : 0;
+        double margin = isFinite ? middle * (1 + 0x1p-48) + aside : Double.POSITIVE_INFINITY;
         double enter = from;
         double nearX = crossX;
         double nearZ = crossZ;

@@ -30,22 +30,7 @@ public final class Overlap {
 
     /** A disc, as seen from above, and a leaf of half a row: without a whole one where doubles can tell. */
     private static boolean disc(int kindA, double[] a, int i, int kindB, LeafColumn b, int j, Scratch s) {
-        double[] row = b.uprightRows();
-        int at = LeafColumn.uprightAt(j);
-        double r = a[i + Leaf.SIZE];
-        if (kindB != Leaf.UPRIGHT_BOX) {
-            return DiscDisc.touch(a[i], a[i + 2], r, row[at], row[at + 2], row[at + Leaf.SIZE]);
-        }
-        int sure = DiscRectangle.sure(
-                a[i],
-                a[i + 2],
-                r,
-                row[at],
-                row[at + 2],
-                row[at + Leaf.SIZE],
-                row[at + Leaf.SIZE + 2],
-                row[at + UprightRows.COS],
-                row[at + UprightRows.SIN]);
+        int sure = sure(a[i], a[i + 2], a[i + Leaf.SIZE], b.uprightRows(), LeafColumn.uprightAt(j));
         return sure == 0 ? PlanarOverlap.test(kindA, a, i, kindB, b.rows(j), b.at(j), s) : sure < 0;
     }
 
@@ -54,11 +39,12 @@ public final class Overlap {
      * where doubles cannot tell or the object's leaves are others.
      */
     public static int sure(double x, double z, double r, LeafColumn b, int id) {
-        double[] row = b.uprightRows();
-        int at = LeafColumn.uprightAt(id | LeafColumn.UPRIGHT);
-        if (!b.isUprightObject(id)) {
-            return 0;
-        }
+        return b.isUprightObject(id)
+                ? sure(x, z, r, b.uprightRows(), LeafColumn.uprightAt(id | LeafColumn.UPRIGHT))
+                : 0;
+    }
+
+    private static int sure(double x, double z, double r, double[] row, int at) {
         double sin = row[at + UprightRows.SIN];
         double half = row[at + Leaf.SIZE];
         if (UprightRows.isRound(row, at)) {

@@ -48,12 +48,17 @@ class AllocationTest {
         for (int k = 0; k < rays.length; k++) {
             rays[k] = new Ray(place(5), new Point(coordinate(), dimension == Dimension.PLANAR ? 0 : 1, coordinate()));
         }
+        GeometryObject[] bodies = new GeometryObject[64];
+        for (int k = 0; k < bodies.length; k++) {
+            bodies[k] = object(k % 4).movedTo(place(5));
+        }
         Ray mount = new Ray(new Point(0.3, 0.2, 0.1), new Point(1, 0.1, 0.5));
         Point mast = new Point(0.1, 0.4, 0);
         double[] distances = new double[19];
 
         assertAllocatesNothing("simpleMove", k -> geometry.simpleMove(robot(k), step(k), 0, 0) ? 1 : 0);
         assertAllocatesNothing("simpleTurn", k -> geometry.simpleTurn(robot(k), k % 7 * 23.4 - 60) ? 1 : 0);
+        assertAllocatesNothing("overlap", k -> geometry.testObject(bodies[k * 7 & 63]) ? 1 : 0);
         assertAllocatesNothing("ray", k -> bounded(geometry.getRayDistance(rays[k & 63], 0, 100, 0)));
         assertAllocatesNothing("cone", k -> bounded(geometry.getRayDistance(rays[k & 63], 0, 100, 1 + k % 40)));
         assertAllocatesNothing("coarse", k -> bounded(geometry.getRayDistance(rays[k & 63], 0, 99, 0, Accuracy.OBB)));

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Tiles with and without sketches, which a world has only when it is large, against a list of boxes. */
+/** Tiles with and without sketches against a list of boxes. */
 class TilesTest {
     private static final int COUNT = 400;
     private static final double SIDE = 40;
