@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 
@@ -89,7 +90,8 @@ public final class Peers {
                 String[] words = line.split(" ", -1);
                 lines.add(new Line(words[0], words[1], words[2], Double.parseDouble(words[3])));
                 if (aloud) {
-                    System.out.println(line);
+                    words[3] = String.format(Locale.ROOT, "%.1f", least(lines, words[0], words[1], words[2]));
+                    System.out.println(String.join(" ", words));
                 }
             }
         }
