@@ -44,8 +44,7 @@ final class Population {
 
     private final double[] box = new double[6];
 
-    // What is asked: an upright cylinder about all that stand still, or what has been placed about all at a level but
-    // one.
+    // What is asked: an upright cylinder about all that stand still, or what has been placed about all but one.
     private Level asked;
     private int ignored;
     private double discX;

@@ -190,6 +190,28 @@ class OutlineTest {
         assertThat(hits).isGreaterThan(10_000);
     }
 
+    /** No limit and no direction is too great or too small to tell. */
+    @Test
+    void raysOfAnySpeedMeetWhatTheyStartIn() {
+        QuadCursor cursor = scene(64, 0);
+        for (double speed : new double[] {0x1p-1000, 0x1p-470, 1, 0x1p470, 0x1p640, 0x1p1000}) {
+            for (double limit : new double[] {0, 1, 0x1p1000, Double.MAX_VALUE, Double.POSITIVE_INFINITY}) {
+                for (int id = 0; id < COUNT; id++) {
+                    int at = Outline.at(id);
+                    cursor.startRay(outlines[at + Outline.X], outlines[at + Outline.Z], speed, -speed);
+                    BitSet ids = new BitSet();
+                    for (int each = cursor.nextOnRay(limit, outlines); each >= 0; ) {
+                        ids.set(each);
+                        each = cursor.nextOnRay(limit, outlines);
+                    }
+                    assertThat(ids.get(id))
+                            .as("%d at %s up to %s", id, speed, limit)
+                            .isTrue();
+                }
+            }
+        }
+    }
+
     /** A corner, rounded. */
     private double[] corner(int id, int signX, int signZ) {
         int at = Outline.at(id);
