@@ -1,0 +1,69 @@
+package robosim.geometry.census;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.SplittableRandom;
+
+/** What came of one kernel's cases, by regime. */
+final class Count {
+    private static final int FAILURES = 5;
+
+    /** What came of one regime. */
+    static final class Row {
+        long random;
+        long adversarial;
+        double early;
+        double late;
+        double width;
+        long wrong;
+    }
+
+    final Kernel kernel;
+    final Map<String, Row> rows = new LinkedHashMap<>();
+    final List<String> failures = new ArrayList<>();
+
+    private Count(Kernel kernel) {
+        this.kernel = kernel;
+        for (String regime : kernel.regimes()) {
+            if (rows.put(regime, new Row()) != null) {
+                throw new IllegalArgumentException("two regimes of one name (got: " + regime + ")");
+            }
+        }
+    }
+
+    /** Asks as many plain cases and as many adversarial ones. */
+    static Count of(Kernel kernel, long seed, long cases) {
+        Count count = new Count(kernel);
+        for (boolean adversarial : new boolean[] {false, true}) {
+            SplittableRandom random =
+                    new SplittableRandom(seed * 31 + kernel.name().hashCode() * 2L + (adversarial ? 1 : 0));
+            for (long k = 0; k < cases; k++) {
+                count.add(kernel.ask(random.split(), adversarial), adversarial);
+            }
+        }
+        return count;
+    }
+
+    private void add(Visit visit, boolean adversarial) {
+        Row row = rows.get(visit.regime());
+        if (row == null) {
+            throw new IllegalArgumentException(kernel.name() + " has no such regime (got: " + visit.regime() + ")");
+        }
+        if (adversarial) {
+            row.adversarial++;
+        } else {
+            row.random++;
+        }
+        row.early = Math.max(row.early, visit.early());
+        row.late = Math.max(row.late, visit.late());
+        row.width = Math.max(row.width, visit.width());
+        if (visit.failure() != null) {
+            row.wrong++;
+            if (failures.size() < FAILURES) {
+                failures.add(kernel.name() + ", " + visit.regime() + ": " + visit.failure());
+            }
+        }
+    }
+}
