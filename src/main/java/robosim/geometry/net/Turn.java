@@ -34,6 +34,7 @@ final class Turn {
     long since;
 
     boolean isLent;
+    boolean isBrief;
     boolean countsAsHeavy;
     private int heavyTurns;
 
@@ -156,6 +157,7 @@ final class Turn {
         since = now;
         state = State.RUNNING;
         countsAsHeavy = isHeavy();
+        isBrief = need() < Turns.SHORT_NANOS && !countsAsHeavy;
         heavyTurns -= countsAsHeavy ? 1 : 0;
     }
 

@@ -6,16 +6,19 @@ import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Who may compute: as many connections at a time as there are processors, each for a slice, so that what one asks costs
- * the others a wait of some slices and no more. Waiting for a peer's bytes, or for a peer to take some, is no computing.
+ * Who may compute, so that what one connection asks costs the others a short wait and no more. Waiting for a peer's bytes,
+ * or for a peer to take some, is no computing.
  *
  * <ul>
- *   <li>Of those that wait, the one is first that needs the least: its key is what it has computed since it last had
- *       nothing to do, or what it computed before in such a time on average, whichever is more. So short questions pass
- *       long ones.
- *   <li>Every fourth turn goes to whoever has waited longest, so that long ones are not held off for ever.
- *   <li>Those that do heavy work (messages above a megabyte, the first questions to a large world) have all turns but one
- *       between them, since they cannot always give way in time.
+ *   <li>What a connection needs is what it has computed since it last had nothing to do, or what it computed before in
+ *       such a time on average, whichever is more. Below a millisecond that is short, else long.
+ *   <li>There are as many turns for short work as there are processors, and as many for long work. So short questions need
+ *       not wait until a long one gives way; which of the two runs then is decided by the system, which prefers threads
+ *       that have slept.
+ *   <li>A turn of long work is over after a slice where others wait. Of those that wait, the one is first that needs the
+ *       least; every fourth turn goes to whoever has waited longest, so that each has at least a quarter of a fair share.
+ *   <li>Heavy work (the first questions to a large world, and what did not give way in time before) has all turns for long
+ *       work but one, and always at least one.
  *   <li>Whoever does not give way for long, within one long question, keeps computing, and another may have its turn.
  *       That holds for as many as there are processors.
  * </ul>
@@ -27,6 +30,9 @@ final class Turns {
     /** How long one that waits lets a turn overrun before it has the turn lent. */
     static final long PATIENCE_NANOS = 10_000_000;
 
+    /** Whoever needs less has turns of his own. */
+    static final long SHORT_NANOS = 1_000_000;
+
     /** One turn in so many goes to whoever has waited longest. */
     private static final int EVERY = 4;
 
@@ -35,9 +41,11 @@ final class Turns {
     private final LongSupplier clock;
     private final List<Turn> waiting = new ArrayList<>();
     private final List<Turn> running = new ArrayList<>();
-    private int heavy;
 
-    /** How many of those that run do so beside the turns that there are. */
+    /** How many of those that run do short work, how many of the others heavy work, and how many have lent their turn. */
+    private int brief;
+
+    private int heavy;
     private int lent;
 
     private long granted;
@@ -80,7 +88,8 @@ final class Turns {
 
     /** Gives way where its slice is over and others wait; it then waits among them. */
     synchronized void giveWay(Turn turn) {
-        if (turn.state == Turn.State.RUNNING && (turn.isLent || clock.getAsLong() - turn.since >= SLICE_NANOS)) {
+        long slice = turn.isBrief ? SHORT_NANOS : SLICE_NANOS;
+        if (turn.state == Turn.State.RUNNING && (turn.isLent || clock.getAsLong() - turn.since >= slice)) {
             end(turn);
             ask(turn);
         }
@@ -91,29 +100,43 @@ final class Turns {
             return;
         }
         turn.computed(clock.getAsLong() - turn.since);
-        heavy -= turn.countsAsHeavy ? 1 : 0;
-        lent -= turn.isLent ? 1 : 0;
+        count(turn, -1);
         turn.isLent = false;
     }
 
+    private void count(Turn turn, int more) {
+        if (turn.isLent) {
+            lent += more;
+        } else if (turn.isBrief) {
+            brief += more;
+        } else {
+            heavy += turn.countsAsHeavy ? more : 0;
+        }
+    }
+
     private void grant() {
-        while (running.size() - lent < most) {
-            Turn next = granted % EVERY == EVERY - 1 ? longestWaiting() : leastNeeding();
-            if (next == null) {
-                break;
-            }
+        Turn next = next();
+        while (next != null) {
             granted++;
             waiting.remove(next);
             running.add(next);
             next.begin(clock.getAsLong());
-            heavy += next.countsAsHeavy ? 1 : 0;
+            count(next, 1);
             next.wake();
+            next = next();
         }
         wanted = !waiting.isEmpty();
     }
 
+    private @Nullable Turn next() {
+        return granted % EVERY == EVERY - 1 ? longestWaiting() : leastNeeding();
+    }
+
     private boolean mayRun(Turn turn) {
-        return heavy < mostHeavy || !turn.isHeavy();
+        if (turn.need() < SHORT_NANOS && !turn.isHeavy()) {
+            return brief < most;
+        }
+        return running.size() - brief - lent < most && (heavy < mostHeavy || !turn.isHeavy());
     }
 
     private @Nullable Turn longestWaiting() {
@@ -143,9 +166,10 @@ final class Turns {
         }
         for (Turn turn : running) {
             if (!turn.isLent && lent < most && now - turn.since >= SLICE_NANOS + PATIENCE_NANOS) {
+                count(turn, -1);
                 turn.isLent = true;
+                count(turn, 1);
                 turn.heavy();
-                lent++;
             }
         }
         grant();

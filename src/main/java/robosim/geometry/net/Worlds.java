@@ -47,7 +47,7 @@ final class Worlds {
                 if (wanted > 0 && others > 0 && others + wanted > most) {
                     return "the worlds of all connections must fit into " + (most >> 20) + " MiB of memory (got: some "
                             + (wanted >> 20) + " MiB more, beside " + (others >> 20)
-                            + "); ask for a smaller world, or give the module more memory (-Xmx)";
+                            + " MiB); ask for a smaller world, or give the module more memory (-Xmx)";
                 }
                 taken += wanted - own;
                 own = wanted;
