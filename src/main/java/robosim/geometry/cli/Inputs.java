@@ -34,6 +34,12 @@ final class Inputs {
                     spec.commandLine(),
                     parameter + " must be a file; there is none, check the path (got: " + file + ")");
         }
+        if (!Files.isRegularFile(file)) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    parameter + " must be a regular file; this is a pipe, a socket or a device, so save what it gives to"
+                            + " a file first (got: " + file + ")");
+        }
         if (!Files.isReadable(file)) {
             throw new ParameterException(
                     spec.commandLine(),

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Set;
 import org.snakeyaml.engine.v2.api.LoadSettings;
 import org.snakeyaml.engine.v2.composer.Composer;
+import org.snakeyaml.engine.v2.events.Event;
 import org.snakeyaml.engine.v2.exceptions.MarkedYamlEngineException;
 import org.snakeyaml.engine.v2.exceptions.YamlEngineException;
 import org.snakeyaml.engine.v2.nodes.MappingNode;
@@ -14,6 +15,7 @@ import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.NodeTuple;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.SequenceNode;
+import org.snakeyaml.engine.v2.parser.Parser;
 import org.snakeyaml.engine.v2.parser.ParserImpl;
 import org.snakeyaml.engine.v2.scanner.StreamReader;
 
@@ -71,6 +73,7 @@ record MapSettings(
             try {
                 // Composed, not constructed: every value keeps its line, and its text as it was written.
                 LoadSettings settings = LoadSettings.builder().build();
+                shallow(new ParserImpl(settings, new StreamReader(settings, yaml)));
                 root = new Composer(settings, new ParserImpl(settings, new StreamReader(settings, yaml)))
                         .getSingleNode()
                         .orElse(null);
@@ -87,6 +90,30 @@ record MapSettings(
                 entry(entry);
             }
             return settings();
+        }
+
+        /** Refuses what is nested without end: a composer calls itself for each level. */
+        private void shallow(Parser events) throws WorldException {
+            int depth = 0;
+            while (events.hasNext()) {
+                Event event = events.next();
+                switch (event.getEventId()) {
+                    case SequenceStart, MappingStart -> depth++;
+                    case SequenceEnd, MappingEnd -> depth--;
+                    default -> {}
+                }
+                if (depth > Limits.MAX_NESTED) {
+                    int line = event.getStartMark()
+                            .map(mark -> mark.getLine() + 1)
+                            .orElse(0);
+                    throw new WorldException(
+                            source,
+                            line,
+                            0,
+                            "lists and keys must be at most " + Limits.MAX_NESTED
+                                    + " within each other; a map needs two (got: one more)");
+                }
+            }
         }
 
         private void entry(NodeTuple entry) throws WorldException {

@@ -3,7 +3,6 @@ package robosim.geometry.world;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -103,7 +102,7 @@ public final class RosMapReader {
     }
 
     private static byte[] bytes(Path file, long most) throws WorldException {
-        try (InputStream in = Files.newInputStream(file)) {
+        try (InputStream in = RegularFile.open(file)) {
             byte[] bytes = in.readNBytes((int) most + 1);
             if (bytes.length > most) {
                 throw new WorldException(

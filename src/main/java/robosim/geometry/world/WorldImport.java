@@ -60,10 +60,10 @@ public record WorldImport(
         Path last = file.getFileName();
         String name = last == null ? "" : last.toString().toLowerCase(Locale.ROOT);
         if (Files.isDirectory(file)) {
-            return SdfReader.read(SdfFiles.modelOf(file), options.models());
+            return SdfReader.readFolder(file, options.models());
         }
         if (name.equals(SdfManifest.NAME)) {
-            return SdfReader.read(SdfFiles.modelOf(file.toAbsolutePath().resolveSibling("")), options.models());
+            return SdfReader.readFolder(file.toAbsolutePath().resolveSibling(""), options.models());
         }
         return switch (ending(name)) {
             case "sdf", "world" -> SdfReader.read(file, options.models());
