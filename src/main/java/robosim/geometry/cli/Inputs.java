@@ -62,9 +62,14 @@ final class Inputs {
         }
     }
 
-    /** A world of any format; what the file has and the world has not is told on the standard error. */
-    static World world(CommandSpec spec, Path file) throws WorldException {
-        WorldImport read = WorldImport.read(file, ImportOptions.DEFAULT);
+    /**
+     * A world of any format; what the file has and the world has not is told on the standard error.
+     *
+     * @param models folders for SDFormat's {@code model://}
+     */
+    static World world(CommandSpec spec, Path file, List<Path> models) throws WorldException {
+        folders(spec, "--models", models);
+        WorldImport read = WorldImport.read(file, ImportOptions.DEFAULT.withModels(models));
         List<Skipped> skipped = read.skipped();
         PrintWriter err = spec.commandLine().getErr();
         skipped.stream().limit(MOST_SKIPPED).forEach(err::println);

@@ -31,7 +31,8 @@ import org.snakeyaml.engine.v2.scanner.StreamReader;
  * @param isNegated  whether white is a wall
  * @param mode       how a pixel becomes a cell
  * @param occupied   the share above which a cell is a wall
- * @param free       the share below which a cell is free
+ * @param free       the share below which a cell is free, where it is no wall
+ * @param freeLine   where the file says so
  */
 record MapSettings(
         String image,
@@ -43,7 +44,8 @@ record MapSettings(
         boolean isNegated,
         Mode mode,
         double occupied,
-        double free) {
+        double free,
+        int freeLine) {
 
     /** As ROS calls them. */
     enum Mode {
@@ -140,11 +142,6 @@ record MapSettings(
             boolean isNegated = negate();
             double occupied = share("occupied_thresh");
             double free = share("free_thresh");
-            if (free > occupied) {
-                throw wrong(
-                        value("free_thresh"),
-                        "free_thresh must be at most occupied_thresh, " + occupied + " (got: " + free + ")");
-            }
             Mode mode = mode();
             if (mode == Mode.RAW && isNegated) {
                 throw wrong(
@@ -160,7 +157,8 @@ record MapSettings(
                     isNegated,
                     mode,
                     occupied,
-                    free);
+                    free,
+                    line(value("free_thresh")));
         }
 
         private double[] origin() throws WorldException {
@@ -192,7 +190,7 @@ record MapSettings(
             }
             String text = text("mode", node);
             for (Mode mode : Mode.values()) {
-                if (mode.name().toLowerCase(Locale.ROOT).equals(text)) {
+                if (mode.name().equals(text.toUpperCase(Locale.ROOT))) {
                     return mode;
                 }
             }
