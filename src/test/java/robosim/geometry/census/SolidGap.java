@@ -124,7 +124,8 @@ final class SolidGap {
         for (int k = 0; k < 3 && inside; k++) {
             double[] e = Space.sum(to.corners[1 << k], to.corners[0], -1);
             double along = Space.dot(Space.sum(p, to.corners[0], -1), e);
-            inside = along >= 0 && along <= Space.dot(e, e);
+            double square = Space.dot(e, e);
+            inside = square > 0 && along >= 0 && along <= square;
         }
         if (inside) {
             return 0;
