@@ -90,19 +90,17 @@ final class HeldTurn {
             }
             pose(kindA, a, i, px, py, pz, t);
             ask(gjk, kind, pose, 0, kindB, b, j);
-            double gap = gjk.lower() > 0 ? gjk.upper() : 0;
             double next = t;
             if (gjk.lower() > 0) {
-                next = hold(gjk.nx(), gjk.ny(), gjk.nz(), t, depth);
-                if (next - t < FAR && next < wanted && !planar) {
-                    if (!haveFacets) {
-                        ofMover.spatial(kindA, a, i);
-                        ofRest.spatial(kindB, b, j);
-                        haveFacets = true;
-                    }
-                    next = Math.max(next, near(gjk.nx(), gjk.ny(), gjk.nz(), t, depth));
-                }
-            } else if (depth > 0) {
+                next = found(gjk, kindA, a, i, kindB, b, j, t, wanted, depth);
+            }
+            // A place where nothing goes on is contact, or a bracket of round things that is still open.
+            boolean isClose = gjk.upper() + depth < CLOSE * mover.extent;
+            if (!(next - t > STALLED) && depth == 0 && !isClose && !gjk.isClosed() && gjk.close() > 0) {
+                next = Math.max(next, found(gjk, kindA, a, i, kindB, b, j, t, wanted, depth));
+            }
+            double gap = gjk.lower() > 0 ? gjk.upper() : 0;
+            if (gap == 0 && depth > 0) {
                 depth(ways, kind, pose, 0, kindB, b, j);
                 for (int k = 0; k < ways.count(); k++) {
                     next = Math.max(next, hold(ways.nx(k), ways.ny(k), ways.nz(k), t, depth));
@@ -114,6 +112,30 @@ final class HeldTurn {
             t = next;
         }
         return Math.min(Math.nextDown(1.0), Math.max(0, t / angle * (1 - 0x1p-50)));
+    }
+
+    /** How far the axis that was found, and others near it, are good for. */
+    private double found(
+            Gjk gjk,
+            int kindA,
+            double[] a,
+            int i,
+            int kindB,
+            double[] b,
+            int j,
+            double t,
+            double wanted,
+            double depth) {
+        double next = hold(gjk.nx(), gjk.ny(), gjk.nz(), t, depth);
+        if (next - t < FAR && next < wanted && !planar) {
+            if (!haveFacets) {
+                ofMover.spatial(kindA, a, i);
+                ofRest.spatial(kindB, b, j);
+                haveFacets = true;
+            }
+            next = Math.max(next, near(gjk.nx(), gjk.ny(), gjk.nz(), t, depth));
+        }
+        return next;
     }
 
     /** Steps that the last question took. */

@@ -41,6 +41,7 @@ abstract class SpatialMotion implements Kernel {
     /** So far from contact, features that are nearest to each other are inside the other solid, or beyond it. */
     private static final double INSIDE = 0x1p-38;
 
+    private static final double GOLDEN = 0.6180339887498949;
     private static final int TRIES = 20;
 
     final Scratch scratch = new Scratch();
@@ -165,7 +166,7 @@ abstract class SpatialMotion implements Kernel {
     /** The least distance up to a share: no step is so long that contact fits in, but where it is looked for at once. */
     private double least(double end, double reach) {
         double fast = speed(reach);
-        double longest = end / 64;
+        double longest = end / 48;
         double before = Double.POSITIVE_INFINITY;
         double here = at(0);
         double least = here;
@@ -175,7 +176,7 @@ abstract class SpatialMotion implements Kernel {
             double step = Math.max(0.9 * here / fast, longest);
             double next = Math.min(end, t + step);
             double then = at(next);
-            if (here <= before && here <= then && here < 4 * fast * longest) {
+            if (here <= before && here <= then && here - fast * Math.max(t - last, next - t) < 1e-3 * reach) {
                 least = Math.min(least, search(last, next));
             }
             if (next == end && then < here) {
@@ -193,18 +194,26 @@ abstract class SpatialMotion implements Kernel {
     private double search(double from, double until) {
         double low = from;
         double high = until;
-        double best = Double.POSITIVE_INFINITY;
-        for (int k = 0; k < 45; k++) {
-            double s = low + 0.382 * (high - low);
-            double t = low + 0.618 * (high - low);
-            double atS = at(s);
-            double atT = at(t);
-            best = Math.min(best, Math.min(atS, atT));
+        double s = high - GOLDEN * (high - low);
+        double t = low + GOLDEN * (high - low);
+        double atS = at(s);
+        double atT = at(t);
+        double best = Math.min(atS, atT);
+        for (int k = 0; k < 40 && best > 0; k++) {
             if (atS <= atT) {
                 high = t;
+                t = s;
+                atT = atS;
+                s = high - GOLDEN * (high - low);
+                atS = at(s);
             } else {
                 low = s;
+                s = t;
+                atS = atT;
+                t = low + GOLDEN * (high - low);
+                atT = at(t);
             }
+            best = Math.min(best, Math.min(atS, atT));
         }
         return best;
     }
