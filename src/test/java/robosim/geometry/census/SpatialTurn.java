@@ -17,7 +17,7 @@ final class SpatialTurn extends SpatialMotion {
     @Override
     void draw(SplittableRandom random, boolean aimed, double contact) {
         axis = Space.direction(random);
-        if (aimed && contact > 0 && random.nextBoolean()) {
+        if (aimed && contact > 0 && random.nextInt(5) > 1) {
             // Tangent: the velocity w x p has nothing of the normal.
             axis = Space.unit(Space.sum(
                     Space.sum(new double[3], normal, random.nextDouble(-1, 1)), point, random.nextDouble(-1, 1)));
