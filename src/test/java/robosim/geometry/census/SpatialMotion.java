@@ -29,7 +29,7 @@ abstract class SpatialMotion implements Kernel {
     };
 
     private static final int[] FLAT = {0, 0, 0, 1, 1, 1, 2, 5};
-    private static final int[] ROUND = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 3, 4};
+    private static final int[] ROUND = {0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 2, 3, 4};
     private static final int[] BOTH_ROUND = {0, 1, 2, 2, 2, 2, 2, 2, 3, 4, 5};
     private static final String FREE = "free by more than 10^-3";
     private static final String CLOSE = "passes by 10^-3 to 10^-7";
