@@ -5,27 +5,39 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.function.Function;
-import java.util.function.ToDoubleFunction;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
 import robosim.geometry.RayHit;
 import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Move;
+import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
+import robosim.geometry.model.SphereObject;
 
-/** A world without any index: every object stands alone in a world of its own, and all of them are asked. */
+/**
+ * A world without any index: every object stands alone in a world of its own, and all of them are asked but those that no
+ * sphere about them lets come near, which is {@link #WIDE} times as large as the object.
+ */
 final class PlainList {
     private static final double INFINITE = Double.POSITIVE_INFINITY;
+    private static final Point STILL = new Point();
+
+    /** No level's enclosure, nor what one sweeps in a turn, reaches farther from an object's centre than its sphere so often. */
+    private static final double WIDE = 3;
 
     private final double size;
     private final Dimension dimension;
     private final Accuracy accuracy;
     private final List<GeometryObject> objects = new ArrayList<>();
     private final List<Geometry> alone = new ArrayList<>();
+    private final List<Geometry> unused = new ArrayList<>();
 
     /** The world's border alone. */
     private final Geometry empty;
@@ -37,14 +49,8 @@ final class PlainList {
         empty = world();
     }
 
-    private Geometry world(GeometryObject... those) {
-        Geometry world = new Geometry(size, size, size, dimension, accuracy);
-        for (GeometryObject each : those) {
-            if (!world.addObjectUnchecked(each)) {
-                throw new IllegalStateException("object must fit into the world (got: " + each + ")");
-            }
-        }
-        return world;
+    private Geometry world() {
+        return new Geometry(size, size, size, dimension, accuracy);
     }
 
     List<GeometryObject> objects() {
@@ -52,13 +58,24 @@ final class PlainList {
     }
 
     void add(GeometryObject object) {
+        Geometry world = unused.isEmpty() ? world() : unused.remove(unused.size() - 1);
+        if (!world.addObjectUnchecked(object)) {
+            throw new IllegalStateException("object must fit into the world (got: " + object + ")");
+        }
         objects.add(object);
-        alone.add(world(object));
+        alone.add(world);
     }
 
     void remove(int k) {
+        alone.get(k).removeObject(name(k));
         objects.remove(k);
-        alone.remove(k);
+        unused.add(alone.remove(k));
+    }
+
+    void clear() {
+        while (!objects.isEmpty()) {
+            remove(objects.size() - 1);
+        }
     }
 
     void replace(int k, GeometryObject object) {
@@ -82,7 +99,7 @@ final class PlainList {
     BitSet touched(GeometryObject object, Accuracy at, int but) {
         BitSet touched = new BitSet();
         for (int k = 0; k < objects.size(); k++) {
-            if (k != but && alone.get(k).testObject(object, at)) {
+            if (k != but && isNear(object, objects.get(k), 0) && alone.get(k).testObject(object, at)) {
                 touched.set(k);
             }
         }
@@ -122,14 +139,22 @@ final class PlainList {
 
     double sonar(int own, Ray mount, double min, double max, double width) {
         String name = name(own);
-        return least(own, pair -> pair.getSonarDistance(name, mount, min, max, width));
+        Point from = mount.start();
+        double far = max + 2 * length(from.x(), from.y(), from.z());
+        double least = INFINITE;
+        for (int k = 0; k < objects.size(); k++) {
+            if (k != own && isNear(objects.get(own), objects.get(k), far)) {
+                least = Math.min(least, beside(k, own, pair -> pair.getSonarDistance(name, mount, min, max, width)));
+            }
+        }
+        return least;
     }
 
     double[] scan(int own, double first, double step, int count, double min, double max) {
         double[] least = new double[count];
         Arrays.fill(least, INFINITE);
         for (int k = 0; k < objects.size(); k++) {
-            if (k != own) {
+            if (k != own && isNear(objects.get(own), objects.get(k), max)) {
                 double[] one = beside(k, own, pair -> pair.scan(name(own), first, step, count, min, max));
                 Arrays.setAll(least, ray -> Math.min(least[ray], one[ray]));
             }
@@ -139,21 +164,75 @@ final class PlainList {
 
     double proximity(int own, double max) {
         String name = name(own);
-        return least(own, pair -> pair.getProximity(name, max));
+        double least = INFINITE;
+        for (int k = 0; k < objects.size(); k++) {
+            if (k != own && isNear(objects.get(own), objects.get(k), Math.min(least, max))) {
+                least = Math.min(least, beside(k, own, pair -> pair.getProximity(name, max)));
+            }
+        }
+        return least;
+    }
+
+    /** Whether two may be within a distance of each other; true in doubt. */
+    boolean isNear(GeometryObject a, GeometryObject b, double distance) {
+        return isNear(a, STILL, b, distance);
+    }
+
+    /** The same anywhere on a way of the first. */
+    private boolean isNear(GeometryObject a, Point way, GeometryObject b, double distance) {
+        Point p = a.center();
+        Point q = b.center();
+        boolean flat = dimension == Dimension.PLANAR;
+        double dx = q.x() - p.x();
+        double dy = flat ? 0 : q.y() - p.y();
+        double dz = q.z() - p.z();
+        double wy = flat ? 0 : way.y();
+        double square = way.x() * way.x() + wy * wy + way.z() * way.z();
+        double along = square == 0 ? 0 : (dx * way.x() + dy * wy + dz * way.z()) / square;
+        double share = Math.max(0, Math.min(1, along));
+        dx -= share * way.x();
+        dy -= share * wy;
+        dz -= share * way.z();
+        double gap = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        return gap <= 1.001 * distance + WIDE * (reach(a) + reach(b)) + 1e-9;
+    }
+
+    /** How far an object reaches from its centre at most. */
+    private static double reach(GeometryObject object) {
+        return switch (object.kind()) {
+            case BOX -> {
+                BoxObject box = (BoxObject) object;
+                yield 0.51 * length(box.width(), box.height(), box.length());
+            }
+            case CYLINDER -> {
+                CylinderObject cylinder = (CylinderObject) object;
+                yield 1.01 * length(cylinder.radius(), cylinder.height() / 2, 0);
+            }
+            case SPHERE -> ((SphereObject) object).radius();
+            case MESH -> {
+                double most = 0;
+                for (Point v : ((MeshObject) object).vertices()) {
+                    most = Math.max(most, 1.01 * length(v.x(), v.y(), v.z()));
+                }
+                yield most;
+            }
+            case GROUP -> {
+                double most = 0;
+                for (GeometryObject member : ((ObjectGroup) object).members()) {
+                    Point c = member.center();
+                    most = Math.max(most, 1.01 * length(c.x(), c.y(), c.z()) + reach(member));
+                }
+                yield most;
+            }
+        };
+    }
+
+    private static double length(double x, double y, double z) {
+        return Math.sqrt(x * x + y * y + z * z);
     }
 
     String name(int k) {
         return String.valueOf(objects.get(k).name());
-    }
-
-    private double least(int own, ToDoubleFunction<Geometry> question) {
-        double least = INFINITE;
-        for (int k = 0; k < objects.size(); k++) {
-            if (k != own) {
-                least = Math.min(least, beside(k, own, question::applyAsDouble));
-            }
-        }
-        return least;
     }
 
     /** What is answered where an object has one other beside it; with -1 none. */
@@ -205,14 +284,19 @@ final class PlainList {
     }
 
     Free move(int own, Move move) {
-        return move(own, (world, name) -> Free.of(world.move(name, move), world.getObject(name)));
+        return move(own, way(own, move), 0, (world, name) -> Free.of(world.move(name, move), world.getObject(name)));
     }
 
-    /** The least that is free beside each other object alone; of equal ones the first, and any before the border. */
-    Free move(int own, Motion motion) {
+    /**
+     * The least that is free beside each other object alone; of equal ones the first, and any before the border.
+     *
+     * @param way       where the object goes along the world's axes
+     * @param clearance how far it stays away from things
+     */
+    Free move(int own, Point way, double clearance, Motion motion) {
         Free least = beside(-1, own, pair -> motion.in(pair, name(own)));
         for (int k = 0; k < objects.size(); k++) {
-            if (k != own) {
+            if (k != own && isNear(objects.get(own), way, objects.get(k), clearance)) {
                 Free one = beside(k, own, pair -> motion.in(pair, name(own)));
                 int order = one.compareTo(least);
                 if (order < 0 || (order == 0 && least.obstacle() == null && one.obstacle() != null)) {
@@ -221,5 +305,24 @@ final class PlainList {
             }
         }
         return least;
+    }
+
+    /** Where a move along an object's own axes leads along the world's. */
+    Point way(int own, Move move) {
+        double[] r = objects.get(own).rotation();
+        return new Point(
+                r[0] * move.x() + r[1] * move.y() + r[2] * move.z(),
+                r[3] * move.x() + r[4] * move.y() + r[5] * move.z(),
+                r[6] * move.x() + r[7] * move.y() + r[8] * move.z());
+    }
+
+    /** The same beside one other object. */
+    Free beside(@Nullable String other, int own, Motion motion) {
+        for (int k = 0; k < objects.size(); k++) {
+            if (name(k).equals(other)) {
+                return beside(k, own, pair -> motion.in(pair, name(own)));
+            }
+        }
+        return beside(-1, own, pair -> motion.in(pair, name(own)));
     }
 }

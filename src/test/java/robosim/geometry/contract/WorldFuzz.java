@@ -8,6 +8,7 @@ import java.util.Objects;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
+import robosim.geometry.MoveResult;
 import robosim.geometry.RayHit;
 import robosim.geometry.collision.CollisionDetection;
 import robosim.geometry.contract.PlainList.Free;
@@ -39,6 +40,9 @@ final class WorldFuzz {
     long hits;
     long refusals;
     long moves;
+
+    /** Shares that were less than beside each other object alone, for the place as it is stored. */
+    long takenBack;
 
     private SplittableRandom random;
     private Geometry world;
@@ -79,7 +83,7 @@ final class WorldFuzz {
     void live(long seed, int most) {
         random = new SplittableRandom(seed * 1_000_003 + layout.ordinal());
         world = world();
-        list = list();
+        list.clear();
         named = 0;
         for (GeometryObject object : layout.ground(random)) {
             begin(object.named("ground " + named++));
@@ -174,13 +178,15 @@ final class WorldFuzz {
             case 11 -> sonar(name);
             case 12 -> place(name, to, degrees);
             case 13, 14 ->
-                motion("simpleMove %s %s".formatted(x, z), name, (w, n) ->
+                motion("simpleMove %s %s".formatted(x, z), name, 0, new Move(x, 0, z, 0, 0), (w, n) ->
                         Free.of(w.simpleMove(n, x, 0, z), w.getObject(n)));
-            case 15 -> motion("simpleTurn " + degrees, name, (w, n) ->
+            case 15 -> motion("simpleTurn " + degrees, name, 0, new Move(), (w, n) ->
                     Free.of(w.simpleTurn(n, degrees), w.getObject(n)));
-            case 16, 17 -> motion("move " + move, name, (w, n) -> Free.of(w.move(n, move), w.getObject(n)));
-            case 18 -> motion("global " + move, name, (w, n) -> Free.of(w.moveGlobal(n, move), w.getObject(n)));
-            default -> motion("contact " + clearance + " " + move, name, (w, n) ->
+            case 16, 17 -> motion("move " + move, name, 0, move, (w, n) ->
+                    Free.of(w.move(n, move), w.getObject(n)));
+            case 18 -> global(move, name, (w, n) ->
+                    Free.of(w.moveGlobal(n, move), w.getObject(n)));
+            default -> motion("contact " + clearance + " " + move, name, clearance, move, (w, n) ->
                     Free.of(w.moveToContact(n, move, clearance), w.getObject(n)));
         };
     }
@@ -268,7 +274,8 @@ final class WorldFuzz {
             String wrong = compare(what, world.testObject(object, at), !touched.isEmpty());
             for (int k = 0; at == Accuracy.EXACT && dimension == Dimension.SPATIAL && wrong == null
                     && k < list.objects().size(); k++) {
-                boolean pair = CollisionDetection.intersects(object, list.objects().get(k));
+                GeometryObject other = list.objects().get(k);
+                boolean pair = list.isNear(object, other, 0) && CollisionDetection.intersects(object, other);
                 wrong = compare("pair with " + list.name(k) + ", " + what, touched.get(k), pair);
             }
             return wrong;
@@ -369,12 +376,38 @@ final class WorldFuzz {
         };
     }
 
-    private Operation motion(String what, String name, PlainList.Motion motion) {
-        return (world, list) -> {
+    private Operation global(Move move, String name, PlainList.Motion motion) {
+        Point way = new Point(move.x(), move.y(), move.z());
+        return (world, list) -> motion(world, list, "global " + move, name, way, 0, motion, (w, n) -> {
+            MoveResult result = w.moveGlobal(n, move);
+            double share = result.fraction();
+            w.moveGlobal(n, new Move(share * move.x(), share * move.y(), share * move.z(), 0, 0));
+            if (share == 1) {
+                w.moveToContact(n, new Move(0, 0, 0, move.rx(), move.ry()), 0);
+            }
+            return Free.of(result, w.getObject(n));
+        });
+    }
+
+    private Operation motion(String what, String name, double clearance, Move move, PlainList.Motion motion) {
+        return (world, list) ->
+                motion(world, list, what, name, list.way(find(list, name), move), clearance, motion, (w, n) ->
+                        Free.of(w.moveToContact(n, move, clearance), w.getObject(n)));
+    }
+
+    private @Nullable String motion(
+            Geometry world,
+            PlainList list,
+            String what,
+            String name,
+            Point way,
+            double clearance,
+            PlainList.Motion motion,
+            PlainList.Motion docking) {
             int own = find(list, name);
             GeometryObject start = list.objects().get(own);
             BitSet before = list.touched(start, accuracy, own);
-            Free truth = list.move(own, motion);
+            Free truth = list.move(own, way, clearance, motion);
             Free answer = motion.in(world, name);
             moves++;
             refusals += answer.allowed() ? 0 : 1;
@@ -382,7 +415,7 @@ final class WorldFuzz {
             BitSet after = list.touched(end, accuracy, own);
             list.replace(own, end);
             String wrong = compare(what + " of " + name, text(answer), text(truth));
-            if (wrong != null) {
+            if (wrong != null && !isTakenBack(list, start, before, docking, answer, truth)) {
                 return wrong + (before.isEmpty() ? "" : " from contact");
             }
             after.andNot(before);
@@ -390,7 +423,34 @@ final class WorldFuzz {
                 return what + " of " + name + " touches anew: " + list.name(after.nextSetBit(0)) + " " + text(answer);
             }
             return null;
-        };
+    }
+
+    /**
+     * Whether a share is less than the least of those beside each other object alone because the place there, as it is
+     * stored, touches what the way itself passes.
+     */
+    private boolean isTakenBack(
+            PlainList list, GeometryObject start, BitSet before, PlainList.Motion docking, Free answer, Free truth) {
+        if (answer.allowed()
+                || truth.allowed()
+                || answer.fraction() > truth.fraction()
+                || answer.turnFraction() > truth.turnFraction()
+                || !Objects.equals(answer.obstacle(), truth.obstacle())) {
+            return false;
+        }
+        GeometryObject blocks = truth.obstacle();
+        int own = find(list, String.valueOf(start.name()));
+        GeometryObject now = list.objects().get(own);
+        list.replace(own, start);
+        Free docked = list.beside(blocks == null ? null : blocks.name(), own, docking);
+        list.replace(own, now);
+        BitSet touched = list.touched(docked.end(), accuracy, own);
+        touched.andNot(before);
+        boolean is = docked.fraction() == truth.fraction()
+                && docked.turnFraction() == truth.turnFraction()
+                && (!touched.isEmpty() || !list.fits(docked.end()));
+        takenBack += is ? 1 : 0;
+        return is;
     }
 
     private static String text(Free free) {
