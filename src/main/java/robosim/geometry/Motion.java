@@ -4,14 +4,15 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Border;
 import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.LeafColumn;
-import robosim.geometry.narrow.Overlap;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.Standing;
 
 /**
  * One attempt to move an object: its translation, its turn about Y and its turn about X, each a phase that is swept in
  * the world as it is. Nothing is changed here; {@link #end()} is where the object would come to stand.
  *
- * <p>A phase is free where no sweep meets anything and its end, as stored, overlaps nothing that its start did not.
+ * <p>A phase is free where no sweep meets anything and its end, as stored, overlaps nothing that its start did not. What is
+ * behind a plane of a contact at the start ({@link Standing}) counts for neither.
  */
 final class Motion {
     static final int NOTHING = -1;
@@ -19,6 +20,8 @@ final class Motion {
 
     /** A share is taken back by so much first, then by twice as much each time. */
     private static final double FIRST_STEP = 0x1p-52;
+    /** The largest share of what is refused. */
+    private static final double MOST = Math.nextDown(1.0);
 
     private final Bodies bodies;
     private final Border border;
@@ -26,6 +29,7 @@ final class Motion {
     private final Scratch s;
     private final Phase phase;
     private final StandOff standOff;
+    private final Standing standing;
     private final Distance distance;
     private final double[] box = new double[6];
     private final double[] part = new double[6];
@@ -45,10 +49,17 @@ final class Motion {
     private int obstacleLeaf;
     private int ownLeaf;
 
-    // The leaves by which an object was met last.
+    // The pieces by which an object was met last.
     private int metLeaf;
+    private int metPiece;
     private int metOwnLeaf;
+    private int metOwnPiece;
 
+    private int obstaclePiece;
+    private int ownPiece;
+    private boolean isStandingKnown;
+    private final LeafColumn touching = new LeafColumn(1);
+    private final LeafColumn touched = new LeafColumn(1);
     private double fraction;
     private double turnFraction;
 
@@ -60,6 +71,7 @@ final class Motion {
         s = scratch;
         phase = new Phase(scratch);
         standOff = new StandOff(phase, scratch);
+        standing = new Standing(scratch);
         distance = new Distance(scratch);
     }
 
@@ -101,7 +113,7 @@ final class Motion {
             return false;
         }
         if (turnX != 0 && !isFree(0, 0, 0, Phase.OWN_X, turnX)) {
-            turnFraction = (1 - each) + each * share;
+            turnFraction = Math.min((1 - each) + each * share, MOST); // the sum may have been rounded up
             return false;
         }
         return true;
@@ -142,6 +154,8 @@ final class Motion {
         phase.sweptBox(1, box);
         phase.around(box, around);
         near.find(level, around, id);
+        standing.begin(level.dimension, phase.sweep, phase.atStart, phase.atLast);
+        isStandingKnown = false;
         level.boundsOf(phase.after(1), 0, phase.atStart.size(), endBox);
         if (!isEndWanted) {
             if (isBlockedAnywhere()) {
@@ -182,17 +196,19 @@ final class Motion {
             if (met == Double.POSITIVE_INFINITY && !endsOn(other)) {
                 continue;
             }
-            double free = backOff(other, Math.min(met, 1));
+            double free = backOff(other, Math.min(met, MOST));
             if (free < least || (free == least && bodies.isEarlier(other, obstacle))) {
                 least = free;
                 obstacle = other;
                 ownLeaf = metOwnLeaf;
+                ownPiece = metOwnPiece;
                 obstacleLeaf = metLeaf;
+                obstaclePiece = metPiece;
             }
         }
         double leaves = border.clearlyHolds(box) ? Double.POSITIVE_INFINITY : leavesWorld();
         if (leaves != Double.POSITIVE_INFINITY) {
-            double free = backOff(BORDER, Math.min(leaves, 1));
+            double free = backOff(BORDER, Math.min(leaves, MOST));
             if (free < least) {
                 least = free;
                 obstacle = BORDER;
@@ -214,17 +230,45 @@ final class Motion {
         for (int j = first; j < first + of.count(Bodies.bare(other)); j++) {
             for (int i = 0; i < atStart.size(); i++) {
                 double free = phase.sweep.free(atStart, i, of.leaves(), j);
-                if (free != Double.POSITIVE_INFINITY && clearance > 0) {
-                    free = standOff.share(of, i, j, Math.min(free, 1), clearance);
+                if (free != Double.POSITIVE_INFINITY && (clearance > 0 || (free <= least && stands()))) {
+                    StandOff stop = clearance > 0 ? standOff.of(of, i, j, clearance) : null;
+                    stands();
+                    free = phase.sweep.free(atStart, i, of.leaves(), j, standing, stop);
                 }
                 if (free < least) {
                     least = free;
-                    metOwnLeaf = i;
-                    metLeaf = j;
+                    meet(i, phase.sweep.ownPiece(), j, phase.sweep.otherPiece());
                 }
             }
         }
         return least;
+    }
+
+    private void meet(int i, int t, int j, int u) {
+        metOwnLeaf = i;
+        metOwnPiece = t;
+        metLeaf = j;
+        metPiece = u;
+    }
+
+    /** Whether the object touches anything at the start of the phase; what it touches is found when this is first asked. */
+    private boolean stands() {
+        if (!isStandingKnown) {
+            isStandingKnown = true;
+            phase.placeEnd();
+            level.boundsOf(phase.atStart, 0, phase.atStart.size(), part);
+            for (int k = 0; k < near.count(); k++) {
+                int other = near.id(k);
+                Level of = level.of(other);
+                if (of.meets(Bodies.bare(other), part)) {
+                    int first = of.first(Bodies.bare(other));
+                    for (int j = first; j < first + of.count(Bodies.bare(other)); j++) {
+                        standing.add(of.leaves(), j);
+                    }
+                }
+            }
+        }
+        return !standing.isEmpty();
     }
 
     /** A turn of an axis-aligned enclosure: free where the box about all of it meets nothing new or deeper. */
@@ -244,8 +288,7 @@ final class Motion {
             }
         }
         phase.sweptBox(1, box);
-        metOwnLeaf = 0;
-        metLeaf = level.of(other).first(Bodies.bare(other));
+        meet(0, -1, level.of(other).first(Bodies.bare(other)), -1);
         return low;
     }
 
@@ -330,10 +373,13 @@ final class Motion {
         int first = of.first(Bodies.bare(other));
         for (int j = first; j < first + of.count(Bodies.bare(other)); j++) {
             for (int i = 0; i < phase.atStart.size(); i++) {
-                if (Overlap.test(level.dimension, there, i, of.leaves(), j, s)
-                        && !Overlap.test(level.dimension, phase.atStart, i, of.leaves(), j, s)) {
-                    metOwnLeaf = i;
-                    metLeaf = j;
+                if (standing.touchesAnew(there, i, of.leaves(), j)) {
+                    // Contacts are only looked for here, as mostly there is no need of them.
+                    boolean wasKnown = isStandingKnown;
+                    if (!wasKnown && stands() && !standing.touchesAnew(there, i, of.leaves(), j)) {
+                        continue;
+                    }
+                    meet(i, standing.ownPiece(), j, standing.otherPiece());
                     return true;
                 }
             }
@@ -354,14 +400,15 @@ final class Motion {
     private double backOff(int of, double from) {
         double free = from;
         double step = FIRST_STEP;
-        int leaf = metLeaf;
-        int own = metOwnLeaf;
+        int ownLeafMet = metOwnLeaf;
+        int ownPieceMet = metOwnPiece;
+        int leafMet = metLeaf;
+        int pieceMet = metPiece;
         while (free > 0 && (of == BORDER ? !isHeld(phase.exactAfter(free)) : touchesAnew(of, free))) {
             free = from - step;
             step *= 2;
         }
-        metLeaf = leaf;
-        metOwnLeaf = own;
+        meet(ownLeafMet, ownPieceMet, leafMet, pieceMet);
         return Math.max(0, free);
     }
 
@@ -389,7 +436,8 @@ final class Motion {
             border.contact(swept, part, out);
             return;
         }
-        distance.contact(
-                level.dimension, phase.atEnd(), ownLeaf, level.of(obstacle).leaves(), obstacleLeaf, out);
+        touching.setPiece(phase.atEnd(), ownLeaf, ownPiece);
+        touched.setPiece(level.of(obstacle).leaves(), obstacleLeaf, obstaclePiece);
+        distance.contact(level.dimension, touching, 0, touched, 0, out);
     }
 }

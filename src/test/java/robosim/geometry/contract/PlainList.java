@@ -307,6 +307,52 @@ final class PlainList {
         return least;
     }
 
+    /**
+     * The same where each other object has some beside it, always the same ones: what an object stands on may let it pass
+     * others.
+     */
+    Free moveBeside(BitSet ground, int own, Point way, double clearance, Motion motion) {
+        Free least = null;
+        for (int k = 0; k < objects.size(); k++) {
+            if (k == own || !isNear(objects.get(own), way, objects.get(k), clearance)) {
+                continue;
+            }
+            Geometry few = world();
+            for (int j = 0; j < objects.size(); j++) {
+                if ((j == k || j == own || ground.get(j)) && !few.addObjectUnchecked(objects.get(j))) {
+                    throw new IllegalStateException("object must fit into the world (got: " + objects.get(j) + ")");
+                }
+            }
+            Free one = motion.in(few, name(own));
+            int order = least == null ? -1 : one.compareTo(least);
+            if (order < 0 || (order == 0 && least != null && place(one) < place(least))) {
+                least = one;
+            }
+        }
+        return least == null ? move(own, way, clearance, motion) : least;
+    }
+
+    /** The place in the list of what blocks, with the border last. */
+    private int place(Free free) {
+        GeometryObject blocks = free.obstacle();
+        for (int k = 0; blocks != null && k < objects.size(); k++) {
+            if (name(k).equals(blocks.name())) {
+                return k;
+            }
+        }
+        return Integer.MAX_VALUE;
+    }
+
+    /** Where an object is after a way on which nothing blocks. */
+    GeometryObject after(GeometryObject object, Point way) {
+        empty.addObjectUnchecked(object);
+        String name = String.valueOf(object.name());
+        empty.moveGlobal(name, new Move(way.x(), way.y(), way.z(), 0, 0));
+        GeometryObject there = empty.getObject(name);
+        empty.removeObject(name);
+        return there;
+    }
+
     /** Where a move along an object's own axes leads along the world's. */
     Point way(int own, Move move) {
         double[] r = objects.get(own).rotation();

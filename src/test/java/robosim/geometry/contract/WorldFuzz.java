@@ -41,6 +41,9 @@ final class WorldFuzz {
     long refusals;
     long moves;
 
+    /** Moves that pass others for what they stand on. */
+    long standing;
+
     /** Shares that were less than beside each other object alone, for the place as it is stored. */
     long takenBack;
 
@@ -414,14 +417,23 @@ final class WorldFuzz {
             GeometryObject end = world.getObject(name);
             BitSet after = list.touched(end, accuracy, own);
             list.replace(own, end);
-            String wrong = compare(what + " of " + name, text(answer), text(truth));
-            if (wrong != null && !isTakenBack(list, start, before, docking, answer, truth)) {
-                return wrong + (before.isEmpty() ? "" : " from contact");
+        String wrong = compare(what + " of " + name, text(answer), text(truth));
+        if (wrong != null && !isTakenBack(list, start, before, docking, answer, truth)) {
+            BitSet ground = (BitSet) before.clone();
+            ground.or(after);
+            list.replace(own, start);
+            ground.or(list.touched(list.after(start, way), accuracy, own));
+            Free grounded = before.isEmpty() ? truth : list.moveBeside(ground, own, way, clearance, motion);
+            list.replace(own, end);
+            if (!text(answer).equals(text(grounded))) {
+                return wrong + (before.isEmpty() ? "" : " from contact, " + text(grounded) + " beside that");
             }
-            after.andNot(before);
-            if (!after.isEmpty()) {
-                return what + " of " + name + " touches anew: " + list.name(after.nextSetBit(0)) + " " + text(answer);
-            }
+            standing++;
+        }
+        after.andNot(before);
+        if (!after.isEmpty() && before.isEmpty()) {
+            return what + " of " + name + " touches anew: " + list.name(after.nextSetBit(0)) + " " + text(answer);
+        }
             return null;
     }
 
