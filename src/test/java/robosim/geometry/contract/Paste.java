@@ -22,7 +22,8 @@ final class Paste {
     /** An object at its place, but for what its place has lost. */
     static String of(GeometryObject object) {
         String name = object.name();
-        String named = name == null ? "" : object.isMoveable() ? ".moveable(\"" + name + "\")" : ".named(\"" + name + "\")";
+        String named =
+                name == null ? "" : object.isMoveable() ? ".moveable(\"" + name + "\")" : ".named(\"" + name + "\")";
         return shape(object) + ".movedTo(" + of(object.center()) + ").oriented(new double[] "
                 + Arrays.toString(object.rotation()).replace('[', '{').replace(']', '}') + ")" + named;
     }
@@ -49,9 +50,11 @@ final class Paste {
                         + Arrays.deepToString(mesh.faces()).replace('[', '{').replace(']', '}') + ")"
                         + (mesh.isSolid() ? ".solid()" : "");
             }
-            case GROUP -> "new ObjectGroup(List.of("
-                    + ((ObjectGroup) object).members().stream().map(Paste::of).collect(Collectors.joining(", "))
-                    + "))";
+            case GROUP ->
+                "new ObjectGroup(List.of("
+                        + ((ObjectGroup) object)
+                                .members().stream().map(Paste::of).collect(Collectors.joining(", "))
+                        + "))";
         };
     }
 }

@@ -28,8 +28,8 @@ final class WorldFuzz {
     private static final double INFINITE = Double.POSITIVE_INFINITY;
     private static final Accuracy[] LEVELS = Accuracy.values();
 
-    /** So many operations are done in one world. */
-    private static final int LIFE = 250;
+    /** So many operations are done in one world at most. */
+    static final int LIFE = 250;
 
     private final WorldLayout layout;
     private final Dimension dimension;
@@ -75,14 +75,13 @@ final class WorldFuzz {
         return new PlainList(layout.extent(), dimension, accuracy);
     }
 
-    /** Runs at least so many operations; every world begins from a seed of its own, so that each can be had again. */
-    void run(long count, long seed) {
-        for (long begun = operations, life = 0; operations < begun + count; life++) {
-            live(seed + life, Integer.MAX_VALUE);
-        }
+    /** Lets go of the worlds, each of which has working memory of its own. */
+    void forget() {
+        world = world();
+        list = list();
     }
 
-    /** The life of one world. */
+    /** The life of one world, of so many operations at most; it begins from a seed of its own, so that it can be had again. */
     void live(long seed, int most) {
         random = new SplittableRandom(seed * 1_000_003 + layout.ordinal());
         world = world();
@@ -181,22 +180,37 @@ final class WorldFuzz {
             case 11 -> sonar(name);
             case 12 -> place(name, to, degrees);
             case 13, 14 ->
-                motion("simpleMove %s %s".formatted(x, z), name, 0, new Move(x, 0, z, 0, 0), (w, n) ->
-                        Free.of(w.simpleMove(n, x, 0, z), w.getObject(n)));
-            case 15 -> motion("simpleTurn " + degrees, name, 0, new Move(), (w, n) ->
-                    Free.of(w.simpleTurn(n, degrees), w.getObject(n)));
-            case 16, 17 -> motion("move " + move, name, 0, move, (w, n) ->
-                    Free.of(w.move(n, move), w.getObject(n)));
-            case 18 -> global(move, name, (w, n) ->
-                    Free.of(w.moveGlobal(n, move), w.getObject(n)));
-            default -> motion("contact " + clearance + " " + move, name, clearance, move, (w, n) ->
-                    Free.of(w.moveToContact(n, move, clearance), w.getObject(n)));
+                motion(
+                        "simpleMove %s %s".formatted(x, z),
+                        name,
+                        0,
+                        new Move(x, 0, z, 0, 0),
+                        (w, n) -> Free.of(w.simpleMove(n, x, 0, z), w.getObject(n)));
+            case 15 ->
+                motion(
+                        "simpleTurn " + degrees,
+                        name,
+                        0,
+                        new Move(),
+                        (w, n) -> Free.of(w.simpleTurn(n, degrees), w.getObject(n)));
+            case 16, 17 -> motion("move " + move, name, 0, move, (w, n) -> Free.of(w.move(n, move), w.getObject(n)));
+            case 18 -> global(move, name, (w, n) -> Free.of(w.moveGlobal(n, move), w.getObject(n)));
+            default ->
+                motion(
+                        "contact " + clearance + " " + move,
+                        name,
+                        clearance,
+                        move,
+                        (w, n) -> Free.of(w.moveToContact(n, move, clearance), w.getObject(n)));
         };
     }
 
     private @Nullable String mover() {
-        List<GeometryObject> movers = list.objects().stream().filter(GeometryObject::isMoveable).toList();
-        return movers.isEmpty() ? null : movers.get(random.nextInt(movers.size())).name();
+        List<GeometryObject> movers =
+                list.objects().stream().filter(GeometryObject::isMoveable).toList();
+        return movers.isEmpty()
+                ? null
+                : movers.get(random.nextInt(movers.size())).name();
     }
 
     private String any() {
@@ -275,8 +289,12 @@ final class WorldFuzz {
             BitSet touched = list.touched(object, at, -1);
             hits += touched.isEmpty() ? 0 : 1;
             String wrong = compare(what, world.testObject(object, at), !touched.isEmpty());
-            for (int k = 0; at == Accuracy.EXACT && dimension == Dimension.SPATIAL && wrong == null
-                    && k < list.objects().size(); k++) {
+            for (int k = 0;
+                    at == Accuracy.EXACT
+                            && dimension == Dimension.SPATIAL
+                            && wrong == null
+                            && k < list.objects().size();
+                    k++) {
                 GeometryObject other = list.objects().get(k);
                 boolean pair = list.isNear(object, other, 0) && CollisionDetection.intersects(object, other);
                 wrong = compare("pair with " + list.name(k) + ", " + what, touched.get(k), pair);
@@ -372,7 +390,8 @@ final class WorldFuzz {
         return (world, list) -> {
             int own = find(list, name);
             GeometryObject there = list.objects().get(own).at(Pose.of(to, heading));
-            boolean truth = list.fits(there) && list.touched(there, accuracy, own).isEmpty();
+            boolean truth =
+                    list.fits(there) && list.touched(there, accuracy, own).isEmpty();
             boolean answer = world.placeObject(name, to, heading);
             list.replace(own, world.getObject(name));
             return compare("placing %s at %s, %s".formatted(name, to, heading), answer, truth);
@@ -393,9 +412,15 @@ final class WorldFuzz {
     }
 
     private Operation motion(String what, String name, double clearance, Move move, PlainList.Motion motion) {
-        return (world, list) ->
-                motion(world, list, what, name, list.way(find(list, name), move), clearance, motion, (w, n) ->
-                        Free.of(w.moveToContact(n, move, clearance), w.getObject(n)));
+        return (world, list) -> motion(
+                world,
+                list,
+                what,
+                name,
+                list.way(find(list, name), move),
+                clearance,
+                motion,
+                (w, n) -> Free.of(w.moveToContact(n, move, clearance), w.getObject(n)));
     }
 
     private @Nullable String motion(
@@ -407,16 +432,16 @@ final class WorldFuzz {
             double clearance,
             PlainList.Motion motion,
             PlainList.Motion docking) {
-            int own = find(list, name);
-            GeometryObject start = list.objects().get(own);
-            BitSet before = list.touched(start, accuracy, own);
-            Free truth = list.move(own, way, clearance, motion);
-            Free answer = motion.in(world, name);
-            moves++;
-            refusals += answer.allowed() ? 0 : 1;
-            GeometryObject end = world.getObject(name);
-            BitSet after = list.touched(end, accuracy, own);
-            list.replace(own, end);
+        int own = find(list, name);
+        GeometryObject start = list.objects().get(own);
+        BitSet before = list.touched(start, accuracy, own);
+        Free truth = list.move(own, way, clearance, motion);
+        Free answer = motion.in(world, name);
+        moves++;
+        refusals += answer.allowed() ? 0 : 1;
+        GeometryObject end = world.getObject(name);
+        BitSet after = list.touched(end, accuracy, own);
+        list.replace(own, end);
         String wrong = compare(what + " of " + name, text(answer), text(truth));
         if (wrong != null && !isTakenBack(list, start, before, docking, answer, truth)) {
             BitSet ground = (BitSet) before.clone();
@@ -434,7 +459,7 @@ final class WorldFuzz {
         if (!after.isEmpty() && before.isEmpty()) {
             return what + " of " + name + " touches anew: " + list.name(after.nextSetBit(0)) + " " + text(answer);
         }
-            return null;
+        return null;
     }
 
     /**

@@ -44,10 +44,9 @@ enum WorldLayout {
     /** Half the width of the places where things stand. */
     double spread() {
         return switch (this) {
-            case TALL -> 3;
-            case TINY_AND_HUGE_CLUSTERS, HUGE_AMONG_TINY -> 12;
-            case CLOSE -> 3;
-            default -> 6;
+            case TALL, CLOSE -> 3;
+            case TINY_AND_HUGE_CLUSTERS, HUGE_AMONG_TINY -> 10;
+            default -> 5;
         };
     }
 
@@ -59,9 +58,9 @@ enum WorldLayout {
     /** How many objects there are, about. */
     int count() {
         return switch (this) {
-            case CLOSE, FLAT, LATTICE -> 14;
-            case TILES, WALL -> 34;
-            default -> 24;
+            case CLOSE, FLAT, LATTICE, TILES, WALL -> 10;
+            case UNIFORM -> 40;
+            default -> 16;
         };
     }
 
@@ -124,7 +123,21 @@ enum WorldLayout {
         if (this == CLOSE && !others.isEmpty() && random.nextInt(3) > 0) {
             there = shape.movedTo(beside(random, others.get(random.nextInt(others.size()))));
         }
+        if (this == TILES && random.nextInt(3) > 0) {
+            Point at = there.center();
+            return there.movedTo(new Point(at.x(), halfHeight(shape), at.z())).turned(0, 15 * random.nextInt(24));
+        }
         return turned(random, there);
+    }
+
+    /** Of what is upright; what has its own frame is let stand at its origin. */
+    private static double halfHeight(GeometryObject object) {
+        return switch (object.kind()) {
+            case BOX -> ((BoxObject) object).height() / 2;
+            case CYLINDER -> ((CylinderObject) object).height() / 2;
+            case SPHERE -> ((SphereObject) object).radius();
+            case MESH, GROUP -> 0;
+        };
     }
 
     private GeometryObject turned(SplittableRandom random, GeometryObject there) {
