@@ -5,20 +5,13 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.SplittableRandom;
-import robosim.geometry.model.Dimension;
-import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.LeafColumn;
-import robosim.geometry.narrow.NearestPairs;
-import robosim.geometry.narrow.Scratch;
 
 /**
  * The least distance of two convex bodies in space, as worlds ask it, and the bracket of {@code ContactQuery.distance}: both
  * within 2^-44 of the distance and the sizes, the bracket's ends on their sides of the truth.
  */
 final class DistanceKernel implements Kernel {
-    /** What is said of the answer and of the bracket's width, as a share of the distance and of sizes and offset. */
-    private static final double SAID = 0x1p-44;
-
     /** A gap below this share of the size is near contact. */
     private static final double NEAR = 1e-3;
 
@@ -28,9 +21,7 @@ final class DistanceKernel implements Kernel {
     private final Body.Type typeA;
     private final Body.Type typeB;
     private final Set<String> regimes = new LinkedHashSet<>();
-    private final Scratch scratch = new Scratch();
-    private final Distance distance = new Distance(scratch);
-    private final NearestPairs nearest = new NearestPairs(scratch);
+    private final DistanceProbe probe = new DistanceProbe();
     private final LeafColumn columnA = new LeafColumn(1);
     private final LeafColumn columnB = new LeafColumn(1);
     private final NearestTwin twin = new NearestTwin();
@@ -56,6 +47,7 @@ final class DistanceKernel implements Kernel {
                 kernels.add(new DistanceKernel(types[i], types[j]));
             }
         }
+        kernels.add(new MeshDistanceKernel());
         return kernels;
     }
 
@@ -99,7 +91,7 @@ final class DistanceKernel implements Kernel {
     }
 
     /** As a share of the sizes; plain gaps and depths are those of robots, adversarial ones leave little to doubles. */
-    private static double gap(SplittableRandom random, int state, boolean adversarial) {
+    static double gap(SplittableRandom random, int state, boolean adversarial) {
         if (state < 22) {
             return Math.pow(10, random.nextDouble(-2, 0));
         }
@@ -114,37 +106,18 @@ final class DistanceKernel implements Kernel {
 
     private Visit compare(Body a, Body b) {
         twin.find(a, b);
-        double size = a.size() + b.size() + Vec.length(Vec.minus(a.c, b.c));
         double rounding = NearestTwin.rounding(a, b);
-        double low = Math.max(0, twin.low) - rounding;
-        double high = twin.high + rounding;
         a.writeTo(columnA);
         b.writeTo(columnB);
-        double answer = distance.between(Dimension.SPATIAL, columnA, 0, columnB, 0, Double.POSITIVE_INFINITY);
-        nearest.start(Dimension.SPATIAL, columnA, columnB);
-        while (!nearest.isMeasured()) {
-            nearest.step();
-        }
-        nearest.close();
-        double said = SAID * (high + size);
-        String regime = regime(a, b, rounding);
-        if (high - low > said + 4 * rounding) {
-            return Visit.wrong(regime, "the twin does not know: [%s, %s] of %s, %s".formatted(low, high, a, b));
-        }
-        double early = Math.max((low - answer) / said, ends(low - nearest.high(), rounding));
-        double late = Math.max((answer - high) / said, ends(nearest.low() - high, rounding));
-        return Visit.number(
-                regime,
-                Math.max(0, early),
-                Math.max(0, late),
-                (nearest.high() - nearest.low()) / said,
-                () -> "%s and [%s, %s] of [%s, %s]: %s, %s"
-                        .formatted(answer, nearest.low(), nearest.high(), low, high, a, b));
-    }
-
-    /** A proven end may not pass the truth at all. */
-    private static double ends(double beyond, double rounding) {
-        return beyond > 0 ? 1 + beyond / rounding : 0;
+        return probe.compare(
+                regime(a, b, rounding),
+                columnA,
+                columnB,
+                Math.max(0, twin.low) - rounding,
+                twin.high + rounding,
+                a.size() + b.size() + Vec.length(Vec.minus(a.c, b.c)),
+                rounding,
+                () -> a + ", " + b);
     }
 
     private String regime(Body a, Body b, double rounding) {

@@ -87,7 +87,7 @@ final class NearestTwin {
             for (double[] f : b.edges) {
                 double s = share(e, 0, f, 0, false);
                 double t = share(e, 0, f, 0, true);
-                if (s > 0 && s < 1 && t > 0 && t < 1) {
+                if (isWithin(s) && isWithin(t)) {
                     double away = Vec.length(Vec.minus(at(e, s), at(f, t)));
                     // Where the two are nearly parallel, what rounding left is taken up once more.
                     for (int k = 0; k < 2 && away < high + near; k++) {
@@ -95,12 +95,16 @@ final class NearestTwin {
                         t += share(e, s, f, t, true);
                         s += ds;
                     }
-                    if (away < high + near && s > 0 && s < 1 && t > 0 && t < 1) {
-                        offer(at(e, s), at(f, t), false);
+                    if (away < high + near) {
+                        offer(at(e, Math.max(0, Math.min(1, s))), at(f, Math.max(0, Math.min(1, t))), false);
                     }
                 }
             }
         }
+    }
+
+    private static boolean isWithin(double share) {
+        return share > -0x1p-20 && share < 1 + 0x1p-20;
     }
 
     /** How far the place nearest to the other edge's line is from one place of an edge, seen from one of both; NaN for parallels. */

@@ -14,6 +14,9 @@ final class SpacePairs {
     Body a;
     Body b;
 
+    /** The direction from a to b across which they face each other. */
+    double[] n = {};
+
     SpacePairs(SplittableRandom random, boolean thin) {
         this.random = random;
         this.thin = thin;
@@ -33,7 +36,6 @@ final class SpacePairs {
      * @param gap as a share of the sizes
      */
     void facing(Body.Type typeA, int featureA, Body.Type typeB, int featureB, double gap) {
-        double[] n;
         if (canStand(typeA) && canStand(typeB) && random.nextInt(8) == 0) {
             n = random.nextInt(3) == 0 ? UP : level();
             a = upright(typeA, n);
