@@ -44,8 +44,7 @@ final class Body {
     }
 
     static Body box(double[] centre, double[] half, double[] r, boolean upright) {
-        return new Body(
-                Type.BOX, upright ? Leaf.UPRIGHT_BOX : Leaf.BOX, row(centre, r, half[0], half[1], half[2]));
+        return new Body(Type.BOX, upright ? Leaf.UPRIGHT_BOX : Leaf.BOX, row(centre, r, half[0], half[1], half[2]));
     }
 
     static Body cylinder(double[] centre, double radius, double half, double[] r, boolean upright) {
@@ -98,8 +97,7 @@ final class Body {
             case BOX -> row[3] + row[4] + row[5];
             case CYLINDER -> row[3] + row[4];
             case SPHERE -> row[3];
-            case TRIANGLE -> Math.max(
-                    Vec.length(Vec.minus(corners[1], c)), Vec.length(Vec.minus(corners[2], c)));
+            case TRIANGLE -> Math.max(Vec.length(Vec.minus(corners[1], c)), Vec.length(Vec.minus(corners[2], c)));
         };
     }
 
@@ -150,16 +148,15 @@ final class Body {
     /** How far it reaches along n. */
     double reach(double[] n) {
         return switch (type) {
-            case BOX -> Vec.dot(n, c)
-                    + row[3] * Math.abs(Vec.dot(n, axes[0]))
-                    + row[4] * Math.abs(Vec.dot(n, axes[1]))
-                    + row[5] * Math.abs(Vec.dot(n, axes[2]));
-            case CYLINDER -> Vec.dot(n, c)
-                    + row[4] * Math.abs(Vec.dot(n, axes[1]))
-                    + row[3] * Vec.length(Vec.cross(n, axes[1]));
+            case BOX ->
+                Vec.dot(n, c)
+                        + row[3] * Math.abs(Vec.dot(n, axes[0]))
+                        + row[4] * Math.abs(Vec.dot(n, axes[1]))
+                        + row[5] * Math.abs(Vec.dot(n, axes[2]));
+            case CYLINDER ->
+                Vec.dot(n, c) + row[4] * Math.abs(Vec.dot(n, axes[1])) + row[3] * Vec.length(Vec.cross(n, axes[1]));
             case SPHERE -> Vec.dot(n, c) + row[3] * Vec.length(n);
-            case TRIANGLE -> Math.max(
-                    Vec.dot(n, c), Math.max(Vec.dot(n, corners[1]), Vec.dot(n, corners[2])));
+            case TRIANGLE -> Math.max(Vec.dot(n, c), Math.max(Vec.dot(n, corners[1]), Vec.dot(n, corners[2])));
         };
     }
 
@@ -276,7 +273,9 @@ final class Body {
                 double all = 0;
                 double reach = reach(n);
                 for (double[] corner : corners) {
-                    double weight = reach - Vec.dot(n, corner) < 1e-12 * (size() + Vec.length(c)) ? random.nextDouble(0.1, 1) : 0;
+                    double weight = reach - Vec.dot(n, corner) < 1e-12 * (size() + Vec.length(c))
+                            ? random.nextDouble(0.1, 1)
+                            : 0;
                     sum = Vec.plus(sum, weight, corner);
                     all += weight;
                 }

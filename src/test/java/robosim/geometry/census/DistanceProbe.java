@@ -41,7 +41,8 @@ final class DistanceProbe {
         for (double limit : new double[] {answer, 1.5 * answer}) {
             double again = distance.between(Dimension.SPATIAL, a, 0, b, 0, limit);
             if (again != answer) {
-                return Visit.wrong(regime, "%s, and %s with a limit of %s: %s".formatted(answer, again, limit, objects.get()));
+                return Visit.wrong(
+                        regime, "%s, and %s with a limit of %s: %s".formatted(answer, again, limit, objects.get()));
             }
         }
         nearest.start(Dimension.SPATIAL, a, b);

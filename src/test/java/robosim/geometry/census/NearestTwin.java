@@ -116,16 +116,13 @@ final class NearestTwin {
         double cy = e[5] * f[3] - e[3] * f[5];
         double cz = e[3] * f[4] - e[4] * f[3];
         double[] way = ofSecond ? e : f;
-        double volume = cx * (wy * way[5] - wz * way[4])
-                + cy * (wz * way[3] - wx * way[5])
-                + cz * (wx * way[4] - wy * way[3]);
+        double volume =
+                cx * (wy * way[5] - wz * way[4]) + cy * (wz * way[3] - wx * way[5]) + cz * (wx * way[4] - wy * way[3]);
         return volume / (cx * cx + cy * cy + cz * cz);
     }
 
     private static double[] at(double[] edge, double share) {
-        return new double[] {
-            edge[0] + share * edge[3], edge[1] + share * edge[4], edge[2] + share * edge[5]
-        };
+        return new double[] {edge[0] + share * edge[3], edge[1] + share * edge[4], edge[2] + share * edge[5]};
     }
 
     /** Every edge of a polytope against a cylinder, by halving where the distance falls, and its faces. */
@@ -191,8 +188,7 @@ final class NearestTwin {
             case CYLINDER -> List.of(body.axes[1]);
             case SPHERE -> List.of();
             case TRIANGLE -> {
-                double[] n = Vec.cross(
-                        Vec.minus(body.corners[1], body.c), Vec.minus(body.corners[2], body.c));
+                double[] n = Vec.cross(Vec.minus(body.corners[1], body.c), Vec.minus(body.corners[2], body.c));
                 yield Vec.length(n) > 0 ? List.of(Vec.unit(n)) : List.of();
             }
         };
@@ -200,7 +196,8 @@ final class NearestTwin {
 
     /** Both rims of a cylinder against another: the best of some places, and between its neighbours by golden sections. */
     private void rims(Body p, Body q, boolean swapped) {
-        double[] u = Vec.unit(Vec.cross(p.axes[1], Math.abs(p.axes[1][0]) < 0.5 ? new double[] {1, 0, 0} : new double[] {0, 1, 0}));
+        double[] u = Vec.unit(
+                Vec.cross(p.axes[1], Math.abs(p.axes[1][0]) < 0.5 ? new double[] {1, 0, 0} : new double[] {0, 1, 0}));
         double[] v = Vec.cross(p.axes[1], u);
         for (int end = -1; end <= 1; end += 2) {
             double[] centre = Vec.plus(p.c, end * p.row[4], p.axes[1]);

@@ -98,8 +98,12 @@ final class SpacePairs {
             default -> Vec.rotation(n, other);
         };
         return switch (type) {
-            case BOX -> Body.box(
-                    origin, new double[] {length(), length(), length()}, Vec.turnedRound(r, random.nextInt(3)), false);
+            case BOX ->
+                Body.box(
+                        origin,
+                        new double[] {length(), length(), length()},
+                        Vec.turnedRound(r, random.nextInt(3)),
+                        false);
             // The axis is its second column.
             case CYLINDER -> Body.cylinder(origin, length(), length(), Vec.turnedRound(r, 1), false);
             case SPHERE -> Body.sphere(origin, length());

@@ -11,9 +11,7 @@ final class Vec {
     }
 
     static double[] cross(double[] p, double[] q) {
-        return new double[] {
-            p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]
-        };
+        return new double[] {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
     }
 
     static double[] minus(double[] p, double[] q) {
