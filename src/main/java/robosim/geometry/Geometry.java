@@ -375,7 +375,8 @@ public final class Geometry {
     }
 
     /**
-     * The least distance between an object and any other.
+     * The least distance between an object and any other: the least of those to each other object alone, to the bit, and
+     * within 2<sup>-43</sup> of itself and of the sizes of the two. In contact it is 0.
      *
      * @param max range, world units; may be infinite
      * @return 0 in contact, {@code +Infinity} where nothing is within {@code max}
