@@ -92,6 +92,12 @@ public final class MessageReader {
         if (failure instanceof InterruptedIOException) {
             return "a message stalled after " + input.count() + " bytes of it";
         }
+        IOException broken = input.failure();
+        if (broken != null) { // as where the peer is killed
+            return "the connection failed "
+                    + (input.isInside() ? "after " + input.count() + " bytes of a message: " : "between two messages: ")
+                    + Text.line(String.valueOf(broken.getMessage()));
+        }
         String text = failure.getMessage();
         String kind = failure.getClass().getSimpleName();
         return "bytes that are no message: " + kind + (text == null ? "" : ", " + Text.line(text));

@@ -92,7 +92,18 @@ public final class Recorder implements SessionListener, AutoCloseable {
             LOG.log(
                     System.Logger.Level.WARNING,
                     name + ": is no longer recorded, after " + bytes() + " bytes: " + Text.line(String.valueOf(e)));
+            giveUp(Text.line(e.getMessage() == null ? e.toString() : e.getMessage()));
             close();
+        }
+    }
+
+    private void giveUp(String reason) {
+        try {
+            if (writer != null) {
+                writer.giveUp(reason);
+            }
+        } catch (IOException | RuntimeException | LinkageError | VirtualMachineError e) {
+            LOG.log(System.Logger.Level.DEBUG, name + ": nor is there room to say so in its file", e);
         }
     }
 
