@@ -29,8 +29,8 @@ public final class MessageReader {
 
     /** Reads what a translator understands, and tells when a message begins. */
     public MessageReader(InputStream in, MessageTranslator translator, MessagePace pace) {
-        this.input = new MessageInput(Objects.requireNonNull(in, "in"), Objects.requireNonNull(pace, "pace"));
-        this.translator = Objects.requireNonNull(translator, "translator");
+        this.input = new MessageInput(Checks.present("in", in), Checks.present("pace", pace));
+        this.translator = Checks.present("translator", translator);
     }
 
     /**

@@ -28,6 +28,12 @@ import robosim.geometry.protocol.Text;
  * @param others   how many more requests of the step are answered otherwise
  */
 public record Mismatch(long step, long line, int index, String request, String expected, String got, int others) {
+    /** Refuses null. */
+    public Mismatch {
+        Given.present("request", request);
+        Given.present("expected", expected);
+        Given.present("got", got);
+    }
 
     /** Compares an answer with what its step expects; null where they are the same, or nothing is expected. */
     static @Nullable Mismatch of(long number, Step step, @Nullable Reply got) {

@@ -42,8 +42,8 @@ public final class Recorder implements SessionListener, AutoCloseable {
      *                  times
      */
     public Recorder(String name, Opening opening, @Nullable LongSupplier nanoClock) {
-        this.name = name;
-        this.opening = opening;
+        this.name = Given.present("name", name);
+        this.opening = Given.present("opening", opening);
         this.nanoClock = nanoClock;
         this.beginning = now();
     }
@@ -70,6 +70,7 @@ public final class Recorder implements SessionListener, AutoCloseable {
 
     /** A note for people, before the next request. */
     public void note(String text) {
+        Given.present("text", text);
         record(to -> to.note(text));
     }
 

@@ -88,6 +88,7 @@ public final class Recordings implements Function<String, SessionListener> {
 
     @Override
     public Recorder apply(String connection) {
+        Given.present("connection", connection);
         return new Recorder(connection, () -> open(connection), System::nanoTime);
     }
 

@@ -51,7 +51,7 @@ public final class ScenarioWriter implements Closeable {
     public void note(String text) throws IOException {
         Map<String, String> note = new LinkedHashMap<>();
         note.put("type", "note");
-        note.put("text", text);
+        note.put("text", Given.present("text", text));
         String line = JsonRecord.write(note);
         JsonRecord.read(line);
         put(line);
@@ -95,7 +95,7 @@ public final class ScenarioWriter implements Closeable {
 
     /** A step with its notes. */
     public void write(Step step) throws IOException {
-        for (String note : step.notes()) {
+        for (String note : Given.present("step", step).notes()) {
             note(note);
         }
         request(step.request());
