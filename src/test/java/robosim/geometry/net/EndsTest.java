@@ -20,15 +20,12 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
-import java.io.FilterOutputStream;
-import java.io.OutputStream;
 import java.util.Collections;
 import org.junit.jupiter.api.Timeout;
 import robosim.geometry.MoveResult;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.protocol.JsonLines;
-import robosim.geometry.protocol.MessageWriter;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
@@ -380,41 +377,6 @@ class EndsTest {
                 }
             }
             assertThat(log.lines().size()).isBetween(2000, 2900); // and 10 for each second that this took
-        }
-    }
-
-    /** Answers are small and waited for: each is handed to the system whole, and sent at once. */
-    @Test
-    void anAnswerIsOneWriteWithoutDelay() throws Exception {
-        try (ServerSocket listening = Peer.listen();
-                Socket environment = new Socket(InetAddress.getLoopbackAddress(), listening.getLocalPort());
-                Socket module = listening.accept()) {
-            SocketSettings.apply(module);
-            assertThat(module.getTcpNoDelay()).isTrue();
-            int[] writes = new int[1];
-            OutputStream counting = new FilterOutputStream(module.getOutputStream()) {
-                @Override
-                public void write(byte[] bytes, int at, int length) throws IOException {
-                    writes[0]++;
-                    out.write(bytes, at, length);
-                }
-            };
-            try (Watchdog watchdog = new Watchdog("watchdog of a test", Patience.DEFAULT.finest())) {
-                Watchdog.Guard guard = watchdog.guard(() -> {});
-                Turn turn = new Turns(1, System::nanoTime).turn();
-                PacedOutput paced = new PacedOutput(counting, guard, Patience.DEFAULT, turn);
-                ObjectOutputStream bare = new ObjectOutputStream(paced); // writes every 1,024 bytes
-                bare.writeObject(new DistanceBundle(Collections.nCopies(700, 1.5)));
-                bare.flush();
-                assertThat(writes[0]).isEqualTo(1);
-                MessageWriter writer = new MessageWriter(paced);
-                for (int k = 1; k <= 3; k++) {
-                    writes[0] = 0;
-                    writer.write(new DistanceBundle(Collections.nCopies(700, 0.5 * k)));
-                    assertThat(writes[0]).isEqualTo(1);
-                }
-            }
-            assertThat(environment.getInputStream().available()).isPositive();
         }
     }
 }
