@@ -79,7 +79,7 @@ public final class Standing {
     }
 
     private boolean gather(int kindA, double[] a, int i, int t, int kindB, double[] b, int j, int u) {
-        if (!Overlap.convex(dimension, kindA, a, i, kindB, b, j, s)) {
+        if (!touch(kindA, a, i, kindB, b, j)) {
             return false;
         }
         if (count == planes.length) {
@@ -212,7 +212,7 @@ public final class Standing {
     }
 
     private boolean isAnew(int kindA, double[] a, int i, int t, int kindB, double[] b, int j, int u) {
-        if (!Overlap.convex(dimension, kindA, a, i, kindB, b, j, s)) {
+        if (!touch(kindA, a, i, kindB, b, j)) {
             return false;
         }
         isMet = true;
@@ -227,12 +227,17 @@ public final class Standing {
             from = start.rows(leaf);
             at = start.at(leaf);
         }
-        if (Overlap.convex(dimension, kind, from, at, kindB, b, j, s)
+        if (touch(kind, from, at, kindB, b, j)
                 || isBehind(kind, from, at, kindA, a, i, kindB, b, j)) {
             return false;
         }
         ownPiece = t;
         otherPiece = u;
         return true;
+    }
+
+    private boolean touch(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        int known = dimension == Dimension.PLANAR ? 0 : Levels.touch(kindA, a, i, kindB, b, j, s);
+        return known == 0 ? Overlap.convex(dimension, kindA, a, i, kindB, b, j, s) : known > 0;
     }
 }

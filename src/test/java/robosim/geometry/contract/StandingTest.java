@@ -348,4 +348,19 @@ class StandingTest {
         add(world, new BoxObject(new Point(-0.5, 0, 0.5), 1, 1, 1).moveable("robot"));
         assertThat(world.moveGlobal("robot", new Move(3, 0, 3, 0, 0)).allowed()).isTrue();
     }
+
+    /** What touches nothing at the start is blocked by what it would only touch, at its very level too. */
+    @ParameterizedTest
+    @EnumSource(Mover.class)
+    void whatStandsOnNothingIsBlockedByAFlushTable(Mover mover) {
+        for (boolean isMesh : new boolean[] {false, true}) {
+            for (int away = 0; away < 2; away++) {
+                Geometry world = new Geometry(SIZE, SIZE, SIZE);
+                add(world, isMesh ? mesh(false) : new BoxObject(new Point(0, -0.5, 0), 16, 1, 16));
+                add(world, mover.at(-9.5, away * 0x1p-40, 0));
+                MoveResult result = world.moveGlobal("robot", new Move(4, 0, 0, 0, 0));
+                assertThat(result.allowed()).as("%s, %s: %s", mover, isMesh, result).isEqualTo(away > 0);
+            }
+        }
+    }
 }
