@@ -116,14 +116,23 @@ public final class Standing {
         System.arraycopy(row, at, rows, to, Leaf.STRIDE);
     }
 
-    /** Notes the level that parts a contact, if it does and the mover keeps to its side. */
+    /** Notes the level that parts a contact, if one does and the mover keeps to its side; what lies in it is on both. */
     private void noteLevel(int at, int kindA, int kindEnd, int kindB) {
+        if (dimension == Dimension.PLANAR
+                || !Levels.has(kindA)
+                || !Levels.has(kindB)
+                || !Levels.has(kindEnd)
+                || !motion.keepsLevel(kindA, rows, at)) {
+            return;
+        }
         int b = at + 2 * Leaf.STRIDE;
-        int side = dimension == Dimension.PLANAR ? 0 : Levels.side(kindA, rows, at, kindB, rows, b);
-        if (side != 0
-                && motion.keepsLevel(kindA, rows, at)
-                && Levels.side(kindEnd, rows, at + Leaf.STRIDE, kindB, rows, b) == side) {
-            note(Levels.middle(kindB, rows, b, side), side * Levels.half(kindB, rows, b), side);
+        for (int side = 1; side >= -1; side -= 2) {
+            double middle = Levels.middle(kindB, rows, b, side);
+            double half = side * Levels.half(kindB, rows, b);
+            if (Levels.isBeyond(kindA, rows, at, middle, half, side)
+                    && Levels.isBeyond(kindEnd, rows, at + Leaf.STRIDE, middle, half, side)) {
+                note(middle, half, side);
+            }
         }
     }
 

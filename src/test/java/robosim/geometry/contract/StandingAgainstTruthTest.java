@@ -23,7 +23,7 @@ import robosim.geometry.reference.StandingTruth;
 
 /** Straight moves on a lattice, where contacts of all kinds are common, against the rule as linear programs know it. */
 class StandingAgainstTruthTest {
-    private static final int CASES = Integer.getInteger("standing.cases", 400);
+    private static final int CASES = Integer.getInteger("standing.cases", 800);
 
     @ParameterizedTest
     @EnumSource(Dimension.class)
@@ -33,18 +33,19 @@ class StandingAgainstTruthTest {
         int excused = 0;
         for (int k = 0; k < CASES; k++) {
             List<GeometryObject> others = new ArrayList<>();
-            for (int n = random.nextInt(1, 4); n > 0; n--) {
+            for (int n = random.nextInt(1, 5); n > 0; n--) {
                 others.add(obstacle(random));
             }
             GeometryObject mover = mover(dimension, random);
+            Move move = new Move(random.nextInt(-6, 7), random.nextInt(-2, 3), random.nextInt(-6, 7), 0, 0);
             if (k % 2 == 0) {
-                mover = stand(dimension, mover, others, random);
+                int axis = dimension == Dimension.SPATIAL && random.nextInt(3) != 0 ? 1 : 2 * random.nextInt(2);
+                mover = stand(axis, mover, others, random);
+                if (random.nextInt(4) != 0) {
+                    move = new Move(axis == 0 ? 0 : move.x(), axis == 1 ? 0 : move.y(), axis == 2 ? 0 : move.z(), 0, 0);
+                }
             }
             mover = mover.moveable("mover");
-            Move move = new Move(random.nextInt(-4, 5), random.nextInt(-2, 3), random.nextInt(-4, 5), 0, 0);
-            if (random.nextBoolean()) {
-                move = new Move(move.x(), 0, random.nextBoolean() ? 0 : move.z(), 0, 0);
-            }
             int nudge = random.nextInt(6);
             Point c = mover.center();
             Point end = new Point(c.x() + move.x(), c.y() + move.y(), c.z() + move.z());
@@ -71,17 +72,18 @@ class StandingAgainstTruthTest {
         // A sample that is all hits or all misses proves nothing.
         assertThat(answers[0]).isGreaterThan(CASES / 5);
         assertThat(answers[1]).isGreaterThan(CASES / 5);
-        assertThat(excused).isGreaterThan(CASES / 50);
+        assertThat(excused).isGreaterThan(CASES / 100);
     }
 
     /** Puts the mover and what is beside it on two sides of a level, or of a wall, but for some that stand out by a little. */
     private static GeometryObject stand(
-            Dimension dimension, GeometryObject mover, List<GeometryObject> others, SplittableRandom random) {
-        int axis = dimension == Dimension.SPATIAL && random.nextInt(3) != 0 ? 1 : 2 * random.nextInt(2);
+            int axis, GeometryObject mover, List<GeometryObject> others, SplittableRandom random) {
         int side = random.nextBoolean() ? 1 : -1;
         others.replaceAll(other -> {
             double out = random.nextInt(5) == 0 ? random.nextInt(-1, 2) * 0x1p-48 : 0;
-            return shifted(other, axis, side * (out - end(other, axis, side)));
+            GeometryObject moved = shifted(other, axis, side * (out - end(other, axis, side)));
+            int across = axis == 0 ? 2 : 0;
+            return shifted(moved, across, random.nextInt(-4, 5));
         });
         return shifted(mover, axis, side * end(mover, axis, -side));
     }

@@ -363,4 +363,20 @@ class StandingTest {
             }
         }
     }
+
+    /** What lies in the level of a contact is on both of its sides, and so is what stands on it or hangs from it. */
+    @Test
+    void aSheetSlidesBetweenTwo() {
+        MeshObject sheet = new MeshObject(
+                List.of(new Point(-1, 0, -2), new Point(0, 0, 3), new Point(-1, 0, -1)), new int[][] {{0, 1, 2}});
+        MeshObject beside = new MeshObject(
+                List.of(new Point(2, 0, 2), new Point(3, 0, 3), new Point(-3, 0, -1)), new int[][] {{0, 1, 2}});
+        for (int side = -1; side <= 1; side += 2) {
+            Geometry world = new Geometry(SIZE, SIZE, SIZE);
+            add(world, beside);
+            add(world, new BoxObject(new Point(-4, side, 0), 0, 2, 2));
+            add(world, sheet.moveable("robot"));
+            assertThat(world.moveGlobal("robot", new Move(-6, 0, 1, 0, 0)).allowed()).isTrue();
+        }
+    }
 }
