@@ -28,6 +28,11 @@ public final class Scratch {
 
     final double[] triangleB = new double[Leaf.STRIDE];
 
+    /** What two leaves in contact have in one level. */
+    final double[] triangleC = new double[Leaf.STRIDE];
+
+    final double[] triangleD = new double[Leaf.STRIDE];
+
     /** A point as a sphere's row. */
     final double[] witness = new double[Leaf.STRIDE];
 
