@@ -7,6 +7,6 @@ final class Kernels {
     private Kernels() {}
 
     static List<Kernel> all() {
-        return List.of();
+        return List.of(new CylinderCone());
     }
 }
