@@ -191,7 +191,7 @@ public final class Cast {
                     : PlanarRay.distance(x, z, dx, dz, kind, row, at, s);
         }
         return cone
-                ? SpatialCone.distance(x, y, z, ux, uy, uz, halfCos, halfSin, kind, row, at, s)
+                ? SpatialCone.distance(x, y, z, dx, dy, dz, halfCos, halfSin, kind, row, at, s)
                 : SpatialRay.distance(x, y, z, dx, dy, dz, kind, row, at, s);
     }
 
