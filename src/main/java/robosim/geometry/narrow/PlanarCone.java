@@ -52,7 +52,7 @@ public final class PlanarCone {
         sector.set(ux, uz, halfCos, halfSin);
         return switch (kind) {
             case Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE -> disc(sector, ox, oz, ux, uz, halfCos, b, j, s);
-            case Leaf.CYLINDER -> oval(sector, ox, oz, b, j, s);
+            case Leaf.CYLINDER -> oval(ox, oz, ux, uz, halfCos, b, j, s);
             default -> polygon(sector, ox, oz, ux, uz, halfCos, kind, b, j, s);
         };
     }
@@ -174,7 +174,8 @@ public final class PlanarCone {
         }
     }
 
-    private static double oval(PlanarSector sector, double ox, double oz, double[] b, int j, Scratch s) {
+    private static double oval(
+            double ox, double oz, double ux, double uz, double halfCos, double[] b, int j, Scratch s) {
         PlanarShape apex = s.planarA;
         PlanarShape q = s.planarB;
         apex.point();
@@ -184,12 +185,6 @@ public final class PlanarCone {
         if (!bracket.isApart()) {
             return 0;
         }
-        // Seen from the apex, the nearest point lies along the best normal.
-        if (sector.mayHold(bracket.normalX, bracket.normalZ)) {
-            return bracket.distance();
-        }
-        return Math.min(
-                RayOval.distance(ox, oz, sector.leftX, sector.leftZ, b, j, q),
-                RayOval.distance(ox, oz, sector.rightX, sector.rightZ, b, j, q));
+        return s.sectorOval().distance(ox, oz, ux, uz, halfCos, b, j, q, bracket.distance());
     }
 }

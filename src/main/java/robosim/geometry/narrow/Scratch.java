@@ -72,6 +72,7 @@ public final class Scratch {
     private @Nullable SweepScratch sweep;
     private @Nullable Penetration penetration;
     private @Nullable ConeScratch cones;
+    private @Nullable SectorOval sectorOval;
 
     /** Two meshes in space, descended at once. */
     MeshPairs meshPairs() {
@@ -101,6 +102,13 @@ public final class Scratch {
             penetration = new Penetration();
         }
         return penetration;
+    }
+
+    SectorOval sectorOval() {
+        if (sectorOval == null) {
+            sectorOval = new SectorOval();
+        }
+        return sectorOval;
     }
 
     ConeScratch cones() {
