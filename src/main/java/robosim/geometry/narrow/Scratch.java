@@ -53,6 +53,7 @@ public final class Scratch {
     final PlanarShape planarB = new PlanarShape();
     final PlanarBracket planarBracket = new PlanarBracket();
     final FineOverlap fine = new FineOverlap();
+    final Pairs planarPairs = new Pairs(7);
 
     /** A direction and the depth along it. */
     final double[] planarNormal = new double[3];
