@@ -4,18 +4,22 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Border;
 import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.LeafColumn;
-import robosim.geometry.narrow.Overlap;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.Standing;
 
 /**
  * One attempt to move an object: its translation, its turn about Y and its turn about X, each a phase that is swept in
  * the world as it is. Nothing is changed here; {@link #end()} is where the object would come to stand.
  *
- * <p>A phase is free where no sweep meets anything and its end, as stored, overlaps nothing that its start did not.
+ * <p>A phase is free where no sweep meets anything and its end, as stored, overlaps nothing that its start did not. What is
+ * behind a plane of a contact at the start ({@link Standing}) counts for neither.
  */
 final class Motion {
     static final int NOTHING = -1;
     static final int BORDER = -2;
+
+    /** The largest share of what is refused. */
+    private static final double MOST = Math.nextDown(1.0);
 
     private final Bodies bodies;
     private final Border border;
@@ -23,6 +27,7 @@ final class Motion {
     private final Scratch s;
     private final Phase phase;
     private final StandOff standOff;
+    private final Standing standing;
     private final Distance distance;
     private final double[] box = new double[6];
     private final double[] part = new double[6];
@@ -35,6 +40,11 @@ final class Motion {
     private int obstacle;
     private int obstacleLeaf;
     private int ownLeaf;
+    private int obstaclePiece;
+    private int ownPiece;
+    private boolean isStandingKnown;
+    private final LeafColumn touching = new LeafColumn(1);
+    private final LeafColumn touched = new LeafColumn(1);
     private double fraction;
     private double turnFraction;
 
@@ -46,6 +56,7 @@ final class Motion {
         s = scratch;
         phase = new Phase(scratch);
         standOff = new StandOff(phase, scratch);
+        standing = new Standing(scratch);
         distance = new Distance(scratch);
     }
 
@@ -87,7 +98,7 @@ final class Motion {
             return false;
         }
         if (turnX != 0 && !isFree(0, 0, 0, Phase.OWN_X, turnX)) {
-            turnFraction = (1 - each) + each * share;
+            turnFraction = Math.min((1 - each) + each * share, MOST); // the sum may have been rounded up
             return false;
         }
         return true;
@@ -127,6 +138,8 @@ final class Motion {
         }
         phase.sweptBox(1, box);
         near.find(level, box, id);
+        standing.begin(level.dimension, phase.sweep, phase.atStart, phase.atLast);
+        isStandingKnown = false;
         double met = phase.isRigid() ? leastFree() : leastFreeOfEnclosures();
         double leaves = border.clearlyHolds(box) ? Double.POSITIVE_INFINITY : leavesWorld();
         if (leaves < met) {
@@ -139,7 +152,7 @@ final class Motion {
         }
         // How far it might have gone is dear: a place is looked for, next to contact, that is free for certain.
         if (isEndWanted) {
-            share = backOff(Math.min(met, 1));
+            share = backOff(Math.min(met, MOST));
             phase.endAt(share);
         }
         return false;
@@ -156,12 +169,14 @@ final class Motion {
             for (int j = first; j < first + of.count(Bodies.bare(other)); j++) {
                 for (int i = 0; i < atStart.size(); i++) {
                     double free = phase.sweep.free(atStart, i, of.leaves(), j);
-                    if (free != Double.POSITIVE_INFINITY && clearance > 0) {
-                        free = standOff.share(of, i, j, Math.min(free, 1), clearance);
+                    if (free != Double.POSITIVE_INFINITY && (clearance > 0 || (free <= least && stands()))) {
+                        StandOff stop = clearance > 0 ? standOff.of(of, i, j, clearance) : null;
+                        stands();
+                        free = phase.sweep.free(atStart, i, of.leaves(), j, standing, stop);
                     }
                     if (free < least || (free == least && isBefore(other, free))) {
                         least = free;
-                        blame(other, i, j);
+                        blame(other, i, phase.sweep.ownPiece(), j, phase.sweep.otherPiece());
                     }
                 }
             }
@@ -173,10 +188,32 @@ final class Motion {
         return free != Double.POSITIVE_INFINITY && obstacle >= 0 && bodies.isEarlier(other, obstacle);
     }
 
-    private void blame(int other, int i, int j) {
+    private void blame(int other, int i, int t, int j, int u) {
         obstacle = other;
         ownLeaf = i;
+        ownPiece = t;
         obstacleLeaf = j;
+        obstaclePiece = u;
+    }
+
+    /** Whether the object touches anything at the start of the phase; what it touches is found when this is first asked. */
+    private boolean stands() {
+        if (!isStandingKnown) {
+            isStandingKnown = true;
+            phase.placeEnd();
+            level.boundsOf(phase.atStart, 0, phase.atStart.size(), part);
+            for (int k = 0; k < near.count(); k++) {
+                int other = near.id(k);
+                Level of = level.of(other);
+                if (of.meets(Bodies.bare(other), part)) {
+                    int first = of.first(Bodies.bare(other));
+                    for (int j = first; j < first + of.count(Bodies.bare(other)); j++) {
+                        standing.add(of.leaves(), j);
+                    }
+                }
+            }
+        }
+        return !standing.isEmpty();
     }
 
     /** A turn of an axis-aligned enclosure: free where the box about all of it meets nothing new or deeper. */
@@ -199,7 +236,7 @@ final class Motion {
                 phase.sweptBox(1, box);
                 if (low < least || (low == least && isBefore(other, low))) {
                     least = low;
-                    blame(other, 0, level.of(other).first(Bodies.bare(other)));
+                    blame(other, 0, -1, level.of(other).first(Bodies.bare(other)), -1);
                 }
             }
         }
@@ -297,10 +334,14 @@ final class Motion {
         int first = of.first(Bodies.bare(other));
         for (int j = first; j < first + of.count(Bodies.bare(other)); j++) {
             for (int i = 0; i < phase.atStart.size(); i++) {
-                if (Overlap.test(level.dimension, phase.probe, i, of.leaves(), j, s)
-                        && !Overlap.test(level.dimension, phase.atStart, i, of.leaves(), j, s)) {
+                if (standing.touchesAnew(phase.probe, i, of.leaves(), j)) {
+                    // Contacts are only looked for here, as mostly there is no need of them.
+                    boolean wasKnown = isStandingKnown;
+                    if (!wasKnown && stands() && !standing.touchesAnew(phase.probe, i, of.leaves(), j)) {
+                        continue;
+                    }
                     if (isToBlame) {
-                        blame(other, i, j);
+                        blame(other, i, standing.ownPiece(), j, standing.otherPiece());
                     }
                     return true;
                 }
@@ -330,7 +371,8 @@ final class Motion {
             border.contact(swept, part, out);
             return;
         }
-        distance.contact(
-                level.dimension, phase.atEnd(), ownLeaf, level.of(obstacle).leaves(), obstacleLeaf, out);
+        touching.setPiece(phase.atEnd(), ownLeaf, ownPiece);
+        touched.setPiece(level.of(obstacle).leaves(), obstacleLeaf, obstaclePiece);
+        distance.contact(level.dimension, touching, 0, touched, 0, out);
     }
 }

@@ -45,6 +45,10 @@ final class Phase {
     final Sweep sweep;
 
     private final double[] between = new double[PLACE];
+
+    /** What stands for the object at the end of the leg; see {@link #placeEnd}. */
+    final LeafColumn atLast = new LeafColumn(1);
+
     /** What stands for the object where it was asked about last, after its start. */
     final LeafColumn probe = new LeafColumn(1);
 
@@ -73,6 +77,8 @@ final class Phase {
         atStart.append(form.size());
         probe.clear();
         probe.append(form.size());
+        atLast.clear();
+        atLast.append(form.size());
         exact.clear();
         exact.append(form.own.size());
     }
@@ -235,6 +241,12 @@ final class Phase {
         placeAt(share, between);
         level.place(form, between[0], between[1], between[2], between, 3, probe, 0);
         return probe;
+    }
+
+    /** Writes {@link #atLast}: the end of the whole leg, whatever was asked since. */
+    void placeEnd() {
+        placeAt(1, between);
+        level.place(form, between[0], between[1], between[2], between, 3, atLast, 0);
     }
 
     /** What stands for the object at the end; valid until the next call. */

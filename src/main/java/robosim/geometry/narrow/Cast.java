@@ -222,6 +222,6 @@ public final class Cast {
             row = s.triangleA;
             at = 0;
         }
-        Normals.at(px, py, pz, ux, uy, uz, kind, row, at, out, dimension, s);
+        Normals.at(px, py, pz, distance, ux, uy, uz, kind, row, at, out, dimension, s);
     }
 }

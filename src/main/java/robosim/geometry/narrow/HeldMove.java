@@ -1,5 +1,7 @@
 package robosim.geometry.narrow;
 
+import java.util.List;
+
 /**
  * A leaf of any kind moved straight on against one at rest: held axes (conservative advancement, van den Bergen 2004).
  *
@@ -69,7 +71,7 @@ final class HeldMove {
                 } else {
                     ways.spatial(kindA, a, i, kindB, b, j);
                 }
-                return isAgainstAll(ways, dx, vy, dz) ? 0 : Double.POSITIVE_INFINITY;
+                return isAgainst(ways, planar, kindA, a, i, dx, vy, dz, kindB, b, j) ? 0 : Double.POSITIVE_INFINITY;
             }
             double nx = gjk.nx();
             double ny = gjk.ny();
@@ -110,14 +112,37 @@ final class HeldMove {
         }
     }
 
-    // What is across the way out, to rounding, is along it.
-    private static boolean isAgainstAll(Penetration ways, double dx, double dy, double dz) {
+    /**
+     * Whether a move is against all least ways out. What is across one, to rounding, is along it; but where it may be just
+     * against all and the two only touch, the planes between them decide, without rounding.
+     */
+    private static boolean isAgainst(
+            Penetration ways,
+            boolean planar,
+            int kindA,
+            double[] a,
+            int i,
+            double dx,
+            double dy,
+            double dz,
+            int kindB,
+            double[] b,
+            int j) {
         double slack = Gjk.ROUNDOFF * (Math.abs(dx) + Math.abs(dy) + Math.abs(dz));
+        boolean isAlong = false;
         for (int k = 0; k < ways.count(); k++) {
-            if (!(ways.nx(k) * dx + ways.ny(k) * dy + ways.nz(k) * dz < -slack)) {
+            double out = ways.nx(k) * dx + ways.ny(k) * dy + ways.nz(k) * dz;
+            if (out >= 0) {
                 return false;
             }
+            isAlong |= !(out < -slack);
         }
-        return true;
+        if (!isAlong) {
+            return true;
+        }
+        List<ExactVector> parting = ExactFeatures.parting(planar, kindA, a, i, kindB, b, j);
+        ExactVector way = ExactVector.of(dx, dy, dz);
+        return !parting.isEmpty()
+                && parting.stream().allMatch(n -> n.dot(way).signum() < 0);
     }
 }

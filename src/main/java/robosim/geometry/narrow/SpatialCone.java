@@ -61,6 +61,14 @@ public final class SpatialCone {
     }
 
     /**
+     * The upper end of the bracket in which the last distance to a cylinder in a cone lies whose lower end was answered;
+     * of no meaning where the cone's axis itself met what is nearest.
+     */
+    public static double upperEnd(Scratch s) {
+        return s.cones().cylinder.upper();
+    }
+
+    /**
      * Whether a box surely lies beyond the plane that touches the cone along the line nearest to its centre m: with e the
      * unit vector from the axis to m, the plane's normal is {@code n = e cos - u sin}.
      *

@@ -4,9 +4,6 @@ import robosim.geometry.exact.DoubleDouble;
 
 /** The least distance between two leaves in space. */
 public final class SpatialDistance {
-    /** A bracket no wider than this share of the distance, beside rounding, is closed. */
-    private static final double CLOSED = 0x1p-44;
-
     private SpatialDistance() {}
 
     /**
@@ -41,18 +38,13 @@ public final class SpatialDistance {
         if (lower == 0 && SpatialOverlap.test(kindA, a, i, kindB, b, j, s)) {
             return 0;
         }
-        if (!isRound(kindA) && !isRound(kindB)) {
-            return Math.max(0, gjk.reach());
-        }
-        if (gjk.upper() - lower <= CLOSED * gjk.upper() + 2 * gjk.error()) {
-            return lower;
-        }
         if (lower == 0) {
             gjk.spatial(kindA, a, i, kindB, b, j); // which the test may have asked something else
         }
-        s.hull.grow(Double.MIN_VALUE);
-        double widest = s.penetration().slab(kindA, a, i, kindB, b, j, s.hull.x(), s.hull.y(), s.hull.z());
-        return Math.max(lower, widest - gjk.error());
+        if (!gjk.isClosed()) {
+            lower = gjk.close();
+        }
+        return isRound(kindA) || isRound(kindB) ? lower : Math.max(0, gjk.reach());
     }
 
     private static boolean isRound(int kind) {

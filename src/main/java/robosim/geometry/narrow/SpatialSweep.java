@@ -29,6 +29,10 @@ public final class SpatialSweep {
                     ? cylinder(a, i, dx, dy, dz, kindB, b, j, s)
                     : cylinder(b, j, -dx, -dy, -dz, kindA, a, i, s);
         }
+        int side = Levels.side(kindA, a, i, kindB, b, j);
+        if ((side > 0 && dy >= 0) || (side < 0 && dy <= 0)) {
+            return Double.POSITIVE_INFINITY; // above and not sinking, below and not rising
+        }
         if (kindA == Leaf.SPHERE) {
             return sphere(a, i, dx, dy, dz, kindB, b, j, s);
         }

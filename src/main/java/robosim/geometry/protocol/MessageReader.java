@@ -51,7 +51,7 @@ public final class MessageReader {
                 | StackOverflowError
                 | OutOfMemoryError
                 | InternalError e) { // the last is what the JDK makes of a map with an odd number of keys and values
-            throw new ProtocolException(reason(e), e);
+            throw e instanceof OutOfMemoryError ? ProtocolException.noMemory(e) : new ProtocolException(reason(e), e);
         }
     }
 

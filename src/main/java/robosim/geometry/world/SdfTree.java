@@ -187,7 +187,9 @@ final class SdfTree {
             throws WorldException {
         account(model);
         String frame = placed == model ? "" : placed.valueOf("placement_frame");
-        SdfScope inner = new SdfScope(scope.pathOf(name));
+        String path = scope.pathOf(name);
+        SdfObjects.checkName(path, placed);
+        SdfScope inner = new SdfScope(path);
         fill(inner, model, null);
         SdfNode node = new SdfNode(
                 placed, pose, "", home, inner, frame.isEmpty() ? model.attribute("placement_frame") : frame, isStatic);
