@@ -309,7 +309,8 @@ public final class Geometry {
         Move asked = Arguments.present("move", move);
         Arguments.clearance(clearance);
         bodies.toWorld(id, asked.x(), asked.y(), asked.z(), vector);
-        boolean all = motion.attempt(level, id, vector[0], vector[1], vector[2], asked.rx(), asked.ry(), false, clearance);
+        boolean all =
+                motion.attempt(level, id, vector[0], vector[1], vector[2], asked.rx(), asked.ry(), false, clearance);
         MoveResult result = result(all);
         population.move(id, motion.end());
         return result;

@@ -237,8 +237,7 @@ public final class Standing {
             from = start.rows(leaf);
             at = start.at(leaf);
         }
-        if (touch(kind, from, at, kindB, b, j)
-                || isBehind(kind, from, at, kindA, a, i, kindB, b, j)) {
+        if (touch(kind, from, at, kindB, b, j) || isBehind(kind, from, at, kindA, a, i, kindB, b, j)) {
             return false;
         }
         ownPiece = t;

@@ -384,7 +384,9 @@ class StandingTest {
                 add(world, isMesh ? mesh(false) : new BoxObject(new Point(0, -0.5, 0), 16, 1, 16));
                 add(world, mover.at(-9.5, away * 0x1p-40, 0));
                 MoveResult result = world.moveGlobal("robot", new Move(4, 0, 0, 0, 0));
-                assertThat(result.allowed()).as("%s, %s: %s", mover, isMesh, result).isEqualTo(away > 0);
+                assertThat(result.allowed())
+                        .as("%s, %s: %s", mover, isMesh, result)
+                        .isEqualTo(away > 0);
             }
         }
     }
@@ -401,7 +403,8 @@ class StandingTest {
             add(world, beside);
             add(world, new BoxObject(new Point(-4, side, 0), 0, 2, 2));
             add(world, sheet.moveable("robot"));
-            assertThat(world.moveGlobal("robot", new Move(-6, 0, 1, 0, 0)).allowed()).isTrue();
+            assertThat(world.moveGlobal("robot", new Move(-6, 0, 1, 0, 0)).allowed())
+                    .isTrue();
         }
     }
 }
