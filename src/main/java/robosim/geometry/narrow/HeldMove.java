@@ -206,7 +206,16 @@ final class HeldMove {
 
     /** The widest slab at t across an edge, looked for from a direction on. */
     private double around(
-            double ex, double ey, double ez, double nx, double ny, double nz, double dx, double dy, double dz, double t) {
+            double ex,
+            double ey,
+            double ez,
+            double nx,
+            double ny,
+            double nz,
+            double dx,
+            double dy,
+            double dz,
+            double t) {
         double x = nx;
         double y = ny;
         double z = nz;
@@ -297,7 +306,6 @@ final class HeldMove {
         }
         List<ExactVector> parting = ExactFeatures.parting(planar, kindA, a, i, kindB, b, j);
         ExactVector way = ExactVector.of(dx, dy, dz);
-        return !parting.isEmpty()
-                && parting.stream().allMatch(n -> n.dot(way).signum() < 0);
+        return !parting.isEmpty() && parting.stream().allMatch(n -> n.dot(way).signum() < 0);
     }
 }

@@ -162,10 +162,14 @@ final class SolidGap {
             double[] across = Space.sum(n, round.axis, -along);
             double[] p = Space.sum(round.centre, round.axis, along > 0 ? -round.half : round.half);
             double length = Space.length(across);
-            take(aboveSide(length > 0 ? Space.sum(p, across, -round.radius / length) : p, flat, side), Meeting.RIM_ON_SIDE);
-            take(aboveSide(p, flat, side) == Double.POSITIVE_INFINITY || length > 1e-12
-                    ? Double.POSITIVE_INFINITY
-                    : aboveSide(p, flat, side), Meeting.RIM_ON_SIDE);
+            take(
+                    aboveSide(length > 0 ? Space.sum(p, across, -round.radius / length) : p, flat, side),
+                    Meeting.RIM_ON_SIDE);
+            take(
+                    aboveSide(p, flat, side) == Double.POSITIVE_INFINITY || length > 1e-12
+                            ? Double.POSITIVE_INFINITY
+                            : aboveSide(p, flat, side),
+                    Meeting.RIM_ON_SIDE);
         }
         for (int[] e : flat.edges) {
             double[] p = flat.corners[e[0]];
@@ -197,7 +201,8 @@ final class SolidGap {
                 }
             }
             double[] foot = Space.sum(p, way, 0.5 * (low + high));
-            double found = Math.min(fromPoint(round, foot), Math.min(fromPoint(round, p), fromPoint(round, flat.corners[e[1]])));
+            double found = Math.min(
+                    fromPoint(round, foot), Math.min(fromPoint(round, p), fromPoint(round, flat.corners[e[1]])));
             double up = Math.abs(Space.dot(Space.sum(foot, round.centre, -1), round.axis));
             take(found, up < round.half ? Meeting.MANTLE_ON_EDGE : Meeting.RIM_ON_EDGE);
         }
@@ -216,7 +221,8 @@ final class SolidGap {
 
     /** The rims of one, as circles, against the other. */
     private void rims(Solid of, Solid to) {
-        double[] u = Space.unit(Space.cross(of.axis, Math.abs(of.axis[0]) < 0.8 ? new double[] {1, 0, 0} : new double[] {0, 1, 0}));
+        double[] u = Space.unit(
+                Space.cross(of.axis, Math.abs(of.axis[0]) < 0.8 ? new double[] {1, 0, 0} : new double[] {0, 1, 0}));
         double[] v = Space.cross(of.axis, u);
         for (int way = -1; way <= 1; way += 2) {
             double[] c = Space.sum(of.centre, of.axis, way * of.half);
@@ -254,9 +260,7 @@ final class SolidGap {
     private static double fromRim(Solid to, double[] c, double[] u, double[] v, double r, double angle) {
         double x = r * Math.cos(angle);
         double y = r * Math.sin(angle);
-        double[] p = {
-            c[0] + x * u[0] + y * v[0], c[1] + x * u[1] + y * v[1], c[2] + x * u[2] + y * v[2]
-        };
+        double[] p = {c[0] + x * u[0] + y * v[0], c[1] + x * u[1] + y * v[1], c[2] + x * u[2] + y * v[2]};
         return fromPoint(to, p);
     }
 

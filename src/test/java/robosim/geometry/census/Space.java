@@ -22,9 +22,7 @@ final class Space {
     }
 
     static double[] cross(double[] p, double[] q) {
-        return new double[] {
-            p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]
-        };
+        return new double[] {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
     }
 
     /** The sum p + times q. */
@@ -52,9 +50,15 @@ final class Space {
         double half = StrictMath.sin(Math.toRadians(0.5 * degrees));
         double d = 2 * half * half; // 1 - cos, of a small angle too
         return new double[] {
-            c + d * w[0] * w[0], d * w[0] * w[1] - s * w[2], d * w[0] * w[2] + s * w[1],
-            d * w[1] * w[0] + s * w[2], c + d * w[1] * w[1], d * w[1] * w[2] - s * w[0],
-            d * w[2] * w[0] - s * w[1], d * w[2] * w[1] + s * w[0], c + d * w[2] * w[2]
+            c + d * w[0] * w[0],
+            d * w[0] * w[1] - s * w[2],
+            d * w[0] * w[2] + s * w[1],
+            d * w[1] * w[0] + s * w[2],
+            c + d * w[1] * w[1],
+            d * w[1] * w[2] - s * w[0],
+            d * w[2] * w[0] - s * w[1],
+            d * w[2] * w[1] + s * w[0],
+            c + d * w[2] * w[2]
         };
     }
 

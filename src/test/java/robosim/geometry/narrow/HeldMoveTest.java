@@ -81,9 +81,8 @@ class HeldMoveTest {
         BigDecimal halves = new BigDecimal(a[4]).add(new BigDecimal(b[4])).multiply(uu);
         BigDecimal p = dot(way, way).subtract(wu.multiply(wu).divide(uu, DIGITS));
         BigDecimal q = dot(centre, way).subtract(wu.multiply(cu).divide(uu, DIGITS));
-        BigDecimal r = dot(centre, centre)
-                .subtract(cu.multiply(cu).divide(uu, DIGITS))
-                .subtract(radii.multiply(radii));
+        BigDecimal r =
+                dot(centre, centre).subtract(cu.multiply(cu).divide(uu, DIGITS)).subtract(radii.multiply(radii));
         BigDecimal square = q.multiply(q).subtract(p.multiply(r));
         if (square.signum() < 0 || p.signum() == 0 || wu.signum() == 0) {
             return null;
