@@ -8,8 +8,14 @@ import robosim.geometry.exact.Radians;
  *
  * <p>At an angle an axis that tells the two apart is found, and held, once in the world, where the mover's points run on
  * sinusoids, and once in the mover, where the other's do. The turn is free for as long as the better of the two goes on
- * telling them apart; there the next axis is looked for. Only these axes prove anything, with all rounding counted; how
- * they are found does not matter. From contact the same is done with the depth at the start allowed for.
+ * telling them apart; there the next axis is looked for. Where that is soon, the normals of sides, the directions across an
+ * edge of each ({@link AcrossTurn}), which turn with both, and what of the axis is square to each edge are tried too. For
+ * polytopes these are all axes of the method of separating axes, each for as long as it holds; for round things what is
+ * lost by holding an axis grows with the square of the angle. Only these axes prove anything, with all rounding counted;
+ * how they are found does not matter. From contact the same is done with the depth at the start allowed for.
+ *
+ * <p>Where no axis leads on there is contact, or a gap of at most 2^-30 of the mover's radius, its largest distance from
+ * the pivot, and 2^-43 of both leaves' distances from it.
  */
 final class HeldTurn {
     private static final double FULL = 2 * Math.PI;

@@ -15,6 +15,9 @@ final class TurnBody {
     static final int MOST_POINTS = 16;
     private static final int MOST_STEPS = 12;
 
+    /** An arc, and the share of it that is tried next, for rims that lie almost flat. */
+    private static final double SOON = 0x1p-6;
+
     /** What of sqrt(1 - s^2) is lost where s is 1 to rounding. */
     private static final double LOST = 0x1p-25;
 
@@ -217,6 +220,9 @@ final class TurnBody {
                 rim.bound(bound, t);
                 double constant = limit + radius * rim.constant;
                 end = Math.max(end, pointsUntil(constant, radius * rim.cosine, radius * rim.sine, t));
+            }
+            for (double arc = SOON; arc > end - t && arc > TurnOutline.MARGIN; arc *= SOON) {
+                end = Math.max(end, Math.min(t + arc, pointsUntil(limit + radius * rim.soon(t, arc), 0, 0, t)));
             }
             if (!(end - t > TurnOutline.MARGIN)) {
                 break;
