@@ -32,6 +32,10 @@ final class HeldTurn {
     /** An edge this close to a direction is not one that it is square to. */
     private static final double SQUARE = 0.5;
 
+    // Edges that are nearly parallel: the direction across them is held too, as one that turns is told too roughly.
+    private static final double NEARLY = 0x1p-8;
+    private static final double PARALLEL = 0x1p-40;
+
     private final TurnBody mover = new TurnBody();
     private final TurnBody rest = new TurnBody();
     private final double[] pose = new double[Leaf.STRIDE];
@@ -212,10 +216,16 @@ final class HeldTurn {
                 double fy = ofMover.edgeY[m];
                 double fz = ofMover.edgeZ[m];
                 turned(fx, fy, fz, cos, sin);
-                double way =
-                        nx * (ey * vz - ez * vy) + ny * (ez * vx - ex * vz) + nz * (ex * vy - ey * vx) < 0 ? -1 : 1;
+                double cx = ey * vz - ez * vy;
+                double cy = ez * vx - ex * vz;
+                double cz = ex * vy - ey * vx;
+                double way = nx * cx + ny * cy + nz * cz < 0 ? -1 : 1;
                 across.aim(rest, ex, ey, ez, mover, fx, fy, fz, wx, wy, wz, way);
                 end = Math.max(end, across.until(t));
+                double length = Math.sqrt(cx * cx + cy * cy + cz * cz);
+                if (length < NEARLY && length > PARALLEL) {
+                    end = Math.max(end, side(nx, ny, nz, cx / length, cy / length, cz / length, t, depth));
+                }
             }
             end = Math.max(end, square(nx, ny, nz, ex, ey, ez, t, depth));
         }
