@@ -17,15 +17,34 @@ import robosim.geometry.narrow.SpatialOverlap;
 abstract class SpatialMotion implements Kernel {
     // Pairs of kinds, and for each the ways to aim, as often as it takes to meet every regime often enough.
     private static final int[][] PAIRS = {
-        {Leaf.BOX, Leaf.BOX}, {Leaf.BOX, Leaf.TRIANGLE}, {Leaf.TRIANGLE, Leaf.BOX}, {Leaf.TRIANGLE, Leaf.TRIANGLE},
-        {Leaf.BOX, Leaf.TRIANGLE}, {Leaf.TRIANGLE, Leaf.BOX}, {Leaf.BOX, Leaf.BOX}, {Leaf.TRIANGLE, Leaf.TRIANGLE},
-        {Leaf.CYLINDER, Leaf.BOX}, {Leaf.BOX, Leaf.CYLINDER}, {Leaf.CYLINDER, Leaf.TRIANGLE},
-        {Leaf.TRIANGLE, Leaf.CYLINDER}, {Leaf.CYLINDER, Leaf.BOX}, {Leaf.BOX, Leaf.CYLINDER},
-        {Leaf.CYLINDER, Leaf.CYLINDER}, {Leaf.CYLINDER, Leaf.CYLINDER}, {Leaf.CYLINDER, Leaf.CYLINDER},
-        {Leaf.CYLINDER, Leaf.TRIANGLE}, {Leaf.TRIANGLE, Leaf.CYLINDER}, {Leaf.CYLINDER, Leaf.BOX},
-        {Leaf.CYLINDER, Leaf.CYLINDER}, {Leaf.CYLINDER, Leaf.CYLINDER}, {Leaf.CYLINDER, Leaf.CYLINDER},
-        {Leaf.SPHERE, Leaf.SPHERE}, {Leaf.SPHERE, Leaf.BOX},
-        {Leaf.TRIANGLE, Leaf.BOX}, {Leaf.TRIANGLE, Leaf.SPHERE}, {Leaf.SPHERE, Leaf.CYLINDER}
+        {Leaf.BOX, Leaf.BOX},
+        {Leaf.BOX, Leaf.TRIANGLE},
+        {Leaf.TRIANGLE, Leaf.BOX},
+        {Leaf.TRIANGLE, Leaf.TRIANGLE},
+        {Leaf.BOX, Leaf.TRIANGLE},
+        {Leaf.TRIANGLE, Leaf.BOX},
+        {Leaf.BOX, Leaf.BOX},
+        {Leaf.TRIANGLE, Leaf.TRIANGLE},
+        {Leaf.CYLINDER, Leaf.BOX},
+        {Leaf.BOX, Leaf.CYLINDER},
+        {Leaf.CYLINDER, Leaf.TRIANGLE},
+        {Leaf.TRIANGLE, Leaf.CYLINDER},
+        {Leaf.CYLINDER, Leaf.BOX},
+        {Leaf.BOX, Leaf.CYLINDER},
+        {Leaf.CYLINDER, Leaf.CYLINDER},
+        {Leaf.CYLINDER, Leaf.CYLINDER},
+        {Leaf.CYLINDER, Leaf.CYLINDER},
+        {Leaf.CYLINDER, Leaf.TRIANGLE},
+        {Leaf.TRIANGLE, Leaf.CYLINDER},
+        {Leaf.CYLINDER, Leaf.BOX},
+        {Leaf.CYLINDER, Leaf.CYLINDER},
+        {Leaf.CYLINDER, Leaf.CYLINDER},
+        {Leaf.CYLINDER, Leaf.CYLINDER},
+        {Leaf.SPHERE, Leaf.SPHERE},
+        {Leaf.SPHERE, Leaf.BOX},
+        {Leaf.TRIANGLE, Leaf.BOX},
+        {Leaf.TRIANGLE, Leaf.SPHERE},
+        {Leaf.SPHERE, Leaf.CYLINDER}
     };
 
     private static final int[] FLAT = {0, 0, 0, 1, 1, 1, 2, 5};
@@ -162,13 +181,7 @@ abstract class SpatialMotion implements Kernel {
     private String told() {
         return "kind %d %s, kind %d %s from %s, %s: %s"
                 .formatted(
-                        kindA,
-                        Arrays.toString(a),
-                        kindB,
-                        Arrays.toString(b),
-                        Arrays.toString(origin),
-                        paste(),
-                        free());
+                        kindA, Arrays.toString(a), kindB, Arrays.toString(b), Arrays.toString(origin), paste(), free());
     }
 
     /** Whether the two are farther apart at the end than shortly before: something has been gone through. */
