@@ -11,8 +11,11 @@ final class CylinderCone implements Kernel {
     /** What is documented: the answer is not above the truth, and below by this share of it at most. */
     private static final double SHARE = 0x1p-40;
 
-    /** And of the offsets and sizes by this where the apex is that near. */
-    private static final double NEAREST = 0x1p-52;
+    /**
+     * Nearer than this share of the offsets and sizes the answer may be below by as much; and what is silent may be heard
+     * where the cylinder passes the cone by less.
+     */
+    private static final double NEAREST = 0x1p-44;
 
     private final ConeQuestion q = new ConeQuestion(Leaf.CYLINDER);
 
@@ -51,18 +54,28 @@ final class CylinderCone implements Kernel {
             return answer == 0 ? Visit.right(regime) : Visit.wrong(regime, q.paste(answer, truth));
         }
         if (twin.low == Double.POSITIVE_INFINITY || answer == Double.POSITIVE_INFINITY) {
-            boolean isRight = answer == Double.POSITIVE_INFINITY
-                    ? twin.high == Double.POSITIVE_INFINITY
-                    : regime.equals("grazing");
+            boolean isRight = answer == Double.POSITIVE_INFINITY ? twin.high == Double.POSITIVE_INFINITY : passesClosely();
             return isRight ? Visit.right(regime) : Visit.wrong(regime, q.paste(answer, truth));
         }
-        double bound = Math.max(SHARE * answer, NEAREST * q.extent());
+        double nearest = NEAREST * q.extent();
+        double bound = answer > nearest ? SHARE * answer : nearest;
         return Visit.number(
                 regime,
                 Math.max(0, twin.low - answer) / bound,
                 answer > twin.high ? 2 : 0,
                 regime.equals("grazing") ? 0 : (Math.max(answer, upper) - answer) / bound,
                 () -> q.paste(answer, truth));
+    }
+
+    // Whether a cylinder that is a little larger is not silent.
+    private boolean passesClosely() {
+        double more = NEAREST * q.extent();
+        q.row[3] += more;
+        q.row[4] += more;
+        boolean isSilent = new CylinderConeTwin(q).low == Double.POSITIVE_INFINITY;
+        q.row[3] -= more;
+        q.row[4] -= more;
+        return !isSilent;
     }
 
     private static String regime(CylinderConeTwin t) {
@@ -110,7 +123,7 @@ final class CylinderCone implements Kernel {
             degrees = StrictMath.pow(10, random.nextInt(8) == 0 ? -random.nextDouble(0, 6) : random.nextDouble(0, 1.954));
         }
         q.widen(StrictMath.toRadians(degrees));
-        if (random.nextInt(20) < 9) {
+        if (random.nextInt(20) < 11) {
             build(random, radius, half, adversarial);
         } else {
             aim(random, radius, half, adversarial);
@@ -127,19 +140,19 @@ final class CylinderCone implements Kernel {
         double angle = random.nextDouble(-Math.PI, Math.PI);
         double away = random.nextDouble() * radius;
         double height = half * random.nextDouble(-1, 1);
-        switch (random.nextInt(5)) {
+        switch (random.nextInt(6)) {
             case 0 -> height = half + off;
-            case 1 -> away = radius + off;
+            case 1, 5 -> away = radius + off;
             case 2 -> {
                 height = half + off;
-                away = radius + off * random.nextDouble(0, 4);
+                away = radius + random.nextDouble(0, 4);
             }
             case 3 -> {
                 height = random.nextDouble(-4, 4) * (random.nextBoolean() ? 1 : half / 4);
                 away = random.nextDouble(0, 4) * (random.nextBoolean() ? 1 : radius / 4);
             }
             default -> {
-                height = random.nextInt(8) == 0 ? height : half + random.nextDouble(0, 3);
+                height = random.nextInt(3) == 0 ? height : half + random.nextDouble(0, 3);
                 away = random.nextInt(8) == 0 ? away : radius + random.nextDouble(0, 3);
             }
         }

@@ -7,6 +7,11 @@ final class Kernels {
     private Kernels() {}
 
     static List<Kernel> all() {
-        return List.of(new CylinderCone());
+        return List.of(
+                new CylinderCone(),
+                new SphereCone(),
+                new PolytopeCone(PolytopeCone.Shape.BOX),
+                new PolytopeCone(PolytopeCone.Shape.TRIANGLE),
+                new PolytopeCone(PolytopeCone.Shape.MESH));
     }
 }
