@@ -6,6 +6,7 @@ import robosim.geometry.exact.Rotations;
 import robosim.geometry.narrow.Leaf;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.SpatialCone;
+import robosim.geometry.narrow.SpatialRay;
 
 /** A cone in space and a leaf, made up so that the cone's border comes near some place of the leaf. */
 final class ConeQuestion {
@@ -26,6 +27,11 @@ final class ConeQuestion {
     double ask() {
         return SpatialCone.distance(
                 apex[0], apex[1], apex[2], way[0], way[1], way[2], cos, StrictMath.sin(half), kind, row, 0, scratch);
+    }
+
+    /** What the product answers for the ray along the cone's axis. */
+    double ray() {
+        return SpatialRay.distance(apex[0], apex[1], apex[2], way[0], way[1], way[2], kind, row, 0, scratch);
     }
 
     /** The upper end of the product's bracket. */

@@ -17,6 +17,9 @@ final class CylinderCone implements Kernel {
      */
     private static final double NEAREST = 0x1p-44;
 
+    /** A cone hears no later than the ray along its axis, whose distance is so good. */
+    private static final double RAY_ULPS = 4;
+
     private final ConeQuestion q = new ConeQuestion(Leaf.CYLINDER);
 
     @Override
@@ -59,6 +62,9 @@ final class CylinderCone implements Kernel {
         }
         double nearest = NEAREST * q.extent();
         double bound = answer > nearest ? SHARE * answer : nearest;
+        if (answer == q.ray()) {
+            bound = Math.max(bound, RAY_ULPS * Math.ulp(q.extent()));
+        }
         return Visit.number(
                 regime,
                 Math.max(0, twin.low - answer) / bound,
@@ -117,13 +123,15 @@ final class CylinderCone implements Kernel {
         }
         q.row[3] = radius;
         q.row[4] = half;
-        stand(random, radius, half, adversarial);
+        do {
+            stand(random, radius, half, adversarial);
+        } while (isInside() && random.nextInt(4) == 0);
         double degrees = random.nextDouble(0.5, 89.99);
         if (adversarial) {
             degrees = StrictMath.pow(10, random.nextInt(8) == 0 ? -random.nextDouble(0, 6) : random.nextDouble(0, 1.954));
         }
         q.widen(StrictMath.toRadians(degrees));
-        if (random.nextInt(20) < 11) {
+        if (random.nextInt(20) < 10) {
             build(random, radius, half, adversarial);
         } else {
             aim(random, radius, half, adversarial);
@@ -134,20 +142,24 @@ final class CylinderCone implements Kernel {
         }
     }
 
+    private boolean isInside() {
+        return Math.abs(q.apex[1]) <= q.row[4] && Math.hypot(q.apex[0], q.apex[2]) <= q.row[3];
+    }
+
     // Over a cap, beside the mantle, beyond a rim, or anywhere.
     private void stand(SplittableRandom random, double radius, double half, boolean adversarial) {
         double off = adversarial ? StrictMath.pow(10, -random.nextDouble(0, 7)) : random.nextDouble();
         double angle = random.nextDouble(-Math.PI, Math.PI);
         double away = random.nextDouble() * radius;
         double height = half * random.nextDouble(-1, 1);
-        switch (random.nextInt(6)) {
-            case 0 -> height = half + off;
-            case 1, 5 -> away = radius + off;
-            case 2 -> {
+        switch (random.nextInt(13)) {
+            case 0, 1, 12 -> height = half + off;
+            case 2, 3, 4 -> away = radius + off;
+            case 5, 6, 7 -> {
                 height = half + off;
                 away = radius + random.nextDouble(0, 4);
             }
-            case 3 -> {
+            case 8, 9 -> {
                 height = random.nextDouble(-4, 4) * (random.nextBoolean() ? 1 : half / 4);
                 away = random.nextDouble(0, 4) * (random.nextBoolean() ? 1 : radius / 4);
             }
@@ -163,7 +175,8 @@ final class CylinderCone implements Kernel {
 
     // From the answer: a point of the cylinder that is nearest along a direction n, and the cone whose border touches there.
     private void build(SplittableRandom random, double radius, double half, boolean adversarial) {
-        int part = random.nextInt(6);
+        int any = random.nextInt(7);
+        int part = any > 5 ? 0 : any;
         for (int attempt = 0; attempt < 30; attempt++) {
             double angle = StrictMath.atan2(q.apex[2], q.apex[0]) + (random.nextBoolean() ? 1.5 : 3) * random.nextDouble(-1, 1);
             double out = part == 0 ? 0 : 1;
@@ -198,9 +211,9 @@ final class CylinderCone implements Kernel {
         double away = radius;
         double height = half * random.nextDouble(-1, 1);
         double facing = StrictMath.atan2(q.apex[2], q.apex[0]);
-        int part = random.nextInt(5);
+        int part = random.nextInt(7);
         switch (part) {
-            case 0 -> {
+            case 0, 5, 6 -> {
                 height = Math.max(-half, Math.min(half, q.apex[1]));
                 away = Math.min(radius, Math.hypot(q.apex[0], q.apex[2]));
                 angle = facing;
@@ -218,7 +231,7 @@ final class CylinderCone implements Kernel {
             off = StrictMath.pow(10, -random.nextDouble(1, 16)) * (random.nextBoolean() ? 1 : -1);
         }
         q.aim(point, off, random);
-        if (adversarial && random.nextInt(4) == 0) {
+        if (adversarial && random.nextInt(6) == 0) {
             graze(point, random);
         }
     }
