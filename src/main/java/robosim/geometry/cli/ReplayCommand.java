@@ -101,6 +101,9 @@ final class ReplayCommand implements Callable<Integer> {
                 files.add(toModule == null ? place : toModule);
                 continue;
             }
+            if (Files.exists(place) && !Files.isDirectory(place)) {
+                Inputs.file(spec, "FILE|FOLDER", place); // which refuses it
+            }
             if (!Files.isDirectory(place)) {
                 throw new ParameterException(
                         spec.commandLine(), "FILE|FOLDER must be there to be replayed (got: " + place + ")");
@@ -163,7 +166,7 @@ final class ReplayCommand implements Callable<Integer> {
         }
         if (reader instanceof ScenarioReader lines && lines.torn() > 0) {
             out.println(file + ": line " + lines.torn()
-                    + " breaks off, as where a recording is killed; it was passed over");
+                    + " breaks off, as where a recording is killed or its disk is full; it was passed over");
         }
         steps += replay.steps();
         compared += replay.compared();

@@ -122,7 +122,8 @@ final class ConeCylinder {
         bracket.rim(isFar, cap.p - frame.away, cap.q);
     }
 
-    // The direction that points most against the cone of those between the cap's and the mantle's, and a little between.
+    // The direction that points most against the cone of those between the cap's and the mantle's, and a little
+    // between.
     private void corner() {
         double along = Math.max(0, -frame.ua);
         double away = Math.max(0, -frame.up);

@@ -27,7 +27,8 @@ final class ConeCylinderCap {
 
     double betweenQ;
 
-    // Of the plane, turned so that it is above the apex: its height, the cone's axis along it, and the angles at which the
+    // Of the plane, turned so that it is above the apex: its height, the cone's axis along it, and the angles at which
+    // the
     // conic begins and ends, seen from the apex: sines and cosines, not of length 1.
     private double level;
     private double beginCos;
@@ -47,7 +48,8 @@ final class ConeCylinderCap {
 
     private void set(ConeCylinderFrame frame, double at) {
         f = frame;
-        // Through the apex the plane would have but directions in common with the cone: a plane beside it tells them apart.
+        // Through the apex the plane would have but directions in common with the cone: a plane beside it tells them
+        // apart.
         level = Math.max(Math.abs(at), BESIDE * f.extent);
         height = Math.copySign(level, at);
         double ua = at < 0 ? -f.ua : f.ua;

@@ -79,7 +79,16 @@ public final class SpatialCone {
      * by some roundings of 2^-53. Their own axes are of length 1 to 2^-30. 2^-28 of all that is added up are taken.
      */
     private static boolean isSurelyBeyond(
-            double ox, double oy, double oz, double dx, double dy, double dz, double cos, int kind, double[] row, int j) {
+            double ox,
+            double oy,
+            double oz,
+            double dx,
+            double dy,
+            double dz,
+            double cos,
+            int kind,
+            double[] row,
+            int j) {
         double mx = row[j] - ox;
         double my = row[j + 1] - oy;
         double mz = row[j + 2] - oz;

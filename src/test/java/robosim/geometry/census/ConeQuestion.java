@@ -42,7 +42,8 @@ final class ConeQuestion {
     /** To paste into a test. */
     String paste(double answer, String truth) {
         return "kind %d, apex %s, way %s, half %s, row %s: %s, truth %s"
-                .formatted(kind, Arrays.toString(apex), Arrays.toString(way), half, Arrays.toString(row), answer, truth);
+                .formatted(
+                        kind, Arrays.toString(apex), Arrays.toString(way), half, Arrays.toString(row), answer, truth);
     }
 
     /** The largest coordinate or size. */

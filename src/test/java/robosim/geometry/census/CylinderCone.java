@@ -128,7 +128,8 @@ final class CylinderCone implements Kernel {
         } while (isInside() && random.nextInt(4) == 0);
         double degrees = random.nextDouble(0.5, 89.99);
         if (adversarial) {
-            degrees = StrictMath.pow(10, random.nextInt(8) == 0 ? -random.nextDouble(0, 6) : random.nextDouble(0, 1.954));
+            degrees =
+                    StrictMath.pow(10, random.nextInt(8) == 0 ? -random.nextDouble(0, 6) : random.nextDouble(0, 1.954));
         }
         q.widen(StrictMath.toRadians(degrees));
         if (random.nextInt(20) < 10) {
@@ -173,12 +174,14 @@ final class CylinderCone implements Kernel {
         q.apex[2] = away * StrictMath.sin(angle);
     }
 
-    // From the answer: a point of the cylinder that is nearest along a direction n, and the cone whose border touches there.
+    // From the answer: a point of the cylinder that is nearest along a direction n, and the cone whose border touches
+    // there.
     private void build(SplittableRandom random, double radius, double half, boolean adversarial) {
         int any = random.nextInt(7);
         int part = any > 5 ? 0 : any;
         for (int attempt = 0; attempt < 30; attempt++) {
-            double angle = StrictMath.atan2(q.apex[2], q.apex[0]) + (random.nextBoolean() ? 1.5 : 3) * random.nextDouble(-1, 1);
+            double angle = StrictMath.atan2(q.apex[2], q.apex[0])
+                    + (random.nextBoolean() ? 1.5 : 3) * random.nextDouble(-1, 1);
             double out = part == 0 ? 0 : 1;
             double up = part == 1 ? 0 : random.nextDouble(0, 4);
             if (adversarial && part > 1 && random.nextInt(3) == 0) {
@@ -205,7 +208,8 @@ final class CylinderCone implements Kernel {
         aim(random, radius, half, adversarial);
     }
 
-    // The border near the foot, or a point of a cap, of the mantle, of a rim; or all but touching the rim or the mantle.
+    // The border near the foot, or a point of a cap, of the mantle, of a rim; or all but touching the rim or the
+    // mantle.
     private void aim(SplittableRandom random, double radius, double half, boolean adversarial) {
         double angle = random.nextDouble(-Math.PI, Math.PI);
         double away = radius;

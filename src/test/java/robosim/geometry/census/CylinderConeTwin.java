@@ -64,8 +64,9 @@ final class CylinderConeTwin {
                 Twofold.difference(row[2], q.apex[2]));
         exactWay = Vector.of(q.way[0], q.way[1], q.way[2]).unit();
         exactCos = Twofold.of(q.cos);
-        exactSin =
-                Twofold.difference(1, q.cos).times(Twofold.difference(1, -q.cos)).root();
+        exactSin = Twofold.difference(1, q.cos)
+                .times(Twofold.difference(1, -q.cos))
+                .root();
         u = heads(exactWay);
         a = heads(exactAxis);
         System.arraycopy(heads(exactCenter), 0, m, 0, 3);
@@ -139,9 +140,7 @@ final class CylinderConeTwin {
         Twofold distance = away.length();
         isBetween = !exactHalf.isBelow(along.abs());
         isWithin = !Twofold.of(radius).isBelow(distance);
-        Twofold kept = isBetween
-                ? Twofold.ZERO
-                : along.signum() > 0 ? along.minus(exactHalf) : along.plus(exactHalf);
+        Twofold kept = isBetween ? Twofold.ZERO : along.signum() > 0 ? along.minus(exactHalf) : along.plus(exactHalf);
         Vector point = exactAxis.times(kept);
         if (!isWithin) {
             point = point.plus(away.times(distance.minus(Twofold.of(radius)).over(distance)));
@@ -177,7 +176,8 @@ final class CylinderConeTwin {
         }
     }
 
-    // The greatest value on the great circle of an angle about the centre's direction: both angles as shares from -1 to 1.
+    // The greatest value on the great circle of an angle about the centre's direction: both angles as shares from -1 to
+    // 1.
     private double along(double share) {
         double from = -1;
         double to = 1;
@@ -267,7 +267,8 @@ final class CylinderConeTwin {
         }
     }
 
-    // The planes that touch the cone beside the best direction: one of them may prove silence where that is all but a plane.
+    // The planes that touch the cone beside the best direction: one of them may prove silence where that is all but a
+    // plane.
     private void border() {
         Vector v = Vector.of(best[0], best[1], best[2]);
         Vector side = v.minus(exactWay.times(v.dot(exactWay)));

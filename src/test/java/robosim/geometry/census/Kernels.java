@@ -1,5 +1,6 @@
 package robosim.geometry.census;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /** All kernels that are counted, in the order of the published table. */
@@ -7,11 +8,13 @@ final class Kernels {
     private Kernels() {}
 
     static List<Kernel> all() {
-        return List.of(
-                new CylinderCone(),
-                new SphereCone(),
-                new PolytopeCone(PolytopeCone.Shape.BOX),
-                new PolytopeCone(PolytopeCone.Shape.TRIANGLE),
-                new PolytopeCone(PolytopeCone.Shape.MESH));
+        List<Kernel> all = new ArrayList<>();
+        all.add(new CylinderCone());
+        all.add(new SphereCone());
+        for (PolytopeCone.Shape shape : PolytopeCone.Shape.values()) {
+            all.add(new PolytopeCone(shape));
+        }
+        all.addAll(DistanceKernel.all());
+        return all;
     }
 }

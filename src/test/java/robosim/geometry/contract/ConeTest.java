@@ -57,8 +57,10 @@ class ConeTest {
                 case 1 -> new BoxObject(new Point(x, y, z), 0, 0, 0);
                 case 2 -> new CylinderObject(new Point(x, y, z), 0, 0);
                 case 3 -> new CylinderObject(new Point(x, y, z), 0, 1).turned(90.0 * (k % 4), 90.0 * (k % 3));
-                default -> new MeshObject(
-                        List.of(new Point(x, y, z), new Point(x, y, z), new Point(x, y, z)), new int[][] {{0, 1, 2}});
+                default ->
+                    new MeshObject(
+                            List.of(new Point(x, y, z), new Point(x, y, z), new Point(x, y, z)),
+                            new int[][] {{0, 1, 2}});
             };
             double line = heard(target, new Point(), way, 0);
             double cone = heard(target, new Point(), way, StrictMath.pow(10, -random.nextDouble(2, 8)));
