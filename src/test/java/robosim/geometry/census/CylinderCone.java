@@ -57,7 +57,8 @@ final class CylinderCone implements Kernel {
             return answer == 0 ? Visit.right(regime) : Visit.wrong(regime, q.paste(answer, truth));
         }
         if (twin.low == Double.POSITIVE_INFINITY || answer == Double.POSITIVE_INFINITY) {
-            boolean isRight = answer == Double.POSITIVE_INFINITY ? twin.high == Double.POSITIVE_INFINITY : passesClosely();
+            boolean isRight =
+                    answer == Double.POSITIVE_INFINITY ? twin.high == Double.POSITIVE_INFINITY : passesClosely();
             return isRight ? Visit.right(regime) : Visit.wrong(regime, q.paste(answer, truth));
         }
         double nearest = NEAREST * q.extent();

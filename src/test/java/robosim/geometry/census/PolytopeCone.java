@@ -87,8 +87,7 @@ final class PolytopeCone implements Kernel {
         }
         double off = twin.least.minus(Twofold.of(answer)).head();
         double unit = ULPS * Math.ulp(Math.max(truth, extent()));
-        return Visit.number(
-                regime, Math.max(0, off) / unit, Math.max(0, -off) / unit, 0, () -> paste(answer, truth));
+        return Visit.number(regime, Math.max(0, off) / unit, Math.max(0, -off) / unit, 0, () -> paste(answer, truth));
     }
 
     private static String regime(PolytopeConeTwin.Feature feature) {
@@ -171,8 +170,7 @@ final class PolytopeCone implements Kernel {
             // along the own axes, orthonormal but for rounding: near a face either is right
             Twofold along = Twofold.ZERO;
             for (int k = 0; k < 3; k++) {
-                along = along.plus(
-                        Twofold.difference(q.row[k], q.apex[k]).times(q.row[Leaf.ROTATION + 3 * k + i]));
+                along = along.plus(Twofold.difference(q.row[k], q.apex[k]).times(q.row[Leaf.ROTATION + 3 * k + i]));
             }
             if (Math.abs(along.head()) > q.row[3 + i]) {
                 return false;

@@ -110,7 +110,8 @@ final class PolytopeConeTwin {
         Vector n = (height.signum() < 0 ? normal.times(Twofold.of(-1)) : normal).unit();
         Twofold ahead = n.dot(u);
         boolean isFoot = !ahead.isBelow(cos);
-        Vector way = isFoot ? n : u.times(cos).plus(n.minus(u.times(ahead)).unit().times(sin));
+        Vector way =
+                isFoot ? n : u.times(cos).plus(n.minus(u.times(ahead)).unit().times(sin));
         Twofold rate = n.dot(way);
         if (rate.signum() <= 0) {
             return;

@@ -87,7 +87,8 @@ final class SphereCone implements Kernel {
         double seen = Math.asin(Math.min(1, q.row[3] / distance));
         double angle = random.nextDouble(0, 1.5) * (q.half + seen);
         if (adversarial && random.nextBoolean()) {
-            angle = (q.half + seen) * (1 + StrictMath.pow(10, -random.nextDouble(3, 16)) * (random.nextBoolean() ? 1 : -1));
+            angle = (q.half + seen)
+                    * (1 + StrictMath.pow(10, -random.nextDouble(3, 16)) * (random.nextBoolean() ? 1 : -1));
         } else if (random.nextInt(8) == 0) {
             angle = random.nextDouble(q.half, Math.PI);
         }

@@ -65,7 +65,9 @@ class ConeTest {
             double line = heard(target, new Point(), way, 0);
             double cone = heard(target, new Point(), way, StrictMath.pow(10, -random.nextDouble(2, 8)));
             assertThat(line).isFinite();
-            assertThat(cone).as(target + " towards " + way).isBetween(k % 5 == 3 ? 0.9 * line : line * (1 - 0x1p-40), line);
+            assertThat(cone)
+                    .as(target + " towards " + way)
+                    .isBetween(k % 5 == 3 ? 0.9 * line : line * (1 - 0x1p-40), line);
         }
     }
 
