@@ -10,6 +10,10 @@ final class Kernels {
     static List<Kernel> all() {
         List<Kernel> all = new ArrayList<>();
         all.add(new CylinderCone());
+        all.add(new SphereCone());
+        for (PolytopeCone.Shape shape : PolytopeCone.Shape.values()) {
+            all.add(new PolytopeCone(shape));
+        }
         all.addAll(DistanceKernel.all());
         all.add(new SpatialTurn());
         all.add(new SpatialWay());
