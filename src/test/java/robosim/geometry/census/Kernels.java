@@ -1,5 +1,6 @@
 package robosim.geometry.census;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /** All kernels that are counted, in the order of the published table. */
@@ -7,6 +8,9 @@ final class Kernels {
     private Kernels() {}
 
     static List<Kernel> all() {
-        return List.copyOf(DistanceKernel.all());
+        List<Kernel> kernels = new ArrayList<>(DistanceKernel.all());
+        kernels.addAll(OverlapKernel.all());
+        kernels.add(new RayKernel());
+        return kernels;
     }
 }

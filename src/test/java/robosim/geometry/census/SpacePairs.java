@@ -52,6 +52,11 @@ final class SpacePairs {
         b = b.movedBy(Vec.plus(Vec.minus(from, to), gap * (a.size() + b.size()), n));
     }
 
+    /** One body near the origin with such a feature in front along n. */
+    Body showing(Body.Type type, int feature, double[] n) {
+        return turned(type, feature, n);
+    }
+
     private static boolean canStand(Body.Type type) {
         return type == Body.Type.BOX || type == Body.Type.CYLINDER;
     }
