@@ -218,7 +218,7 @@ final class Body {
         double far = Vec.length(aside);
         double up = Math.max(0, Math.abs(t) - row[4]);
         double out = Math.max(0, far - row[3]);
-        double all = Math.hypot(up, out);
+        double all = StrictMath.hypot(up, out);
         if (!(all > 0)) {
             return new double[3];
         }

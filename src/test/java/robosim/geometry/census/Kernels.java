@@ -8,9 +8,11 @@ final class Kernels {
     private Kernels() {}
 
     static List<Kernel> all() {
-        List<Kernel> kernels = new ArrayList<>(DistanceKernel.all());
-        kernels.addAll(OverlapKernel.all());
-        kernels.add(new RayKernel());
-        return kernels;
+        List<Kernel> all = new ArrayList<>();
+        all.add(new CylinderCone());
+        all.addAll(DistanceKernel.all());
+        all.addAll(OverlapKernel.all());
+        all.add(new RayKernel());
+        return all;
     }
 }

@@ -63,7 +63,7 @@ final class OverlapKernel implements Kernel {
         Body.Type other = others.get(random.nextInt(others.size()));
         int state = random.nextInt(16);
         double least = adversarial ? -13 : -6;
-        double gap = Math.pow(10, random.nextDouble(least, -0.5));
+        double gap = StrictMath.pow(10, random.nextDouble(least, -0.5));
         double signed = state == 0 ? 0 : state < 7 ? gap : -gap;
         pairs.facing(typeA, random.nextInt(3), other, random.nextInt(3), signed);
         Body a = pairs.a;

@@ -64,15 +64,15 @@ final class RayKernel implements Kernel {
             back = Vec.plus(new double[3], -1, back);
         }
         if (state < aimed) {
-            target = body.project(Vec.plus(target, Math.pow(10, random.nextDouble(-17, -8)), Vec.minus(middle(body), target)));
+            target = body.project(Vec.plus(target, StrictMath.pow(10, random.nextDouble(-17, -8)), Vec.minus(middle(body), target)));
         } else if (state < 27) {
             back = Vec.unit(Vec.squareTo(n, back));
-            double off = Math.pow(10, random.nextDouble(adversarial ? -16 : -9, -7)) * body.size();
+            double off = StrictMath.pow(10, random.nextDouble(adversarial ? -16 : -9, -7)) * body.size();
             target = Vec.plus(target, random.nextInt(5) < 2 ? -off : off, n);
         } else if (state > 29) {
             target = Vec.plus(target, random.nextDouble(0.1, 3), Vec.direction(random));
         }
-        double away = adversarial ? Math.pow(10, random.nextDouble(-3, 3)) : random.nextDouble(1, 10);
+        double away = adversarial ? StrictMath.pow(10, random.nextDouble(-3, 3)) : random.nextDouble(1, 10);
         double[] start = Vec.plus(target, away, back);
         if (state >= 27 && state < 30) {
             start = body.project(Vec.plus(body.c, 0.5 * random.nextDouble() * body.size(), Vec.direction(random)));

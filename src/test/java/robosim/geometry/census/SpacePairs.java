@@ -63,7 +63,7 @@ final class SpacePairs {
 
     private double[] level() {
         double angle = random.nextDouble(0, 2 * Math.PI);
-        return new double[] {Math.cos(angle), 0, Math.sin(angle)};
+        return new double[] {StrictMath.cos(angle), 0, StrictMath.sin(angle)};
     }
 
     /** A direction in which something upright has such a feature in front. */
@@ -137,6 +137,6 @@ final class SpacePairs {
     }
 
     private double length() {
-        return thin && random.nextInt(4) == 0 ? Math.pow(10, random.nextDouble(-5, 0)) : random.nextDouble(0.2, 1.2);
+        return thin && random.nextInt(4) == 0 ? StrictMath.pow(10, random.nextDouble(-5, 0)) : random.nextDouble(0.2, 1.2);
     }
 }
