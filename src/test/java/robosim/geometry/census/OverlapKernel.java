@@ -98,8 +98,7 @@ final class OverlapKernel implements Kernel {
 
     /** Whether an edge of the one goes through the other, clear of its edges. */
     private static boolean pierces(Body a, Body b, double margin) {
-        double[] normal =
-                Vec.cross(Vec.minus(b.corners[1], b.corners[0]), Vec.minus(b.corners[2], b.corners[0]));
+        double[] normal = Vec.cross(Vec.minus(b.corners[1], b.corners[0]), Vec.minus(b.corners[2], b.corners[0]));
         if (!(Vec.length(normal) > 0x1p-20 * b.size() * b.size())) {
             return false;
         }

@@ -51,12 +51,14 @@ final class RayKernel implements Kernel {
         Body.Type type = random.nextInt(12) == 0 ? Body.Type.CYLINDER : Body.Type.values()[random.nextInt(4)];
         double[] n = Vec.direction(random);
         int state = random.nextInt(32);
-        // Faces, then edges and corners, then what passes by; a sphere has no edges. Of a cylinder mantles are the second.
+        // Faces, then edges and corners, then what passes by; a sphere has no edges. Of a cylinder mantles are the
+        // second.
         int faces = type == Body.Type.TRIANGLE ? 4 : 7;
         int aimed = type == Body.Type.SPHERE ? 8 : type == Body.Type.CYLINDER ? 17 : 14;
         int feature = state >= faces ? random.nextInt(3) : type == Body.Type.CYLINDER ? 1 + random.nextInt(2) : 2;
         Body body = pairs.showing(type, feature, n);
-        double[] place = Vec.plus(new double[3], adversarial ? 1000 * random.nextDouble() : random.nextDouble(), Vec.direction(random));
+        double[] place = Vec.plus(
+                new double[3], adversarial ? 1000 * random.nextDouble() : random.nextDouble(), Vec.direction(random));
         body = body.movedBy(place);
         double[] target = body.furthest(n, random);
         double[] back = Vec.direction(random);
@@ -64,7 +66,8 @@ final class RayKernel implements Kernel {
             back = Vec.plus(new double[3], -1, back);
         }
         if (state < aimed) {
-            target = body.project(Vec.plus(target, StrictMath.pow(10, random.nextDouble(-17, -8)), Vec.minus(middle(body), target)));
+            target = body.project(
+                    Vec.plus(target, StrictMath.pow(10, random.nextDouble(-17, -8)), Vec.minus(middle(body), target)));
         } else if (state < 27) {
             back = Vec.unit(Vec.squareTo(n, back));
             double off = StrictMath.pow(10, random.nextDouble(adversarial ? -16 : -9, -7)) * body.size();
@@ -83,7 +86,10 @@ final class RayKernel implements Kernel {
 
     private static double[] middle(Body body) {
         return body.type == Body.Type.TRIANGLE
-                ? Vec.plus(Vec.plus(new double[3], 0.5, body.corners[0]), 0.25, Vec.plus(body.corners[1], 1, body.corners[2]))
+                ? Vec.plus(
+                        Vec.plus(new double[3], 0.5, body.corners[0]),
+                        0.25,
+                        Vec.plus(body.corners[1], 1, body.corners[2]))
                 : body.c;
     }
 

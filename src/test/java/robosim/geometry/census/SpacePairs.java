@@ -137,6 +137,8 @@ final class SpacePairs {
     }
 
     private double length() {
-        return thin && random.nextInt(4) == 0 ? StrictMath.pow(10, random.nextDouble(-5, 0)) : random.nextDouble(0.2, 1.2);
+        return thin && random.nextInt(4) == 0
+                ? StrictMath.pow(10, random.nextDouble(-5, 0))
+                : random.nextDouble(0.2, 1.2);
     }
 }
