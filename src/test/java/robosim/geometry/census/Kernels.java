@@ -9,6 +9,8 @@ final class Kernels {
 
     static List<Kernel> all() {
         List<Kernel> all = new ArrayList<>();
+        all.addAll(OverlapKernel.all());
+        all.add(new RayKernel());
         all.add(new CylinderCone());
         all.add(new SphereCone());
         for (PolytopeCone.Shape shape : PolytopeCone.Shape.values()) {
