@@ -65,7 +65,8 @@ final class ThingPainter {
         double depth = 0;
         for (Outline outline : outlines) {
             depth = Math.max(
-                    depth, Outline.depth(outline, object.center().x(), object.center().z()));
+                    depth,
+                    Outline.depth(outline, object.center().x(), object.center().z()));
         }
         double room = 0.72 * frame.scale * depth;
         double x = frame.x(object.center());
@@ -78,10 +79,7 @@ final class ThingPainter {
         // Beside a small part, so that it does not cover it; upon the centre where nothing is there.
         double away = depth > 0 ? frame.scale * depth + SMALL_ARROW + 1 : 0;
         double[] small = arrow(
-                x + fx / length * away,
-                y + fz / length * away,
-                fx / length * SMALL_ARROW,
-                fz / length * SMALL_ARROW);
+                x + fx / length * away, y + fz / length * away, fx / length * SMALL_ARROW, fz / length * SMALL_ARROW);
         canvas.polygons(List.of(small), Style.filled(ink, 0.92));
     }
 

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import robosim.geometry.exact.Degrees;
+import robosim.geometry.exact.Given;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.Dimension;
@@ -65,6 +66,7 @@ public final class RosMapReader {
 
     /** Reads a map, with the account of it. */
     static WorldImport readImport(Path yaml, double height) throws WorldException {
+        Given.present("yaml", yaml);
         if (!(height > 0 && height <= 0x1p100)) {
             throw new IllegalArgumentException("height must be above 0 and at most 2^100 (got: " + height + ")");
         }
@@ -142,7 +144,8 @@ public final class RosMapReader {
             return List.of();
         }
         return List.of(yaml + ":" + settings.freeLine() + ": free_thresh should be at most occupied_thresh, "
-                + settings.occupied() + "; as in the map server of ROS 2, what is above occupied_thresh is a wall, and no"
+                + settings.occupied()
+                + "; as in the map server of ROS 2, what is above occupied_thresh is a wall, and no"
                 + " cell is unknown (got: " + settings.free() + ")");
     }
 
@@ -171,8 +174,7 @@ public final class RosMapReader {
         return new WorldObject(box(settings, grid, height, cells).named(side + " edge of the map"));
     }
 
-    private static BoxObject box(
-            MapSettings settings, OccupancyGrid grid, double height, Rectangles.Rectangle cells) {
+    private static BoxObject box(MapSettings settings, OccupancyGrid grid, double height, Rectangles.Rectangle cells) {
         BoxObject box = new BoxObject(
                 new Point(),
                 (cells.toX() - cells.fromX()) * settings.resolution(),

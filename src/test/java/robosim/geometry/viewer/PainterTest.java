@@ -154,7 +154,11 @@ class PainterTest {
                 new BoxObject(new Point(0, 3, 0), 4, 0.2, 3).named("roof"),
                 new CylinderObject(new Point(0, 0, 0), 1, 1).turned(90, 0).named("log"),
                 new MeshObject(
-                                List.of(new Point(-2, 5, -1), new Point(2, 0, -1), new Point(2, 0, 1), new Point(9, 9, 9)),
+                                List.of(
+                                        new Point(-2, 5, -1),
+                                        new Point(2, 0, -1),
+                                        new Point(2, 0, 1),
+                                        new Point(9, 9, 9)),
                                 new int[][] {{0, 1, 2}})
                         .movedTo(new Point(0, -1, 0))
                         .named("sheet"),
@@ -166,8 +170,7 @@ class PainterTest {
                 new BoxObject(new Point(0, -2, 0), 2, 0.1, 1).named("mat"));
         // Tops: 3.1, 1, 4, 2.25, about -0.2, -1.95, -1.95.
         Document document = parse(Painter.svg(scene));
-        assertThat(titles(document, "object"))
-                .containsExactly("floor", "mat", "group", "log", "ball", "roof", "sheet");
+        assertThat(titles(document, "object")).containsExactly("floor", "mat", "group", "log", "ball", "roof", "sheet");
         // In the middle of the page only what nothing covers has a name; the mat's place is the floor's middle too.
         Element names = withClass(document, "names").get(0);
         assertThat(names.getTextContent()).contains("sheet").doesNotContain("mat", "floor", "roof");
@@ -203,11 +206,13 @@ class PainterTest {
     @Test
     void anArrowIsSeenAndNoLargerThanItsPart() {
         int first = Palette.robot(0).light();
-        GeometryObject off = new ObjectGroup(
-                        List.of(new BoxObject(new Point(3, 0, 0), 1, 1, 1), new BoxObject(new Point(-3, 0, 1), 1, 1, 1)))
+        GeometryObject off = new ObjectGroup(List.of(
+                        new BoxObject(new Point(3, 0, 0), 1, 1, 1), new BoxObject(new Point(-3, 0, 1), 1, 1, 1)))
                 .moveable("off");
         BufferedImage image = Painter.image(above(off), Theme.LIGHT);
-        assertThat(pixels(image, VIEW, 0, 0, 10, first)).as("an arrow on the floor").isBetween(30, 150);
+        assertThat(pixels(image, VIEW, 0, 0, 10, first))
+                .as("an arrow on the floor")
+                .isBetween(30, 150);
         assertThat(pixels(image, VIEW, 3, 0, 30, 0xffffff)).as("none on a part").isZero();
         // A plus of two bars: the arrow keeps to the bar's width of 0.4, 30 pixels.
         GeometryObject plus = new ObjectGroup(
@@ -215,7 +220,9 @@ class PainterTest {
                 .moveable("plus");
         image = Painter.image(above(plus), Theme.LIGHT);
         assertThat(pixels(image, VIEW, 0, 0, 16, 0xffffff)).isGreaterThan(60);
-        assertThat(pixels(image, VIEW, 0.5, 0, 14, first)).as("the bar ahead of it").isGreaterThan(28 * 28 * 9 / 10);
+        assertThat(pixels(image, VIEW, 0.5, 0, 14, first))
+                .as("the bar ahead of it")
+                .isGreaterThan(28 * 28 * 9 / 10);
     }
 
     /** A robot of a pixel or two is a dot of its colour and not of its edge. */
@@ -235,8 +242,8 @@ class PainterTest {
             assertThat(pixels(image, VIEW, 1, 1, 4, first)).as("%s", small).isGreaterThanOrEqualTo(8);
         }
         // Forward is told beside it.
-        BufferedImage image =
-                Painter.image(above(new SphereObject(new Point(), 0.02).turned(0, 90).moveable("a")), Theme.LIGHT);
+        BufferedImage image = Painter.image(
+                above(new SphereObject(new Point(), 0.02).turned(0, 90).moveable("a")), Theme.LIGHT);
         assertThat(pixels(image, VIEW, 0, -0.13, 4, first))
                 .isGreaterThan(2 * pixels(image, VIEW, 0, 0.13, 4, first))
                 .isPositive();

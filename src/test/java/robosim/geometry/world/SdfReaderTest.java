@@ -262,7 +262,8 @@ class SdfReaderTest {
     @Test
     void aMergedModelStandsBeforeASiblingThatAnEarlierPoseCountsFrom() throws IOException {
         file("arm.sdf", "<sdf version=\"1.10\"><model name=\"arm\">" + ball("upper", "") + "</model></sdf>");
-        String arm = "<include merge=\"true\"><uri>arm.sdf</uri><pose relative_to=\"late\">0 0 1 0 0 0</pose></include>";
+        String arm =
+                "<include merge=\"true\"><uri>arm.sdf</uri><pose relative_to=\"late\">0 0 1 0 0 0</pose></include>";
         String base = ball("base", "<pose relative_to=\"late\">1 0 0 0 0 0</pose>");
         String late = "<frame name=\"late\"><pose>0 10 0 0 0 0</pose></frame>";
         for (String content : List.of(base + arm + late, arm + base + late, late + arm + base, base + late + arm)) {

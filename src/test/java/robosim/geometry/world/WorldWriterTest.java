@@ -77,12 +77,14 @@ class WorldWriterTest {
                 object = object.turned(0, random.nextDouble() * random.nextDouble() * 40);
             }
             if (random.nextInt(3) == 0) {
-                object = object.oriented(object.turned(0, 0.1 * random.nextInt(3600)).rotation());
+                object = object.oriented(
+                        object.turned(0, 0.1 * random.nextInt(3600)).rotation());
             }
             if (random.nextInt(8) == 0) {
                 object = object.turned(random.nextDouble(-90, 90), 3);
             }
-            GeometryObject group = new ObjectGroup(List.of(object)).turned(0, 0.1).turned(0, 0.2);
+            GeometryObject group =
+                    new ObjectGroup(List.of(object)).turned(0, 0.1).turned(0, 0.2);
             World world = new World(99, 99, 99, List.of(new WorldObject(object), new WorldObject(group)));
             String xml = WorldWriter.toXml(world);
             World again = reread(xml);
@@ -97,7 +99,9 @@ class WorldWriterTest {
                     double degrees = random.nextDouble() * random.nextDouble() * 80 - 40;
                     written = written.turned(0, degrees);
                     read = read.turned(0, degrees);
-                    assertThat(read.rotation()).as("run %d, turn %d of\n%s", run, turn, xml).isEqualTo(written.rotation());
+                    assertThat(read.rotation())
+                            .as("run %d, turn %d of\n%s", run, turn, xml)
+                            .isEqualTo(written.rotation());
                     assertThat(read.pose().lostHeading())
                             .isEqualTo(written.pose().lostHeading());
                 }
