@@ -22,18 +22,31 @@ final class Connection implements Runnable {
 
     private static final int PARTING_BYTES = 1 << 20;
 
+    /** A world from a message of so many bytes has more objects than can be put into an index within a turn. */
+    private static final int HEAVY_BYTES = 1 << 20;
+
+    private static final String NO_MEMORY =
+            "the module has not enough memory for this request; ask for less at a time, or"
+                    + " give it more (-Xmx); a new connection may go on";
+
     private final Socket socket;
     private final String name;
     private final Surroundings around;
     private final NetOptions options;
     private final @Nullable Cipher cipher;
     private final Watchdog.Guard guard;
+    private final Turn turn;
+    private final Room.Share room;
+    private final Worlds.Plot plot;
 
     /** The message that is being read or carried out, from 1. */
     private long message;
 
     private long answers;
     private volatile boolean stopping;
+
+    /** Whether what it does was cut off because the module is ending. */
+    private volatile boolean ending;
 
     /** Puts TLS over a connected socket. */
     @FunctionalInterface
@@ -53,6 +66,9 @@ final class Connection implements Runnable {
         this.options = around.options();
         this.cipher = cipher;
         this.guard = around.watchdog().guard(this::abort);
+        this.turn = around.turns().turn();
+        this.room = around.room().share();
+        this.plot = around.worlds().plot();
     }
 
     /** Answers until the peer ends, errs or is told to stop; then the socket is closed. Nothing is thrown. */
@@ -62,20 +78,35 @@ final class Connection implements Runnable {
         LOG.log(System.Logger.Level.DEBUG, name + ": open");
         try {
             converse();
+        } catch (Turn.CutOff e) {
+            closed("cut off", e);
+            partGently();
         } catch (ProtocolException e) {
             closed(String.valueOf(e.getMessage()), e);
             partGently();
         } catch (IOException e) {
             closed("the answer could not be sent: " + e.getMessage(), e);
+        } catch (OutOfMemoryError e) {
+            plot.free(); // and the world with it: the session is no more
+            closed(NO_MEMORY + " (got: " + e + ")", e);
+            partGently();
         } catch (RuntimeException | Error e) {
-            around.figures().failed();
+            failed(e);
+        } finally {
+            abort();
+            turn.give();
+            plot.free();
+            around.figures().closed();
+        }
+    }
+
+    private void failed(Throwable e) {
+        around.figures().failed();
+        if (around.log().take() >= 0) {
             LOG.log(
                     System.Logger.Level.ERROR,
                     name + ": closed at message " + message + ", after an error of the module itself",
                     e);
-        } finally {
-            abort();
-            around.figures().closed();
         }
     }
 
@@ -110,14 +141,16 @@ final class Connection implements Runnable {
     }
 
     private void converse(Socket talk) throws IOException {
-        PacedInput in = new PacedInput(socket, talk.getInputStream(), guard, options.patience(), () -> stopping);
-        PacedOutput out = new PacedOutput(talk.getOutputStream(), guard, options.patience());
+        PacedInput in =
+                new PacedInput(socket, talk.getInputStream(), guard, options.patience(), turn, room, () -> stopping);
+        PacedOutput out = new PacedOutput(talk.getOutputStream(), guard, options.patience(), turn);
         Porter porter = new Porter(options.access(), in, options.patience());
         MessageChannel channel = new MessageChannel(in, out, options.translator(), in, porter);
         porter.watch(channel);
         SessionListener listener = options.listeners().apply(name);
         try {
-            converse(channel, new Session(options.session(), listener, name));
+            Session session = new Session(options.session(), listener, name);
+            converse(channel, session.pausing(turn::breathe, around.log()));
         } finally {
             listener.ended();
         }
@@ -127,7 +160,7 @@ final class Connection implements Runnable {
         message = 1;
         for (Bundle request = channel.read(); request != null; request = channel.read()) {
             long start = System.nanoTime();
-            String refusal = refusal(request);
+            String refusal = refusal(request, channel.messageBytes());
             if (refusal != null) {
                 channel.refuse(refusal);
                 throw new ProtocolException(refusal);
@@ -144,9 +177,19 @@ final class Connection implements Runnable {
         LOG.log(System.Logger.Level.DEBUG, name + ": closed at message " + message + ", its end");
     }
 
-    private static @Nullable Reply reply(MessageChannel channel, Session session, Bundle request) {
+    private @Nullable Reply reply(MessageChannel channel, Session session, Bundle request) {
         try {
-            return session.reply(request);
+            Reply reply = session.reply(request);
+            if (request instanceof InitBundle && channel.messageBytes() >= HEAVY_BYTES) {
+                turn.heavy(); // the first questions about it make its indexes
+            }
+            return reply;
+        } catch (Turn.CutOff e) {
+            channel.refuse("the module is ending: message " + message + " was cut off, and has no answer");
+            throw e;
+        } catch (OutOfMemoryError e) {
+            channel.refuse(NO_MEMORY);
+            throw e;
         } catch (RuntimeException | Error e) {
             channel.refuse("an error of the module itself, which its log tells; a new connection may go on");
             throw e;
@@ -154,10 +197,11 @@ final class Connection implements Runnable {
     }
 
     /** Why this cannot be asked here; null where it can. */
-    private @Nullable String refusal(Bundle request) {
+    private @Nullable String refusal(Bundle request, int messageBytes) {
         Allowance allowance = options.allowance();
         if (request instanceof InitBundle init) {
-            return tooMany("a world", "objects", init.objects().size(), allowance.objects());
+            String tooMany = tooMany("a world", "objects", init.objects().size(), allowance.objects());
+            return tooMany == null ? plot.claim(messageBytes) : tooMany;
         }
         if (request instanceof MoveBundle moves) {
             return tooMany("a bundle", "requests", moves.moves().size(), allowance.requests());
@@ -173,16 +217,23 @@ final class Connection implements Runnable {
         return count <= most ? null : whole + " must have at most " + most + " " + items + " (got: " + count + ")";
     }
 
-    private void closed(String reason, Exception e) {
-        if (!stopping || guard.isBroken()) {
+    private void closed(String reason, Throwable e) {
+        if (ending) {
+            warn("closed at message " + message + ", which was cut off and has no answer, as the module is ending");
+        } else if (!stopping || guard.isBroken()) {
             around.figures().failed();
-            LOG.log(System.Logger.Level.WARNING, name + ": closed at message " + message + ", " + Text.line(reason));
+            warn("closed at message " + message + ", " + Text.line(reason));
         }
         LOG.log(System.Logger.Level.DEBUG, name + ": in detail", e);
     }
 
+    private void warn(String words) {
+        around.log().log(LOG, System.Logger.Level.WARNING, name + ": " + words);
+    }
+
     /** Lets answers arrive that are on their way: closing a socket that has unread bytes takes them back. */
     private void partGently() {
+        turn.give();
         byte[] rest = new byte[1 << 13];
         long end = System.nanoTime() + PARTING_NANOS;
         try {
@@ -212,10 +263,20 @@ final class Connection implements Runnable {
         }
     }
 
+    /** What has not been answered by now is not answered any more; the peer is told. */
+    void cutOff() {
+        ending = true;
+        stopping = true;
+        turn.cutOff();
+        room.close();
+    }
+
     /** Ends at once. */
     void abort() {
         stopping = true;
         guard.close();
+        turn.cutOff();
+        room.close();
         try {
             socket.close();
         } catch (IOException e) {

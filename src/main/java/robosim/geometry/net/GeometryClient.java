@@ -22,7 +22,6 @@ import org.jspecify.annotations.Nullable;
  */
 public final class GeometryClient implements Runnable, AutoCloseable {
     private static final System.Logger LOG = System.getLogger(GeometryClient.class.getPackageName());
-    private static final int GRACE_SECONDS = 2;
 
     private final String host;
     private final int port;
@@ -196,8 +195,9 @@ public final class GeometryClient implements Runnable, AutoCloseable {
     }
 
     /**
-     * Ends the connection: what has been read is answered, for at most 2 seconds. When this returns, {@link #run} has
-     * ended or is about to; a listener that closes its own client does not wait for that. Does nothing the second time.
+     * Ends the connection within 2 seconds: what has been read is answered for a second and a half, then it is cut off, with
+     * a line in the log; a peer that speaks JSON is told. When this returns, {@link #run} has ended, or will when it is done
+     * with a single long question; a listener that closes its own client does not wait for that. Does nothing the second time.
      */
     @Override
     public void close() {
@@ -219,9 +219,12 @@ public final class GeometryClient implements Runnable, AutoCloseable {
             return;
         }
         try {
-            if (!ended.await(GRACE_SECONDS, TimeUnit.SECONDS)) {
-                own.abort();
-                ended.await(GRACE_SECONDS, TimeUnit.SECONDS);
+            if (!ended.await(Ending.ANSWERS_NANOS, TimeUnit.NANOSECONDS)) {
+                own.cutOff();
+                if (!ended.await(Ending.WORDS_NANOS - Ending.ANSWERS_NANOS, TimeUnit.NANOSECONDS)) {
+                    own.abort();
+                    ended.await(Ending.ALL_NANOS - Ending.WORDS_NANOS, TimeUnit.NANOSECONDS);
+                }
             }
         } catch (InterruptedException e) {
             own.abort();

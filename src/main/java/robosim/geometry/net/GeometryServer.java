@@ -27,7 +27,6 @@ import robosim.geometry.protocol.MessageChannel;
  */
 public final class GeometryServer implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(GeometryServer.class.getPackageName());
-    private static final long GRACE_NANOS = TimeUnit.SECONDS.toNanos(2);
 
     private final ServerSocket listening;
     private final NetOptions options;
@@ -182,8 +181,10 @@ public final class GeometryServer implements AutoCloseable {
     }
 
     /**
-     * Accepts no more, answers what has been read, for at most 2 seconds, and closes every connection. When it returns,
-     * no thread and no socket is left. Does nothing the second time.
+     * Accepts no more, answers what has been read, and closes every connection, all within 2 seconds. What has no answer
+     * after a second and a half is cut off with a line in the log; a peer that speaks JSON is told. When it returns no
+     * socket is left, and no thread but one that is within a single long question, which it ends after that. Does nothing
+     * the second time.
      */
     @Override
     public void close() {
@@ -193,12 +194,15 @@ public final class GeometryServer implements AutoCloseable {
         } catch (IOException e) {
             LOG.log(System.Logger.Level.DEBUG, "the listening socket could not be closed", e);
         }
+        long start = System.nanoTime();
         try {
-            join(acceptor, System.nanoTime() + GRACE_NANOS);
+            join(acceptor, start + Ending.ANSWERS_NANOS);
             connections.keySet().forEach(Connection::stop);
-            joinAll();
+            joinAll(start + Ending.ANSWERS_NANOS);
+            connections.keySet().forEach(Connection::cutOff);
+            joinAll(start + Ending.WORDS_NANOS);
             connections.keySet().forEach(Connection::abort);
-            joinAll();
+            joinAll(start + Ending.ALL_NANOS);
         } catch (InterruptedException e) {
             connections.keySet().forEach(Connection::abort);
             Thread.currentThread().interrupt();
@@ -208,8 +212,7 @@ public final class GeometryServer implements AutoCloseable {
         }
     }
 
-    private void joinAll() throws InterruptedException {
-        long deadline = System.nanoTime() + GRACE_NANOS;
+    private void joinAll(long deadline) throws InterruptedException {
         for (Thread thread : connections.values()) {
             join(thread, deadline);
         }

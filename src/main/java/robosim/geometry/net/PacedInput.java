@@ -14,31 +14,48 @@ final class PacedInput extends InputStream implements MessagePace {
     /** How long a peer may be silent before it gets our stream header, for which it may be waiting. */
     private static final int SILENCE_MILLIS = 300;
 
+    /** Messages below that take no part of the room that all have. */
+    private static final int LARGE_BYTES = 1 << 18;
+
     private final Socket socket;
     private final InputStream in;
     private final Watchdog.Guard guard;
     private final long stallNanos;
     private final long messageNanos;
+    private final Turn turn;
+    private final Room.Share room;
     private final BooleanSupplier stopping;
     private Duration idleTime;
     private boolean opening;
     private boolean inside;
     private long deadline;
+    private long messageBytes;
 
     /**
      * Reads.
      *
      * @param socket   whose time-outs are set
      * @param in       its bytes, deciphered where they are ciphered
+     * @param turn     held from when bytes have come until they are waited for again
+     * @param room     of which a large message takes its part until the next one is waited for
      * @param stopping from when on a failure is the end
      */
-    PacedInput(Socket socket, InputStream in, Watchdog.Guard guard, Patience patience, BooleanSupplier stopping) {
+    PacedInput(
+            Socket socket,
+            InputStream in,
+            Watchdog.Guard guard,
+            Patience patience,
+            Turn turn,
+            Room.Share room,
+            BooleanSupplier stopping) {
         this.socket = socket;
         this.in = in;
         this.guard = guard;
         this.stallNanos = patience.stall().toNanos();
         this.messageNanos = patience.message().toNanos();
         this.idleTime = patience.idle();
+        this.turn = turn;
+        this.room = room;
         this.stopping = stopping;
     }
 
@@ -52,13 +69,16 @@ final class PacedInput extends InputStream implements MessagePace {
     public void idle() {
         opening = false;
         inside = false;
+        room.free();
     }
 
     @Override
     public void begun() {
         opening = false;
         inside = true;
+        messageBytes = 0;
         deadline = System.nanoTime() + messageNanos;
+        turn.hold();
     }
 
     /** From now on the peer may be idle for so long between two messages. */
@@ -75,12 +95,45 @@ final class PacedInput extends InputStream implements MessagePace {
     @Override
     public int read(byte[] into, int at, int length) throws IOException {
         try {
-            return inside ? readInside(into, at, length) : readIdle(into, at, length);
+            if (turn.isCutOff()) {
+                throw new IOException("the connection was cut off");
+            }
+            if (inside && in.available() > 0) {
+                turn.hold();
+            } else {
+                turn.give();
+                if (inside) {
+                    SocketSettings.acknowledge(socket); // the rest may wait for that
+                } else {
+                    turn.rest();
+                }
+            }
+            int got = inside ? readInside(into, at, length) : readIdle(into, at, length);
+            if (inside) {
+                count(got);
+            }
+            turn.hold();
+            return got;
         } catch (IOException e) {
             if (stopping.getAsBoolean() && !guard.isBroken()) {
                 return -1;
             }
             throw e;
+        }
+    }
+
+    /** What is large waits for its room. */
+    private void count(int got) throws IOException {
+        messageBytes += Math.max(0, got);
+        if (messageBytes < LARGE_BYTES) {
+            return;
+        }
+        long wanted = (messageBytes / LARGE_BYTES + 1) * LARGE_BYTES * Room.MEMORY_FOR_A_BYTE;
+        if (!room.holds(wanted)) {
+            turn.give();
+            long start = System.nanoTime();
+            room.growTo(wanted);
+            deadline += System.nanoTime() - start; // others made it wait
         }
     }
 

@@ -4,25 +4,30 @@ import java.io.IOException;
 import java.io.OutputStream;
 
 /**
- * The way out to a peer. What is written goes to the socket's own queue, which is bounded; while it is full the writer
- * waits, and reads no further request of that peer.
+ * The way out to a peer. A message is gathered, so that a small one is one write and one segment; what is written goes to
+ * the socket's own queue, which is bounded. While that is full the writer waits, without its {@link Turn}, and reads no
+ * further request of that peer.
  */
 final class PacedOutput extends OutputStream {
     /** One step of the progress that is watched. */
-    private static final int STEP_BYTES = 1 << 14;
+    static final int STEP_BYTES = 1 << 14;
 
     private final OutputStream out;
     private final Watchdog.Guard guard;
     private final Patience patience;
+    private final Turn turn;
+    private final byte[] gathered = new byte[STEP_BYTES];
+    private int count;
     private long messageDue;
 
     /** What is written next begins a message; each ends with a flush. */
     private boolean between = true;
 
-    PacedOutput(OutputStream out, Watchdog.Guard guard, Patience patience) {
+    PacedOutput(OutputStream out, Watchdog.Guard guard, Patience patience, Turn turn) {
         this.out = out;
         this.guard = guard;
         this.patience = patience;
+        this.turn = turn;
     }
 
     @Override
@@ -32,21 +37,33 @@ final class PacedOutput extends OutputStream {
 
     @Override
     public void write(byte[] bytes, int at, int length) throws IOException {
+        int end = at + length;
+        for (int from = at; from < end; ) {
+            if (count == STEP_BYTES) {
+                boolean computing = turn.isRunning();
+                step();
+                if (computing) {
+                    turn.take();
+                }
+            }
+            int part = Math.min(STEP_BYTES - count, end - from);
+            System.arraycopy(bytes, from, gathered, count, part);
+            count += part;
+            from += part;
+        }
+    }
+
+    private void step() throws IOException {
+        turn.give();
         if (between) {
             between = false;
             messageDue = System.nanoTime() + patience.message().toNanos();
         }
-        int end = at + length;
-        for (int from = at; from < end; from += STEP_BYTES) {
-            step(bytes, from, Math.min(STEP_BYTES, end - from));
-        }
-    }
-
-    private void step(byte[] bytes, int at, int length) throws IOException {
         long stalled = System.nanoTime() + patience.stall().toNanos();
         guard.begin(stalled - messageDue < 0 ? stalled : messageDue);
         try {
-            out.write(bytes, at, length);
+            out.write(gathered, 0, count);
+            count = 0;
         } catch (IOException e) {
             throw guard.isBroken() ? new IOException(complaint(stalled), e) : e;
         } finally {
@@ -60,8 +77,12 @@ final class PacedOutput extends OutputStream {
                 : "the peer did not read a message within " + patience.message().toMillis() + " ms";
     }
 
+    /** The end of a message, after which there is nothing to compute until another one has come. */
     @Override
     public void flush() throws IOException {
+        if (count > 0) {
+            step();
+        }
         out.flush();
         between = true;
     }

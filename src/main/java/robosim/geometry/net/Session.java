@@ -51,6 +51,9 @@ public final class Session {
     private final World.Maker maker;
     private final Complaints complaints;
 
+    /** Between two parts of the work. */
+    private Runnable breath = () -> {};
+
     private @Nullable World world;
     private Set<String> moveable = Set.of();
     private double radians;
@@ -108,6 +111,17 @@ public final class Session {
         this.complaints = new Complaints(Arguments.present("log", log), Arguments.present("name", name));
         this.maker = maker;
         listener.opened(this);
+    }
+
+    /**
+     * This session, which from now on pauses between two parts of its work: objects, moves, distances.
+     *
+     * @param between may throw: then the request is broken off, and the session of no use any more
+     */
+    Session pausing(Runnable between, LogBudget budget) {
+        breath = between;
+        complaints.within(budget);
+        return this;
     }
 
     /**
@@ -171,6 +185,7 @@ public final class Session {
         Set<String> movers = new HashSet<>();
         int index = 0;
         for (GeometryObject object : init.objects()) {
+            breath.run();
             if (add(made, object, index++, names) && object.isMoveable() && object.name() != null) {
                 movers.add(object.name());
             }
@@ -214,6 +229,7 @@ public final class Session {
         List<Problem> problems = new ArrayList<>();
         int index = 0;
         for (MoveRequest request : bundle.moves()) {
+            breath.run();
             Problem problem = move(request, index++);
             if (problem == null) {
                 made.add(request);
@@ -248,6 +264,7 @@ public final class Session {
         List<Double> distances = new ArrayList<>(bundle.requests().size());
         List<Problem> problems = new ArrayList<>();
         for (SonarRequest request : bundle.requests()) {
+            breath.run();
             distances.add(measure(request, distances.size(), problems));
         }
         return new Reply(new DistanceBundle(distances), problems);

@@ -1,4 +1,16 @@
 package robosim.geometry.net;
 
 /** What the connections of one end share. */
-record Surroundings(NetOptions options, Figures figures, Watchdog watchdog) {}
+record Surroundings(
+        NetOptions options, Figures figures, Watchdog watchdog, Turns turns, Room room, Worlds worlds, LogBudget log) {
+    Surroundings(NetOptions options, Figures figures, Watchdog watchdog) {
+        this(
+                options,
+                figures,
+                watchdog,
+                Turns.ofThisMachine(),
+                Room.ofThisProcess(),
+                Worlds.ofThisProcess(),
+                new LogBudget(System::nanoTime));
+    }
+}

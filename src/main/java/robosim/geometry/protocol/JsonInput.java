@@ -7,9 +7,13 @@ import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.core.StreamReadConstraints;
 import com.fasterxml.jackson.core.StreamWriteFeature;
 import com.fasterxml.jackson.core.exc.StreamConstraintsException;
+import java.io.ByteArrayInputStream;
 import java.io.Closeable;
 import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.Reader;
 import java.math.BigDecimal;
+import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -46,6 +50,9 @@ final class JsonInput implements Closeable {
     private final boolean discreet;
     private int containers;
 
+    /** The text that was read last. */
+    private @Nullable String lastText;
+
     private JsonInput(JsonParser parser, boolean discreet) {
         this.parser = parser;
         this.discreet = discreet;
@@ -53,12 +60,27 @@ final class JsonInput implements Closeable {
 
     /** A line whose words may be repeated where it is refused. */
     static JsonInput of(byte[] bytes, int at, int length) throws IOException {
-        return new JsonInput(FACTORY.createParser(bytes, at, length), false);
+        return new JsonInput(parser(bytes, at, length), false);
+    }
+
+    /** A line whose words may be repeated, as it comes. */
+    static JsonInput of(Reader line) throws IOException {
+        return new JsonInput(FACTORY.createParser(line), false);
     }
 
     /** A line that may hold a secret: nothing of it is repeated. */
     static JsonInput discreet(byte[] bytes, int at, int length) throws IOException {
-        return new JsonInput(FACTORY.createParser(bytes, at, length), true);
+        return new JsonInput(parser(bytes, at, length), true);
+    }
+
+    // Not createParser(bytes, at, length): where names are not canonicalized, that of Jackson 2.22 takes at + length
+    // for
+    // the length of more than 8,000 bytes, and reads what stands behind the line.
+    private static JsonParser parser(byte[] bytes, int at, int length) throws IOException {
+        return length <= LineInput.BUFFER
+                ? FACTORY.createParser(new String(bytes, at, length, StandardCharsets.UTF_8))
+                : FACTORY.createParser(
+                        new InputStreamReader(new ByteArrayInputStream(bytes, at, length), StandardCharsets.UTF_8));
     }
 
     /** The {@code type} of the message, wherever in it that stands; what comes behind it is not looked at. */
@@ -68,6 +90,16 @@ final class JsonInput implements Closeable {
                 return in.text();
             }
             throw in.refused("must have the field \"type\" (got: none)");
+        }
+    }
+
+    /** The {@code type} of the message of which this is the beginning, where it stands first; null elsewhere. */
+    static @Nullable String firstTypeOf(JsonInput beginning) {
+        try (JsonInput in = beginning) {
+            in.begin();
+            return in.isObject() && "type".equals(in.nextField()) && in.isText() ? in.text() : null;
+        } catch (IOException e) {
+            return null; // who reads all of it tells what is wrong with it
         }
     }
 
@@ -199,7 +231,11 @@ final class JsonInput implements Closeable {
         if (!isNumber()) {
             throw refused("must be a number (got: " + kind() + ")");
         }
-        double value = Double.parseDouble(scalar());
+        String digits = scalar();
+        if (digits.length() > MAX_NUMBER_LENGTH) { // the parser itself does not count the sign, nor the point
+            throw refused(numberTooLong());
+        }
+        double value = Double.parseDouble(digits);
         if (!Double.isFinite(value)) {
             throw refused("must be a number that a double can hold (got: one beyond 1.8e308)");
         }
@@ -249,6 +285,10 @@ final class JsonInput implements Closeable {
         if (!isText()) {
             throw refused("must be a text (got: " + kind() + ")");
         }
+        String last = lastText;
+        if (last != null && isAgain(last)) {
+            return last; // one robot's name stands in many requests of a bundle
+        }
         String text = scalar();
         int bytes = 0;
         for (int k = 0; k < text.length(); k++) {
@@ -264,7 +304,22 @@ final class JsonInput implements Closeable {
         if (bytes > Limits.MAX_TEXT_BYTES) {
             throw refused(tooLong());
         }
+        lastText = text;
         return text;
+    }
+
+    private boolean isAgain(String text) throws IOException {
+        try {
+            char[] chars = parser.getTextCharacters();
+            int from = parser.getTextOffset();
+            boolean same = parser.getTextLength() == text.length();
+            for (int k = 0; same && k < text.length(); k++) {
+                same = chars[from + k] == text.charAt(k);
+            }
+            return same;
+        } catch (JsonProcessingException e) {
+            throw noJson(e);
+        }
     }
 
     /** One of the names of an enum. */
@@ -311,6 +366,10 @@ final class JsonInput implements Closeable {
         return pointer.isEmpty() ? "the message: " : "at " + Text.line(pointer) + ": ";
     }
 
+    private static String numberTooLong() {
+        return "a number must have at most " + MAX_NUMBER_LENGTH + " characters (got: more)";
+    }
+
     private static String tooLong() {
         return "a text must have at most " + Limits.MAX_TEXT_BYTES + " bytes (got: more)";
     }
@@ -338,7 +397,7 @@ final class JsonInput implements Closeable {
             return "nesting must be at most " + Limits.MAX_DEPTH + " deep (got: more)";
         }
         if (words.startsWith("Number value length")) {
-            return "a number must have at most " + MAX_NUMBER_LENGTH + " characters (got: more)";
+            return numberTooLong();
         }
         return words.startsWith("String value length") || words.startsWith("Name length") ? tooLong() : words;
     }

@@ -148,12 +148,30 @@ public final class JsonLines {
         } catch (ProtocolException e) {
             throw e;
         } catch (IOException | RuntimeException | StackOverflowError | OutOfMemoryError e) {
-            String text = e.getMessage();
-            throw new ProtocolException(
-                    "a line that is no message: " + e.getClass().getSimpleName()
-                            + (text == null ? "" : ", " + Text.line(text)),
-                    e);
+            throw noMessage(e);
         }
+    }
+
+    /** Whatever goes wrong in reading a line that comes over a connection, but for the connection itself. */
+    static <T> T guardedAsItComes(Reading<T> reading) throws IOException {
+        try {
+            return reading.read();
+        } catch (CharacterCodingException e) {
+            throw new ProtocolException("a line must be UTF-8 (got: other bytes)", e);
+        } catch (RuntimeException | StackOverflowError | OutOfMemoryError e) {
+            throw noMessage(e);
+        }
+    }
+
+    private static ProtocolException noMessage(Throwable e) {
+        if (e instanceof OutOfMemoryError) {
+            return ProtocolException.noMemory(e);
+        }
+        String text = e.getMessage();
+        return new ProtocolException(
+                "a line that is no message: " + e.getClass().getSimpleName()
+                        + (text == null ? "" : ", " + Text.line(text)),
+                e);
     }
 
     /** Writes something. */

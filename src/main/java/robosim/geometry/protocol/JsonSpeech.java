@@ -52,7 +52,7 @@ final class JsonSpeech implements Speech {
             throw new ProtocolException("line " + lines.number() + ", " + e.getMessage(), e.getCause());
         } catch (InterruptedIOException e) {
             throw new ProtocolException(
-                    "line " + lines.number() + ", a message stalled after " + lines.length() + " bytes of it", e);
+                    "line " + lines.number() + ", a message stalled after " + lines.count() + " bytes of it", e);
         } catch (IOException e) {
             throw new ProtocolException(
                     "line " + lines.number() + ", the connection failed: " + Text.line(e.toString()), e);
@@ -61,12 +61,13 @@ final class JsonSpeech implements Speech {
 
     /** Null for a message that is answered here. */
     private @Nullable Bundle message() throws IOException {
-        messageBytes = lines.length();
         if (!admitted) {
             hello();
+            messageBytes = lines.count();
             return null;
         }
-        Object message = JsonLines.guarded(this::decode);
+        Object message = JsonLines.guardedAsItComes(this::decode);
+        messageBytes = lines.count();
         if (message instanceof JsonMessages.Ping ping) {
             send(output -> output.writePong(ping.id()));
             return null;
@@ -75,13 +76,31 @@ final class JsonSpeech implements Speech {
     }
 
     private Object decode() throws IOException {
-        String type = JsonInput.typeOf(JsonInput.of(lines.buffer(), lines.start(), lines.length()));
+        if (lines.isWhole()) {
+            return decode(lines.buffer(), lines.start(), lines.length());
+        }
+        String type = JsonInput.firstTypeOf(JsonInput.of(lines.buffer(), lines.start(), lines.length()));
+        if (type == null) { // it may stand at the end
+            byte[] line = lines.gather();
+            return decode(line, 0, line.length);
+        }
+        try (JsonInput in = JsonInput.of(lines.characters())) {
+            return message(type, in);
+        }
+    }
+
+    private static Object decode(byte[] bytes, int at, int length) throws IOException {
+        String type = JsonInput.typeOf(JsonInput.of(bytes, at, length));
+        try (JsonInput in = JsonInput.of(bytes, at, length)) {
+            return message(type, in);
+        }
+    }
+
+    private static Object message(String type, JsonInput in) throws IOException {
         if (type.equals("hello")) {
             throw new ProtocolException("a hello must come once, as the first message (got: another)");
         }
-        try (JsonInput in = JsonInput.of(lines.buffer(), lines.start(), lines.length())) {
-            return type.equals("ping") ? new JsonMessages(in).ping() : JsonLines.request(type, in);
-        }
+        return type.equals("ping") ? new JsonMessages(in).ping() : JsonLines.request(type, in);
     }
 
     private void hello() throws IOException {
