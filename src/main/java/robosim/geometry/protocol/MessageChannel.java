@@ -107,7 +107,9 @@ public final class MessageChannel {
 
     /** What a peer that speaks JSON is told before its connection is closed, with its line feed. Needs no Jackson. */
     public static byte[] errorLine(String reason) {
-        String words = Text.line(Checks.present("reason", reason)).replace("\\", "\\\\").replace("\"", "\\\"");
+        String words = Text.line(Checks.present("reason", reason))
+                .replace("\\", "\\\\")
+                .replace("\"", "\\\"");
         return ("{\"type\":\"error\",\"message\":\"" + words + "\"}\n").getBytes(StandardCharsets.UTF_8);
     }
 
@@ -174,7 +176,7 @@ public final class MessageChannel {
 
             @Override
             public void write(Reply reply) throws IOException {
-        Checks.present("reply", reply);
+                Checks.present("reply", reply);
                 writer.write(reply.bundle());
             }
 

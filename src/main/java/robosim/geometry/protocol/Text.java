@@ -11,7 +11,9 @@ public final class Text {
 
     /** A name in quotes, on one line, of bearable length. */
     public static String quoted(String name) {
-        return '"' + plain(Checks.present("name", name).replace("\\", "\\\\").replace("\"", "\\\""), LONGEST_QUOTE) + '"';
+        return '"'
+                + plain(Checks.present("name", name).replace("\\", "\\\\").replace("\"", "\\\""), LONGEST_QUOTE)
+                + '"';
     }
 
     /** A sentence that may hold what a peer sent, on one line, of bearable length. */

@@ -45,7 +45,9 @@ public record Mismatch(long step, long line, int index, String request, String e
             return whole(number, step, "an answer", "none");
         }
         if (got.bundle().equals(expected.bundle())) { // its doubles are equal where their bits are, or both are NaN
-            return step.request() instanceof MoveBundle asked ? refusals(number, step, asked.moves(), expected, got) : null;
+            return step.request() instanceof MoveBundle asked
+                    ? refusals(number, step, asked.moves(), expected, got)
+                    : null;
         }
         if (step.request() instanceof SonarRequestBundle sonars) {
             return distances(number, step, sonars.requests(), expected, got);

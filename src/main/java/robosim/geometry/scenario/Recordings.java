@@ -42,8 +42,7 @@ public final class Recordings implements Function<String, SessionListener> {
         OutputStream make(Path place) throws IOException;
     }
 
-    private Recordings(
-            Function<String, Path> files, SessionOptions session, long mostBytes, Clock clock, Maker maker) {
+    private Recordings(Function<String, Path> files, SessionOptions session, long mostBytes, Clock clock, Maker maker) {
         this.files = files;
         this.session = Given.present("session", session);
         this.mostBytes = mostBytes;

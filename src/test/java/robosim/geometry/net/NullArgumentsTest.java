@@ -21,7 +21,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.LongSupplier;
-import java.util.stream.Stream;
 import javax.net.ssl.SSLContext;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
@@ -75,7 +74,8 @@ class NullArgumentsTest {
             "ProtocolException");
 
     /** What the module tells its listeners: that is never null. */
-    private static final List<String> TOLD = List.of("equals", "main", "asked", "replied", "tried", "answered", "opened");
+    private static final List<String> TOLD =
+            List.of("equals", "main", "asked", "replied", "tried", "answered", "opened");
 
     private final Map<Class<?>, @Nullable Object> samples = new HashMap<>();
 

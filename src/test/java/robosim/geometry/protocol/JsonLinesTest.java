@@ -305,7 +305,8 @@ class JsonLinesTest {
     /** The sign, the point and the exponent are characters too. */
     @Test
     void aNumberHasAtMostItsCharactersWhateverTheyAre() throws ProtocolException {
-        String line = "{\"type\":\"moves\",\"moves\":[{\"objectName\":\"a\",\"x\":%s,\"y\":0,\"z\":0,\"rx\":0,\"ry\":0}]}";
+        String line =
+                "{\"type\":\"moves\",\"moves\":[{\"objectName\":\"a\",\"x\":%s,\"y\":0,\"z\":0,\"rx\":0,\"ry\":0}]}";
         for (String form : new String[] {"0.%s", "-0.%s", "0.%se0", "-0.%se-1", "0.%sE+00"}) {
             int rest = 1100 - form.length() + 2;
             String most = form.formatted("1".repeat(rest));

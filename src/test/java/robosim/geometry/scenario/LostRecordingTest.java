@@ -104,9 +104,7 @@ class LostRecordingTest {
                         steps++;
                     }
                     assertThat(reader.torn()).as("no line breaks off").isZero();
-                    told += reader.lastNotes().toString().contains("recorded no further: No space left")
-                            ? 1
-                            : 0;
+                    told += reader.lastNotes().toString().contains("recorded no further: No space left") ? 1 : 0;
                     shortened += steps < STEPS ? 1 : 0;
                 }
                 assertThat(log.linesWith("disk " + room + ": is no longer recorded"))
@@ -117,17 +115,24 @@ class LostRecordingTest {
             }
         }
         assertThat(shortened).isGreaterThan(100);
-        assertThat(told).as("of " + shortened + ", where the line that did not fit was longer than the note")
+        assertThat(told)
+                .as("of " + shortened + ", where the line that did not fit was longer than the note")
                 .isGreaterThan(shortened / 4);
     }
 
     @Test
     void aFolderThatCannotBeWrittenIntoIsToldAndTheSessionGoesOn(@TempDir Path folder) throws IOException {
-        List<Reply> undisturbed = talk(new Recorder("nowhere", () -> { throw new IOException("nowhere"); }, null));
+        List<Reply> undisturbed = talk(new Recorder(
+                "nowhere",
+                () -> {
+                    throw new IOException("nowhere");
+                },
+                null));
         Path file = Files.createFile(folder.resolve("a file"));
         try (LogCapture log = new LogCapture("robosim.geometry.scenario")) {
             for (Path place : List.of(file, folder.resolve("not there"))) {
-                assertThat(talk(Recordings.inFolder(place, SessionOptions.ROBOSIM).apply("session")))
+                assertThat(talk(Recordings.inFolder(place, SessionOptions.ROBOSIM)
+                                .apply("session")))
                         .isEqualTo(undisturbed);
                 assertThat(log.linesWith(place.toString()))
                         .hasSize(1)

@@ -84,14 +84,16 @@ class MismatchTest {
                 .isNull();
         assertThat(Mismatch.of(2, step, new Reply(made))).as("nothing told").isNull();
         assertThat(Mismatch.of(2, step, new Reply(made, List.of(Problem.of(0, "it")))))
-                .hasToString("step 2 (line 4), request 0, a move of \"a\" by (1.0, 0.0, 0.0): expected made, got refused,"
-                        + " it; and 1 more of this step");
+                .hasToString(
+                        "step 2 (line 4), request 0, a move of \"a\" by (1.0, 0.0, 0.0): expected made, got refused,"
+                                + " it; and 1 more of this step");
         Step stray = new Step(4, List.of(), asked, new Reply(asked, List.of(Problem.of(7, "none"))), null);
         assertThat(Mismatch.of(2, stray, new Reply(asked)))
                 .hasToString("step 2 (line 4), 3 moves: expected move 7 refused, got no such move");
         Step allMade = new Step(4, List.of(), asked, new Reply(asked, List.of(Problem.of(2, "wall"))), null);
         assertThat(Mismatch.of(2, allMade, new Reply(asked)))
-                .hasToString("step 2 (line 4), request 2, a move of \"b\" by (0.0, 0.0, 0.0): expected refused, got made");
+                .hasToString(
+                        "step 2 (line 4), request 2, a move of \"b\" by (0.0, 0.0, 0.0): expected refused, got made");
     }
 
     @Test
