@@ -11,6 +11,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.narrow.DiscWay;
+import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.Leaf;
 import robosim.geometry.narrow.LeafColumn;
 import robosim.geometry.narrow.OwnLeaves;
@@ -46,6 +47,9 @@ final class Level {
 
     private int movers;
     private boolean hasMoversInTree;
+
+    /** The longest sum of three sides of bounds that were taken in. */
+    private double longest;
 
     /** How to place what moves; null where nobody has asked. */
     private @Nullable Form[] forms = new Form[0];
@@ -101,6 +105,7 @@ final class Level {
         leaves = of.leaves.view();
         spans = of.spans;
         shapes = of.shapes;
+        longest = of.longest;
     }
 
     /** Makes ready what is made when first asked: from now on nothing may change here, and many may ask its views. */
@@ -185,6 +190,7 @@ final class Level {
         int leaf = spans.claim(id, placed.size(), leaves, !object.isMoveable() && placed.fitsUpright());
         leaves.copy(placed, leaf);
         tree.keep(id, box);
+        longest = Math.max(longest, Distance.sides(box));
         leaves.outline(id, box[0], box[2], box[3], box[5]);
         shapes[id] = placed.size() == 1 && DiscWay.isDisc(leaves.kind(leaf)) ? DISC : 0;
         if (object.isMoveable()) {
@@ -357,6 +363,11 @@ final class Level {
 
     int count(int id) {
         return spans.count(id);
+    }
+
+    /** No object is wider to any side, however it turns: twice, as what stands for it may be wider than it is. */
+    double widest() {
+        return 2 * longest;
     }
 
     /** The bounds of all objects: object id's six numbers begin at 6 id. */

@@ -16,12 +16,13 @@ import robosim.geometry.narrow.Sweep;
  * starts, where it is after a share of the leg, and what box holds it all the way.
  */
 final class Phase {
-    /** What a phase turns about: nothing, the own X, the own Y or the vertical. */
+    /** What a phase turns about: nothing, the own X, the own Y, the vertical or the world's X. */
     static final int NO_TURN = 0;
 
     static final int OWN_X = 1;
     static final int OWN_Y = 2;
     static final int VERTICAL = 3;
+    static final int WORLD_X = 4;
 
     /**
      * How far off the centre of an upright object may be at the end of a way, as a share of its length, apart from half an
@@ -34,6 +35,9 @@ final class Phase {
      */
     static final double WAY_ERROR = 0x1p-50;
 
+    /** More than a place loses when it is stored, and than an enclosure is widened by, as a share of its coordinates. */
+    private static final double STORED = 0x1p-42;
+
     private static final int PLACE = Bodies.PLACE;
 
     final double[] start = new double[PLACE];
@@ -45,8 +49,15 @@ final class Phase {
     final Sweep sweep;
 
     private final double[] between = new double[PLACE];
+
+    /** What stands for the object at the end of the leg; see {@link #placeEnd}. */
+    final LeafColumn atLast = new LeafColumn(1);
+
     /** What stands for the object where it was asked about last, after its start. */
-    final LeafColumn probe = new LeafColumn(1);
+    private final LeafColumn probe = new LeafColumn(1);
+
+    /** The share after which the probe stands; NaN where it does not tell a place of this leg. */
+    private double probed = Double.NaN;
 
     private final LeafColumn exact = new LeafColumn(1);
     private final double[] part = new double[6];
@@ -73,6 +84,8 @@ final class Phase {
         atStart.append(form.size());
         probe.clear();
         probe.append(form.size());
+        atLast.clear();
+        atLast.append(form.size());
         exact.clear();
         exact.append(form.own.size());
     }
@@ -84,6 +97,7 @@ final class Phase {
         dz = z;
         axis = about;
         degrees = byDegrees;
+        probed = Double.NaN;
         placeAt(1, end);
         if (Arrays.equals(start, 0, Pose.LOST, end, 0, Pose.LOST) && degrees == 0) {
             return false;
@@ -117,6 +131,7 @@ final class Phase {
             case OWN_X -> Attitude.turn(place, 3, share * degrees, 0);
             case OWN_Y -> Attitude.turn(place, 3, 0, share * degrees);
             case VERTICAL -> Attitude.turnVertically(place, 3, share * degrees);
+            case WORLD_X -> Attitude.turnAboutX(place, 3, share * degrees);
             default -> {}
         }
     }
@@ -137,15 +152,15 @@ final class Phase {
     /** Makes {@link #sweep} the turn of the first share of the leg. */
     void turnBy(double share) {
         int column = axis == OWN_X ? 3 : 4; // of the attitude, where it begins at 3
-        boolean vertical = axis == VERTICAL;
+        boolean isOwn = axis == OWN_X || axis == OWN_Y;
         sweep.turn(
                 level.dimension,
                 start[0],
                 start[1],
                 start[2],
-                vertical ? 0 : start[column],
-                vertical ? 1 : start[column + 3],
-                vertical ? 0 : start[column + 6],
+                isOwn ? start[column] : axis == WORLD_X ? 1 : 0,
+                isOwn ? start[column + 3] : axis == WORLD_X ? 0 : 1,
+                isOwn ? start[column + 6] : 0,
                 share * degrees);
     }
 
@@ -185,6 +200,7 @@ final class Phase {
         } else if (level.accuracy == Accuracy.SPHERE) {
             turnBy(share);
             level.placeTipped(form, start[0], start[1], start[2], start, 3, probe, 0);
+            probed = Double.NaN;
             union(probe, out);
         } else {
             // The enclosure changes with the turn: what encloses the exact leaves all the way encloses it too.
@@ -232,14 +248,40 @@ final class Phase {
 
     /** What stands for the object after a share of the leg; valid until the next call. */
     LeafColumn after(double share) {
-        placeAt(share, between);
-        level.place(form, between[0], between[1], between[2], between, 3, probe, 0);
+        if (share != probed) {
+            placeAt(share, between);
+            level.place(form, between[0], between[1], between[2], between, 3, probe, 0);
+            probed = share;
+        }
         return probe;
+    }
+
+    /**
+     * Widens the bounds of a whole leg to hold every place on it as it is stored: enclosures are rounded outward by more
+     * where coordinates are larger, and parts of groups and corners of meshes are rounded when they are placed.
+     */
+    void around(double[] box, double[] out) {
+        double size = Math.abs(start[0]) + Math.abs(start[1]) + Math.abs(start[2]);
+        for (double bound : box) {
+            size += Math.abs(bound);
+        }
+        double slack = STORED * size + Double.MIN_NORMAL;
+        for (int k = 0; k < 3; k++) {
+            out[k] = box[k] - slack;
+            out[3 + k] = box[3 + k] + slack;
+        }
+    }
+
+    /** Writes {@link #atLast}: the end of the whole leg, whatever was asked since. */
+    void placeEnd() {
+        placeAt(1, between);
+        level.place(form, between[0], between[1], between[2], between, 3, atLast, 0);
     }
 
     /** What stands for the object at the end; valid until the next call. */
     LeafColumn atEnd() {
         level.place(form, end[0], end[1], end[2], end, 3, probe, 0);
+        probed = Double.NaN;
         return probe;
     }
 

@@ -56,9 +56,12 @@ final class Proximity {
         double hx = Math.max(box[3] - x, x - box[0]);
         double hz = Math.max(box[5] - z, z - box[2]);
         double radius = Math.sqrt(hx * hx + hz * hz + UNDERFLOW) * (1 + 0x1p-50);
+        double sizes = Distance.sides(box) + level.widest();
         double reach = limit;
-        level.cursor.startPoint(x, z, reach + radius);
-        for (int other = level.cursor.next(reach + radius); other >= 0; other = level.cursor.next(reach + radius)) {
+        level.cursor.startPoint(x, z, Distance.reach(reach, sizes) + radius);
+        for (int other = level.cursor.next(Distance.reach(reach, sizes) + radius);
+                other >= 0;
+                other = level.cursor.next(Distance.reach(reach, sizes) + radius)) {
             if (other != ignored) {
                 reach = tryPair(level, other, reach);
             }
@@ -72,7 +75,9 @@ final class Proximity {
         double all = Math.sqrt(hx * hx + hy * hy + hz * hz + UNDERFLOW) * (1 + 0x1p-50);
         keys.startPoint(x, y, z);
         stacked.start(level.bounds(), keys);
-        for (int other = stacked.next(reach + all); other >= 0; other = stacked.next(reach + all)) {
+        for (int other = stacked.next(Distance.reach(reach, sizes) + all);
+                other >= 0;
+                other = stacked.next(Distance.reach(reach, sizes) + all)) {
             if (other != ignored) {
                 reach = tryPair(level, other, reach);
             }
@@ -81,7 +86,7 @@ final class Proximity {
     }
 
     private double tryPair(Level level, int other, double reach) {
-        if (boxGap(level, other) > reach) {
+        if (boxGap(level, other) > Distance.reach(reach, Distance.sides(box) + sides(level, other))) {
             return reach;
         }
         int first = level.first(other);
@@ -93,6 +98,12 @@ final class Proximity {
             }
         }
         return Math.min(reach, best);
+    }
+
+    private static double sides(Level level, int other) {
+        double[] b = level.bounds();
+        int k = 6 * other;
+        return (b[k + 3] - b[k]) + (b[k + 4] - b[k + 1]) + (b[k + 5] - b[k + 2]);
     }
 
     /** A lower bound of the distance of another object: that of their bounds. */

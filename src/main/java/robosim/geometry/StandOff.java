@@ -1,34 +1,61 @@
 package robosim.geometry;
 
 import robosim.geometry.narrow.Distance;
+import robosim.geometry.narrow.LeafColumn;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.Sweep;
 
-/** How far a leg of a motion may go so that two leaves stay a clearance apart. */
-final class StandOff {
+/** How far a leg of a motion may go so that a piece of the mover and one that it would meet stay a clearance apart. */
+final class StandOff implements Sweep.Stop {
     private final Phase phase;
     private final Distance distance;
     private final double[] box = new double[6];
+    private final LeafColumn own = new LeafColumn(1);
+    private final LeafColumn other = new LeafColumn(1);
 
+    private Level level;
+    private int leaf;
+    private int otherLeaf;
+    private double clearance;
+
+    @SuppressWarnings("NullAway.Init") // a question begins with its leaves
     StandOff(Phase phase, Scratch scratch) {
         this.phase = phase;
         distance = new Distance(scratch);
     }
 
-    /** The greatest share up to contact at which leaf i of the mover and leaf j are still as far apart as the clearance. */
-    double share(Level level, int i, int j, double contact, double clearance) {
-        if (gap(level, 0, i, j) < clearance) {
-            return 0;
-        }
-        return phase.turns() ? ofTurn(level, i, j, contact, clearance) : ofTranslation(level, i, j, contact, clearance);
+    /** From now on it is about leaf i of the mover and leaf j. */
+    StandOff of(Level inLevel, int i, int j, double gap) {
+        level = inLevel;
+        leaf = i;
+        otherLeaf = j;
+        clearance = gap;
+        return this;
     }
 
-    /** The gap of convex leaves is a convex function of the way, so it falls all the way to contact. */
-    private double ofTranslation(Level level, int i, int j, double contact, double clearance) {
+    /** The greatest share up to contact at which the two are still as far apart as the clearance. */
+    @Override
+    public double share(int t, int u, double contact, double least) {
+        other.setPiece(level.leaves(), otherLeaf, u);
+        if (gap(0, t) < clearance) {
+            return 0;
+        }
+        return phase.turns() ? ofTurn(t, contact) : ofTranslation(t, contact, least);
+    }
+
+    /** The gap of convex pieces is a convex function of the way, so it falls all the way to contact. */
+    private double ofTranslation(int t, double contact, double least) {
         double low = 0;
         double high = contact;
+        if (least < contact) {
+            if (gap(least, t) >= clearance) {
+                return contact;
+            }
+            high = least;
+        }
         for (int halving = 0; halving < 80 && low < Math.nextDown(high); halving++) {
             double middle = low / 2 + high / 2;
-            if (gap(level, middle, i, j) >= clearance) {
+            if (gap(middle, t) >= clearance) {
                 low = middle;
             } else {
                 high = middle;
@@ -38,7 +65,7 @@ final class StandOff {
     }
 
     /** Back from contact, each time by as little as the missing gap could be made up in. */
-    private double ofTurn(Level level, int i, int j, double contact, double clearance) {
+    private double ofTurn(int t, double contact) {
         level.boundsOf(phase.atStart, 0, phase.atStart.size(), box);
         double reach = 0;
         for (int k = 0; k < 3; k++) {
@@ -48,7 +75,7 @@ final class StandOff {
         double way = Math.sqrt(reach) * phase.angle() * (Math.PI / 180);
         double free = contact;
         for (int step = 0; step < 1000 && free > 0; step++) {
-            double missing = clearance - gap(level, free, i, j);
+            double missing = clearance - gap(free, t);
             if (missing <= 0) {
                 return free;
             }
@@ -57,7 +84,8 @@ final class StandOff {
         return 0;
     }
 
-    private double gap(Level level, double share, int i, int j) {
-        return distance.between(level.dimension, phase.after(share), i, level.leaves(), j, Double.POSITIVE_INFINITY);
+    private double gap(double share, int t) {
+        own.setPiece(phase.after(share), leaf, t);
+        return distance.between(level.dimension, own, 0, other, 0, Double.POSITIVE_INFINITY);
     }
 }

@@ -9,6 +9,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Pose;
 import robosim.geometry.narrow.Border;
 import robosim.geometry.narrow.DiscWay;
+import robosim.geometry.narrow.Leaf;
 import robosim.geometry.narrow.LeafColumn;
 import robosim.geometry.narrow.Overlap;
 import robosim.geometry.narrow.Scratch;
@@ -28,11 +29,15 @@ final class Stride {
     /** Not asked here: see {@link Motion}. */
     static final int UNKNOWN = 0;
 
+    /** More than a place loses when it is stored, as a share of its coordinates. */
+    private static final double STORED = 0x1p-47;
+
     /** More than the least float. */
     private static final double LEAST = 0x1p-140;
 
     private final Bodies bodies;
     private final SpaceKeys keys = new SpaceKeys();
+    private final Near near;
     private final Border border;
     private final Scratch s;
     private final Sweep sweep;
@@ -46,6 +51,7 @@ final class Stride {
     private double dy;
     private double dz;
     private boolean hasProbe;
+    private boolean isUnsure;
 
     // The disc around the object, and by how much it may be off.
     private double ownX;
@@ -57,6 +63,7 @@ final class Stride {
     @SuppressWarnings("NullAway.Init") // a question sets its level
     Stride(Bodies bodies, Border border, Scratch scratch) {
         this.bodies = bodies;
+        near = new Near(bodies);
         this.border = border;
         s = scratch;
         sweep = new Sweep(scratch);
@@ -83,12 +90,38 @@ final class Stride {
             return UNKNOWN;
         }
         hasProbe = false;
+        isUnsure = false;
         enclose();
         SweptBounds.moved(level.bounds(), 6 * mover, dx, dy, dz, box);
         if (!border.clearlyHolds(box) && !endsInside()) {
             return BLOCKED;
         }
-        return passesAll() ? FREE : BLOCKED;
+        widen(places, at);
+        if (passesAll()) {
+            return FREE;
+        }
+        // What it stands on may have a say: see Standing.
+        return isUnsure || touches() ? UNKNOWN : BLOCKED;
+    }
+
+    /** Whether the object touches another one where it is. */
+    private boolean touches() {
+        LeafColumn leaves = level.leaves();
+        int own = level.first(id);
+        System.arraycopy(level.bounds(), 6 * id, box, 0, 6);
+        near.find(level, box, id);
+        for (int k = 0; k < near.count(); k++) {
+            Level of = level.of(near.id(k));
+            int other = Bodies.bare(near.id(k));
+            for (int j = of.first(other); j < of.first(other) + of.count(other); j++) {
+                for (int i = own; i < own + level.count(id); i++) {
+                    if (Overlap.test(level.dimension, leaves, i, of.leaves(), j, s)) {
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
     }
 
     /** Writes a coordinate of the end; answers how far it is from the start. */
@@ -100,6 +133,19 @@ final class Stride {
         end[along] = sum;
         end[3 + along] = DoubleDouble.sumTail(to, rest, sum);
         return sum - from;
+    }
+
+    /** Makes the box hold the end however its parts are rounded when they are placed. */
+    private void widen(double[] places, int at) {
+        double size = Math.abs(places[at]) + Math.abs(places[at + 1]) + Math.abs(places[at + 2]);
+        for (int k = 0; k < 6; k++) {
+            size += Math.abs(box[k]);
+        }
+        double slack = STORED * size + Double.MIN_NORMAL;
+        for (int k = 0; k < 3; k++) {
+            box[k] -= slack;
+            box[3 + k] += slack;
+        }
     }
 
     private boolean passesAll() {
@@ -200,9 +246,12 @@ final class Stride {
         placeProbe();
         for (int j = others; j < othersEnd; j++) {
             for (int i = own; i < ownEnd; i++) {
-                if (Overlap.test(level.dimension, probe, i - own, theirs, j, s)
-                        && !Overlap.test(level.dimension, leaves, i, theirs, j, s)) {
-                    return false;
+                if (Overlap.test(level.dimension, probe, i - own, theirs, j, s)) {
+                    // Each face of a mesh is a piece of its own, any of which may be touched anew.
+                    isUnsure = Leaf.isMesh(theirs.kind(j));
+                    if (isUnsure || !Overlap.test(level.dimension, leaves, i, theirs, j, s)) {
+                        return false;
+                    }
                 }
             }
         }

@@ -59,16 +59,24 @@ public final class Memory {
         Geometry geometry = new Geometry(world, 10, world, Dimension.PLANAR, Accuracy.EXACT);
         things.forEach(geometry::addObjectUnchecked);
         geometry.getRayDistance(new Ray(new Point(), new Point(1, 0, 0)), 0, 1, 0);
-        Memory memory = new Memory();
-        memory.count(geometry);
-        long sum = 0;
-        for (Map.Entry<String, Long> part : memory.parts.entrySet()) {
-            sum += part.getValue();
+        Map<String, Long> parts = parts(geometry);
+        for (Map.Entry<String, Long> part : parts.entrySet()) {
             if (part.getValue() >= count) {
                 Timing.print("%s %.1f", part.getKey(), part.getValue() / (double) count);
             }
         }
-        Timing.print("bytes an object beyond the objects: %.1f", sum / (double) count);
+        Timing.print("bytes an object beyond the objects: %.1f", sum(parts) / (double) count);
+    }
+
+    /** The bytes of the arrays that can be reached from a root, but through an object that a user holds, by field. */
+    static Map<String, Long> parts(Object root) throws IllegalAccessException {
+        Memory memory = new Memory();
+        memory.count(root);
+        return memory.parts;
+    }
+
+    static long sum(Map<String, Long> parts) {
+        return parts.values().stream().mapToLong(Long::longValue).sum();
     }
 
     private void count(Object world) throws IllegalAccessException {

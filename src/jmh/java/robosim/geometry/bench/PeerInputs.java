@@ -14,6 +14,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
+import robosim.geometry.model.SphereObject;
 
 /** The inputs that the peers read, as the module's own values; little-endian numbers one after the other. */
 final class PeerInputs {
@@ -71,6 +72,46 @@ final class PeerInputs {
         return new CylinderObject(new Point(in.getDouble(), 0, in.getDouble()), in.getDouble(), 2);
     }
 
+    /** Solids at any attitude in a cube, rays in all directions and the rays of camera frames, all of one range. */
+    record Space(double side, List<GeometryObject> objects, Ray[] rays, Ray[] frames) {
+        static final double RANGE = 100;
+    }
+
+    Space space(int objects) throws IOException {
+        ByteBuffer in = read("scene3d_" + objects + ".bin");
+        int boxes = in.getInt();
+        int cylinders = in.getInt();
+        int spheres = in.getInt();
+        Ray[] rays = new Ray[in.getInt()];
+        Ray[] frames = new Ray[in.getInt()];
+        Space space = new Space(in.getDouble(), new ArrayList<>(objects), rays, frames);
+        for (int k = 0; k < boxes; k++) {
+            BoxObject box = new BoxObject(point(in), 2 * in.getDouble(), 2 * in.getDouble(), 2 * in.getDouble());
+            space.objects.add(box.oriented(rotation(in)));
+        }
+        for (int k = 0; k < cylinders; k++) {
+            CylinderObject cylinder = new CylinderObject(point(in), in.getDouble(), 2 * in.getDouble());
+            space.objects.add(cylinder.oriented(rotation(in)));
+        }
+        for (int k = 0; k < spheres; k++) {
+            space.objects.add(new SphereObject(point(in), in.getDouble()));
+        }
+        for (Ray[] some : new Ray[][] {rays, frames}) {
+            for (int k = 0; k < some.length; k++) {
+                some[k] = new Ray(point(in), point(in));
+            }
+        }
+        return space;
+    }
+
+    private static double[] rotation(ByteBuffer in) {
+        double[] rotation = new double[9];
+        for (int k = 0; k < 9; k++) {
+            rotation[k] = in.getDouble();
+        }
+        return rotation;
+    }
+
     MeshObject mesh(String name) throws IOException {
         ByteBuffer in = read(name + ".mesh");
         int vertices = in.getInt();
@@ -92,11 +133,9 @@ final class PeerInputs {
     Poses poses() throws IOException {
         ByteBuffer in = read("pair.poses");
         int count = in.getInt();
-        Poses poses = new Poses(new double[count][9], new Point[count]);
+        Poses poses = new Poses(new double[count][], new Point[count]);
         for (int k = 0; k < count; k++) {
-            for (int number = 0; number < 9; number++) {
-                poses.rotations[k][number] = in.getDouble();
-            }
+            poses.rotations[k] = rotation(in);
             poses.centers[k] = point(in);
         }
         return poses;

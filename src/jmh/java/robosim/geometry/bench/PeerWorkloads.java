@@ -4,10 +4,13 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.function.IntToDoubleFunction;
 import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.bench.Workload.Answer;
+import robosim.geometry.bench.Workload.Structure;
 import robosim.geometry.bench.Workload.Task;
 import robosim.geometry.bench.Workload.Title;
 import robosim.geometry.collision.CollisionDetection;
@@ -32,6 +35,13 @@ final class PeerWorkloads {
             "knot64k", new Answer(105884, 378845.170989482),
             "knot1m", new Answer(105930, 378978.568047521));
 
+    /** By number of solids: hits and sum of distances of W5, then of W6. */
+    private static final Map<Integer, double[]> SPACE = Map.of(
+            100, new double[] {27217, 357772.510092, 60445, 756054.541673},
+            1000, new double[] {53711, 1444501.445223, 99027, 2393453.156970},
+            10_000, new double[] {76336, 2775946.877157, 162549, 6787056.853523},
+            100_000, new double[] {90910, 3639980.524058, 159262, 7200407.463268});
+
     private static final Answer PAIRS = new Answer(1342, 1342);
 
     private final PeerInputs inputs;
@@ -50,6 +60,9 @@ final class PeerWorkloads {
         PeerWorkloads workloads = new PeerWorkloads(inputs, works, sizes);
         for (int size : new int[] {100, 1000, 10_000, 100_000, 1_000_000}) {
             workloads.addFlat(size);
+        }
+        for (int size : new int[] {100, 1000, 10_000, 100_000}) {
+            workloads.addSpace(size);
         }
         if (works.contains("W2") && workloads.wants("knot4k")) {
             workloads.addPairs();
@@ -94,24 +107,81 @@ final class PeerWorkloads {
                     scene.rays().length,
                     build,
                     new Answer((long) truth[0], truth[1]),
-                    () -> rays(geometry, scene));
+                    () -> rays(geometry, scene),
+                    new Structure(
+                            geometry,
+                            size,
+                            scene.rays().length,
+                            k -> geometry.getRayDistance(scene.rays()[k], 0, scene.ranges()[k], 0)));
         }
         if (works.contains("W1b")) {
             Answer probes = new Answer((long) truth[2], truth[2]);
-            add("W1b", name, scene.probes().length, build, probes, () -> probes(geometry, scene.probes()));
+            add(
+                    "W1b",
+                    name,
+                    scene.probes().length,
+                    build,
+                    probes,
+                    () -> probes(geometry, scene.probes()),
+                    new Structure(
+                            geometry,
+                            size,
+                            scene.probes().length,
+                            k -> geometry.testObject(scene.probes()[k]) ? 1 : 0));
         }
         if (works.contains("W1c") && size <= 10_000) {
             Additions.addTo(all, name, scene.objects(), world);
         }
     }
 
-    private void add(String work, String size, long queries, double build, Answer truth, Supplier<Answer> task) {
+    private void add(
+            String work,
+            String size,
+            long queries,
+            double build,
+            Answer truth,
+            Supplier<Answer> task,
+            @Nullable Structure structure) {
         all.add(new Workload(
                 new Title(Workload.MODULE, work, size),
                 queries,
                 build,
                 new Task<>(() -> 0, none -> task.get()),
-                truth));
+                truth,
+                structure));
+    }
+
+    private void addSpace(int size) throws IOException {
+        String name = String.valueOf(size);
+        if (!wants(name) || !(works.contains("W5") || works.contains("W6"))) {
+            return;
+        }
+        PeerInputs.Space space = inputs.space(size);
+        double world = 2 * space.side() + 40;
+        long start = System.nanoTime();
+        Geometry geometry = new Geometry(world, world, world, Dimension.SPATIAL, Accuracy.EXACT);
+        space.objects().forEach(geometry::addObjectUnchecked);
+        geometry.getRayDistance(space.rays()[0], 0, 1, 0);
+        double build = (System.nanoTime() - start) * 1e-6;
+        double[] truth = SPACE.get(size);
+        if (works.contains("W5")) {
+            addSpace("W5", name, build, geometry, space.rays(), new Answer((long) truth[0], truth[1]));
+        }
+        if (works.contains("W6")) {
+            addSpace("W6", name, build, geometry, space.frames(), new Answer((long) truth[2], truth[3]));
+        }
+    }
+
+    private void addSpace(String work, String name, double build, Geometry geometry, Ray[] rays, Answer truth) {
+        IntToDoubleFunction ask = k -> geometry.getRayDistance(rays[k], 0, PeerInputs.Space.RANGE, 0);
+        add(
+                work,
+                name,
+                rays.length,
+                build,
+                truth,
+                () -> castAll(rays, ray -> geometry.getRayDistance(ray, 0, PeerInputs.Space.RANGE, 0)),
+                new Structure(geometry, geometry.objects().size(), rays.length, ask));
     }
 
     private static Answer rays(Geometry geometry, PeerInputs.Scene scene) {
@@ -141,14 +211,15 @@ final class PeerWorkloads {
         MeshObject mesh = inputs.mesh("knot4k");
         PeerInputs.Poses poses = inputs.poses();
         double build = buildMillis(mesh);
-        add("W2", "knot4k", poses.centers().length, build, PAIRS, () -> {
+        Supplier<Answer> task = () -> {
             long hits = 0;
             for (int k = 0; k < poses.centers().length; k++) {
                 GeometryObject other = mesh.oriented(poses.rotations()[k]).movedTo(poses.centers()[k]);
                 hits += CollisionDetection.intersects(mesh, other) ? 1 : 0;
             }
             return new Answer(hits, hits);
-        });
+        };
+        add("W2", "knot4k", poses.centers().length, build, PAIRS, task, null);
     }
 
     private void addMesh(String name) throws IOException {
@@ -164,7 +235,12 @@ final class PeerWorkloads {
                 rays.length,
                 build,
                 truth,
-                () -> castAll(rays, ray -> geometry.getRayDistance(ray, 0, 1e30, 0)));
+                () -> castAll(rays, ray -> geometry.getRayDistance(ray, 0, 1e30, 0)),
+                new Structure(
+                        mesh.triangles(),
+                        mesh.triangles().size(),
+                        rays.length,
+                        k -> geometry.getRayDistance(rays[k], 0, 1e30, 0)));
     }
 
     private static double buildMillis(MeshObject mesh) {

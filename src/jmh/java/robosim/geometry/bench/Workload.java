@@ -2,6 +2,7 @@ package robosim.geometry.bench;
 
 import java.lang.management.ManagementFactory;
 import java.util.function.Function;
+import java.util.function.IntToDoubleFunction;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
@@ -16,6 +17,15 @@ final class Workload {
 
     /** What it is called: the module's own are measured against all others of the same work and size. */
     record Title(String peer, String work, String size) {}
+
+    /**
+     * What the queries of a workload read.
+     *
+     * @param root  what can be reached from it is counted in bytes, without the objects that a user holds anyway
+     * @param parts how many objects or triangles it holds
+     * @param ask   one of the queries, by its number below {@code queries}
+     */
+    record Structure(Object root, long parts, int queries, IntToDoubleFunction ask) {}
 
     /** What is made before the clock starts, and what is timed. */
     static final class Task<T> {
@@ -50,10 +60,22 @@ final class Workload {
     private final double buildMillis;
     private final Answer truth;
     private final Task<?> task;
+    private final @Nullable Structure structure;
     private final long[] nanos = new long[2];
 
     /** A null truth takes the first answer for it. */
     Workload(Title title, long queries, double buildMillis, Task<?> task, @Nullable Answer truth) {
+        this(title, queries, buildMillis, task, truth, null);
+    }
+
+    Workload(
+            Title title,
+            long queries,
+            double buildMillis,
+            Task<?> task,
+            @Nullable Answer truth,
+            @Nullable Structure structure) {
+        this.structure = structure;
         this.title = title;
         this.queries = queries;
         this.buildMillis = buildMillis;
@@ -77,8 +99,9 @@ final class Workload {
         return title.size;
     }
 
-    boolean isPeer() {
-        return !title.peer.equals(MODULE);
+    @Nullable
+    Structure structure() {
+        return structure;
     }
 
     /** Runs for a second, but at least twice. */

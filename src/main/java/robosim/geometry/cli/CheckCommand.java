@@ -36,7 +36,8 @@ import robosim.geometry.world.WorldReader;
             "",
             "Needs: 2,000 places, moves and sonars of the world's robots from a fixed seed, asked at each of the ten"
                     + " settings; enough is what answers all of them as EXACT does in the world's own dimension. Where"
-                    + " nobody has room for 50 moves and distances it cannot be told.",
+                    + " there is no robot, nobody has room for 50 moves and distances, or nothing was met, it cannot be"
+                    + " told.",
             "",
             "Static objects may overlap, as the walls of a plan do; they are told and are no finding."
         },

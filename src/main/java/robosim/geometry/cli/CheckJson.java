@@ -126,7 +126,7 @@ final class CheckJson {
                 "accuracy", needs.accuracy(),
                 "told", needs.isTold(),
                 "proven", needs.isProven(),
-                "probe", needs.probe() != null,
+                "met", needs.met(),
                 "seed", needs.seed(),
                 "settings", needs.settings().stream().map(CheckJson::setting).toList());
     }

@@ -164,7 +164,11 @@ final class CheckText {
     private void rooms() {
         List<WorldCheck.Room> rooms = check.rooms();
         if (rooms.isEmpty()) {
-            add("ways", "there is no robot that can be asked where it gets to");
+            add(
+                    "ways",
+                    check.robots().isEmpty()
+                            ? "there is no robot"
+                            : "there is no robot that can be asked where it gets to");
             return;
         }
         WorldCheck.Room main = rooms.get(0);
@@ -214,6 +218,24 @@ final class CheckText {
     private void needs() {
         WorldCheck.Needs needs = check.needs();
         WorldCheck.Setting truth = needs.setting(world.dimension(), Accuracy.EXACT);
+        if (check.robots().isEmpty()) {
+            add(
+                    "needs",
+                    "not asked, for there is no robot: name an object and make it moveable to learn what its"
+                            + " questions need");
+            return;
+        }
+        if (truth.isAskedEnough() && !needs.isTold()) {
+            add(
+                    "needs",
+                    "cannot be told: none of %,d places, %,d moves and %,d distances met anything; keep %s, %s",
+                    truth.places(),
+                    truth.moves(),
+                    truth.distances(),
+                    needs.dimension(),
+                    needs.accuracy());
+            return;
+        }
         if (!needs.isTold()) {
             add(
                     "needs",
@@ -226,14 +248,13 @@ final class CheckText {
         }
         add(
                 "needs",
-                "%s, %s is enough: the coarsest that answers %,d places, %,d moves and %,d %s%s as EXACT does",
+                "%s, %s is enough: the coarsest that answers %,d places, %,d moves and %,d %s as EXACT does",
                 needs.dimension(),
                 needs.accuracy(),
                 truth.places(),
                 truth.moves(),
                 truth.distances(),
-                check.sonars() > 0 ? "sonars" : "rays",
-                needs.probe() == null ? "" : " of a small probe");
+                check.sonars() > 0 ? "sonars" : "rays");
         dimension(needs);
         for (WorldCheck.Setting setting : needs.settings()) {
             if (setting.dimension() == needs.dimension() && setting.accuracy() != Accuracy.EXACT) {

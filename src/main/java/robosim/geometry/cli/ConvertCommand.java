@@ -117,6 +117,11 @@ final class ConvertCommand implements Callable<Integer> {
         if (!Files.isDirectory(in)) {
             Inputs.file(spec, "IN", in);
         }
+        if (Files.exists(out) && Files.isSameFile(in, out)) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "OUT must be another file than IN, which it would overwrite (got: " + out + ")");
+        }
         Inputs.folders(spec, "--models", models);
         WorldImport read = WorldImport.read(in, options());
         PrintWriter printer = spec.commandLine().getOut();

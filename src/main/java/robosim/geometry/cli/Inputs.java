@@ -34,6 +34,13 @@ final class Inputs {
                     spec.commandLine(),
                     parameter + " must be a file; there is none, check the path (got: " + file + ")");
         }
+        if (!Files.isRegularFile(file)) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    parameter
+                            + " must be a regular file; this is a pipe, a socket or a device, so save what it gives to"
+                            + " a file first (got: " + file + ")");
+        }
         if (!Files.isReadable(file)) {
             throw new ParameterException(
                     spec.commandLine(),
@@ -56,9 +63,14 @@ final class Inputs {
         }
     }
 
-    /** A world of any format; what the file has and the world has not is told on the standard error. */
-    static World world(CommandSpec spec, Path file) throws WorldException {
-        WorldImport read = WorldImport.read(file, ImportOptions.DEFAULT);
+    /**
+     * A world of any format; what the file has and the world has not is told on the standard error.
+     *
+     * @param models folders for SDFormat's {@code model://}
+     */
+    static World world(CommandSpec spec, Path file, List<Path> models) throws WorldException {
+        folders(spec, "--models", models);
+        WorldImport read = WorldImport.read(file, ImportOptions.DEFAULT.withModels(models));
         List<Skipped> skipped = read.skipped();
         PrintWriter err = spec.commandLine().getErr();
         skipped.stream().limit(MOST_SKIPPED).forEach(err::println);

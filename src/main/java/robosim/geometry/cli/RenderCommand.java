@@ -1,6 +1,8 @@
 package robosim.geometry.cli;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -24,7 +26,8 @@ import robosim.geometry.viewer.Theme;
         footerHeading = "%nExamples:%n",
         footer = {
             "  robosim-geometry render worlds/rooms.xml -o rooms.svg",
-            "  robosim-geometry render worlds/maze.xml --dark -o maze.png"
+            "  robosim-geometry render worlds/maze.xml --dark -o maze.png",
+            "  robosim-geometry render arena.world --models ~/.gazebo/models -o arena.svg"
         })
 final class RenderCommand implements Callable<Integer> {
     @Spec
@@ -41,6 +44,12 @@ final class RenderCommand implements Callable<Integer> {
             description = "the picture to write: .svg or .png")
     private Path output = Path.of("world.svg");
 
+    @Option(
+            names = "--models",
+            paramLabel = "DIR",
+            description = "a folder of models for SDFormat's model://, beside that of WORLD; may be given again")
+    private List<Path> models = new ArrayList<>();
+
     @Option(names = "--dark", description = "a .png on dark paper; an .svg follows its reader")
     private boolean dark;
 
@@ -53,7 +62,7 @@ final class RenderCommand implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), "FILE must end in .svg or .png (got: " + output + ")");
         }
         Inputs.file(spec, "WORLD", world);
-        Painter.write(Pictures.of(Inputs.world(spec, world), Pictures.title(world)), theme(), output);
+        Painter.write(Pictures.of(Inputs.world(spec, world, models), Pictures.title(world)), theme(), output);
         spec.commandLine().getOut().println("Wrote " + output);
         return 0;
     }

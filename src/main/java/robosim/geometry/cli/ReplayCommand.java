@@ -101,6 +101,9 @@ final class ReplayCommand implements Callable<Integer> {
                 files.add(toModule == null ? place : toModule);
                 continue;
             }
+            if (Files.exists(place) && !Files.isDirectory(place)) {
+                Inputs.file(spec, "FILE|FOLDER", place); // which refuses it
+            }
             if (!Files.isDirectory(place)) {
                 throw new ParameterException(
                         spec.commandLine(), "FILE|FOLDER must be there to be replayed (got: " + place + ")");

@@ -3,6 +3,8 @@ package robosim.geometry.cli;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
@@ -60,6 +62,13 @@ final class ViewCommand implements Callable<Integer> {
             description = "for a recording or a session: a world file that lends its colours and its unit")
     private @Nullable Path colours;
 
+    @Option(
+            names = "--models",
+            paramLabel = "DIR",
+            description =
+                    "a folder of models for SDFormat's model://, beside that of the world file; may be given again")
+    private List<Path> models = new ArrayList<>();
+
     @Option(names = "--dark", description = "on dark paper; D changes it in the window")
     private boolean dark;
 
@@ -74,6 +83,10 @@ final class ViewCommand implements Callable<Integer> {
         if (shown != null && !Files.exists(shown)) {
             throw refused("FILE must be there to be viewed; check the path (got: " + shown + ")");
         }
+        if (shown != null && !Files.isDirectory(shown)) {
+            Inputs.file(spec, "FILE", shown);
+        }
+        Inputs.folders(spec, "--models", models);
         if (!Viewer.hasDisplay()) {
             spec.commandLine()
                     .getErr()
@@ -110,12 +123,12 @@ final class ViewCommand implements Callable<Integer> {
         } else if (name.endsWith(".jsonl")) {
             Viewer.recording(ScenarioReader.open(shown), title, lender(), theme());
         } else {
-            Viewer.world(Inputs.world(spec, shown), title, theme());
+            Viewer.world(Inputs.world(spec, shown, models), title, theme());
         }
     }
 
     private @Nullable World lender() throws IOException {
-        return colours == null ? null : Inputs.world(spec, Inputs.file(spec, "--world", colours));
+        return colours == null ? null : Inputs.world(spec, Inputs.file(spec, "--world", colours), models);
     }
 
     private Theme theme() {

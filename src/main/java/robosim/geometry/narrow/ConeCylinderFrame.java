@@ -1,100 +1,163 @@
 package robosim.geometry.narrow;
 
-/** A solid cylinder as a cone's apex sees it, in a frame of which the cone's axis is the first. */
+/**
+ * A solid cylinder as a cone's apex sees it, in the cylinder's own frame: along its axis, away from the axis' nearest
+ * point, and across both. The axis points so that the centre is not behind, and the third direction so that the cone's
+ * axis is not: the nearest point in the cone is then on that side too.
+ *
+ * <p>What the distance may be small against is taken from pairs of doubles and rounded once; all else is in doubles.
+ */
 final class ConeCylinderFrame {
+    /** Where the unit axis, the centre seen from the apex, its part across the axis and its length, and half the height are. */
+    static final int BODY = Cone.FREE;
+
+    static final int CENTER = BODY + 3;
+    static final int ACROSS = CENTER + 3;
+    static final int AWAY = ACROSS + 3;
+    static final int NEAR = AWAY + 1;
+    static final int FAR = NEAR + 1;
+    static final int HALF = FAR + 1;
+
+    /** The first of the cone's pairs that is free. */
+    static final int FREE = HALF + 1;
+
+    private static final int TEMPORARY = FREE;
+    private static final int MIDDLE = TEMPORARY + 2;
+
     Cone cone = new Cone();
+    double radius;
 
     /** The largest offset from the apex and the sizes together. */
     double extent;
 
-    double radius;
-    double half;
+    /** No point of the cylinder is as far from the apex. */
+    double farthest;
 
-    // The centre seen from the apex, and the unit axis, in the frame of the cone: its axis first.
-    double cx;
-    double cy;
-    double cz;
-    double ax;
-    double ay;
-    double az;
+    /** Between which heights above the apex the cylinder stands: the lower is negative where the apex is between. */
+    double near;
 
-    // The other two axes of that frame in the world.
-    double ex;
-    double ey;
-    double ez;
-    double fx;
-    double fy;
-    double fz;
+    double far;
 
-    /** About the distance of the nearest point of the whole cylinder, and whether the cone holds that point. */
-    double nearest;
+    /** From the cylinder's axis to the apex, and how far the apex is outside of the mantle. */
+    double away;
 
-    boolean isNearestInside;
+    double gap;
+
+    // The three directions in the world.
+    private double ax;
+    private double ay;
+    private double az;
+    private double px;
+    private double py;
+    private double pz;
+    private double qx;
+    private double qy;
+    private double qz;
+
+    /** The cone's axis: along the cylinder's, away from it, and across. */
+    double ua;
+
+    double up;
+    double uq;
+
+    /** Of how much the cone's axis is across the cylinder's. */
+    double across;
 
     void set(Cone cone, double[] b, int j, double axisX, double axisY, double axisZ) {
         this.cone = cone;
-        double mx = b[j] - cone.ox;
-        double my = b[j + 1] - cone.oy;
-        double mz = b[j + 2] - cone.oz;
-        double length = RayMath.length(axisX, axisY, axisZ);
-        double px = axisX / length;
-        double py = axisY / length;
-        double pz = axisZ / length;
-        radius = b[j + 3];
-        half = b[j + 4] * length;
-        // The differences are off by half an ulp of their own, however far from the origin the two are.
-        extent = RayMath.largest(mx, my, mz) + radius + half;
-        double middle = mx * px + my * py + mz * pz;
-        double along = Math.max(-half, Math.min(half, -middle));
-        double wx = middle * px - mx;
-        double wy = middle * py - my;
-        double wz = middle * pz - mz;
-        double away = RayMath.length(wx, wy, wz);
-        double inward = away > radius ? radius / away : 1;
-        double nx = mx + along * px + inward * wx;
-        double ny = my + along * py + inward * wy;
-        double nz = mz + along * pz + inward * wz;
-        nearest = RayMath.length(nx, ny, nz);
-        isNearestInside = cone.depth(nx, ny, nz) >= 0;
-        if (!isNearestInside) {
-            turn(mx, my, mz, px, py, pz);
+        Pairs p = cone.pairs;
+        p.difference(CENTER, b[j], cone.ox);
+        p.difference(CENTER + 1, b[j + 1], cone.oy);
+        p.difference(CENTER + 2, b[j + 2], cone.oz);
+        p.set(BODY, axisX);
+        p.set(BODY + 1, axisY);
+        p.set(BODY + 2, axisZ);
+        p.set(HALF, b[j + 4]);
+        if (!(axisX == 0 && axisZ == 0 && axisY == 1)) {
+            p.dot(MIDDLE, BODY, BODY, TEMPORARY);
+            p.root(MIDDLE, MIDDLE);
+            p.multiply(HALF, HALF, MIDDLE);
+            for (int k = 0; k < 3; k++) {
+                p.divide(BODY + k, BODY + k, MIDDLE);
+            }
         }
+        p.dot(MIDDLE, CENTER, BODY, TEMPORARY);
+        if (p.get(MIDDLE) < 0) {
+            p.negate(MIDDLE);
+            for (int k = 0; k < 3; k++) {
+                p.negate(BODY + k);
+            }
+        }
+        p.subtract(NEAR, MIDDLE, HALF);
+        p.add(FAR, MIDDLE, HALF);
+        near = p.get(NEAR);
+        far = p.get(FAR);
+        p.negate(MIDDLE);
+        p.advance(ACROSS, CENTER, MIDDLE, BODY, TEMPORARY);
+        p.dot(AWAY, ACROSS, ACROSS, TEMPORARY);
+        p.root(AWAY, AWAY);
+        radius = b[j + 3];
+        away = p.get(AWAY);
+        gap = away - radius + p.rest(AWAY);
+        double mx = p.get(CENTER);
+        double my = p.get(CENTER + 1);
+        double mz = p.get(CENTER + 2);
+        extent = RayMath.largest(mx, my, mz) + radius + p.get(HALF);
+        farthest = 2 * (Math.abs(mx) + Math.abs(my) + Math.abs(mz) + radius + p.get(HALF));
+        ax = p.get(BODY);
+        ay = p.get(BODY + 1);
+        az = p.get(BODY + 2);
+        turn(p);
     }
 
-    // A frame with the cone's axis first and the centre in the half plane of the second.
-    private void turn(double mx, double my, double mz, double px, double py, double pz) {
-        cx = mx * cone.ux + my * cone.uy + mz * cone.uz;
-        ex = mx - cx * cone.ux;
-        ey = my - cx * cone.uy;
-        ez = mz - cx * cone.uz;
-        double size = RayMath.length(ex, ey, ez);
-        if (!(size > 0x1p-40 * extent)) {
-            // On the axis to speak of: any direction across it.
-            boolean isX = Math.abs(cone.ux) < 0.7;
-            ex = (isX ? 1 : 0) - (isX ? cone.ux : cone.uy) * cone.ux;
-            ey = (isX ? 0 : 1) - (isX ? cone.ux : cone.uy) * cone.uy;
-            ez = -(isX ? cone.ux : cone.uy) * cone.uz;
-            size = RayMath.length(ex, ey, ez);
+    private void turn(Pairs p) {
+        if (away > 0x1p-90 * extent) {
+            px = p.get(ACROSS) / away;
+            py = p.get(ACROSS + 1) / away;
+            pz = p.get(ACROSS + 2) / away;
+        } else {
+            // Any direction across the axis: of the axes of space the one that is farthest from it.
+            boolean isX = Math.abs(ax) < 0.6;
+            boolean isY = !isX && Math.abs(ay) < 0.8;
+            px = isX ? 1 : 0;
+            py = isY ? 1 : 0;
+            pz = isX || isY ? 0 : 1;
         }
-        ex /= size;
-        ey /= size;
-        ez /= size;
-        // Once more: what cancelled above has left it a little askew.
-        double askew = ex * cone.ux + ey * cone.uy + ez * cone.uz;
-        ex -= askew * cone.ux;
-        ey -= askew * cone.uy;
-        ez -= askew * cone.uz;
-        size = RayMath.length(ex, ey, ez);
-        ex /= size;
-        ey /= size;
-        ez /= size;
-        fx = cone.uy * ez - cone.uz * ey;
-        fy = cone.uz * ex - cone.ux * ez;
-        fz = cone.ux * ey - cone.uy * ex;
-        cy = mx * ex + my * ey + mz * ez;
-        cz = mx * fx + my * fy + mz * fz;
-        ax = px * cone.ux + py * cone.uy + pz * cone.uz;
-        ay = px * ex + py * ey + pz * ez;
-        az = px * fx + py * fy + pz * fz;
+        double askew = px * ax + py * ay + pz * az;
+        px -= askew * ax;
+        py -= askew * ay;
+        pz -= askew * az;
+        double size = RayMath.length(px, py, pz);
+        px /= size;
+        py /= size;
+        pz /= size;
+        qx = ay * pz - az * py;
+        qy = az * px - ax * pz;
+        qz = ax * py - ay * px;
+        ua = cone.ux * ax + cone.uy * ay + cone.uz * az;
+        up = cone.ux * px + cone.uy * py + cone.uz * pz;
+        uq = cone.ux * qx + cone.uy * qy + cone.uz * qz;
+        if (uq < 0) {
+            uq = -uq;
+            qx = -qx;
+            qy = -qy;
+            qz = -qz;
+        }
+        across = RayMath.length(0, up, uq);
+    }
+
+    /** A vector of this frame in the world's, into the cone's pairs. */
+    void put(int vector, double along, double p, double q) {
+        Pairs pairs = cone.pairs;
+        pairs.set(vector, along * ax + p * px + q * qx);
+        pairs.set(vector + 1, along * ay + p * py + q * qy);
+        pairs.set(vector + 2, along * az + p * pz + q * qz);
+    }
+
+    /** How far a point of this frame, seen from the apex, is outside the plane that touches the cone nearest to it. */
+    double outside(double along, double p, double q) {
+        double ahead = along * ua + p * up + q * uq;
+        double aside = RayMath.length(p * uq - q * up, q * ua - along * uq, along * up - p * ua);
+        return cone.cos * aside - cone.sin * ahead;
     }
 }

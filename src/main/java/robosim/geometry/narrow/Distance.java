@@ -7,6 +7,12 @@ import robosim.geometry.model.Dimension;
  * An instance belongs to one owner of queries.
  */
 public final class Distance {
+    /**
+     * No distance of two convex leaves is answered so far below the truth, as a share of itself and of their sizes. Bounds
+     * are finer: what they leave out must be farther by as much, or an answer would depend on what was found before.
+     */
+    private static final double SHORT = 0x1p-40;
+
     private final Scratch s;
 
     /** The places, in the order of the leaves, of the triangles that gave the last answer; -1 where a leaf is no mesh or is met in its inside. */
@@ -19,9 +25,9 @@ public final class Distance {
     }
 
     /**
-     * Least distance, 0 in contact, never above the truth.
+     * Least distance, 0 in contact; how far off it may be is said with the kernels. Up to the limit it does not depend on it.
      *
-     * @param limit what is farther may be answered as +Infinity
+     * @param limit what is farther may be answered as +Infinity, or as more than that
      */
     public double between(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, double limit) {
         triangleA = -1;
@@ -66,8 +72,9 @@ public final class Distance {
         LeafBounds.of(kind, row, at, s.box);
         overMesh(dimension, mesh, leaf, s.box);
         s.outer.startNearest(mesh, leaf, s.box);
+        double sizes = s.outer.size() + sides(s.box);
         double best = Double.POSITIVE_INFINITY;
-        for (int t = s.outer.next(limit); t >= 0; t = s.outer.next(Math.min(limit, best))) {
+        for (int t = s.outer.next(reach(limit, sizes)); t >= 0; t = s.outer.next(reach(Math.min(limit, best), sizes))) {
             s.outer.corners(t, s.triangleA, 0);
             double distance = convex(dimension, Leaf.TRIANGLE, s.triangleA, 0, kind, row, at);
             if (distance < best || (distance == best && isLower(t))) {
@@ -76,6 +83,16 @@ public final class Distance {
             }
         }
         return best;
+    }
+
+    /** How far bounds have to reach for all that may be answered as no farther than a distance. */
+    public static double reach(double distance, double sizes) {
+        return distance + SHORT * (distance + sizes);
+    }
+
+    /** At least the size of what is in a box. */
+    public static double sides(double[] box) {
+        return (box[3] - box[0]) + (box[4] - box[1]) + (box[5] - box[2]);
     }
 
     private boolean isLower(int t) {
@@ -98,13 +115,15 @@ public final class Distance {
         b.bounds(j, s.box);
         overMesh(dimension, a, i, s.box);
         s.outer.startNearest(a, i, s.box);
+        double sizes = s.outer.size() + sides(s.box);
         double best = Double.POSITIVE_INFINITY;
-        for (int t = s.outer.next(limit); t >= 0; t = s.outer.next(Math.min(limit, best))) {
+        for (int t = s.outer.next(reach(limit, sizes)); t >= 0; t = s.outer.next(reach(Math.min(limit, best), sizes))) {
             s.outer.corners(t, s.triangleA, 0);
             LeafBounds.of(Leaf.TRIANGLE, s.triangleA, 0, s.triangleBox);
             overMesh(dimension, b, j, s.triangleBox);
             s.inner.startNearest(b, j, s.triangleBox);
-            for (int u = s.inner.next(Math.min(limit, best)); u >= 0; u = s.inner.next(Math.min(limit, best))) {
+            double left = reach(Math.min(limit, best), sizes);
+            for (int u = s.inner.next(left); u >= 0; u = s.inner.next(reach(Math.min(limit, best), sizes))) {
                 s.inner.corners(u, s.triangleB, 0);
                 double distance = convex(dimension, Leaf.TRIANGLE, s.triangleA, 0, Leaf.TRIANGLE, s.triangleB, 0);
                 if (distance < best || (distance == best && areLower(t, u))) {

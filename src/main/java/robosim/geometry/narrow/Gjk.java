@@ -5,10 +5,11 @@ package robosim.geometry.narrow;
  * Gilbert, Johnson and Keerthi (1988) on the difference set.
  *
  * <p>{@link #lower} is the width of an empty slab between the two, less everything that rounding may have added: where
- * it is above 0 the leaves are apart. {@link #upper} is the distance of two points that belong to the leaves (to
- * rounding). Between polytopes, and for spheres and discs against them, the two close up to rounding, some 2^-48 of
- * distance and sizes; round rims are followed until the bracket is below 2^-44 of the distance or of that size, or until
- * doubles allow no more progress. The number of steps is limited; the bracket holds whenever it stops.
+ * it is above 0 the leaves are apart. {@link #upper} is the distance of two points that belong to the leaves, each off by
+ * less than {@link #error}. The two close up to rounding, some 2^-48 of distance and sizes; round rims are followed until
+ * the bracket is below 2^-44 of the distance or of that size. In plain doubles the steps are limited, and end where the
+ * simplex is too thin for them; the bracket holds whenever that is, and {@link #isClosed} tells. {@link #close} then goes
+ * on in pairs of doubles until it is closed.
  *
  * <p>(a, b) and (b, a) give the same bits. Nothing is allocated by a question.
  */
@@ -56,6 +57,7 @@ final class Gjk {
     final Support first = new Support();
     final Support second = new Support();
     private final Simplex simplex = new Simplex();
+    private final FineSimplex fine = new FineSimplex();
 
     private double lower;
     private double upper;
@@ -69,31 +71,60 @@ final class Gjk {
     private double by;
     private double bz;
     private boolean overlapping;
+    private double attained;
+    private boolean closed;
     private double error;
     private double reach;
     private double coreReach;
     private double coreUpper;
     private int steps;
     private boolean deep;
+    private double ox;
+    private double oy;
+    private double oz;
+    private double unscale;
+    private boolean reversed;
 
     /** Asks in space; answers the lower end of the bracket, at least 0. */
     double spatial(int kindA, double[] a, int i, int kindB, double[] b, int j) {
-        if (Order.isReversed(kindA, a, i, kindB, b, j)) {
-            solve(kindB, b, j, kindA, a, i, false);
-            reverse();
-        } else {
-            solve(kindA, a, i, kindB, b, j, false);
-        }
-        return Math.max(0, lower);
+        return ask(kindA, a, i, kindB, b, j, false);
     }
 
     /** Asks about the projections on XZ; answers the lower end of the bracket, at least 0. All y are 0. */
     double planar(int kindA, double[] a, int i, int kindB, double[] b, int j) {
-        if (Order.isReversed(kindA, a, i, kindB, b, j)) {
-            solve(kindB, b, j, kindA, a, i, true);
+        return ask(kindA, a, i, kindB, b, j, true);
+    }
+
+    private double ask(int kindA, double[] a, int i, int kindB, double[] b, int j, boolean flat) {
+        reversed = Order.isReversed(kindA, a, i, kindB, b, j);
+        if (reversed) {
+            solve(kindB, b, j, kindA, a, i, flat);
             reverse();
         } else {
-            solve(kindA, a, i, kindB, b, j, true);
+            solve(kindA, a, i, kindB, b, j, flat);
+        }
+        return Math.max(0, lower);
+    }
+
+    /** Whether the bracket of the last question is as narrow as it is said to be, or cannot matter as the two overlap. */
+    boolean isClosed() {
+        return closed;
+    }
+
+    /**
+     * Narrows the bracket of the last question as far as doubles can tell the leaves' points, where doubles lost the
+     * simplex between them: goes on with a {@link FineSimplex}, in which every step is a step nearer, until the bracket is
+     * closed. Answers the lower end, at least 0.
+     */
+    double close() {
+        if (reversed) {
+            reverse();
+        }
+        error /= unscale;
+        approachFinely();
+        finish();
+        if (reversed) {
+            reverse();
         }
         return Math.max(0, lower);
     }
@@ -103,7 +134,7 @@ final class Gjk {
         return lower;
     }
 
-    /** The distance of the two witness points; 0 where they overlap. */
+    /** The distance of the two witness points, each of which is within {@link #error} of its leaf; 0 where that is deep. */
     double upper() {
         return upper;
     }
@@ -183,33 +214,24 @@ final class Gjk {
     }
 
     private void solve(int kindA, double[] a, int i, int kindB, double[] b, int j, boolean flat) {
-        double ox = Support.originX(kindA, a, i);
-        double oy = flat ? 0 : Support.originY(kindA, a, i);
-        double oz = Support.originZ(kindA, a, i);
-        load(kindA, a, i, kindB, b, j, ox, oy, oz, 1, flat);
+        ox = Support.originX(kindA, a, i);
+        oy = flat ? 0 : Support.originY(kindA, a, i);
+        oz = Support.originZ(kindA, a, i);
+        load(kindA, a, i, kindB, b, j, 1, flat);
         double scale = 1;
         double size = first.extent + second.extent;
         if (size > 0 && size < SMALL) {
             scale = Math.scalb(1.0, Math.min(1000, -Math.getExponent(size)));
-            load(kindA, a, i, kindB, b, j, ox, oy, oz, scale, flat);
+            load(kindA, a, i, kindB, b, j, scale, flat);
         }
         error = ROUNDOFF * (first.extent + second.extent);
+        unscale = 1 / scale;
         approach();
-        finish(ox, oy, oz, 1 / scale);
+        deep = simplex.depth() > DEEP * cube(first.extent + second.extent);
+        finish();
     }
 
-    private void load(
-            int kindA,
-            double[] a,
-            int i,
-            int kindB,
-            double[] b,
-            int j,
-            double ox,
-            double oy,
-            double oz,
-            double scale,
-            boolean flat) {
+    private void load(int kindA, double[] a, int i, int kindB, double[] b, int j, double scale, boolean flat) {
         if (flat) {
             first.planar(kindA, a, i, ox, oz, scale);
             second.planar(kindB, b, j, ox, oz, scale);
@@ -225,6 +247,7 @@ final class Gjk {
         overlapping = false;
         lower = Double.NEGATIVE_INFINITY;
         upper = Double.POSITIVE_INFINITY;
+        attained = Double.POSITIVE_INFINITY;
         double vx = first.centreX - second.centreX;
         double vy = first.centreY - second.centreY;
         double vz = first.centreZ - second.centreZ;
@@ -246,6 +269,9 @@ final class Gjk {
                 return;
             }
             double near = Math.sqrt(simplex.norm());
+            // A tetrahedron that seems to hold the origin may be too thin to tell; the point that its weights give is
+            // one of the leaves' in any case.
+            attained = Math.min(attained, simplex.depth() > 0 ? simplex.residual() : near);
             if (near < upper) {
                 upper = near;
                 witness();
@@ -260,6 +286,45 @@ final class Gjk {
             vy = simplex.vy;
             vz = simplex.vz;
         }
+    }
+
+    /**
+     * The same from the best slab on, with the simplex in pairs of doubles. Where the bracket is open, the next point is
+     * nearer than the side that looked for it, and so makes the norm less; it ends on the bracket, or where no double is
+     * left that would be nearer.
+     */
+    private void approachFinely() {
+        fine.clear();
+        double vx = nx;
+        double vy = ny;
+        double vz = nz;
+        lower = Double.NEGATIVE_INFINITY;
+        attained = Double.POSITIVE_INFINITY;
+        overlapping = false;
+        for (steps = 1; ; steps++) {
+            double length = Math.sqrt(vx * vx + vy * vy + vz * vz);
+            probe(vx / length, vy / length, vz / length);
+            if (isNarrow() || attained <= error || !fine.add(first, second) || !fine.reduce()) {
+                break;
+            }
+            attained = fine.length();
+            ax = fine.a(0);
+            ay = fine.a(1);
+            az = fine.a(2);
+            bx = fine.b(0);
+            by = fine.b(1);
+            bz = fine.b(2);
+            vx = fine.vx;
+            vy = fine.vy;
+            vz = fine.vz;
+        }
+        upper = attained;
+        overlapping = attained <= error;
+    }
+
+    /** Before margins: whether what is attained and the best slab are as near to each other as is promised. */
+    private boolean isNarrow() {
+        return attained < Double.POSITIVE_INFINITY && attained - lower <= Math.max(NARROW * attained, error);
     }
 
     /** Tries a unit direction: finds both supports, and keeps the slab where it is the widest yet. */
@@ -286,26 +351,17 @@ final class Gjk {
     }
 
     /** Adds the margins of spheres and discs, and goes back to the world's scale and place. */
-    private void finish(double ox, double oy, double oz, double unscale) {
+    private void finish() {
         double margins = first.margin + second.margin;
         double near = upper;
-        // A tetrahedron that seems to hold the origin may be too thin to tell; the point that its weights give is one
-        // of the leaves' in any case.
-        double sure = simplex.depth() > 0 ? simplex.residual() : near;
-        deep = sure + error < margins || simplex.depth() > DEEP * cube(first.extent + second.extent);
+        deep |= attained + error < margins;
+        closed = deep || attained <= error || isNarrow();
         coreReach = lower * unscale;
         coreUpper = near * unscale;
         reach = (lower - margins) * unscale;
         lower = lower - margins - error;
-        upper = Math.max(0, upper - margins);
-        if (near <= margins) {
-            overlapping = true;
-        }
-        if (lower > 0) {
-            overlapping = false;
-        } else if (overlapping) {
-            upper = 0;
-        }
+        upper = deep ? 0 : Math.max(0, attained - margins);
+        overlapping = (overlapping || near <= margins) && !(lower > 0);
         // Along the witnesses, not along the slab: a margin is the same all around.
         double dx = near > 0 ? (bx - ax) / near : 0;
         double dy = near > 0 ? (by - ay) / near : 0;

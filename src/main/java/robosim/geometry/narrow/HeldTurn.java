@@ -13,17 +13,29 @@ import robosim.geometry.exact.Radians;
  */
 final class HeldTurn {
     private static final double FULL = 2 * Math.PI;
-    private static final int MOST_STEPS = 400;
+    private static final int MOST_STEPS = 1000;
+
+    /** An axis that is held for an arc as long as this is good enough; else those of the sides and edges are tried. */
+    private static final double FAR = 0.1;
 
     /** A gap of this share of the mover's size that hardly lets it go on counts as contact. */
     private static final double CLOSE = 0x1p-34;
 
     private static final double STALLED = 0x1p-16;
 
+    /** An edge this close to a direction is not one that it is square to. */
+    private static final double SQUARE = 0.5;
+
     private final TurnBody mover = new TurnBody();
     private final TurnBody rest = new TurnBody();
     private final double[] pose = new double[Leaf.STRIDE];
     private final double[] box = new double[Leaf.STRIDE];
+
+    private final Facets ofRest = new Facets();
+    private final Facets ofMover = new Facets();
+    private final AcrossTurn across = new AcrossTurn();
+    private boolean haveFacets;
+    private int steps;
 
     private boolean planar;
     private double wx;
@@ -62,6 +74,7 @@ final class HeldTurn {
         double wanted = angle * (1 + 0x1p-50) + TurnOutline.MARGIN;
         double t = 0;
         double depth = 0;
+        haveFacets = false;
         ask(gjk, kindA, a, i, kindB, b, j);
         if (!(gjk.lower() > 0)) {
             depth = Math.max(0, depth(ways, kindA, a, i, kindB, b, j));
@@ -71,7 +84,7 @@ final class HeldTurn {
             }
         }
         int kind = Poses.turnedKind(kindA);
-        for (int step = 0; step < MOST_STEPS; step++) {
+        for (steps = 0; steps < MOST_STEPS; steps++) {
             if (t >= wanted || t >= FULL) {
                 return Double.POSITIVE_INFINITY;
             }
@@ -81,6 +94,14 @@ final class HeldTurn {
             double next = t;
             if (gjk.lower() > 0) {
                 next = hold(gjk.nx(), gjk.ny(), gjk.nz(), t, depth);
+                if (next - t < FAR && next < wanted && !planar) {
+                    if (!haveFacets) {
+                        ofMover.spatial(kindA, a, i);
+                        ofRest.spatial(kindB, b, j);
+                        haveFacets = true;
+                    }
+                    next = Math.max(next, near(gjk.nx(), gjk.ny(), gjk.nz(), t, depth));
+                }
             } else if (depth > 0) {
                 depth(ways, kind, pose, 0, kindB, b, j);
                 for (int k = 0; k < ways.count(); k++) {
@@ -93,6 +114,11 @@ final class HeldTurn {
             t = next;
         }
         return Math.min(Math.nextDown(1.0), Math.max(0, t / angle * (1 - 0x1p-50)));
+    }
+
+    /** Steps that the last question took. */
+    int steps() {
+        return steps;
     }
 
     private void ask(Gjk gjk, int kindA, double[] a, int i, int kindB, double[] b, int j) {
@@ -127,18 +153,84 @@ final class HeldTurn {
         double end = mover.until(place, t);
         if (!planar || mover.level) {
             // The direction in the mover as it stood at the start.
-            double cos = Radians.cos(t);
-            double sin = -Radians.sin(t);
-            double along = (wx * nx + wy * ny + wz * nz) * (1 - cos);
-            double mx = nx * cos + (wy * nz - wz * ny) * sin + wx * along;
-            double my = ny * cos + (wz * nx - wx * nz) * sin + wy * along;
-            double mz = nz * cos + (wx * ny - wy * nx) * sin + wz * along;
+            turned(nx, ny, nz, Radians.cos(t), -Radians.sin(t));
+            double mx = vx;
+            double my = vy;
+            double mz = vz;
             mover.aim(mx, my, mz, 1);
             place = -mover.least(0) + mover.error() - depth;
             rest.aim(-mx, -my, -mz, -1);
             end = Math.max(end, rest.until(place, t));
         }
         return end;
+    }
+
+    /**
+     * The same of the directions that sides and edges have at t: close to contact that of {@link Gjk} is off by as much as
+     * a rounding is large beside the gap, which counts where a flat side or a straight edge meets something.
+     *
+     * @param nx the direction that is off
+     */
+    private double near(double nx, double ny, double nz, double t, double depth) {
+        double end = t;
+        double cos = Radians.cos(t);
+        double sin = Radians.sin(t);
+        for (int k = 0; k < ofRest.edges; k++) {
+            double ex = ofRest.edgeX[k];
+            double ey = ofRest.edgeY[k];
+            double ez = ofRest.edgeZ[k];
+            for (int m = 0; m < ofMover.edges; m++) {
+                double fx = ofMover.edgeX[m];
+                double fy = ofMover.edgeY[m];
+                double fz = ofMover.edgeZ[m];
+                turned(fx, fy, fz, cos, sin);
+                double way =
+                        nx * (ey * vz - ez * vy) + ny * (ez * vx - ex * vz) + nz * (ex * vy - ey * vx) < 0 ? -1 : 1;
+                across.aim(rest, ex, ey, ez, mover, fx, fy, fz, wx, wy, wz, way);
+                end = Math.max(end, across.until(t));
+            }
+            end = Math.max(end, square(nx, ny, nz, ex, ey, ez, t, depth));
+        }
+        for (int m = 0; m < ofMover.edges; m++) {
+            turned(ofMover.edgeX[m], ofMover.edgeY[m], ofMover.edgeZ[m], cos, sin);
+            end = Math.max(end, square(nx, ny, nz, vx, vy, vz, t, depth));
+        }
+        for (int k = 0; k < ofRest.faces; k++) {
+            end = Math.max(end, side(nx, ny, nz, ofRest.faceX[k], ofRest.faceY[k], ofRest.faceZ[k], t, depth));
+        }
+        for (int m = 0; m < ofMover.faces; m++) {
+            turned(ofMover.faceX[m], ofMover.faceY[m], ofMover.faceZ[m], cos, sin);
+            end = Math.max(end, side(nx, ny, nz, vx, vy, vz, t, depth));
+        }
+        return end;
+    }
+
+    /** Holds a side's normal. */
+    private double side(double nx, double ny, double nz, double x, double y, double z, double t, double depth) {
+        double way = nx * x + ny * y + nz * z < 0 ? -1 : 1;
+        return hold(way * x, way * y, way * z, t, depth);
+    }
+
+    /** Holds what of a direction is square to an edge. */
+    private double square(double nx, double ny, double nz, double ex, double ey, double ez, double t, double depth) {
+        double along = nx * ex + ny * ey + nz * ez;
+        double x = nx - along * ex;
+        double y = ny - along * ey;
+        double z = nz - along * ez;
+        double length = Math.sqrt(x * x + y * y + z * z);
+        return length > SQUARE ? hold(x / length, y / length, z / length, t, depth) : t;
+    }
+
+    private double vx;
+    private double vy;
+    private double vz;
+
+    /** Finds (vx, vy, vz), a direction of the mover turned. */
+    private void turned(double x, double y, double z, double cos, double sin) {
+        double along = (wx * x + wy * y + wz * z) * (1 - cos);
+        vx = x * cos + (wy * z - wz * y) * sin + wx * along;
+        vy = y * cos + (wz * x - wx * z) * sin + wy * along;
+        vz = z * cos + (wx * y - wy * x) * sin + wz * along;
     }
 
     private double fromContact(Penetration ways) {

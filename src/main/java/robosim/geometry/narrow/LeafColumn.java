@@ -217,6 +217,18 @@ public final class LeafColumn {
         return Outline.at(leaf ^ UPRIGHT);
     }
 
+    /** Makes this column hold one piece: a leaf of another, or the triangle of its mesh at a place in the order of the leaves. */
+    public void setPiece(LeafColumn other, int leaf, int triangle) {
+        clear();
+        if (triangle < 0) {
+            appendWhole(other, leaf, 1);
+            return;
+        }
+        append(1);
+        kinds[0] = Leaf.TRIANGLE;
+        other.mesh(leaf).placedAt(triangle, other.rows, leaf * Leaf.STRIDE, rows, 0);
+    }
+
     /** The triangles of a leaf that is a mesh. */
     public TriangleMesh mesh(int leaf) {
         if (meshes != null) {

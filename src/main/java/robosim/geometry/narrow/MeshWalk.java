@@ -54,6 +54,11 @@ final class MeshWalk {
         end = 0;
     }
 
+    /** At least the size of the mesh that was taken up. */
+    double size() {
+        return tree.reach();
+    }
+
     /** Tight bounds of the placed vertices that faces use. */
     void tightBounds(LeafColumn column, int leaf, double[] out) {
         open(column, leaf);

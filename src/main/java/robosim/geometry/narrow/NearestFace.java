@@ -2,6 +2,9 @@ package robosim.geometry.narrow;
 
 /** Which of a leaf's faces a place belongs to: offered one after the other, by height above each. */
 final class NearestFace {
+    /** What is left of a unit normal that looks straight ahead is rounding below this. */
+    private static final double BACK = 0x1p-40;
+
     double px;
     double py;
     double pz;
@@ -53,16 +56,37 @@ final class NearestFace {
         }
     }
 
-    /** Writes the normal of the face at or above which the place is; below the limit it is inside. */
-    void answer(double limit, double[] normal) {
+    /**
+     * Writes the normal of the face at or above which the place is; below the limit it is inside.
+     *
+     * @param outside whether the ray came from outside, so that a normal never looks ahead
+     */
+    void answer(double limit, boolean outside, double[] normal) {
         if (facingHeight >= limit) {
             write(facingX, facingY, facingZ, normal);
-        } else if (height >= limit) {
+        } else if (height >= limit && !(outside && leanBack())) {
             write(x, y, z, normal);
         } else {
             double length = RayMath.length(ux, uy, uz);
             write(-ux / length, -uy / length, -uz / length, normal);
         }
+    }
+
+    /** Takes from the normal what looks ahead; whether that is all of it. */
+    private boolean leanBack() {
+        double ahead = x * ux + y * uy + z * uz;
+        if (!(ahead > 0)) {
+            return false;
+        }
+        double share = ahead / (ux * ux + uy * uy + uz * uz);
+        x -= share * ux;
+        y -= share * uy;
+        z -= share * uz;
+        double length = RayMath.length(x, y, z);
+        x /= length;
+        y /= length;
+        z /= length;
+        return !(length > BACK);
     }
 
     private static void write(double x, double y, double z, double[] normal) {

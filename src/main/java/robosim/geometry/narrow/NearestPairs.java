@@ -140,6 +140,9 @@ public final class NearestPairs {
         double lower = flat
                 ? gjk.planar(first.kind, first.row, first.at, second.kind, second.row, second.at)
                 : gjk.spatial(first.kind, first.row, first.at, second.kind, second.row, second.at);
+        if (!gjk.isClosed()) {
+            lower = gjk.close();
+        }
         high = Math.min(high, BoxGap.up(gjk.upper() + gjk.error()));
         if (lower == 0 || Filter.isDoubting()) {
             s.uncertain = false;

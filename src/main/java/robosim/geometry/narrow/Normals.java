@@ -8,12 +8,13 @@ import robosim.geometry.model.Dimension;
  * The outward surface normal of a leaf where a ray meets it.
  *
  * <p>The normal belongs to the face, facing the ray, whose plane (or round side) the point is nearest to or farthest
- * outside of: on the surface of a convex leaf that is the face entered. A point that no face is that near to is one
- * from which a ray started inside; it gets the opposite of the ray's direction, and so does a place that has no normal
- * (a segment met end on, a point).
+ * outside of: on the surface of a convex leaf that is the face entered. The place is known to a rounding of the way to it,
+ * which may be more than the leaf is thick; so a face counts as near that is within that. A point that no face is that near
+ * to is one from which a ray started inside; it gets the opposite of the ray's direction, and so does a place that has no
+ * normal (a segment met end on, a point). Of a round side that only grazes the ray to rounding, the normal is square to it.
  */
 public final class Normals {
-    /** How far below the surface rounding may put a hit, as a share of the coordinates: a generous 2^-46. */
+    /** How far below the surface rounding may put a hit, as a share of the coordinates and the way: a generous 2^-46. */
     private static final double DEPTH = 128 * U;
 
     private Normals() {}
@@ -22,6 +23,7 @@ public final class Normals {
      * Writes the normal.
      *
      * @param px the place that was hit
+     * @param distance how far the ray came; 0 where it started there
      * @param ux direction of the ray, any length but zero; its height is not looked at in {@code PLANAR}
      * @param normal gets three numbers, a unit vector; in {@code PLANAR} that of the projected leaf, horizontal
      */
@@ -29,6 +31,7 @@ public final class Normals {
             double px,
             double py,
             double pz,
+            double distance,
             double ux,
             double uy,
             double uz,
@@ -47,8 +50,8 @@ public final class Normals {
         } else {
             SpatialFaces.offer(face, kind, row, j);
         }
-        double extent = RayMath.largest(px, isPlanar ? 0 : py, pz) + extent(kind, row, j);
-        face.answer(-DEPTH * extent, normal);
+        double extent = RayMath.largest(px, isPlanar ? 0 : py, pz) + extent(kind, row, j) + distance;
+        face.answer(-DEPTH * extent, distance > 0, normal);
     }
 
     private static double extent(int kind, double[] row, int j) {

@@ -54,24 +54,6 @@ final class Penetration {
         return ordered(kindA, a, i, kindB, b, j);
     }
 
-    /**
-     * The width of the widest slab between two leaves, to rounding, from where {@link Gjk} ends: close to contact it knows
-     * a direction no better than a rounding is large beside the distance, which counts where a flat side or a straight
-     * edge meets something.
-     *
-     * @param x a unit direction to start from besides
-     */
-    double slab(int kindA, double[] a, int i, int kindB, double[] b, int j, double x, double y, double z) {
-        flat = false;
-        gjk.spatial(kindA, a, i, kindB, b, j);
-        directions.clear();
-        load(kindA, a, i, kindB, b, j);
-        candidates();
-        searchFrom(x, y, z, depth(x, y, z));
-        refine();
-        return Math.max(gjk.reach(), -directions.least());
-    }
-
     /** The distance question that the last one began with; its a and b may be exchanged. */
     Gjk bracket() {
         return gjk;

@@ -18,6 +18,9 @@ public final class SpatialSweep {
      */
     public static double translation(
             int kindA, double[] a, int i, double dx, double dy, double dz, int kindB, double[] b, int j, Scratch s) {
+        if (Levels.parts(kindA, a, i, dy, kindB, b, j, s)) {
+            return Double.POSITIVE_INFINITY;
+        }
         if (AxisBody.isPolytope(kindA) && AxisBody.isPolytope(kindB)) {
             boolean upright = Leaf.isUpright(kindA) && Leaf.isUpright(kindB);
             int mode = upright ? MovingAxes.UPRIGHT : MovingAxes.SPATIAL;

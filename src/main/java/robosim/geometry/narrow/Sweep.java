@@ -1,6 +1,7 @@
 package robosim.geometry.narrow;
 
 import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.model.Dimension;
 
@@ -25,8 +26,51 @@ public final class Sweep {
     private double wz;
     private double degrees;
 
+    /** What the mover stands on, if that is asked about; the leaf and the triangle that move, and what is met first. */
+    private @Nullable Standing standing;
+
+    private @Nullable Stop stop;
+    private int leaf;
+    private int own;
+    private int ownPiece;
+    private int otherPiece;
+
     public Sweep(Scratch scratch) {
         s = scratch;
+    }
+
+    boolean isTurn() {
+        return turns;
+    }
+
+    /** Whether a leaf that starts on one side of a plane stays there if it ends there: exact. */
+    boolean keeps(ExactVector normal, int kind, double[] row, int at) {
+        if (!turns) {
+            return true;
+        }
+        return normal.cross(ExactVector.of(wx, wy, wz)).isZero() || isTurnedIntoItself(kind, row, at);
+    }
+
+    /** The same of a level plane. */
+    boolean keepsLevel(int kind, double[] row, int at) {
+        return !turns || (wx == 0 && wz == 0) || isTurnedIntoItself(kind, row, at);
+    }
+
+    private boolean isTurnedIntoItself(int kind, double[] row, int at) {
+        boolean flat = dimension == Dimension.PLANAR;
+        boolean isLevel = wx == 0 && wz == 0;
+        if (row[at] != px || row[at + 2] != pz || (row[at + 1] != py && !(isLevel || flat))) {
+            return false;
+        }
+        return switch (kind) {
+            case Leaf.SPHERE -> true;
+            case Leaf.UPRIGHT_CYLINDER -> isLevel;
+            case Leaf.CYLINDER ->
+                ExactExtent.axis(kind, row, at)
+                        .cross(ExactVector.of(wx, wy, wz))
+                        .isZero();
+            default -> false;
+        };
     }
 
     /** Sets a straight translation. */
@@ -109,15 +153,56 @@ public final class Sweep {
         }
     }
 
+    /** The place, in the order of the leaves, of the mover's triangle that met something first; -1 where it is no mesh. */
+    public int ownPiece() {
+        return ownPiece;
+    }
+
+    /** The same of the triangle that was met. */
+    public int otherPiece() {
+        return otherPiece;
+    }
+
+    /** What a share before contact with a piece becomes. */
+    public interface Stop {
+        /**
+         * The share at which to stop.
+         *
+         * @param t     the mover's triangle, a place in the order of the leaves, or -1
+         * @param u     the same of the triangle that is met
+         * @param share where it is met
+         * @param least above which an answer does not matter
+         */
+        double share(int t, int u, double share, double least);
+    }
+
+    /**
+     * As {@link #free(LeafColumn, int, LeafColumn, int)}, but what is behind a plane that the mover stands on does not block.
+     *
+     * @param at where to stop before each piece that is met; null for where it is met
+     */
+    public double free(LeafColumn a, int i, LeafColumn b, int j, Standing on, @Nullable Stop at) {
+        standing = on;
+        stop = at;
+        double share = free(a, i, b, j);
+        standing = null;
+        stop = null;
+        return share;
+    }
+
     /**
      * The share of the motion that leaf i of a is free of leaf j of b: +Infinity where nothing is met, else from 0 to 1,
      * rounded down. What is met at the start blocks only what goes deeper.
      */
     public double free(LeafColumn a, int i, LeafColumn b, int j) {
+        leaf = i;
+        own = -1;
+        ownPiece = -1;
+        otherPiece = -1;
         int kindA = a.kind(i);
         int kindB = b.kind(j);
         if (!Leaf.isMesh(kindA) && !Leaf.isMesh(kindB)) {
-            return convex(kindA, a.rows(i), a.at(i), kindB, b.rows(j), b.at(j));
+            return piece(kindA, a.rows(i), a.at(i), kindB, b.rows(j), b.at(j), -1, Double.POSITIVE_INFINITY);
         }
         if (!Leaf.isMesh(kindA)) {
             return againstMesh(kindA, a.rows(i), a.at(i), b, j);
@@ -130,10 +215,18 @@ public final class Sweep {
             s.outer.corners(t, s.triangleA, 0);
             bounds(Leaf.TRIANGLE, s.triangleA, 0, swept);
             if (meets(swept, s.triangleBox)) {
+                own = t;
+                int before = otherPiece;
                 double share = Leaf.isMesh(kindB)
                         ? againstMesh(Leaf.TRIANGLE, s.triangleA, 0, b, j)
-                        : convex(Leaf.TRIANGLE, s.triangleA, 0, kindB, b.rows(j), b.at(j));
-                least = Math.min(least, share);
+                        : piece(Leaf.TRIANGLE, s.triangleA, 0, kindB, b.rows(j), b.at(j), -1, least);
+                boolean isFirst = share < least || (share == least && ownPiece >= 0 && isLower(s.outer, t, ownPiece));
+                if (share != Double.POSITIVE_INFINITY && isFirst) {
+                    least = share;
+                    ownPiece = t;
+                } else {
+                    otherPiece = before;
+                }
                 obstacleBounds(b, j);
             }
         }
@@ -182,19 +275,46 @@ public final class Sweep {
                 && (dimension == Dimension.PLANAR || (a[1] <= b[4] && b[1] <= a[4]));
     }
 
-    private double againstMesh(int kind, double[] row, int at, LeafColumn mesh, int leaf) {
+    private double againstMesh(int kind, double[] row, int at, LeafColumn mesh, int of) {
         bounds(kind, row, at, swept);
         if (dimension == Dimension.PLANAR) {
             swept[1] = Double.NEGATIVE_INFINITY;
             swept[4] = Double.POSITIVE_INFINITY;
         }
         double least = Double.POSITIVE_INFINITY;
-        s.inner.startBox(mesh, leaf, swept);
+        int first = -1;
+        s.inner.startBox(mesh, of, swept);
         for (int t = s.inner.next(0); t >= 0; t = s.inner.next(0)) {
             s.inner.corners(t, s.triangleB, 0);
-            least = Math.min(least, convex(kind, row, at, Leaf.TRIANGLE, s.triangleB, 0));
+            double share = piece(kind, row, at, Leaf.TRIANGLE, s.triangleB, 0, t, least);
+            if (share < least || (share == least && first >= 0 && isLower(s.inner, t, first))) {
+                least = share;
+                first = t;
+            }
         }
+        otherPiece = first;
         return least;
+    }
+
+    private static boolean isLower(MeshWalk walk, int t, int than) {
+        return walk.triangle(t) < walk.triangle(than);
+    }
+
+    /**
+     * Two pieces: +Infinity too where the other one is behind a plane that is stood on.
+     *
+     * @param u      the other's triangle, or -1
+     * @param before the share above which the answer does not matter
+     */
+    private double piece(int kindA, double[] a, int i, int kindB, double[] b, int j, int u, double before) {
+        double share = convex(kindA, a, i, kindB, b, j);
+        if (standing == null || share == Double.POSITIVE_INFINITY || (stop == null && share > before)) {
+            return share;
+        }
+        if (standing.isBehind(leaf, kindA, a, i, own, kindB, b, j)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        return stop == null ? share : stop.share(own, u, Math.min(share, 1), before);
     }
 
     private double convex(int kindA, double[] a, int i, int kindB, double[] b, int j) {

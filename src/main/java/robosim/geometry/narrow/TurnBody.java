@@ -12,8 +12,8 @@ import robosim.geometry.exact.Radians;
 final class TurnBody {
     private static final double FULL = 2 * Math.PI;
     private static final double ROUNDOFF = 128 * 0x1p-53;
-    private static final int MOST_POINTS = 16;
-    private static final int MOST_STEPS = 200;
+    static final int MOST_POINTS = 16;
+    private static final int MOST_STEPS = 12;
 
     /** Whether heights are left out: for turns about the vertical of what is seen from above. */
     boolean level;
@@ -21,18 +21,22 @@ final class TurnBody {
     /** At least the distance from the pivot of every point, and all that coordinates are made of. */
     double extent;
 
-    private int points;
-    private final double[] x = new double[MOST_POINTS];
-    private final double[] y = new double[MOST_POINTS];
-    private final double[] z = new double[MOST_POINTS];
+    /** Corners, or the centres of a sphere or of two caps. */
+    int points;
+
+    final double[] x = new double[MOST_POINTS];
+    final double[] y = new double[MOST_POINTS];
+    final double[] z = new double[MOST_POINTS];
     private double margin;
 
-    // A cylinder's unit axis and radius.
+    /** Radius of the rims around the points; 0 where there are none. */
+    double radius;
+
+    // A cylinder's unit axis.
     private boolean rims;
     private double ux;
     private double uy;
     private double uz;
-    private double radius;
 
     // The turn's axis, and the direction of the last question with what its points do.
     private double wx;
@@ -44,6 +48,11 @@ final class TurnBody {
     private double sk;
     private double sa;
     private double sb;
+    private double nx;
+    private double ny;
+    private double nz;
+    private double sign;
+    private final RimReach rim = new RimReach();
 
     /** Loads a leaf, relative to the pivot, for turns about a unit axis. */
     void load(
@@ -54,6 +63,7 @@ final class TurnBody {
         points = 0;
         margin = 0;
         rims = false;
+        radius = 0;
         switch (kind) {
             case Leaf.TRIANGLE -> {
                 for (int m = at; m < at + 9; m += 3) {
@@ -127,7 +137,11 @@ final class TurnBody {
     }
 
     /** Takes a unit direction; the turn goes by the right hand about the axis, or (sign -1) against it. */
-    void aim(double nx, double ny, double nz, double sign) {
+    void aim(double dx, double dy, double dz, double by) {
+        nx = dx;
+        ny = dy;
+        nz = dz;
+        sign = by;
         double across = nx * wx + ny * wy + nz * wz;
         // n.(w x q) = (n x w).q
         double cx = ny * wz - nz * wy;
@@ -142,6 +156,7 @@ final class TurnBody {
             sk = across * (wx * ux + wy * uy + wz * uz);
             sa = nx * ux + ny * uy + nz * uz - sk;
             sb = sign * (cx * ux + cy * uy + cz * uz);
+            rim.aim(nx, ny, nz, ux, uy, uz, wx, wy, wz, sign);
         }
     }
 
@@ -153,7 +168,7 @@ final class TurnBody {
         for (int m = 0; m < points; m++) {
             best = Math.min(best, k[m] + a[m] * cos + b[m] * sin);
         }
-        return best - margin - (rims ? radius * across(sk + sa * cos + sb * sin) : 0);
+        return best - margin - (rims ? radius * rim.at(cos, sin) : 0);
     }
 
     private static double across(double s) {
@@ -166,47 +181,46 @@ final class TurnBody {
         if (!(least(t) > limit)) {
             return t;
         }
-        return rims ? rimsUntil(limit, t) : pointsUntil(limit + margin, t);
+        return rims ? rimsUntil(limit, t) : pointsUntil(limit + margin, 0, 0, t);
     }
 
-    private double pointsUntil(double limit, double t) {
+    /** How long no point falls behind the limit and a reach of {@code cosine cos t + sine sin t} more. */
+    private double pointsUntil(double limit, double cosine, double sine, double t) {
+        double cos = Radians.cos(t);
+        double sin = Radians.sin(t);
         double end = Double.POSITIVE_INFINITY;
         for (int m = 0; m < points; m++) {
-            end = Math.min(end, t + TurnOutline.beyond(a[m], b[m], limit - k[m], t));
+            double p = a[m] - cosine;
+            double q = b[m] - sine;
+            double c = limit - k[m];
+            double above = p * cos + q * sin - c;
+            if (!(above > 0)) {
+                return t;
+            }
+            // Whatever falls no faster than this comes later than another in any case.
+            if (!(t + 0.5 * above / (Math.abs(p) + Math.abs(q)) > end)) {
+                end = Math.min(end, t + TurnOutline.beyond(p, q, c, t));
+            }
         }
         return end;
     }
 
-    // Over a short arc the rims reach no further than at its steepest; the arcs shorten towards contact.
+    // Each time as long as a bound of the rims' reach lets it go on: tight where the arc begins, or further on.
     private double rimsUntil(double limit, double from) {
         double t = from;
-        double arc = 1;
-        for (int step = 0; step < MOST_STEPS && arc > TurnOutline.MARGIN; step++) {
-            if (t - from >= FULL) {
-                return Double.POSITIVE_INFINITY;
+        for (int step = 0; step < MOST_STEPS && t - from < FULL; step++) {
+            double end = t;
+            for (int bound = 0; bound < RimReach.BOUNDS; bound++) {
+                rim.bound(bound, t);
+                double constant = limit + radius * rim.constant;
+                end = Math.max(end, pointsUntil(constant, radius * rim.cosine, radius * rim.sine, t));
             }
-            double reach = radius * steepest(t, t + arc);
-            double end = least(t) > limit && pointsHold(limit + reach, t) ? pointsUntil(limit + reach, t) : t;
-            if (end >= t + arc) {
-                t += arc;
-                arc = Math.min(1, 2 * arc);
-            } else {
-                t = Math.max(t, end);
-                arc *= 0.25;
+            if (!(end - t > TurnOutline.MARGIN)) {
+                break;
             }
+            t = end;
         }
         return t;
-    }
-
-    private boolean pointsHold(double limit, double t) {
-        double cos = Radians.cos(t);
-        double sin = Radians.sin(t);
-        for (int m = 0; m < points; m++) {
-            if (!(k[m] + a[m] * cos + b[m] * sin > limit)) {
-                return false;
-            }
-        }
-        return true;
     }
 
     /** The greatest sqrt(1 - s^2) from one angle to another, rounded up. */

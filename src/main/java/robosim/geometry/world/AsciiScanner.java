@@ -11,7 +11,10 @@ final class AsciiScanner {
     private int to;
     private int line = 1;
 
-    /** Where a word would begin, a comment mark hides the rest of its line; -1 where the format has no comments. */
+    /**
+     * A comment mark ends a word and hides the rest of its line, to the next line feed or carriage return; -1 where the
+     * format has no comments.
+     */
     AsciiScanner(byte[] bytes, String source, int comment) {
         this.bytes = bytes;
         this.source = source;
@@ -22,17 +25,23 @@ final class AsciiScanner {
     boolean next() {
         while (to < bytes.length && (isSpace(bytes[to]) || bytes[to] == comment)) {
             if (bytes[to] == comment) {
-                skipLine();
+                skipComment();
             } else {
                 line += bytes[to] == '\n' ? 1 : 0;
                 to++;
             }
         }
         from = to;
-        while (to < bytes.length && !isSpace(bytes[to])) {
+        while (to < bytes.length && !isSpace(bytes[to]) && bytes[to] != comment) {
             to++;
         }
         return from < to;
+    }
+
+    private void skipComment() {
+        while (to < bytes.length && bytes[to] != '\n' && bytes[to] != '\r') {
+            to++;
+        }
     }
 
     private static boolean isSpace(byte b) {
@@ -56,9 +65,12 @@ final class AsciiScanner {
         }
     }
 
-    /** Where the current word ends. */
-    int end() {
-        return to;
+    /** Where the bytes begin behind the current word: after the one white space, or the comment, that ends it. */
+    int behind() {
+        if (to < bytes.length && bytes[to] == comment) {
+            skipComment();
+        }
+        return Math.min(to, bytes.length) + 1;
     }
 
     /** Goes to the next word, which is one of these; answers which. */

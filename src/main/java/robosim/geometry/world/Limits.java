@@ -26,14 +26,26 @@ final class Limits {
     /** Characters of one attribute. The longest that has a use, a rotation with 9 exact numbers, has some 220. */
     static final int MAX_ATTRIBUTE = 1000;
 
+    /** Elements of XML within each other. Groups at their limit, or models at theirs with what is in them, have some 60. */
+    static final int MAX_DEPTH = 200;
+
+    /** Bytes of one tag or comment of XML, which its parser keeps in memory. A mesh of 60,000 triangles has 4,000,000. */
+    static final int MAX_MARKUP = 4 << 20;
+
+    /** Collections of a map's settings within each other. There is one, with one in it. */
+    static final int MAX_NESTED = 20;
+
     /** Groups within groups. The deepest tried in earnest is a shelf in a row in a hall: 3. */
     static final int MAX_GROUPS = 50;
 
     /** Characters of one statement of an OBJ file. A polygon of 1,000 corners with all its indices has some 20,000. */
     static final int MAX_STATEMENT = 100_000;
 
-    /** Corners of one polygon of an OBJ file, which is cut into triangles in quadratic time. */
+    /** Corners of one polygon of an OBJ file, which is cut into triangles in quadratic time: some milliseconds. */
     static final int MAX_CORNERS = 1000;
+
+    /** Faces of one mesh file, once its polygons are cut. One of 128 MB that is no list of the same faces has 3,000,000. */
+    static final int MAX_FACES = 5_000_000;
 
     /** Cells of one map. A hall of 200 x 200 m in cells of 5 cm has 16,000,000. */
     static final int MAX_CELLS = 1 << 24;

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Set;
 import org.snakeyaml.engine.v2.api.LoadSettings;
 import org.snakeyaml.engine.v2.composer.Composer;
+import org.snakeyaml.engine.v2.events.Event;
 import org.snakeyaml.engine.v2.exceptions.MarkedYamlEngineException;
 import org.snakeyaml.engine.v2.exceptions.YamlEngineException;
 import org.snakeyaml.engine.v2.nodes.MappingNode;
@@ -14,6 +15,7 @@ import org.snakeyaml.engine.v2.nodes.Node;
 import org.snakeyaml.engine.v2.nodes.NodeTuple;
 import org.snakeyaml.engine.v2.nodes.ScalarNode;
 import org.snakeyaml.engine.v2.nodes.SequenceNode;
+import org.snakeyaml.engine.v2.parser.Parser;
 import org.snakeyaml.engine.v2.parser.ParserImpl;
 import org.snakeyaml.engine.v2.scanner.StreamReader;
 
@@ -29,7 +31,8 @@ import org.snakeyaml.engine.v2.scanner.StreamReader;
  * @param isNegated  whether white is a wall
  * @param mode       how a pixel becomes a cell
  * @param occupied   the share above which a cell is a wall
- * @param free       the share below which a cell is free
+ * @param free       the share below which a cell is free, where it is no wall
+ * @param freeLine   where the file says so
  */
 record MapSettings(
         String image,
@@ -41,7 +44,8 @@ record MapSettings(
         boolean isNegated,
         Mode mode,
         double occupied,
-        double free) {
+        double free,
+        int freeLine) {
 
     /** As ROS calls them. */
     enum Mode {
@@ -71,6 +75,7 @@ record MapSettings(
             try {
                 // Composed, not constructed: every value keeps its line, and its text as it was written.
                 LoadSettings settings = LoadSettings.builder().build();
+                shallow(new ParserImpl(settings, new StreamReader(settings, yaml)));
                 root = new Composer(settings, new ParserImpl(settings, new StreamReader(settings, yaml)))
                         .getSingleNode()
                         .orElse(null);
@@ -87,6 +92,29 @@ record MapSettings(
                 entry(entry);
             }
             return settings();
+        }
+
+        /** Refuses what is nested without end: a composer calls itself for each level. */
+        private void shallow(Parser events) throws WorldException {
+            int depth = 0;
+            while (events.hasNext()) {
+                Event event = events.next();
+                switch (event.getEventId()) {
+                    case SequenceStart, MappingStart -> depth++;
+                    case SequenceEnd, MappingEnd -> depth--;
+                    default -> {}
+                }
+                if (depth > Limits.MAX_NESTED) {
+                    int line =
+                            event.getStartMark().map(mark -> mark.getLine() + 1).orElse(0);
+                    throw new WorldException(
+                            source,
+                            line,
+                            0,
+                            "lists and keys must be at most " + Limits.MAX_NESTED
+                                    + " within each other; a map needs two (got: one more)");
+                }
+            }
         }
 
         private void entry(NodeTuple entry) throws WorldException {
@@ -113,11 +141,6 @@ record MapSettings(
             boolean isNegated = negate();
             double occupied = share("occupied_thresh");
             double free = share("free_thresh");
-            if (free > occupied) {
-                throw wrong(
-                        value("free_thresh"),
-                        "free_thresh must be at most occupied_thresh, " + occupied + " (got: " + free + ")");
-            }
             Mode mode = mode();
             if (mode == Mode.RAW && isNegated) {
                 throw wrong(
@@ -133,7 +156,8 @@ record MapSettings(
                     isNegated,
                     mode,
                     occupied,
-                    free);
+                    free,
+                    line(value("free_thresh")));
         }
 
         private double[] origin() throws WorldException {
@@ -165,7 +189,7 @@ record MapSettings(
             }
             String text = text("mode", node);
             for (Mode mode : Mode.values()) {
-                if (mode.name().toLowerCase(Locale.ROOT).equals(text)) {
+                if (mode.name().equals(text.toUpperCase(Locale.ROOT))) {
                     return mode;
                 }
             }

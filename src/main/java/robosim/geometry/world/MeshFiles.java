@@ -2,7 +2,6 @@ package robosim.geometry.world;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import robosim.geometry.model.MeshObject;
@@ -32,7 +31,7 @@ final class MeshFiles {
     }
 
     static MeshObject read(Path file, double scale, Format format) throws WorldException {
-        try (InputStream in = Files.newInputStream(file)) {
+        try (InputStream in = RegularFile.open(file)) {
             return format.read(in, file.toString(), scale);
         } catch (IOException e) {
             throw WorldException.unreadable(file, e);

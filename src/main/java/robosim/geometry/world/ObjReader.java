@@ -185,6 +185,10 @@ public final class ObjReader {
                         + vertices.size() + " or -1 to -" + vertices.size() + " (got: " + index + ")");
             }
         }
+        if (faces.size() + corners - 2 > Limits.MAX_FACES) {
+            throw new IllegalArgumentException(
+                    "a file must have at most " + Limits.MAX_FACES + " faces, cut into triangles (got: more)");
+        }
         Polygon.cut(vertices, face, faces);
     }
 }

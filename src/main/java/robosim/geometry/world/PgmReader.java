@@ -21,15 +21,18 @@ final class PgmReader {
             return text(words, new OccupancyGrid(width, height, settings), white);
         }
         int size = white < 256 ? 1 : 2;
-        int from = words.end() + 1; // one white space
+        int from = words.behind();
         long need = (long) width * height * size;
-        if (bytes.length - from != need) {
+        long there = bytes.length - (long) from;
+        if (there != need) {
             throw new WorldException(
                     source,
                     0,
                     0,
-                    "an image of " + width + " x " + height + " pixels must have " + need
-                            + " bytes behind its head; it may be cut off (got: " + (bytes.length - from) + ")");
+                    "an image of " + width + " x " + height + " pixels must have " + need + " bytes behind its head; "
+                            + (there < need
+                                    ? "it is cut off (got: " + Math.max(0, there) + ")"
+                                    : "something stands behind its last pixel, so save it anew (got: " + there + ")"));
         }
         return binary(bytes, from, source, new OccupancyGrid(width, height, settings), white);
     }

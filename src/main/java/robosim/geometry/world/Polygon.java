@@ -24,23 +24,126 @@ final class Polygon {
             faces.add(quad(corners, flat));
             return;
         }
-        int[] left = new int[corners.length];
-        for (int k = 0; k < left.length; k++) {
-            left[k] = k;
+        new Clipping(flat, corners, faces).clip();
+    }
+
+    /**
+     * The corners that are left, and what is known of each: its ear may hold one of them, which stays true until that one
+     * or a neighbour goes. So each triangle is looked at once, and all looks together are quadratic in the corners.
+     */
+    private static final class Clipping {
+        private static final int UNKNOWN = 2;
+
+        private final double[][] flat;
+        private final int[] corners;
+        private final List<int[]> faces;
+
+        private final int[] left;
+        private int count;
+
+        /** Where a corner turns, 1 the polygon's way, 0 nowhere, -1 against it; or {@link #UNKNOWN}. */
+        private final int[] turn;
+
+        /** No corner before this one, of all that there were, lies in the triangle of a corner. */
+        private final int[] within;
+
+        /** Whether that one does. */
+        private final boolean[] held;
+
+        private final boolean[] gone;
+
+        Clipping(double[][] flat, int[] corners, List<int[]> faces) {
+            this.flat = flat;
+            this.corners = corners;
+            this.faces = faces;
+            count = corners.length;
+            left = new int[count];
+            turn = new int[count];
+            within = new int[count];
+            held = new boolean[count];
+            gone = new boolean[count];
+            for (int k = 0; k < count; k++) {
+                left[k] = k;
+                turn[k] = UNKNOWN;
+            }
         }
-        int count = left.length;
-        while (count > 3) {
-            int ear = ear(flat, left, count);
-            faces.add(new int[] {
-                corners[left[(ear + count - 1) % count]], corners[left[ear]], corners[left[(ear + 1) % count]]
-            });
-            System.arraycopy(left, ear + 1, left, ear, count - ear - 1);
-            count--;
+
+        void clip() {
+            while (count > 3) {
+                int ear = ear();
+                int before = left[(ear + count - 1) % count];
+                int after = left[(ear + 1) % count];
+                faces.add(new int[] {corners[before], corners[left[ear]], corners[after]});
+                gone[left[ear]] = true;
+                turn[before] = UNKNOWN;
+                turn[after] = UNKNOWN;
+                System.arraycopy(left, ear + 1, left, ear, count - ear - 1);
+                count--;
+            }
+            if (side(flat, left[0], left[1], left[2]) < 0) {
+                throw crossed(corners.length);
+            }
+            faces.add(new int[] {corners[left[0]], corners[left[1]], corners[left[2]]});
         }
-        if (side(flat, left[0], left[1], left[2]) < 0) {
-            throw crossed(corners.length);
+
+        /** A corner whose triangle holds no other; else one between two edges in line, which leaves a flat triangle. */
+        private int ear() {
+            int inLine = -1;
+            for (int k = 0; k < count; k++) {
+                int b = left[k];
+                if (turn[b] < 0) {
+                    continue;
+                }
+                int a = left[(k + count - 1) % count];
+                int c = left[(k + 1) % count];
+                if (turn[b] == UNKNOWN) {
+                    turn[b] = side(flat, a, b, c);
+                    within[b] = 0;
+                    held[b] = false;
+                }
+                if (turn[b] > 0 && isEmpty(a, b, c)) {
+                    return k;
+                }
+                if (turn[b] == 0 && inLine < 0) {
+                    inLine = k;
+                }
+            }
+            if (inLine < 0) {
+                throw crossed(corners.length);
+            }
+            return inLine;
         }
-        faces.add(new int[] {corners[left[0]], corners[left[1]], corners[left[2]]});
+
+        private boolean isEmpty(int a, int b, int c) {
+            if (held[b] && !gone[within[b]]) {
+                return false;
+            }
+            double[] x = flat[0];
+            double[] y = flat[1];
+            double minX = Math.min(x[a], Math.min(x[b], x[c]));
+            double maxX = Math.max(x[a], Math.max(x[b], x[c]));
+            double minY = Math.min(y[a], Math.min(y[b], y[c]));
+            double maxY = Math.max(y[a], Math.max(y[b], y[c]));
+            int p = within[b];
+            for (; p < gone.length; p++) {
+                if (!gone[p]
+                        && x[p] >= minX
+                        && x[p] <= maxX
+                        && y[p] >= minY
+                        && y[p] <= maxY
+                        && !same(flat, p, a)
+                        && !same(flat, p, b)
+                        && !same(flat, p, c)
+                        && side(flat, a, b, p) >= 0
+                        && side(flat, b, c, p) >= 0
+                        && side(flat, c, a, p) >= 0) {
+                    break;
+                }
+            }
+            within[b] = p;
+            held[b] = p < gone.length;
+            return !held[b];
+        }
     }
 
     // A mesh cuts a quad on the diagonal 0-2; where that one lies outside, the other is made the first.
@@ -48,42 +151,6 @@ final class Polygon {
         boolean first = side(flat, 0, 1, 2) >= 0 && side(flat, 0, 2, 3) >= 0;
         boolean second = side(flat, 1, 2, 3) >= 0 && side(flat, 1, 3, 0) >= 0;
         return first || !second ? corners : new int[] {corners[1], corners[2], corners[3], corners[0]};
-    }
-
-    /** A corner whose triangle holds no other; else one between two edges in line, which leaves a flat triangle. */
-    private static int ear(double[][] flat, int[] left, int count) {
-        int inLine = -1;
-        for (int k = 0; k < count; k++) {
-            int a = left[(k + count - 1) % count];
-            int b = left[k];
-            int c = left[(k + 1) % count];
-            int side = side(flat, a, b, c);
-            if (side > 0 && isEmpty(flat, left, count, a, b, c)) {
-                return k;
-            }
-            if (side == 0 && inLine < 0) {
-                inLine = k;
-            }
-        }
-        if (inLine < 0) {
-            throw crossed(left.length);
-        }
-        return inLine;
-    }
-
-    private static boolean isEmpty(double[][] flat, int[] left, int count, int a, int b, int c) {
-        for (int k = 0; k < count; k++) {
-            int p = left[k];
-            if (!same(flat, p, a)
-                    && !same(flat, p, b)
-                    && !same(flat, p, c)
-                    && side(flat, a, b, p) >= 0
-                    && side(flat, b, c, p) >= 0
-                    && side(flat, c, a, p) >= 0) {
-                return false;
-            }
-        }
-        return true;
     }
 
     private static boolean same(double[][] flat, int p, int q) {

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.SplittableRandom;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.Accuracy;
-import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
@@ -34,9 +33,6 @@ final class Questions {
     /** Distances are the same that differ by no more than this share of the world's diagonal. */
     private static final double SAME = 1e-9;
 
-    /** The share of the world's smaller side that the probe of a world without robots is wide and high. */
-    private static final double PROBE = 1.0 / 50;
-
     private final World world;
     private final Rooms rooms;
     private final WorldCheck.Watch watch;
@@ -44,6 +40,9 @@ final class Questions {
     private final List<Sheet> sheets = new ArrayList<>();
     private final Sheet truth;
     private final double slack;
+
+    /** Questions to which the truth is that something is there. */
+    private int met;
 
     /** What one setting is asked and answers. */
     private static final class Sheet {
@@ -100,40 +99,27 @@ final class Questions {
         List<WorldObject> robots = world.objects().stream()
                 .filter(object -> object.object().isMoveable())
                 .toList();
-        GeometryObject probe = robots.isEmpty() ? probe() : null;
-        if (probe != null) {
-            robots = List.of(new WorldObject(probe));
-        }
-        int each = Math.max(1, PLACES / robots.size());
+        int each = Math.max(1, PLACES / Math.max(1, robots.size()));
         int few = Math.max(1, each / FEWER);
         // In a crowd not everybody is asked.
         int asked = Math.min(robots.size(), PLACES);
         for (int k = 0; k < asked; k++) {
             ask(robots.get(k), Rooms.isMany(robots.get(k).object()) ? few : each, k, asked);
         }
-        boolean proven = probe == null && isProven(robots);
+        boolean proven = !robots.isEmpty() && isProven(robots);
         Sheet enough = sheets.stream()
                 .filter(sheet -> world.dimension() == Dimension.SPATIAL || sheet.dimension == Dimension.PLANAR)
                 .filter(sheet -> sheet.setting().isSame())
                 .findFirst()
                 .orElse(truth);
-        boolean told = truth.setting().isAskedEnough();
+        boolean told = truth.setting().isAskedEnough() && met > 0;
         return new WorldCheck.Needs(
                 told ? enough.dimension : world.dimension(),
                 told ? enough.accuracy : world.accuracy(),
                 proven,
-                probe,
+                met,
                 SEED,
                 sheets.stream().map(Sheet::setting).toList());
-    }
-
-    private GeometryObject probe() {
-        double size = Math.min(Math.min(world.width(), world.length()), world.height()) * PROBE;
-        String name = "probe";
-        while (truth.geometry.hasObject(name)) {
-            name += "'";
-        }
-        return new CylinderObject(new Point(0, size - world.height() / 2, 0), size / 2, size).moveable(name);
     }
 
     private void ask(WorldObject robot, int count, int number, int robots) {
@@ -175,6 +161,7 @@ final class Questions {
         String name = String.valueOf(body.name());
         truth.geometry.removeObject(name);
         boolean right = !truth.geometry.testObject(body);
+        met += right ? 0 : 1;
         for (Sheet sheet : sheets) {
             sheet.places++;
             sheet.placesOtherwise += sheet.geometry.testObject(body) == right ? 1 : 0;
@@ -187,6 +174,7 @@ final class Questions {
         Move move =
                 random.nextBoolean() ? new Move(way, 0, 0, 0, 0) : new Move(0, 0, 0, 0, random.nextDouble(-180, 180));
         boolean right = moves(truth, body, name, move);
+        met += right ? 0 : 1;
         for (Sheet sheet : sheets) {
             sheet.moves++;
             sheet.movesOtherwise += moves(sheet, body, name, move) == right ? 0 : 1;
@@ -205,6 +193,7 @@ final class Questions {
         SonarRing ring = ring(robot);
         Ray mount = ring.mount(random.nextInt(ring.count()));
         double right = hears(truth, body, name, mount, ring);
+        met += Double.isFinite(right) ? 1 : 0;
         for (Sheet sheet : sheets) {
             double heard = hears(sheet, body, name, mount, ring);
             sheet.distances++;

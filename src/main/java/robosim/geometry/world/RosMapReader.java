@@ -3,10 +3,10 @@ package robosim.geometry.world;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
@@ -21,7 +21,11 @@ import robosim.geometry.model.Pose;
  * <p>Occupied cells become walls: few boxes that cover them exactly, and no free or unknown cell. A place (x, y, z) of the
  * map's frame, with z up from the floor, is (x, z - height / 2, -y) in the world, which is centred about the origin of
  * the map's frame, in metres, as high as its walls and one cell wider all round than what it must hold: the whole image,
- * free cells too. Yaw is a heading.
+ * free cells too, and its edges. Yaw is a heading.
+ *
+ * <p>The map ends where its image does: along its edges stand four walls more, one cell thick and outside of the image, so
+ * that no robot that starts in the map leaves it, and no ray. They are named {@code left}, {@code right}, {@code upper}
+ * and {@code lower edge of the map}; {@code removeObject} takes one away.
  *
  * <p>In modes trinary and scale a cell is a wall where ROS gives it 100; in mode raw where its value is above 100 times
  * {@code occupied_thresh}. The edges of the boxes are those of the cells but for the rounding of their coordinates.
@@ -34,6 +38,9 @@ public final class RosMapReader {
 
     /** Cells must be far larger than the rounding of their coordinates. */
     private static final double LEAST_ULPS = 0x1p20;
+
+    /** Boxes around the image. */
+    private static final int EDGES = 4;
 
     private RosMapReader() {}
 
@@ -53,20 +60,35 @@ public final class RosMapReader {
      * @throws WorldException naming file and line, where the map or its image cannot be read
      */
     public static World read(Path yaml, double height) throws WorldException {
+        return readImport(yaml, height).world();
+    }
+
+    /** Reads a map, with the account of it. */
+    static WorldImport readImport(Path yaml, double height) throws WorldException {
         if (!(height > 0 && height <= 0x1p100)) {
             throw new IllegalArgumentException("height must be above 0 and at most 2^100 (got: " + height + ")");
         }
         MapSettings settings = settings(yaml);
         OccupancyGrid grid = grid(yaml, settings);
         try {
-            return new World(
+            List<WorldObject> objects = walls(settings, grid, height);
+            int walls = objects.size();
+            objects.addAll(edges(settings, grid, height));
+            World world = new World(
                     2 * extent(settings, grid, 0),
                     height,
                     2 * extent(settings, grid, 2),
                     Unit.METRE,
                     Dimension.SPATIAL,
                     Accuracy.EXACT,
-                    walls(settings, grid, height));
+                    objects);
+            return new WorldImport(
+                    world,
+                    "ROS map",
+                    Map.of("wall", walls, "edge", objects.size() - walls),
+                    Map.of(),
+                    List.of(),
+                    remarks(yaml, settings));
         } catch (IllegalArgumentException e) {
             throw new WorldException(yaml.toString(), 0, 0, String.valueOf(e.getMessage()), e);
         }
@@ -103,7 +125,7 @@ public final class RosMapReader {
     }
 
     private static byte[] bytes(Path file, long most) throws WorldException {
-        try (InputStream in = Files.newInputStream(file)) {
+        try (InputStream in = RegularFile.open(file)) {
             byte[] bytes = in.readNBytes((int) most + 1);
             if (bytes.length > most) {
                 throw new WorldException(
@@ -115,23 +137,52 @@ public final class RosMapReader {
         }
     }
 
+    private static List<String> remarks(Path yaml, MapSettings settings) {
+        if (!(settings.free() > settings.occupied())) {
+            return List.of();
+        }
+        return List.of(yaml + ":" + settings.freeLine() + ": free_thresh should be at most occupied_thresh, "
+                + settings.occupied()
+                + "; as in the map server of ROS 2, what is above occupied_thresh is a wall, and no"
+                + " cell is unknown (got: " + settings.free() + ")");
+    }
+
     private static List<WorldObject> walls(MapSettings settings, OccupancyGrid grid, double height) {
-        double heading = heading(settings);
         List<WorldObject> walls = new ArrayList<>();
         for (Rectangles.Rectangle cells :
-                Rectangles.cover(grid.occupied, grid.width, grid.height, Limits.MAX_OBJECTS)) {
-            BoxObject box = new BoxObject(
-                    new Point(),
-                    (cells.toX() - cells.fromX()) * settings.resolution(),
-                    height,
-                    (cells.toRow() - cells.fromRow()) * settings.resolution());
-            Point center = place(
-                    settings,
-                    (cells.fromX() + cells.toX()) / 2.0 * settings.resolution(),
-                    (grid.height - (cells.fromRow() + cells.toRow()) / 2.0) * settings.resolution());
-            walls.add(new WorldObject(box.at(Pose.of(center, heading))));
+                Rectangles.cover(grid.occupied, grid.width, grid.height, Limits.MAX_OBJECTS - EDGES)) {
+            walls.add(new WorldObject(box(settings, grid, height, cells)));
         }
         return walls;
+    }
+
+    /** A wall of one cell around the image, for the map ends there and the world may not. */
+    private static List<WorldObject> edges(MapSettings settings, OccupancyGrid grid, double height) {
+        int width = grid.width;
+        int rows = grid.height;
+        return List.of(
+                edge(settings, grid, height, "left", new Rectangles.Rectangle(-1, 0, 0, rows)),
+                edge(settings, grid, height, "right", new Rectangles.Rectangle(width, 0, width + 1, rows)),
+                edge(settings, grid, height, "upper", new Rectangles.Rectangle(-1, -1, width + 1, 0)),
+                edge(settings, grid, height, "lower", new Rectangles.Rectangle(-1, rows, width + 1, rows + 1)));
+    }
+
+    private static WorldObject edge(
+            MapSettings settings, OccupancyGrid grid, double height, String side, Rectangles.Rectangle cells) {
+        return new WorldObject(box(settings, grid, height, cells).named(side + " edge of the map"));
+    }
+
+    private static BoxObject box(MapSettings settings, OccupancyGrid grid, double height, Rectangles.Rectangle cells) {
+        BoxObject box = new BoxObject(
+                new Point(),
+                (cells.toX() - cells.fromX()) * settings.resolution(),
+                height,
+                (cells.toRow() - cells.fromRow()) * settings.resolution());
+        Point center = place(
+                settings,
+                (cells.fromX() + cells.toX()) / 2.0 * settings.resolution(),
+                (grid.height - (cells.fromRow() + cells.toRow()) / 2.0) * settings.resolution());
+        return box.at(Pose.of(center, heading(settings)));
     }
 
     private static double heading(MapSettings settings) {
@@ -147,14 +198,14 @@ public final class RosMapReader {
         return new Point(x, 0, -y);
     }
 
-    /** How far the image reaches from the origin along X (0) or Z (2), and one cell more. */
+    /** How far the image with its edges reaches from the origin along X (0) or Z (2), and one cell more. */
     private static double extent(MapSettings settings, OccupancyGrid grid, int axis) {
         double farthest = 0;
         for (int corner = 0; corner < 4; corner++) {
             Point place = place(
                     settings,
-                    (corner & 1) * grid.width * settings.resolution(),
-                    (corner >> 1) * grid.height * settings.resolution());
+                    ((corner & 1) == 0 ? -1 : grid.width + 1) * settings.resolution(),
+                    (corner < 2 ? -1 : grid.height + 1) * settings.resolution());
             farthest = Math.max(farthest, Math.abs(axis == 0 ? place.x() : place.z()));
         }
         if (settings.resolution() < LEAST_ULPS * Math.ulp(farthest)) {

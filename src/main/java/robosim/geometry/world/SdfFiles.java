@@ -8,6 +8,9 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -15,23 +18,40 @@ import org.jspecify.annotations.Nullable;
  * is opened, and no address in a network is followed.
  */
 final class SdfFiles {
+    private static final Pattern REMOTE = Pattern.compile("(?i)(https?|ftp|fuel)://");
+
     private final Path main;
     private final List<Path> folders = new ArrayList<>();
+    /** The file of a model, by what was included: it, or its folder. */
+    private final Map<Path, Path> models = new HashMap<>();
+
     private final Map<Path, SdfElement> roots = new HashMap<>();
     private final Map<Path, Boolean> counted = new HashMap<>();
+
+    /** What was looked for, and found or not: a model is included a thousand times, and a disk is slow. */
+    private final Map<Name, Optional<Path>> known = new HashMap<>();
+
+    private final List<String> remarks = new ArrayList<>();
     private long bytes;
 
+    private record Name(String uri, Path from) {}
+
     /** For a file of SDFormat, with folders whose subfolders are models. */
-    SdfFiles(Path main, List<Path> models) throws WorldException {
+    SdfFiles(Path main, List<Path> given) throws WorldException {
         try {
             this.main = main.toRealPath();
             folders.add(folder(this.main));
-            for (Path folder : models) {
+            for (Path folder : given) {
                 folders.add(folder.toRealPath());
             }
         } catch (IOException e) {
             throw WorldException.unreadable(main, e);
         }
+    }
+
+    /** What is worth a word about the files, and nothing is missing for. */
+    List<String> remarks() {
+        return remarks;
     }
 
     private static Path folder(Path file) {
@@ -55,7 +75,7 @@ final class SdfFiles {
 
     /** Whether a file is where no reader goes: an address in a network. */
     static boolean isRemote(String uri) {
-        return uri.matches("(?i)(https?|ftp|fuel)://.*");
+        return REMOTE.matcher(uri).lookingAt();
     }
 
     /**
@@ -68,16 +88,24 @@ final class SdfFiles {
         if (found == null) {
             return null;
         }
-        Path file = Files.isDirectory(found) ? modelOf(found) : found;
+        Path file = models.get(found);
+        if (file == null) {
+            file = Files.isDirectory(found) ? modelOf(found, remarks::add) : found;
+            models.put(found, file);
+        }
         count(uri, file);
         return open(file, file.toString());
     }
 
-    /** The file of the model in a folder. */
-    static Path modelOf(Path folder) throws WorldException {
+    /**
+     * The file of the model in a folder.
+     *
+     * @param remarks takes what is worth a word
+     */
+    static Path modelOf(Path folder, Consumer<String> remarks) throws WorldException {
         Path manifest = folder.resolve(SdfManifest.NAME);
         boolean isNamed = Files.isRegularFile(manifest);
-        if (!isNamed && !Files.isRegularFile(folder.resolve("model.sdf"))) {
+        if (!isNamed && !Files.isRegularFile(folder.resolve(SdfManifest.DEFAULT))) {
             throw new WorldException(
                     folder.toString(),
                     0,
@@ -85,7 +113,7 @@ final class SdfFiles {
                     "a folder must be that of a model, with " + SdfManifest.NAME + "; name a file in it (got: none)");
         }
         try {
-            String name = isNamed ? SdfManifest.read(manifest) : "model.sdf";
+            String name = isNamed ? SdfManifest.read(manifest, remarks) : SdfManifest.DEFAULT;
             return Folder.locate(folder.toRealPath(), name, "model", "SDFormat");
         } catch (IllegalArgumentException e) {
             throw new WorldException(manifest.toString(), 0, 0, String.valueOf(e.getMessage()), e);
@@ -97,6 +125,16 @@ final class SdfFiles {
     /** A file that is named and there; null where it is nowhere. */
     @Nullable
     Path find(SdfElement uri) throws WorldException {
+        Name name = new Name(uri.value(), uri.file.folder());
+        Optional<Path> found = known.get(name);
+        if (found == null) {
+            found = Optional.ofNullable(search(uri));
+            known.put(name, found);
+        }
+        return found.orElse(null);
+    }
+
+    private @Nullable Path search(SdfElement uri) throws WorldException {
         String name = uri.value();
         if (name.isEmpty() || name.indexOf('\\') >= 0) {
             throw uri.wrong("<uri> must be a path with /, or model://NAME (got: " + name + ")");

@@ -1,22 +1,25 @@
 package robosim.geometry.world;
 
 import java.io.BufferedInputStream;
+import java.io.CharConversionException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.xml.sax.Attributes;
-import org.xml.sax.InputSource;
 import org.xml.sax.SAXException;
 import org.xml.sax.SAXParseException;
-import org.xml.sax.XMLReader;
 import org.xml.sax.helpers.DefaultHandler;
 
 /** The file model.config of a model's folder, which says which file holds the model: that of the highest version. */
 final class SdfManifest extends DefaultHandler {
     /** Its name in each folder. */
     static final String NAME = "model.config";
+
+    /** The model's file where nothing says otherwise. */
+    static final String DEFAULT = "model.sdf";
 
     private final Path file;
     private final StringBuilder text = new StringBuilder();
@@ -26,31 +29,57 @@ final class SdfManifest extends DefaultHandler {
     private int best = -1;
     private @Nullable String model;
 
+    /** Whether it is no well-formed XML. */
+    private boolean broken;
+
     private SdfManifest(Path file) {
         this.file = file;
     }
 
-    /** The name of the model's file. */
-    static String read(Path file) throws WorldException {
+    /**
+     * The name of the model's file. Where the XML breaks off, as many a description does with its {@code &}, it is what
+     * stands before that, or model.sdf where that is there.
+     *
+     * @param remarks takes what is worth a word
+     */
+    static String read(Path file, Consumer<String> remarks) throws WorldException {
         SdfManifest manifest = new SdfManifest(file);
-        try (InputStream in = Files.newInputStream(file)) {
-            XMLReader reader = SafeXml.reader();
-            reader.setContentHandler(manifest);
-            reader.setErrorHandler(manifest);
-            reader.parse(new InputSource(new Bounded(new BufferedInputStream(in))));
-        } catch (SAXException e) {
-            if (e.getException() instanceof WorldException refusal) {
-                throw refusal;
+        try {
+            manifest.parse();
+        } catch (WorldException e) {
+            if (!manifest.broken) {
+                throw e;
             }
-            throw new WorldException(file.toString(), 0, 0, "the XML was refused: " + e, e);
-        } catch (IOException e) {
-            throw WorldException.unreadable(file, e);
+            if (manifest.model == null && Files.isRegularFile(file.resolveSibling(DEFAULT))) {
+                manifest.model = DEFAULT;
+            }
+            if (manifest.model == null) {
+                throw e;
+            }
+            remarks.accept(e.getMessage() + "; only the name of the model's file matters here, and " + manifest.model
+                    + " was taken");
         }
         if (manifest.model == null) {
             throw new WorldException(
                     file.toString(), 0, 0, "<model> must have <sdf version=\"1.x\"> with a file's name (got: none)");
         }
         return manifest.model;
+    }
+
+    private void parse() throws WorldException {
+        try (InputStream in = RegularFile.open(file)) {
+            XmlGuard.parse(new BufferedInputStream(in), file.toString(), this);
+        } catch (SAXException e) {
+            if (e.getException() instanceof WorldException refusal) {
+                throw refusal;
+            }
+            throw new WorldException(file.toString(), 0, 0, "the XML was refused: " + e, e);
+        } catch (CharConversionException e) { // bytes that are no character
+            broken = true;
+            throw WorldException.unreadable(file, e);
+        } catch (IOException e) {
+            throw WorldException.unreadable(file, e);
+        }
     }
 
     /** The second number of a version that begins with 1; -1 where it is none. */
@@ -96,6 +125,7 @@ final class SdfManifest extends DefaultHandler {
 
     @Override
     public void fatalError(SAXParseException e) throws SAXException {
+        broken = true;
         throw new SAXException(SafeXml.refusal(file.toString(), e));
     }
 }

@@ -194,12 +194,17 @@ final class SdfObjects {
         }
     }
 
-    /** A name that no other object has. */
-    private String unique(String name, SdfElement place) throws WorldException {
+    /** Refuses a name that leaves no room for a number behind it. */
+    static void checkName(String name, SdfElement place) throws WorldException {
         if (name.length() > Limits.MAX_ATTRIBUTE - 20) {
             throw place.wrong("a name with those of the models around it must have at most "
                     + (Limits.MAX_ATTRIBUTE - 20) + " characters (got: " + name.length() + ")");
         }
+    }
+
+    /** A name that no other object has. */
+    private String unique(String name, SdfElement place) throws WorldException {
+        checkName(name, place);
         String given = name;
         while (!names.add(given)) {
             given = name + " (" + namesakes.merge(name, 2, (before, two) -> before + 1) + ")";

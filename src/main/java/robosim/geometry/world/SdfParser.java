@@ -3,7 +3,6 @@ package robosim.geometry.world;
 import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.file.Files;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Map;
@@ -14,7 +13,6 @@ import org.xml.sax.InputSource;
 import org.xml.sax.Locator;
 import org.xml.sax.SAXException;
 import org.xml.sax.SAXParseException;
-import org.xml.sax.XMLReader;
 import org.xml.sax.helpers.DefaultHandler;
 
 /** Reads a file of SDFormat into elements: those that matter to what is solid and where, and counts of the others. */
@@ -42,12 +40,8 @@ final class SdfParser extends DefaultHandler {
     /** The root of a file: an sdf element of a version that is known. */
     static SdfElement read(SdfFile file) throws WorldException {
         SdfParser parser = new SdfParser(file);
-        try (InputStream in = Files.newInputStream(file.path())) {
-            XMLReader reader = SafeXml.reader();
-            reader.setContentHandler(parser);
-            reader.setErrorHandler(parser);
-            reader.setEntityResolver(parser);
-            reader.parse(new InputSource(new Bounded(new BufferedInputStream(in))));
+        try (InputStream in = RegularFile.open(file.path())) {
+            XmlGuard.parse(new BufferedInputStream(in), file.shown(), parser);
         } catch (SAXException e) {
             if (e.getException() instanceof WorldException refusal) {
                 throw refusal;

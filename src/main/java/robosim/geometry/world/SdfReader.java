@@ -28,6 +28,16 @@ public final class SdfReader {
      * @throws WorldException naming file, line and remedy, where the file or one that it includes cannot be read
      */
     public static WorldImport read(Path file, List<Path> models) throws WorldException {
+        return read(file, models, new ArrayList<>());
+    }
+
+    /** Reads the model in a folder. */
+    static WorldImport readFolder(Path folder, List<Path> models) throws WorldException {
+        List<String> remarks = new ArrayList<>();
+        return read(SdfFiles.modelOf(folder, remarks::add), models, remarks);
+    }
+
+    private static WorldImport read(Path file, List<Path> models, List<String> remarks) throws WorldException {
         SdfFiles files = new SdfFiles(file, models);
         SdfTree tree = new SdfTree(files);
         SdfObjects objects = new SdfObjects(tree, new SdfShapes(tree, files));
@@ -43,7 +53,8 @@ public final class SdfReader {
                     Accuracy.EXACT,
                     objects.objects());
             Map<String, Integer> read = new TreeMap<>(objects.counts());
-            List<String> remarks = new ArrayList<>(tree.remarks());
+            remarks.addAll(files.remarks());
+            remarks.addAll(tree.remarks());
             remarks.addAll(objects.remarks());
             return new WorldImport(world, "SDFormat", read, tree.passedOver(), tree.skipped(), remarks);
         } catch (IllegalArgumentException e) {

@@ -103,8 +103,12 @@ public final class StlReader {
             return begin + " (got: " + bytes.length + " bytes)";
         }
         long count = triangles(bytes);
-        return begin + "; it may be cut off (got: " + bytes.length + " bytes that would hold " + count
-                + " triangles, which take " + (HEADER + TRIANGLE * count) + ")";
+        long need = HEADER + TRIANGLE * count;
+        return begin
+                + (bytes.length < need
+                        ? "; if it is one, it is cut off (got: "
+                        : "; if it is one, something stands behind its last triangle, so save it anew (got: ")
+                + bytes.length + " bytes that would hold " + count + " triangles, which take " + need + ")";
     }
 
     private void binary(byte[] bytes, String source) throws WorldException {

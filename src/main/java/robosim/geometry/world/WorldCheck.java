@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.IntStream;
-import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
@@ -38,8 +37,8 @@ import robosim.geometry.model.Point;
  * may a robot stand at a place, may it make a random move or turn from there, what does one of its sonars hear (in
  * a world without sonars, a line in a random direction). The places are random, and for each robot also its own start and
  * some that it got to. A setting is enough where it answers all of them as EXACT in the world's own dimension does; where
- * fewer than {@link #MIN_ANSWERS} moves or distances could be asked, as nobody has room, nothing can be told. In a world without robots a small cylinder near the ground asks; a robot that is a mesh, and so
- * slow, asks a twentieth of what others do.
+ * fewer than {@link #MIN_ANSWERS} moves or distances could be asked, as nobody has room or there is no robot, and where none
+ * of them met anything, nothing can be told. A robot that is a mesh, and so slow, asks a twentieth of what others do.
  *
  * @param world           what was checked
  * @param counts          how many objects of each kind, for the kinds that there are
@@ -135,25 +134,21 @@ public record WorldCheck(
      * @param accuracy  the coarsest that did so in that dimension; the world's own where it cannot be told
      * @param isProven  whether PLANAR is enough whatever level moves and sonars are asked for: every object stands upright
      *                  and reaches the height of every robot's centre
-     * @param probe     what asked in a world without robots; else null
+     * @param met       how many of the questions met something: a place that is taken, a move that is refused, a sonar that
+     *                  hears; none tells nothing
      * @param seed      of the questions
      * @param settings  what each setting answered, PLANAR before SPATIAL and the coarsest first
      */
     public record Needs(
-            Dimension dimension,
-            Accuracy accuracy,
-            boolean isProven,
-            @Nullable GeometryObject probe,
-            long seed,
-            List<Setting> settings) {
+            Dimension dimension, Accuracy accuracy, boolean isProven, int met, long seed, List<Setting> settings) {
         /** Copies the list. */
         public Needs {
             settings = List.copyOf(settings);
         }
 
-        /** Whether enough was asked to tell. */
+        /** Whether enough was asked, and enough was there, to tell. */
         public boolean isTold() {
-            return settings.stream().allMatch(Setting::isAskedEnough);
+            return met > 0 && settings.stream().allMatch(Setting::isAskedEnough);
         }
 
         /** What one setting answered. */

@@ -31,6 +31,9 @@ public record WorldImport(
         List<Skipped> skipped,
         List<String> remarks) {
 
+    /** Things left out that the refusal of an empty world names. */
+    private static final int MOST_REASONS = 3;
+
     /** Keeps copies, in the order of their names. */
     public WorldImport {
         read = Collections.unmodifiableMap(new TreeMap<>(read));
@@ -54,26 +57,36 @@ public record WorldImport(
      * .yaml}, {@code .yml}), SDFormat ({@code .sdf}, {@code .world}, {@code model.config} or the folder of a model), or a
      * mesh ({@code .obj}, {@code .stl}). What has another name is read as a world of this module.
      *
-     * @throws WorldException naming file, line and remedy, where the file cannot be read or is of no such format
+     * @throws WorldException naming file, line and remedy, where the file cannot be read, is of no such format, or is
+     *     SDFormat of which nothing became an object
      */
     public static WorldImport read(Path file, ImportOptions options) throws WorldException {
         Path last = file.getFileName();
         String name = last == null ? "" : last.toString().toLowerCase(Locale.ROOT);
         if (Files.isDirectory(file)) {
-            return SdfReader.read(SdfFiles.modelOf(file), options.models());
+            return solid(file, SdfReader.readFolder(file, options.models()));
         }
         if (name.equals(SdfManifest.NAME)) {
-            return SdfReader.read(SdfFiles.modelOf(file.toAbsolutePath().resolveSibling("")), options.models());
+            return solid(file, SdfReader.readFolder(file.toAbsolutePath().resolveSibling(""), options.models()));
         }
-        return switch (ending(name)) {
-            case "sdf", "world" -> SdfReader.read(file, options.models());
-            case "obj" -> mesh(file, "Wavefront OBJ", options);
-            case "stl" -> mesh(file, "STL", options);
-            case "yaml", "yml" -> {
-                World world = RosMapReader.read(file, options.wallHeight());
-                yield new WorldImport(
-                        world, "ROS map", Map.of("wall", world.objects().size()));
-            }
+        String ending = ending(name);
+        refuseByName(file, ending);
+        try {
+            return read(file, ending, options);
+        } catch (WorldException e) {
+            String readAs = switch (ending) {
+                case "sdf", "world" -> "sdf";
+                case "yaml", "yml" -> "yaml";
+                case "obj", "stl" -> ending;
+                default -> "xml";
+            };
+            String other = e.source().equals(file.toString()) ? FileKind.other(file, readAs) : null;
+            throw other == null ? e : new WorldException(file.toString(), 0, 0, other + " (got: " + name + ")", e);
+        }
+    }
+
+    private static void refuseByName(Path file, String ending) throws WorldException {
+        switch (ending) {
             case "pgm", "png" ->
                 throw new WorldException(
                         file.toString(), 0, 0, "a map is read from its .yaml, which says how large a cell is");
@@ -83,7 +96,34 @@ public record WorldImport(
                         0,
                         0,
                         "files of this format are not read; unpack it, or export it as SDFormat, OBJ or STL (got: ."
-                                + ending(name) + ")");
+                                + ending + ")");
+            default -> {}
+        }
+    }
+
+    /** Refuses SDFormat of which nothing became an object: a world without its walls is not what was asked for. */
+    private static WorldImport solid(Path file, WorldImport read) throws WorldException {
+        if (!read.world.objects().isEmpty()) {
+            return read;
+        }
+        List<String> reasons = new ArrayList<>();
+        shown(reasons, read.skipped.stream().map(Skipped::toString).toList(), MOST_REASONS);
+        shown(reasons, read.remarks, MOST_REASONS);
+        throw new WorldException(
+                file.toString(),
+                0,
+                0,
+                "nothing of it is solid, so it would be an empty world; see that its models have collisions, and that they"
+                        + " are found (got: " + counted(read.read)
+                        + (reasons.isEmpty() ? "" : "; " + String.join("; ", reasons)) + ")");
+    }
+
+    private static WorldImport read(Path file, String ending, ImportOptions options) throws WorldException {
+        return switch (ending) {
+            case "sdf", "world" -> solid(file, SdfReader.read(file, options.models()));
+            case "obj" -> mesh(file, "Wavefront OBJ", options);
+            case "stl" -> mesh(file, "STL", options);
+            case "yaml", "yml" -> RosMapReader.readImport(file, options.wallHeight());
             default -> {
                 World world = WorldReader.readXml(file);
                 yield new WorldImport(

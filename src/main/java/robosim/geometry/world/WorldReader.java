@@ -4,7 +4,6 @@ import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.URL;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -14,9 +13,7 @@ import javax.xml.validation.Schema;
 import javax.xml.validation.SchemaFactory;
 import javax.xml.validation.ValidatorHandler;
 import org.jspecify.annotations.Nullable;
-import org.xml.sax.InputSource;
 import org.xml.sax.SAXException;
-import org.xml.sax.XMLReader;
 
 /**
  * Reads a world from XML. The format is that of the schema {@code world.xsd}; docs/world-format.md explains it.
@@ -69,7 +66,7 @@ public final class WorldReader {
 
     /** Reads a world of this module's own format. */
     static World readXml(Path file) throws WorldException {
-        try (InputStream in = Files.newInputStream(file)) {
+        try (InputStream in = RegularFile.open(file)) {
             return read(in, file.toString(), file.toAbsolutePath().getParent());
         } catch (IOException e) {
             throw WorldException.unreadable(file, e);
@@ -102,7 +99,7 @@ public final class WorldReader {
             return List.of();
         } catch (WorldException first) {
             List<WorldException> problems = new ArrayList<>();
-            try (InputStream in = Files.newInputStream(file)) {
+            try (InputStream in = RegularFile.open(file)) {
                 parse(in, file.toString(), file.toAbsolutePath().getParent(), problems);
             } catch (WorldException last) {
                 problems.add(last);
@@ -123,17 +120,15 @@ public final class WorldReader {
         WorldHandler handler = new WorldHandler(source, base, validator, problems);
         try {
             validator.setProperty(SafeXml.LOCALE, Locale.ROOT);
-            XMLReader reader = SafeXml.reader();
-            reader.setContentHandler(handler);
-            reader.setErrorHandler(handler);
-            reader.setEntityResolver(handler);
-            reader.parse(new InputSource(new Bounded(new BufferedInputStream(in))));
+            XmlGuard.parse(new BufferedInputStream(in), source, handler);
             return handler;
         } catch (SAXException e) {
             if (e.getException() instanceof WorldException refusal) {
                 throw refusal;
             }
             throw new WorldException(source, handler.line(), handler.column(), "the XML was refused: " + e, e);
+        } catch (WorldException e) {
+            throw e;
         } catch (IOException e) {
             throw new WorldException(
                     source, handler.line(), handler.column(), "the file could not be read: " + e.getMessage(), e);

@@ -6,8 +6,11 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import robosim.geometry.world.ImportOptions;
 import robosim.geometry.world.ObjReader;
 import robosim.geometry.world.RosMapReader;
@@ -81,6 +84,8 @@ class ConvertCommandTest extends CommandRun {
     @Test
     void manyThingsLeftOutAreCutShort() throws IOException {
         StringBuilder text = new StringBuilder("<sdf version='1.7'><world name='w'>");
+        text.append("<model name='m'><link name='l'><collision name='c'><geometry><sphere><radius>1</radius></sphere>"
+                + "</geometry></collision></link></model>");
         text.append("<actor name='a'/>".repeat(30)).append("</world></sdf>");
         Path sdf = Files.writeString(folder.resolve("w.sdf"), text);
         Path xml = folder.resolve("w.xml");
@@ -165,6 +170,137 @@ class ConvertCommandTest extends CommandRun {
         // Any other that is not there is refused as before.
         Files.writeString(sdf, Files.readString(sdf).replace("model://sun", "model://moon"));
         assertThat(run("check", sdf)).isEqualTo(ExitCodes.UNUSABLE);
+    }
+
+    /** What overwrites its own input has lost it where anything was left out. */
+    @Test
+    void aFileIsNotConvertedOntoItself() throws IOException {
+        Path xml = folder.resolve("rooms.xml");
+        Files.copy(Path.of("worlds/rooms.xml"), xml);
+        Path link = Files.createSymbolicLink(folder.resolve("link.xml"), xml);
+        for (Path out : new Path[] {xml, folder.resolve("./rooms.xml"), link}) {
+            assertThat(run("convert", xml, out)).isEqualTo(ExitCodes.UNUSABLE);
+            assertThat(err.toString()).startsWith("OUT must be another file than IN, which it would overwrite (got: ");
+        }
+        assertThat(xml).hasSameTextualContentAs(Path.of("worlds/rooms.xml"));
+    }
+
+    /** A world without its walls is no world that is fine. */
+    @Test
+    void sdfOfWhichNothingIsLoadedIsAnError() throws IOException {
+        Path sdf = Files.writeString(folder.resolve("w.sdf"), """
+                <sdf version="1.6"><world name="w">
+                <model name="m"><static>1</static><link name="l"><collision name="c"><geometry>
+                <mesh><uri>model://m/wall.dae</uri></mesh></geometry></collision></link></model>
+                <include><uri>https://fuel.gazebosim.org/1.0/a/models/b</uri></include>
+                </world></sdf>
+                """);
+        Path xml = folder.resolve("w.xml");
+        for (List<Object> line : List.<List<Object>>of(
+                List.of("convert", sdf, xml), List.of("check", sdf), List.of("render", sdf, "-o", folder + "/w.svg"))) {
+            assertThat(run(line.toArray())).as(line.toString()).isEqualTo(ExitCodes.UNUSABLE);
+            assertThat(err.toString())
+                    .startsWith(sdf + ": nothing of it is solid, so it would be an empty world; ")
+                    .contains("w.sdf:3: left out <mesh> of m::l::c: ", "no address in a network");
+        }
+        assertThat(xml).doesNotExist();
+    }
+
+    /** Only the name of the model's file is wanted of it, and people write what they like into a description. */
+    @Test
+    void aBrokenDescriptionRefusesNoWorld() throws IOException {
+        Path model = Files.createDirectories(folder.resolve("models/wall"));
+        String box = Files.readString(FILES.resolve("sdf/inner_walls/model.sdf"));
+        Files.writeString(model.resolve("model.sdf"), box);
+        Files.writeString(model.resolve("new.sdf"), box.replace("<static>1</static>", "<static>true</static>"));
+        Path sdf = Files.writeString(
+                folder.resolve("w.sdf"),
+                "<sdf version='1.7'><world name='w'><include><uri>model://wall</uri></include></world></sdf>");
+        Path config = model.resolve("model.config");
+        String broken = "<description>Walls & doors</description>";
+        String named = "<sdf version='1.6'>new.sdf</sdf>";
+        for (String text : new String[] {named + broken, broken + named, broken}) {
+            Files.writeString(config, "<model><name>wall</name>\n" + text + "</model>");
+            assertThat(run("check", sdf, "--models", folder.resolve("models")))
+                    .as(text)
+                    .isEqualTo(ExitCodes.FINE);
+            assertThat(out.toString())
+                    .contains(
+                            "objects   7: ",
+                            "note      " + config.toRealPath() + ":2:",
+                            "only the name of the model's file matters here, and "
+                                    + (text.startsWith(named) ? "new.sdf" : "model.sdf") + " was taken");
+        }
+        assertThat(run("convert", model, folder.resolve("w.xml"))).isZero();
+        assertThat(out.toString()).contains("model.sdf was taken");
+        Files.delete(model.resolve("model.sdf"));
+        assertThat(run("check", sdf, "--models", folder.resolve("models"))).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).contains("model.config:2:", "this is no well-formed XML");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "w.xml|<?xml version='1.0'?><!-- x --><sdf version='1.6'/>|this is SDFormat; give it a name that ends in .sdf",
+                "w.sdf|<world xmlns='urn:robosim:world:1'/>|this is a world of the module; give it a name that ends in .xml",
+                "w.xml|<robot name='r'/>|this is URDF",
+                "w.xml|<COLLADA/>|this is COLLADA",
+                "w.world|<!DOCTYPE html><html/>|this is a page of the web",
+                "w|P5 3 2 255 aaaaaa|this is a picture (PNM); a map of ROS is read from its .yaml",
+                "w.yaml|%PDF-1.4|this is a PDF",
+                "w.sdf|PK\u0003\u0004 zip|this is an archive",
+                "w.obj|solid x|this is STL; give it a name that ends in .stl",
+                "w.stl|# x;v 0 0 0;|this is Wavefront OBJ; give it a name that ends in .obj",
+                "w.txt|image: a.pgm;resolution: 1|this is a map of ROS; give it a name that ends in .yaml",
+                "w.jsonl|{\"type\":\"scenario\"}|this is JSON; a recording",
+                "w.xml|ply;format ascii|this is PLY",
+                "w.xml|glTF|this is glTF",
+                "w.yaml|<a/>|this is XML, with the root <a>",
+            })
+    void aFileOfAnotherFormatIsToldByWhatItIs(String name, String text, String message) throws IOException {
+        Path file = Files.writeString(folder.resolve(name), text.replace(';', '\n'));
+        for (List<Object> line :
+                List.<List<Object>>of(List.of("check", file), List.of("render", file, "-o", folder + "/w.svg"))) {
+            assertThat(run(line.toArray())).isEqualTo(ExitCodes.UNUSABLE);
+            assertThat(err.toString()).startsWith(file + ": " + message).contains("(got: " + name + ")");
+        }
+    }
+
+    @Test
+    void renderTakesFoldersOfModels() throws IOException {
+        Path sdf = Files.writeString(
+                folder.resolve("w.sdf"),
+                "<sdf version='1.7'><world name='w'><include><uri>model://inner_walls</uri></include></world></sdf>");
+        Path picture = folder.resolve("w.svg");
+        assertThat(run("render", sdf, "-o", picture)).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(run("render", sdf, "-o", picture, "--models", FILES.resolve("sdf")))
+                .isZero();
+        assertThat(run("render", sdf, "-o", picture, "--models", "no")).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).startsWith("--models must be a folder; there is none (got: no)");
+        assertThat(run("view", sdf, "--models", "no")).isEqualTo(ExitCodes.UNUSABLE);
+        assertThat(err.toString()).startsWith("--models must be a folder; there is none (got: no)");
+    }
+
+    @Test
+    void aPipeIsNotWaitedFor() throws Exception {
+        Path pipe = folder.resolve("w.xml");
+        Path recording = folder.resolve("r.scenario.jsonl");
+        Assumptions.assumeTrue(
+                new ProcessBuilder("mkfifo", recording.toString()).start().waitFor() == 0);
+        Assumptions.assumeTrue(
+                new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor() == 0);
+        for (List<Object> line : List.<List<Object>>of(
+                List.of("check", pipe),
+                List.of("convert", pipe, folder + "/v.xml"),
+                List.of("render", pipe, "-o", folder + "/w.svg"),
+                List.of("view", pipe),
+                List.of("view", recording),
+                List.of("sweep", recording),
+                List.of("replay", recording))) {
+            assertThat(run(line.toArray())).as(line.toString()).isEqualTo(ExitCodes.UNUSABLE);
+            assertThat(err.toString()).contains("regular file");
+        }
     }
 
     @Test

@@ -23,7 +23,7 @@ class WorldFormatsTest {
     @Test
     @World("src/test/resources/robosim/geometry/world/maps/TenByTen.yaml")
     void map(Geometry geometry) {
-        assertThat(ahead(geometry, 0, 0, -6)).isCloseTo(4, within(1e-12));
+        assertThat(ahead(geometry, 0.5, 0, -6)).isCloseTo(3.5, within(1e-12));
     }
 
     @Test

@@ -131,7 +131,7 @@ class NormalsTest {
     }
 
     private void at(double[] p, double[] d, int kind, double[] row, Dimension dimension) {
-        Normals.at(p[0], p[1], p[2], d[0], d[1], d[2], kind, row, 0, normal, dimension, scratch);
+        Normals.at(p[0], p[1], p[2], 0, d[0], d[1], d[2], kind, row, 0, normal, dimension, scratch);
     }
 
     // The point of a leaf that is farthest along a level direction.

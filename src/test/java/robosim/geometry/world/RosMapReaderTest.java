@@ -21,8 +21,12 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.Geometry;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
+import robosim.geometry.model.Ray;
+import robosim.geometry.model.SphereObject;
 
 class RosMapReaderTest {
     private static final Path MAPS = Path.of("src/test/resources/robosim/geometry/world/maps");
@@ -71,10 +75,54 @@ class RosMapReaderTest {
         assertThat(world.objects())
                 .containsExactly(
                         new WorldObject(new BoxObject(new Point(-0.5, 0, 0.75), 1, 3, 0.5)),
-                        new WorldObject(new BoxObject(new Point(0.75, 0, 1.75), 0.5, 3, 0.5)));
+                        new WorldObject(new BoxObject(new Point(0.75, 0, 1.75), 0.5, 3, 0.5)),
+                        // The image, from -1 to 1 and from 0.5 to 2, has a cell of wall around it.
+                        new WorldObject(
+                                new BoxObject(new Point(-1.25, 0, 1.25), 0.5, 3, 1.5).named("left edge of the map")),
+                        new WorldObject(
+                                new BoxObject(new Point(1.25, 0, 1.25), 0.5, 3, 1.5).named("right edge of the map")),
+                        new WorldObject(new BoxObject(new Point(0, 0, 0.25), 3, 3, 0.5).named("upper edge of the map")),
+                        new WorldObject(
+                                new BoxObject(new Point(0, 0, 2.25), 3, 3, 0.5).named("lower edge of the map")));
         assertThat(world.unit()).isEqualTo(Unit.METRE);
-        assertThat(new double[] {world.width(), world.height(), world.length()}).containsExactly(3, 3, 5);
-        assertThat(world.toGeometry().objects()).hasSize(2);
+        assertThat(new double[] {world.width(), world.height(), world.length()}).containsExactly(4, 3, 6);
+        assertThat(world.toGeometry().objects()).hasSize(6);
+    }
+
+    /** The frame's origin may be far from the image: the world about it is four times the map, and none of that is map. */
+    @Test
+    void noRobotLeavesTheMap() throws IOException {
+        Path yaml = map("P2 9 7 1" + " 1".repeat(63));
+        String text = Files.readString(yaml);
+        for (String yaw : new String[] {"0", "1.5707963267948966", "0.7", "-2.5"}) {
+            Files.writeString(yaml, text.replace("-1, -2, 0", "3, -8, " + yaw));
+            Geometry geometry = RosMapReader.read(yaml).toGeometry();
+            assertThat(geometry.objects()).hasSize(4);
+            double cos = StrictMath.cos(Double.parseDouble(yaw));
+            double sin = StrictMath.sin(Double.parseDouble(yaw));
+            for (int k = 0; k < 64; k++) {
+                double angle = 2 * Math.PI * k / 64;
+                double right = 2.25;
+                double up = 1.75;
+                Point middle = new Point(3 + right * cos - up * sin, 0, 8 - (right * sin + up * cos));
+                double towardsRight = StrictMath.cos(angle);
+                double towardsUp = StrictMath.sin(angle);
+                double free = Math.min(right / Math.abs(towardsRight), up / Math.abs(towardsUp));
+                Ray ray = new Ray(
+                        middle,
+                        new Point(towardsRight * cos - towardsUp * sin, 0, -(towardsRight * sin + towardsUp * cos)));
+                assertThat(geometry.getRayDistance(ray, 0, Double.POSITIVE_INFINITY, 0))
+                        .isCloseTo(free, within(1e-9));
+                assertThat(geometry.addObject(new SphereObject(middle, 0.125).moveable("robot")))
+                        .isTrue();
+                Move away = new Move(
+                        100 * ray.direction().x(), 0, 100 * ray.direction().z(), 0, 0);
+                assertThat(geometry.moveGlobal("robot", away).obstacle())
+                        .isNotNull()
+                        .satisfies(obstacle -> assertThat(obstacle.name()).endsWith(" edge of the map"));
+                geometry.removeObject("robot");
+            }
+        }
     }
 
     @Test
@@ -121,6 +169,14 @@ class RosMapReaderTest {
         String walls = "#.# ..#";
         assertThat(picture(grid(map("P2\n# by hand\n3 2 # columns, rows\n9\n0 9 0\n9 # free\n9 0\n"))))
                 .isEqualTo(walls);
+        // A comment may stand in what looks like a word, and a carriage return ends it too.
+        assertThat(picture(grid(map("P2#a\r3#b\n2 #c\r\n9#d\r 0 9#e\n0#f\r9 9 0"))))
+                .isEqualTo(walls);
+        assertThat(picture(grid(map("P5#a\r3#b\n2 255#d\n\0\u00ff\0\u00ff\u00fe\1"))))
+                .isEqualTo(walls);
+        assertThat(picture(grid(map("P5\r3 2\r255\r#\u00ff\0\u00ff\u00fe\1"))))
+                .as("behind the one white space no comment begins")
+                .isEqualTo("#.# ..#");
         assertThat(picture(grid(map("P5 3 2 255\n\0\u00ff\0\u00ff\u00fe\1")))).isEqualTo(walls);
         assertThat(picture(grid(map("P5 3 2 65535\n\0\0\u00ff\u00ff\0\1\u00ff\u00ff\u00ff\0\1\0"))))
                 .isEqualTo(walls);
@@ -208,10 +264,11 @@ class RosMapReaderTest {
                 "P2 2 1;9;0|3|here must stand a pixel (got: the end of the file)",
                 "P2 2 1;9;0 10|3|a pixel must be a whole number from 0 to 9 (got: 10)",
                 "P2 2 1;9;0 9;0|4|an image must end behind its last pixel",
-                "P5 2 1 255;a|0|an image of 2 x 1 pixels must have 2 bytes behind its head; it may be cut off (got: 1)",
-                "P5 2 1 255;abc|0|(got: 3)",
+                "P5 2 1 255;a|0|an image of 2 x 1 pixels must have 2 bytes behind its head; it is cut off (got: 1)",
+                "P5 2 1 255;abc|0|something stands behind its last pixel, so save it anew (got: 3)",
+                "P5 2 1 255#a|0|it is cut off (got: 0)",
                 "P5 2 1 9;aa|0|a pixel must be at most white, 9 (got: 97 in column 1 of row 1)",
-                "P5 2 1 255|0|(got: -1)",
+                "P5 2 1 255|0|it is cut off (got: 0)",
             })
     void refusesImagesWithPlaceAndRemedy(String image, int line, String message) throws IOException {
         Path yaml = map(image.replace(';', '\n'));
@@ -270,8 +327,7 @@ class RosMapReaderTest {
                 "origin: [-1, -2, 0]|origin: [-1, -2, north]|3|origin: a number must be decimal",
                 "negate: 0|negate: yes|4|negate must be 0, 1, false or true (got: yes)",
                 "occupied_thresh: 0.65|occupied_thresh: 65|5|occupied_thresh must be from 0 to 1 (got: 65.0)",
-                "free_thresh: 0.196|free_thresh: 0.7|6|free_thresh must be at most occupied_thresh, 0.65 (got: 0.7)",
-                "mode: trinary|mode: Trinary|7|mode must be trinary, scale or raw (got: Trinary)",
+                "mode: trinary|mode: ternary|7|mode must be trinary, scale or raw (got: ternary)",
                 "negate: 0|negate: [0|5|this is no YAML: ",
             })
     void refusesSettingsWithPlaceAndRemedy(String was, String is, int line, String message) throws IOException {
@@ -321,6 +377,23 @@ class RosMapReaderTest {
                 free_thresh: 0.196
                 """);
         assertThat(RosMapReader.read(yaml)).isEqualTo(plain);
+        Files.writeString(yaml, Files.readString(yaml).replace("'trinary'", "Trinary"));
+        assertThat(RosMapReader.read(yaml)).isEqualTo(plain);
+    }
+
+    /** What is above both thresholds is a wall, as the reference asks that first; nothing is unknown. */
+    @Test
+    void aThresholdOfFreeAboveThatOfWallsIsReadAndTold() throws IOException {
+        Path yaml = map("P2 4 1 100 0 34 36 100");
+        Files.writeString(yaml, Files.readString(yaml).replace("free_thresh: 0.196", "free_thresh: 0.7"));
+        OccupancyGrid grid = grid(yaml);
+        assertThat(picture(grid)).isEqualTo("##..");
+        assertThat(grid.unknown()).isZero();
+        assertThat(WorldImport.read(yaml, ImportOptions.DEFAULT).remarks())
+                .singleElement()
+                .asString()
+                .startsWith(yaml + ":6: free_thresh should be at most occupied_thresh, 0.65; ")
+                .endsWith("(got: 0.7)");
     }
 
     // Maps that nobody here made.
@@ -333,7 +406,7 @@ class RosMapReaderTest {
                         ".......... .......... .......### ....#..### ....#..### .......... .......... ...###.... .......###"
                                 + " .......###");
         assertThat(grid.unknown()).isEqualTo(2);
-        assertThat(RosMapReader.read(MAPS.resolve("TenByTen.yaml")).objects()).hasSize(4);
+        assertThat(RosMapReader.read(MAPS.resolve("TenByTen.yaml")).objects()).hasSize(4 + 4);
     }
 
     @Test
@@ -346,6 +419,7 @@ class RosMapReaderTest {
         World world = RosMapReader.read(MAPS.resolve("tb3_sandbox.yaml"));
         assertThat(world.objects()).hasSizeBetween(100, 500);
         double area = world.objects().stream()
+                .filter(object -> object.object().name() == null)
                 .map(object -> (BoxObject) object.object())
                 .mapToDouble(box -> box.width() * box.length())
                 .sum();

@@ -245,6 +245,17 @@ class WorldCheckTest {
         assertThat(check.needs().settings()).noneMatch(WorldCheck.Setting::isSame);
     }
 
+    /** Where nothing is met all settings answer alike, and none was tried. */
+    @Test
+    void whereNothingIsMetNothingIsRecommended() {
+        WorldCheck check = large(Dimension.SPATIAL, 1e6, crate("robot", 0, 0, 0, 0.5));
+        assertThat(check.needs().met()).isZero();
+        assertThat(check.needs().setting(Dimension.SPATIAL, Accuracy.SPHERE).moves())
+                .isGreaterThan(1000);
+        assertThat(check.needs().isTold()).isFalse();
+        assertThat(check.needs().accuracy()).isEqualTo(Accuracy.EXACT);
+    }
+
     @Test
     void inATightAisleItsOwnPlacesAreAsked() {
         WorldCheck check = large(
@@ -390,13 +401,17 @@ class WorldCheckTest {
     }
 
     @Test
-    void aWorldWithoutRobotsIsAskedByAProbe() {
+    void aWorldWithoutRobotsIsAskedNothing() {
         WorldCheck check = WorldCheck.of(world(Dimension.SPATIAL, wall(3, 0, 1, 8)));
-        assertThat(check.needs().probe()).isNotNull();
+        assertThat(check.needs().isTold()).isFalse();
+        assertThat(check.needs().dimension()).isEqualTo(Dimension.SPATIAL);
+        assertThat(check.needs().accuracy()).isEqualTo(Accuracy.EXACT);
+        assertThat(check.needs().setting(Dimension.PLANAR, Accuracy.SPHERE).distances())
+                .isZero();
         assertThat(check.rooms()).isEmpty();
         assertThat(check.isFine()).isTrue();
         assertThat(WorldCheck.of(world(Dimension.SPATIAL)).isFine()).isTrue();
-        assertThatThrownBy(() -> new WorldCheck.Needs(Dimension.PLANAR, Accuracy.EXACT, false, null, 1, List.of())
+        assertThatThrownBy(() -> new WorldCheck.Needs(Dimension.PLANAR, Accuracy.EXACT, false, 0, 1, List.of())
                         .setting(Dimension.PLANAR, Accuracy.EXACT))
                 .isInstanceOf(IllegalArgumentException.class);
     }

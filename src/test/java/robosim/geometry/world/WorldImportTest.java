@@ -106,7 +106,9 @@ class WorldImportTest {
                 .startsWith("WARNING " + file + ":36: left out <plane> of ground_plane::link::collision: ");
         Path many = Files.writeString(
                 folder.resolve("many.sdf"),
-                "<sdf version='1.7'><world name='w'>" + "<actor/>".repeat(12) + "</world></sdf>");
+                "<sdf version='1.7'><world name='w'><model name='m'><link name='l'><collision name='c'><geometry>"
+                        + "<sphere><radius>1</radius></sphere></geometry></collision></link></model>"
+                        + "<actor/>".repeat(12) + "</world></sdf>");
         WorldReader.read(many);
         assertThat(log.lines())
                 .hasSize(3 + 11)

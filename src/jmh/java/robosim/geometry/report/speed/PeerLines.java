@@ -10,11 +10,15 @@ import java.util.List;
 final class PeerLines {
     static final String STUDY = "peers";
 
+    /** The least and the most of the medians of each JVM, and the median beside a neighbour that sweeps through memory. */
+    static final List<String> SPREAD = List.of("least", "most", "beside");
+
     private PeerLines() {}
 
     /**
      * Figures of lines {@code peer workload size ns hits checksum build_ms}, parted by spaces or commas and perhaps with
-     * more behind them; other lines, such as a head or ratios, are passed over.
+     * {@code least=..}, {@code most=..}, {@code beside=..} and more behind them; other lines, such as a head or ratios, are
+     * passed over.
      *
      * @throws IOException where no line is one
      */
@@ -27,6 +31,14 @@ final class PeerLines {
                 measures.add(measure(subject, parts, Results.NANOS, 3));
                 measures.add(measure(subject, parts, "hits", 4));
                 measures.add(measure(subject, parts, "build ms", 6));
+                for (String part : parts) {
+                    for (String metric : SPREAD) {
+                        if (part.startsWith(metric + "=")) {
+                            double value = Double.parseDouble(part.substring(metric.length() + 1));
+                            measures.add(new Measure(STUDY, subject, parts[2], parts[1], metric, value));
+                        }
+                    }
+                }
             }
         }
         if (measures.isEmpty()) {

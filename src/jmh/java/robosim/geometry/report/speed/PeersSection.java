@@ -21,7 +21,9 @@ final class PeersSection {
             "W1c", "checked addition",
             "W2", "pair of meshes",
             "W3", "ray at a mesh",
-            "W4", "attempted move in a swarm");
+            "W4", "attempted move in a swarm",
+            "W5", "ray among solids in space",
+            "W6", "rays of camera frames among them");
 
     private static final List<String> DRAWN = List.of("W1a", "W1b");
 
@@ -43,7 +45,8 @@ final class PeersSection {
                     "peers",
                     "This module beside native engines on the same inputs, one run of bench.Peers",
                     "Flat boxes and discs at constant density; one thread. A ray is answered with its closest hit, a disc"
-                            + " with whether it touches anything. What each found is in the table.",
+                            + " with whether it touches anything. Medians over several JVMs, the engines in turn with"
+                            + " them. What each found, and how far the JVMs differ, is in the table.",
                     panels,
                     panels.size(),
                     300));
@@ -117,11 +120,38 @@ final class PeersSection {
                                 .mapToObj(Words::count)
                                 .findFirst()
                                 .orElse(Words.NONE),
+                        spread(results, measure),
+                        other(results, measure, "beside"),
                         ours.isEmpty() || measure.subject().isModule()
                                 ? Words.NONE
                                 : Words.ratio(ours.getAsDouble() / measure.value())));
             }
         }
-        page.table(List.of("workload", "size", "who", "ns a query", "hits", "this module takes"), rows);
+        page.table(
+                List.of(
+                        "workload",
+                        "size",
+                        "who",
+                        "ns a query",
+                        "hits",
+                        "least to most",
+                        "beside a neighbour",
+                        "this module takes"),
+                rows);
+        page.paragraph(
+                "Medians over the JVMs of a run, then the least and the most of them. The neighbour is a thread that sweeps"
+                        + " through memory larger than any cache.");
+    }
+
+    private static String spread(Results results, Measure measure) {
+        String least = other(results, measure, "least");
+        return least.equals(Words.NONE) ? least : least + " to " + other(results, measure, "most");
+    }
+
+    /** Another figure of the same row, where the file had it. */
+    private static String other(Results results, Measure measure, String metric) {
+        OptionalDouble value =
+                results.value(PeerLines.STUDY, measure.subject(), measure.scene(), measure.query(), metric);
+        return value.isEmpty() ? Words.NONE : Words.nanos(value.getAsDouble());
     }
 }

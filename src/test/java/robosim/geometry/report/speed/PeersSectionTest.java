@@ -28,6 +28,24 @@ class PeersSectionTest {
         }
     }
 
+    @Test
+    void theTableTellsHowFarTheJvmsDifferAndWhatANeighbourCosts() {
+        Results results = new Results();
+        Subject engine = new Subject("engine", "", "", "");
+        for (String metric : new String[] {Results.NANOS, "least", "most", "beside"}) {
+            double value = switch (metric) {
+                case "least" -> 71;
+                case "most" -> 93;
+                case "beside" -> 207;
+                default -> 82;
+            };
+            results.add(new Measure(PeerLines.STUDY, engine, "100", "W5", metric, value));
+        }
+        Page page = new Page();
+        PeersSection.add(results, page);
+        assertThat(Markdown.write(page, "")).contains("| 82 | – | 71 to 93 | 207 |");
+    }
+
     private static Measure measure(String engine, String work) {
         return new Measure(PeerLines.STUDY, new Subject(engine, "", "", ""), "100", work, Results.NANOS, 5);
     }

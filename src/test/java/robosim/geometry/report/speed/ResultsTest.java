@@ -60,7 +60,7 @@ class ResultsTest {
         Path file = folder.resolve("peers.csv");
         Files.writeString(file, """
                 peer,workload,size,ns,hits,checksum,build_ms
-                embree W1a 100 113.5 143820 2114168.307223 0.41 mem_mb=0.01 reps=1
+                embree W1a 100 113.5 143820 2114168.307223 0.41 mem_mb=0.01 least=99.5 most=131.0 beside=214.0
                 fcl,W2,knot4k,12000.0,1342,1342.0,8.5
 
                 ratio W1a 100 1.010 x embree
@@ -69,7 +69,10 @@ class ResultsTest {
         assertThat(measures)
                 .contains(new Measure("peers", new Subject("embree", "", "", ""), "100", "W1a", "ns", 113.5))
                 .contains(new Measure("peers", new Subject("fcl", "", "", ""), "knot4k", "W2", "build ms", 8.5))
-                .hasSize(6);
+                .contains(new Measure("peers", new Subject("embree", "", "", ""), "100", "W1a", "least", 99.5))
+                .contains(new Measure("peers", new Subject("embree", "", "", ""), "100", "W1a", "most", 131))
+                .contains(new Measure("peers", new Subject("embree", "", "", ""), "100", "W1a", "beside", 214))
+                .hasSize(9);
         Files.writeString(file, "nothing here\n");
         assertThatThrownBy(() -> PeerLines.read(file)).hasMessageContaining("peer workload size ns");
     }

@@ -1,0 +1,142 @@
+package robosim.geometry.narrow;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.Dimension;
+
+/** The planes between two pieces that touch: found when first asked for. See {@link Standing}. */
+final class StandingPlanes {
+    /** A direction from the other piece to the mover's, and how far the one reaches and the other begins. */
+    private record Plane(ExactVector normal, ExactExtent below, ExactExtent above, boolean isKept) {}
+
+    private @Nullable List<Plane> planes;
+    private boolean isComplete;
+
+    void clear() {
+        planes = null;
+    }
+
+    /**
+     * Whether one of the planes has a piece of the mover, at two places, on its one side, and another piece on its other.
+     *
+     * @param rows  the mover's piece that is in contact at its start and end, and what it touches, from {@code at} on
+     */
+    boolean part(
+            Dimension dimension,
+            Sweep motion,
+            double[] rows,
+            int at,
+            int[] kinds,
+            int kindAt,
+            int kind,
+            double[] from,
+            int fromAt,
+            int kindTo,
+            double[] to,
+            int toAt,
+            int kindB,
+            double[] b,
+            int j,
+            Scratch s) {
+        boolean flat = dimension == Dimension.PLANAR;
+        if (planes == null) {
+            planes = hasOnlyLevel(dimension, rows, at, kinds, kindAt, s)
+                    ? List.of()
+                    : find(flat, motion, rows, at, kinds, kindAt);
+        }
+        if (planes.isEmpty()) {
+            return false; // an overlap, or a level plane that was asked before
+        }
+        for (Plane plane : planes) {
+            ExactVector n = plane.normal;
+            if (plane.isKept
+                    && ExactExtent.of(n, kindB, b, j).gapTo(plane.above) >= 0
+                    && motion.keeps(n, kind, from, fromAt)
+                    && plane.below.gapTo(ExactExtent.of(n, kind, from, fromAt)) >= 0
+                    && plane.below.gapTo(ExactExtent.of(n, kindTo, to, toAt)) >= 0) {
+                return true;
+            }
+        }
+        if (isComplete || motion.isTurn()) {
+            return false;
+        }
+        int end = at + Leaf.STRIDE;
+        ExactFeatures q = new ExactFeatures(flat, kindB, b, j);
+        if (q.isRound || isBeyondAll(q.corners)) {
+            return false;
+        }
+        ExactFeatures k = new ExactFeatures(flat, kindTo, to, toAt);
+        if (k.isRound) {
+            return false;
+        }
+        List<ExactVector> upper = new ArrayList<>(k.corners);
+        upper.addAll(new ExactFeatures(flat, kind, from, fromAt).corners);
+        upper.addAll(new ExactFeatures(flat, kinds[kindAt], rows, at).corners);
+        upper.addAll(new ExactFeatures(flat, kinds[kindAt + 1], rows, end).corners);
+        List<ExactVector> lower = new ArrayList<>(q.corners);
+        lower.addAll(new ExactFeatures(flat, kinds[kindAt + 2], rows, end + Leaf.STRIDE).corners);
+        return ExactBetween.exists(List.copyOf(new java.util.LinkedHashSet<>(upper)), lower, flat);
+    }
+
+    /** Whether a level plane is certainly the only one. */
+    private static boolean hasOnlyLevel(
+            Dimension dimension, double[] rows, int at, int[] kinds, int kindAt, Scratch s) {
+        int kindA = kinds[kindAt];
+        int kindB = kinds[kindAt + 2];
+        int rest = at + 2 * Leaf.STRIDE;
+        if (dimension == Dimension.PLANAR || Levels.side(kindA, rows, at, kindB, rows, rest) == 0) {
+            return false;
+        }
+        // A ball has but one plane where it touches; what has an inside within the level, none other.
+        if ((kindA == Leaf.SPHERE && rows[at + Leaf.SIZE] > 0)
+                || (kindB == Leaf.SPHERE && rows[rest + Leaf.SIZE] > 0)) {
+            return true;
+        }
+        int side = Levels.side(kindA, rows, at, kindB, rows, rest);
+        Levels.part(kindA, rows, at, -side, s.triangleC);
+        Levels.part(kindB, rows, rest, side, s.triangleD);
+        Penetration ways = s.penetration();
+        ways.planar(kindA, s.triangleC, 0, kindB, s.triangleD, 0);
+        return ways.proven() > 0;
+    }
+
+    /** Whether a corner is beyond all planes, and so beyond all that are between these. */
+    private boolean isBeyondAll(List<ExactVector> corners) {
+        if (planes == null || !isSpanned) {
+            return false;
+        }
+        for (ExactVector corner : corners) {
+            boolean beyond = true;
+            for (Plane plane : planes) {
+                beyond &= plane.normal.dot(corner).compareTo(plane.below.high()) > 0;
+            }
+            if (beyond) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Whether every plane between the two is one of those found or between these. */
+    private boolean isSpanned;
+
+    private List<Plane> find(boolean flat, Sweep motion, double[] rows, int at, int[] kinds, int kindAt) {
+        int end = at + Leaf.STRIDE;
+        int rest = end + Leaf.STRIDE;
+        ExactFeatures mover = new ExactFeatures(flat, kinds[kindAt], rows, at);
+        ExactFeatures other = new ExactFeatures(flat, kinds[kindAt + 2], rows, rest);
+        List<Plane> found = new ArrayList<>();
+        for (ExactVector n : ExactFeatures.parting(flat, kinds[kindAt], rows, at, kinds[kindAt + 2], rows, rest)) {
+            ExactExtent above = ExactExtent.of(n, kinds[kindAt], rows, at);
+            ExactExtent below = ExactExtent.of(n, kinds[kindAt + 2], rows, rest);
+            boolean isKept = motion.keeps(n, kinds[kindAt], rows, at)
+                    && below.gapTo(ExactExtent.of(n, kinds[kindAt + 1], rows, end)) >= 0;
+            found.add(new Plane(n, below, above, isKept));
+        }
+        boolean hasCorners = !mover.isRound && !other.isRound;
+        isSpanned = hasCorners && mover.isProper() && other.isProper();
+        isComplete = !hasCorners || (isSpanned && found.size() == 1);
+        return found;
+    }
+}
