@@ -1,5 +1,7 @@
 package robosim.geometry.narrow;
 
+import robosim.geometry.model.Dimension;
+
 /** Whether the projections of two leaves on the XZ plane touch or overlap. */
 public final class PlanarOverlap {
     private PlanarOverlap() {}
@@ -67,7 +69,14 @@ public final class PlanarOverlap {
         if (s.planarBracket.isApart()) {
             return false;
         }
-        s.uncertain |= !isDeep(kindA, a, i, kindB, b, j, s);
+        if (isDeep(kindA, a, i, kindB, b, j, s)) {
+            return true;
+        }
+        // Trees go by bounds: what these prove apart is, or an answer would depend on which tree was asked.
+        if (LeafBounds.areApart(Dimension.PLANAR, kindA, a, i, kindB, b, j, s)) {
+            return false;
+        }
+        s.uncertain = true;
         return true;
     }
 
