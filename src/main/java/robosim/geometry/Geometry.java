@@ -262,9 +262,9 @@ public final class Geometry {
         return commitIf(id, motion.allowsTurn(level, id, degrees));
     }
 
-    private boolean carryOut(int id, double dx, double dy, double dz, double rx, double ry) {
+    private boolean carryOut(int id, double dx, double dy, double dz, double rx, double ry, boolean isGlobal) {
         boolean isMade = rx == 0 && ry == 0 && stride(id, dx, dy, dz) == Stride.FREE;
-        return isMade || commitIf(id, motion.attempt(level, id, dx, dy, dz, rx, ry, 0));
+        return isMade || commitIf(id, motion.attempt(level, id, dx, dy, dz, rx, ry, isGlobal, 0));
     }
 
     private boolean commitIf(int id, boolean free) {
@@ -282,14 +282,19 @@ public final class Geometry {
         int id = population.mover(name);
         Move asked = Arguments.present("move", move);
         bodies.toWorld(id, asked.x(), asked.y(), asked.z(), vector);
-        return result(carryOut(id, vector[0], vector[1], vector[2], asked.rx(), asked.ry()));
+        return result(carryOut(id, vector[0], vector[1], vector[2], asked.rx(), asked.ry(), false));
     }
 
-    /** Makes a move whose translation is along the world's axes; its turns are about the object's own. */
+    /**
+     * Makes a move in the world's axes, or tells what blocks it: a translation along them, then in place a turn by
+     * {@code ry} about the world's Y and one by {@code rx} about the world's X, both through the object's centre. In PLANAR
+     * an object turns about the vertical only, and {@code rx} is left out.
+     */
     public MoveResult moveGlobal(String name, Move move) {
         int id = population.mover(name);
         Move asked = Arguments.present("move", move);
-        return result(carryOut(id, asked.x(), asked.y(), asked.z(), asked.rx(), asked.ry()));
+        double rx = dimension == Dimension.PLANAR ? 0 : asked.rx();
+        return result(carryOut(id, asked.x(), asked.y(), asked.z(), rx, asked.ry(), true));
     }
 
     /**
@@ -304,7 +309,8 @@ public final class Geometry {
         Move asked = Arguments.present("move", move);
         Arguments.clearance(clearance);
         bodies.toWorld(id, asked.x(), asked.y(), asked.z(), vector);
-        boolean all = motion.attempt(level, id, vector[0], vector[1], vector[2], asked.rx(), asked.ry(), clearance);
+        boolean all =
+                motion.attempt(level, id, vector[0], vector[1], vector[2], asked.rx(), asked.ry(), false, clearance);
         MoveResult result = result(all);
         population.move(id, motion.end());
         return result;
@@ -375,7 +381,8 @@ public final class Geometry {
     }
 
     /**
-     * The least distance between an object and any other.
+     * The least distance between an object and any other: the least of those to each other object alone, to the bit, and
+     * within 2<sup>-43</sup> of itself and of the sizes of the two. In contact it is 0.
      *
      * @param max range, world units; may be infinite
      * @return 0 in contact, {@code +Infinity} where nothing is within {@code max}

@@ -100,12 +100,21 @@ final class Motion {
     }
 
     /**
-     * Tries a motion by a displacement in the world's axes, then turns about the own axes in degrees.
+     * Tries a motion by a displacement in the world's axes, then turns in degrees about the own axes or the world's.
      *
      * @param gap how far to stay from what blocks; 0 to stop just before contact
      * @return whether all of it is free; else {@link #end()} is the place before contact
      */
-    boolean attempt(Level inLevel, int mover, double x, double y, double z, double turnX, double turnY, double gap) {
+    boolean attempt(
+            Level inLevel,
+            int mover,
+            double x,
+            double y,
+            double z,
+            double turnX,
+            double turnY,
+            boolean isGlobal,
+            double gap) {
         begin(inLevel, mover, gap, true);
         boolean free = isFree(x, y, z, Phase.NO_TURN, 0);
         if (!free) {
@@ -114,11 +123,11 @@ final class Motion {
             return false;
         }
         double each = turnX != 0 && turnY != 0 ? 0.5 : 1;
-        if (turnY != 0 && !isFree(0, 0, 0, Phase.OWN_Y, turnY)) {
+        if (turnY != 0 && !isFree(0, 0, 0, isGlobal ? Phase.VERTICAL : Phase.OWN_Y, turnY)) {
             turnFraction = each * share;
             return false;
         }
-        if (turnX != 0 && !isFree(0, 0, 0, Phase.OWN_X, turnX)) {
+        if (turnX != 0 && !isFree(0, 0, 0, isGlobal ? Phase.WORLD_X : Phase.OWN_X, turnX)) {
             turnFraction = Math.min((1 - each) + each * share, MOST); // the sum may have been rounded up
             return false;
         }

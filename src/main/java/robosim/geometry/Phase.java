@@ -16,12 +16,13 @@ import robosim.geometry.narrow.Sweep;
  * starts, where it is after a share of the leg, and what box holds it all the way.
  */
 final class Phase {
-    /** What a phase turns about: nothing, the own X, the own Y or the vertical. */
+    /** What a phase turns about: nothing, the own X, the own Y, the vertical or the world's X. */
     static final int NO_TURN = 0;
 
     static final int OWN_X = 1;
     static final int OWN_Y = 2;
     static final int VERTICAL = 3;
+    static final int WORLD_X = 4;
 
     /**
      * How far off the centre of an upright object may be at the end of a way, as a share of its length, apart from half an
@@ -130,6 +131,7 @@ final class Phase {
             case OWN_X -> Attitude.turn(place, 3, share * degrees, 0);
             case OWN_Y -> Attitude.turn(place, 3, 0, share * degrees);
             case VERTICAL -> Attitude.turnVertically(place, 3, share * degrees);
+            case WORLD_X -> Attitude.turnAboutX(place, 3, share * degrees);
             default -> {}
         }
     }
@@ -150,15 +152,15 @@ final class Phase {
     /** Makes {@link #sweep} the turn of the first share of the leg. */
     void turnBy(double share) {
         int column = axis == OWN_X ? 3 : 4; // of the attitude, where it begins at 3
-        boolean vertical = axis == VERTICAL;
+        boolean isOwn = axis == OWN_X || axis == OWN_Y;
         sweep.turn(
                 level.dimension,
                 start[0],
                 start[1],
                 start[2],
-                vertical ? 0 : start[column],
-                vertical ? 1 : start[column + 3],
-                vertical ? 0 : start[column + 6],
+                isOwn ? start[column] : axis == WORLD_X ? 1 : 0,
+                isOwn ? start[column + 3] : axis == WORLD_X ? 0 : 1,
+                isOwn ? start[column + 6] : 0,
                 share * degrees);
     }
 

@@ -74,6 +74,14 @@ public final class Attitude {
         }
     }
 
+    /** Turns by some degrees about the world's X. */
+    public static void turnAboutX(double[] column, int at, double degrees) {
+        if (degrees != 0) {
+            Rotations.turnWorldX(column, at, degrees);
+            readHeading(column, at);
+        }
+    }
+
     /** Turns by {@code ry} degrees about the own Y, then by {@code rx} about the own X. */
     public static void turn(double[] column, int at, double rx, double ry) {
         if (ry != 0) {

@@ -98,6 +98,21 @@ public final class Rotations {
         }
     }
 
+    /** Turns about the world's X axis: {@code R <- Rx(degrees) * R}. Quarter turns only permute rows and change signs. */
+    public static void turnWorldX(double[] r, int at, double degrees) {
+        double c = Degrees.cos(degrees);
+        double s = Degrees.sin(degrees);
+        for (int column = at; column < at + 3; column++) {
+            double y = r[column + 3];
+            double z = r[column + 6];
+            r[column + 3] = c * y - s * z + 0.0;
+            r[column + 6] = s * y + c * z + 0.0;
+        }
+        if (c != 0 && s != 0) {
+            orthonormalise(r, at);
+        }
+    }
+
     /** Writes the product {@code a * b}, which may replace either factor. Not re-orthonormalised. */
     public static void multiply(double[] a, int i, double[] b, int j, double[] out, int at) {
         double b00 = b[j];

@@ -53,6 +53,64 @@ final class Levels {
 
     /** Whether the top and the bottom are as wide as the leaf as seen from above. */
     static boolean isFlat(int kind, double[] row, int at) {
-        return kind != Leaf.TRIANGLE || (row[at + 1] == row[at + 4] && row[at + 4] == row[at + 7]);
+        return kind == Leaf.TRIANGLE ? row[at + 1] == row[at + 4] && row[at + 4] == row[at + 7] : kind != Leaf.SPHERE;
+    }
+
+    /**
+     * Writes what a leaf has in its top (side 1) or bottom (side -1), to be seen from above: of a triangle the corners that
+     * are there, of a sphere its centre; answers its kind.
+     */
+    static int part(int kind, double[] row, int at, int side, double[] out) {
+        System.arraycopy(row, at, out, 0, Leaf.STRIDE);
+        if (kind == Leaf.SPHERE) {
+            out[Leaf.SIZE] = 0;
+        } else if (kind == Leaf.TRIANGLE) {
+            double level = middle(kind, row, at, side);
+            int there = row[at + 1] == level ? 0 : row[at + 4] == level ? 3 : 6;
+            for (int k = 0; k < 9; k += 3) {
+                if (row[at + k + 1] != level) {
+                    System.arraycopy(row, at + there, out, k, 3);
+                }
+            }
+        }
+        return kind;
+    }
+
+    /**
+     * Whether leaf a stays above or below b for as long as it goes up or down by dy, or level: it does where there is a gap
+     * between them in height, and where there is none, but they touch.
+     */
+    static boolean parts(int kindA, double[] a, int i, double dy, int kindB, double[] b, int j, Scratch s) {
+        if (!has(kindA) || !has(kindB)) {
+            return false;
+        }
+        int above = dy >= 0 ? sign(kindA, a, i, kindB, b, j) : -1;
+        int below = above <= 0 && dy <= 0 ? sign(kindB, b, j, kindA, a, i) : -1;
+        if (above > 0 || below > 0) {
+            return true;
+        }
+        return (above == 0 || below == 0)
+                && isFlat(kindA, a, i)
+                && isFlat(kindB, b, j)
+                && PlanarOverlap.test(kindA, a, i, kindB, b, j, s);
+    }
+
+    /** Sign of the gap from the top of b up to the bottom of a. */
+    private static int sign(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        return Dyadic.signOfSum(
+                middle(kindA, a, i, -1), -half(kindA, a, i), -middle(kindB, b, j, 1), -half(kindB, b, j));
+    }
+
+    /** Whether two leaves touch, where that is known by their heights and as seen from above: 1, -1, or 0 where it is not. */
+    static int touch(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+        if (!has(kindA) || !has(kindB)) {
+            return 0;
+        }
+        if (sign(kindA, a, i, kindB, b, j) > 0 || sign(kindB, b, j, kindA, a, i) > 0) {
+            return -1;
+        }
+        return isFlat(kindA, a, i) && isFlat(kindB, b, j)
+                ? PlanarOverlap.test(kindA, a, i, kindB, b, j, s) ? 1 : -1
+                : 0;
     }
 }

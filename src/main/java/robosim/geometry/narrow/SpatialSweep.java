@@ -18,6 +18,9 @@ public final class SpatialSweep {
      */
     public static double translation(
             int kindA, double[] a, int i, double dx, double dy, double dz, int kindB, double[] b, int j, Scratch s) {
+        if (Levels.parts(kindA, a, i, dy, kindB, b, j, s)) {
+            return Double.POSITIVE_INFINITY;
+        }
         if (AxisBody.isPolytope(kindA) && AxisBody.isPolytope(kindB)) {
             boolean upright = Leaf.isUpright(kindA) && Leaf.isUpright(kindB);
             int mode = upright ? MovingAxes.UPRIGHT : MovingAxes.SPATIAL;
@@ -28,10 +31,6 @@ public final class SpatialSweep {
             return kindA == Leaf.UPRIGHT_CYLINDER
                     ? cylinder(a, i, dx, dy, dz, kindB, b, j, s)
                     : cylinder(b, j, -dx, -dy, -dz, kindA, a, i, s);
-        }
-        int side = Levels.side(kindA, a, i, kindB, b, j);
-        if ((side > 0 && dy >= 0) || (side < 0 && dy <= 0)) {
-            return Double.POSITIVE_INFINITY; // above and not sinking, below and not rising
         }
         if (kindA == Leaf.SPHERE) {
             return sphere(a, i, dx, dy, dz, kindB, b, j, s);

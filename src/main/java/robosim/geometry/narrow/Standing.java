@@ -79,7 +79,7 @@ public final class Standing {
     }
 
     private boolean gather(int kindA, double[] a, int i, int t, int kindB, double[] b, int j, int u) {
-        if (!Overlap.convex(dimension, kindA, a, i, kindB, b, j, s)) {
+        if (!touch(kindA, a, i, kindB, b, j)) {
             return false;
         }
         if (count == planes.length) {
@@ -116,14 +116,23 @@ public final class Standing {
         System.arraycopy(row, at, rows, to, Leaf.STRIDE);
     }
 
-    /** Notes the level that parts a contact, if it does and the mover keeps to its side. */
+    /** Notes the level that parts a contact, if one does and the mover keeps to its side; what lies in it is on both. */
     private void noteLevel(int at, int kindA, int kindEnd, int kindB) {
+        if (dimension == Dimension.PLANAR
+                || !Levels.has(kindA)
+                || !Levels.has(kindB)
+                || !Levels.has(kindEnd)
+                || !motion.keepsLevel(kindA, rows, at)) {
+            return;
+        }
         int b = at + 2 * Leaf.STRIDE;
-        int side = dimension == Dimension.PLANAR ? 0 : Levels.side(kindA, rows, at, kindB, rows, b);
-        if (side != 0
-                && motion.keepsLevel(kindA, rows, at)
-                && Levels.side(kindEnd, rows, at + Leaf.STRIDE, kindB, rows, b) == side) {
-            note(Levels.middle(kindB, rows, b, side), side * Levels.half(kindB, rows, b), side);
+        for (int side = 1; side >= -1; side -= 2) {
+            double middle = Levels.middle(kindB, rows, b, side);
+            double half = side * Levels.half(kindB, rows, b);
+            if (Levels.isBeyond(kindA, rows, at, middle, half, side)
+                    && Levels.isBeyond(kindEnd, rows, at + Leaf.STRIDE, middle, half, side)) {
+                note(middle, half, side);
+            }
         }
     }
 
@@ -213,7 +222,7 @@ public final class Standing {
     }
 
     private boolean isAnew(int kindA, double[] a, int i, int t, int kindB, double[] b, int j, int u) {
-        if (!Overlap.convex(dimension, kindA, a, i, kindB, b, j, s)) {
+        if (!touch(kindA, a, i, kindB, b, j)) {
             return false;
         }
         isMet = true;
@@ -228,12 +237,16 @@ public final class Standing {
             from = start.rows(leaf);
             at = start.at(leaf);
         }
-        if (Overlap.convex(dimension, kind, from, at, kindB, b, j, s)
-                || isBehind(kind, from, at, kindA, a, i, kindB, b, j)) {
+        if (touch(kind, from, at, kindB, b, j) || isBehind(kind, from, at, kindA, a, i, kindB, b, j)) {
             return false;
         }
         ownPiece = t;
         otherPiece = u;
         return true;
+    }
+
+    private boolean touch(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        int known = dimension == Dimension.PLANAR ? 0 : Levels.touch(kindA, a, i, kindB, b, j, s);
+        return known == 0 ? Overlap.convex(dimension, kindA, a, i, kindB, b, j, s) : known > 0;
     }
 }

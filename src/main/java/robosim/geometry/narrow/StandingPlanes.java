@@ -88,14 +88,16 @@ final class StandingPlanes {
         if (dimension == Dimension.PLANAR || Levels.side(kindA, rows, at, kindB, rows, rest) == 0) {
             return false;
         }
-        if (kindA == Leaf.SPHERE || kindB == Leaf.SPHERE) {
-            return (kindA == Leaf.SPHERE ? rows[at + Leaf.SIZE] : rows[rest + Leaf.SIZE]) > 0;
+        // A ball has but one plane where it touches; what has an inside within the level, none other.
+        if ((kindA == Leaf.SPHERE && rows[at + Leaf.SIZE] > 0)
+                || (kindB == Leaf.SPHERE && rows[rest + Leaf.SIZE] > 0)) {
+            return true;
         }
-        if (!Levels.isFlat(kindA, rows, at) || !Levels.isFlat(kindB, rows, rest)) {
-            return false;
-        }
+        int side = Levels.side(kindA, rows, at, kindB, rows, rest);
+        Levels.part(kindA, rows, at, -side, s.triangleC);
+        Levels.part(kindB, rows, rest, side, s.triangleD);
         Penetration ways = s.penetration();
-        ways.planar(kindA, rows, at, kindB, rows, rest);
+        ways.planar(kindA, s.triangleC, 0, kindB, s.triangleD, 0);
         return ways.proven() > 0;
     }
 

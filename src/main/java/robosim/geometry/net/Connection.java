@@ -266,7 +266,7 @@ final class Connection implements Runnable {
     /** What has not been answered by now is not answered any more; the peer is told. */
     void cutOff() {
         ending = true;
-        stop();
+        stopping = true;
         turn.cutOff();
         room.close();
     }

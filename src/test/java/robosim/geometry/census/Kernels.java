@@ -1,5 +1,6 @@
 package robosim.geometry.census;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /** All kernels that are counted, in the order of the published table. */
@@ -7,6 +8,9 @@ final class Kernels {
     private Kernels() {}
 
     static List<Kernel> all() {
-        return List.of();
+        List<Kernel> all = new ArrayList<>();
+        all.add(new CylinderCone());
+        all.addAll(DistanceKernel.all());
+        return all;
     }
 }

@@ -373,4 +373,38 @@ class StandingTest {
         add(world, new BoxObject(new Point(-0.5, 0, 0.5), 1, 1, 1).moveable("robot"));
         assertThat(world.moveGlobal("robot", new Move(3, 0, 3, 0, 0)).allowed()).isTrue();
     }
+
+    /** What touches nothing at the start is blocked by what it would only touch, at its very level too. */
+    @ParameterizedTest
+    @EnumSource(Mover.class)
+    void whatStandsOnNothingIsBlockedByAFlushTable(Mover mover) {
+        for (boolean isMesh : new boolean[] {false, true}) {
+            for (int away = 0; away < 2; away++) {
+                Geometry world = new Geometry(SIZE, SIZE, SIZE);
+                add(world, isMesh ? mesh(false) : new BoxObject(new Point(0, -0.5, 0), 16, 1, 16));
+                add(world, mover.at(-9.5, away * 0x1p-40, 0));
+                MoveResult result = world.moveGlobal("robot", new Move(4, 0, 0, 0, 0));
+                assertThat(result.allowed())
+                        .as("%s, %s: %s", mover, isMesh, result)
+                        .isEqualTo(away > 0);
+            }
+        }
+    }
+
+    /** What lies in the level of a contact is on both of its sides, and so is what stands on it or hangs from it. */
+    @Test
+    void aSheetSlidesBetweenTwo() {
+        MeshObject sheet = new MeshObject(
+                List.of(new Point(-1, 0, -2), new Point(0, 0, 3), new Point(-1, 0, -1)), new int[][] {{0, 1, 2}});
+        MeshObject beside = new MeshObject(
+                List.of(new Point(2, 0, 2), new Point(3, 0, 3), new Point(-3, 0, -1)), new int[][] {{0, 1, 2}});
+        for (int side = -1; side <= 1; side += 2) {
+            Geometry world = new Geometry(SIZE, SIZE, SIZE);
+            add(world, beside);
+            add(world, new BoxObject(new Point(-4, side, 0), 0, 2, 2));
+            add(world, sheet.moveable("robot"));
+            assertThat(world.moveGlobal("robot", new Move(-6, 0, 1, 0, 0)).allowed())
+                    .isTrue();
+        }
+    }
 }
