@@ -48,10 +48,10 @@ final class StandingMoves implements Kernel {
 
     @Override
     public List<String> regimes() {
-        List<String> regimes = new ArrayList<>(List.of("apart, free", "apart, blocked", "overlap, free", "overlap, blocked"));
+        List<String> regimes = new ArrayList<>(List.of("apart", "overlap, free", "overlap, blocked", "contact, nothing in the way"));
         for (int k = 1; k <= axes.length; k++) {
             String contact = CONTACTS[k + 3 - axes.length];
-            for (String outcome : List.of("free", "into", "next behind the plane", "next in the way")) {
+            for (String outcome : List.of("into", "next behind the plane", "next in the way")) {
                 regimes.add(contact + ", " + outcome);
             }
         }
@@ -61,17 +61,17 @@ final class StandingMoves implements Kernel {
     @Override
     public Visit ask(SplittableRandom random, boolean adversarial) {
         int up = axes[random.nextInt(axes.length)];
-        int kind = random.nextInt(20);
+        int kind = random.nextInt(21);
         Box mover = box(random, up, 0, 1, adversarial);
         Box piece = piece(random, mover, up, kind, adversarial);
-        int aim = random.nextInt(5);
+        int aim = random.nextInt(6);
         long[] way = way(random, up, kind, adversarial);
         if (aim == 0) {
             goInto(way, mover, piece, random);
-        } else if (aim < 3) {
+        } else if (aim < 5) {
             way[up] = 0;
         }
-        Box next = next(random, mover, up, way, aim == 1, adversarial);
+        Box next = next(random, mover, up, way, aim == 1 || aim == 2, adversarial);
         double base = adversarial ? 0x1p40 : 0;
         double unit = adversarial ? UNIT : 0x1p-3;
 
@@ -109,7 +109,7 @@ final class StandingMoves implements Kernel {
             return "overlap, " + outcome;
         }
         if (start == Start.APART) {
-            return "apart, " + outcome;
+            return "apart";
         }
         int flush = 0;
         for (int axis : axes) {
@@ -121,8 +121,10 @@ final class StandingMoves implements Kernel {
         if (blocks(mover, way, piece)) {
             return contact + ", into";
         }
-        return contact
-                + (isBlocked ? ", next in the way" : blocks(mover, way, next) ? ", next behind the plane" : ", free");
+        if (!blocks(mover, way, next)) {
+            return "contact, nothing in the way";
+        }
+        return contact + (isBlocked ? ", next in the way" : ", next behind the plane");
     }
 
     private Box box(SplittableRandom random, int up, long least, int side, boolean adversarial) {
@@ -138,9 +140,9 @@ final class StandingMoves implements Kernel {
 
     /** Under the level that the mover stands on, flush on so many axes; or apart, or in it. */
     private Box piece(SplittableRandom random, Box mover, int up, int kind, boolean adversarial) {
-        long least = kind == 0 ? random.nextInt(-9, 3) : kind < 5 ? random.nextInt(1, 30) : 0;
+        long least = kind < 2 ? random.nextInt(1, 30) : kind < 3 ? -random.nextInt(1, 30) : 0;
         Box piece = box(random, up, least, -1, adversarial);
-        int flush = kind < 12 ? 0 : kind < 15 ? 1 : 2;
+        int flush = kind < 11 ? 0 : kind < 16 ? 1 : 2;
         for (int axis : axes) {
             if (axis == up) {
                 continue;
@@ -160,7 +162,7 @@ final class StandingMoves implements Kernel {
         for (int axis = 0; axis < 3; axis++) {
             way[axis] = random.nextInt(4) == 0 ? 0 : scale * random.nextInt(-150, 151) + random.nextInt(-2, 3);
         }
-        way[up] = switch (random.nextInt(kind < 5 ? 2 : 6)) {
+        way[up] = switch (random.nextInt(kind < 3 ? 2 : 6)) {
             case 0 -> way[up];
             case 1 -> random.nextInt(-1, 2);
             default -> 0;
@@ -181,7 +183,13 @@ final class StandingMoves implements Kernel {
             SplittableRandom random, Box mover, int up, long[] way, boolean isOut, boolean adversarial) {
         long top = isOut ? random.nextInt(1, 3) : random.nextInt(4) == 0 ? random.nextInt(-1, 3) : 0;
         Box next = box(random, up, top, -1, adversarial);
-        double share = random.nextInt(3) == 0 ? random.nextDouble() : 1;
+        for (int axis = 0; axis < 3; axis++) {
+            if (axis != up) { // large enough to be met
+                next.low[axis] -= 20;
+                next.high[axis] += 20;
+            }
+        }
+        double share = random.nextInt(3) == 0 ? 0.3 + 0.7 * random.nextDouble() : 1;
         for (int axis = 0; axis < 3; axis++) {
             if (axis != up) {
                 long by = Math.round(share * way[axis]) + (mover.low[axis] + mover.high[axis]) / 2;
