@@ -320,7 +320,8 @@ public final class Geometry {
         Move asked = Arguments.present("move", move);
         Arguments.clearance(clearance);
         bodies.toWorld(id, asked.x(), asked.y(), asked.z(), vector);
-        boolean all = motion.attempt(level, id, vector[0], vector[1], vector[2], asked.rx(), asked.ry(), false, clearance);
+        boolean all =
+                motion.attempt(level, id, vector[0], vector[1], vector[2], asked.rx(), asked.ry(), false, clearance);
         MoveResult result = result(all);
         population.move(id, motion.end());
         return result;
@@ -391,7 +392,8 @@ public final class Geometry {
     }
 
     /**
-     * The least distance between an object and any other.
+     * The least distance between an object and any other: the least of those to each other object alone, to the bit, and
+     * within 2<sup>-43</sup> of itself and of the sizes of the two. In contact it is 0.
      *
      * @param max range, world units; may be infinite
      * @return 0 in contact, {@code +Infinity} where nothing is within {@code max}

@@ -18,6 +18,8 @@ final class Motion {
     static final int NOTHING = -1;
     static final int BORDER = -2;
 
+    /** A share is taken back by so much first, then by twice as much each time. */
+    private static final double FIRST_STEP = 0x1p-52;
     /** The largest share of what is refused. */
     private static final double MOST = Math.nextDown(1.0);
 
@@ -33,6 +35,12 @@ final class Motion {
     private final double[] part = new double[6];
     private final double[] swept = new double[6];
 
+    /** What holds the whole phase however its places are rounded. */
+    private final double[] around = new double[6];
+
+    /** The bounds of what stands for the object at the end of the phase. */
+    private final double[] endBox = new double[6];
+
     private Level level;
     private int id;
     private double clearance;
@@ -40,6 +48,13 @@ final class Motion {
     private int obstacle;
     private int obstacleLeaf;
     private int ownLeaf;
+
+    // The pieces by which an object was met last.
+    private int metLeaf;
+    private int metPiece;
+    private int metOwnLeaf;
+    private int metOwnPiece;
+
     private int obstaclePiece;
     private int ownPiece;
     private boolean isStandingKnown;
@@ -146,63 +161,103 @@ final class Motion {
             return true;
         }
         phase.sweptBox(1, box);
-        near.find(level, box, id);
+        phase.around(box, around);
+        near.find(level, around, id);
         standing.begin(level.dimension, phase.sweep, phase.atStart, phase.atLast);
         isStandingKnown = false;
-        double met = phase.isRigid() ? leastFree() : leastFreeOfEnclosures();
-        double leaves = border.clearlyHolds(box) ? Double.POSITIVE_INFINITY : leavesWorld();
-        if (leaves < met) {
-            met = leaves;
-            obstacle = BORDER;
-        }
-        if (met == Double.POSITIVE_INFINITY && !touchesAnew(1)) {
+        level.boundsOf(phase.after(1), 0, phase.atStart.size(), endBox);
+        if (!isEndWanted) {
+            if (isBlockedAnywhere()) {
+                return false;
+            }
             phase.advance();
             return true;
         }
-        // How far it might have gone is dear: a place is looked for, next to contact, that is free for certain.
-        if (isEndWanted) {
-            share = backOff(Math.min(met, MOST));
-            phase.endAt(share);
+        double least = leastFree();
+        if (least == Double.POSITIVE_INFINITY) {
+            phase.advance();
+            return true;
         }
+        share = backOff(least);
+        phase.endAt(share);
         return false;
     }
 
-    /** The least free share over all pairs of leaves, and what blocks there: the one added first, its lower leaf. */
+    private boolean isBlockedAnywhere() {
+        for (int k = 0; k < near.count(); k++) {
+            int other = near.id(k);
+            if (met(other) != Double.POSITIVE_INFINITY || endsOn(other)) {
+                return true;
+            }
+        }
+        return !border.clearlyHolds(box) && leavesWorld() != Double.POSITIVE_INFINITY;
+    }
+
+    /**
+     * The least free share of those beside each obstacle alone, and whose it is: that of the one added first, the border's
+     * last. What is free beside one is verified beside that one, so that it does not depend on the others.
+     */
     private double leastFree() {
-        LeafColumn atStart = phase.atStart;
         double least = Double.POSITIVE_INFINITY;
         for (int k = 0; k < near.count(); k++) {
             int other = near.id(k);
-            Level of = level.of(other);
-            int first = of.first(Bodies.bare(other));
-            for (int j = first; j < first + of.count(Bodies.bare(other)); j++) {
-                for (int i = 0; i < atStart.size(); i++) {
-                    double free = phase.sweep.free(atStart, i, of.leaves(), j);
-                    if (free != Double.POSITIVE_INFINITY && (clearance > 0 || (free <= least && stands()))) {
-                        StandOff stop = clearance > 0 ? standOff.of(of, i, j, clearance) : null;
-                        stands();
-                        free = phase.sweep.free(atStart, i, of.leaves(), j, standing, stop);
-                    }
-                    if (free < least || (free == least && isBefore(other, free))) {
-                        least = free;
-                        blame(other, i, phase.sweep.ownPiece(), j, phase.sweep.otherPiece());
-                    }
+            double met = met(other);
+            if (met == Double.POSITIVE_INFINITY && !endsOn(other)) {
+                continue;
+            }
+            double free = backOff(other, Math.min(met, MOST));
+            if (free < least || (free == least && bodies.isEarlier(other, obstacle))) {
+                least = free;
+                obstacle = other;
+                ownLeaf = metOwnLeaf;
+                ownPiece = metOwnPiece;
+                obstacleLeaf = metLeaf;
+                obstaclePiece = metPiece;
+            }
+        }
+        double leaves = border.clearlyHolds(box) ? Double.POSITIVE_INFINITY : leavesWorld();
+        if (leaves != Double.POSITIVE_INFINITY) {
+            double free = backOff(BORDER, Math.min(leaves, MOST));
+            if (free < least) {
+                least = free;
+                obstacle = BORDER;
+            }
+        }
+        return least;
+    }
+
+    /** The share after which an object is met, and the leaves that meet: of several the object's lower one. */
+    private double met(int other) {
+        return phase.isRigid() ? metAsItIs(other) : metByEnclosure(other);
+    }
+
+    private double metAsItIs(int other) {
+        LeafColumn atStart = phase.atStart;
+        Level of = level.of(other);
+        int first = of.first(Bodies.bare(other));
+        double least = Double.POSITIVE_INFINITY;
+        for (int j = first; j < first + of.count(Bodies.bare(other)); j++) {
+            for (int i = 0; i < atStart.size(); i++) {
+                double free = phase.sweep.free(atStart, i, of.leaves(), j);
+                if (free != Double.POSITIVE_INFINITY && (clearance > 0 || (free <= least && stands()))) {
+                    StandOff stop = clearance > 0 ? standOff.of(of, i, j, clearance) : null;
+                    stands();
+                    free = phase.sweep.free(atStart, i, of.leaves(), j, standing, stop);
+                }
+                if (free < least) {
+                    least = free;
+                    meet(i, phase.sweep.ownPiece(), j, phase.sweep.otherPiece());
                 }
             }
         }
         return least;
     }
 
-    private boolean isBefore(int other, double free) {
-        return free != Double.POSITIVE_INFINITY && obstacle >= 0 && bodies.isEarlier(other, obstacle);
-    }
-
-    private void blame(int other, int i, int t, int j, int u) {
-        obstacle = other;
-        ownLeaf = i;
-        ownPiece = t;
-        obstacleLeaf = j;
-        obstaclePiece = u;
+    private void meet(int i, int t, int j, int u) {
+        metOwnLeaf = i;
+        metOwnPiece = t;
+        metLeaf = j;
+        metPiece = u;
     }
 
     /** Whether the object touches anything at the start of the phase; what it touches is found when this is first asked. */
@@ -226,30 +281,24 @@ final class Motion {
     }
 
     /** A turn of an axis-aligned enclosure: free where the box about all of it meets nothing new or deeper. */
-    private double leastFreeOfEnclosures() {
-        double least = Double.POSITIVE_INFINITY;
-        for (int k = 0; k < near.count(); k++) {
-            int other = near.id(k);
+    private double metByEnclosure(int other) {
+        if (!meets(other) || !deepens(other, box)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double low = 0;
+        double high = 1;
+        for (int halving = 0; halving < 50; halving++) {
+            double middle = low / 2 + high / 2;
+            phase.sweptBox(middle, box);
             if (meets(other) && deepens(other, box)) {
-                double low = 0;
-                double high = 1;
-                for (int halving = 0; halving < 50; halving++) {
-                    double middle = low / 2 + high / 2;
-                    phase.sweptBox(middle, box);
-                    if (meets(other) && deepens(other, box)) {
-                        high = middle;
-                    } else {
-                        low = middle;
-                    }
-                }
-                phase.sweptBox(1, box);
-                if (low < least || (low == least && isBefore(other, low))) {
-                    least = low;
-                    blame(other, 0, -1, level.of(other).first(Bodies.bare(other)), -1);
-                }
+                high = middle;
+            } else {
+                low = middle;
             }
         }
-        return least;
+        phase.sweptBox(1, box);
+        meet(0, -1, level.of(other).first(Bodies.bare(other)), -1);
+        return low;
     }
 
     private boolean meets(int other) {
@@ -321,37 +370,25 @@ final class Motion {
         return border.holds(exact, 0, exact.size());
     }
 
-    /**
-     * Whether the object, after a share of the phase, overlaps something that it does not at the start. Where nothing is
-     * blamed yet, that is blamed, and of several the one added first.
-     */
-    private boolean touchesAnew(double share) {
-        phase.after(share);
-        boolean isBlamed = obstacle != NOTHING;
-        boolean touches = false;
-        for (int k = 0; k < near.count() && !(touches && isBlamed); k++) {
-            int other = near.id(k);
-            if (!touches || bodies.isEarlier(other, obstacle)) {
-                touches |= touchesAnew(other, !isBlamed);
-            }
-        }
-        return touches;
+    /** Whether the object, as stored at the end of the phase, overlaps one that it does not at the start. */
+    private boolean endsOn(int other) {
+        return level.of(other).meets(Bodies.bare(other), endBox) && touchesAnew(other, 1);
     }
 
-    private boolean touchesAnew(int other, boolean isToBlame) {
+    /** Whether the object, after a share of the phase, overlaps one that it does not at the start. */
+    private boolean touchesAnew(int other, double share) {
+        LeafColumn there = phase.after(share);
         Level of = level.of(other);
         int first = of.first(Bodies.bare(other));
         for (int j = first; j < first + of.count(Bodies.bare(other)); j++) {
             for (int i = 0; i < phase.atStart.size(); i++) {
-                if (standing.touchesAnew(phase.probe, i, of.leaves(), j)) {
+                if (standing.touchesAnew(there, i, of.leaves(), j)) {
                     // Contacts are only looked for here, as mostly there is no need of them.
                     boolean wasKnown = isStandingKnown;
-                    if (!wasKnown && stands() && !standing.touchesAnew(phase.probe, i, of.leaves(), j)) {
+                    if (!wasKnown && stands() && !standing.touchesAnew(there, i, of.leaves(), j)) {
                         continue;
                     }
-                    if (isToBlame) {
-                        blame(other, i, standing.ownPiece(), j, standing.otherPiece());
-                    }
+                    meet(i, standing.ownPiece(), j, standing.otherPiece());
                     return true;
                 }
             }
@@ -359,12 +396,40 @@ final class Motion {
         return false;
     }
 
-    /** The greatest share, not above the given one, whose place has been verified free. */
-    private double backOff(double from) {
+    private boolean isFreeAfter(double share) {
+        for (int k = 0; k < near.count(); k++) {
+            if (near.id(k) != obstacle && touchesAnew(near.id(k), share)) {
+                return false;
+            }
+        }
+        return isHeld(phase.exactAfter(share));
+    }
+
+    /** The greatest share, not above the given one, whose place has been verified free of one object, or within the border. */
+    private double backOff(int of, double from) {
         double free = from;
-        double step = 0x1p-52;
-        while (free > 0 && (touchesAnew(free) || !isHeld(phase.exactAfter(free)))) {
+        double step = FIRST_STEP;
+        int ownLeafMet = metOwnLeaf;
+        int ownPieceMet = metOwnPiece;
+        int leafMet = metLeaf;
+        int pieceMet = metPiece;
+        while (free > 0 && (of == BORDER ? !isHeld(phase.exactAfter(free)) : touchesAnew(of, free))) {
             free = from - step;
+            step *= 2;
+        }
+        meet(ownLeafMet, ownPieceMet, leafMet, pieceMet);
+        return Math.max(0, free);
+    }
+
+    /**
+     * The greatest share, not above the least of all, whose place has been verified free: just that least, but where the
+     * place as it is stored meets what the way itself passes by within rounding.
+     */
+    private double backOff(double least) {
+        double free = least;
+        double step = FIRST_STEP;
+        while (free > 0 && (!isFreeAfter(free) || (free < least && obstacle >= 0 && touchesAnew(obstacle, free)))) {
+            free = least - step;
             step *= 2;
         }
         return Math.max(0, free);

@@ -35,6 +35,9 @@ final class Phase {
      */
     static final double WAY_ERROR = 0x1p-50;
 
+    /** More than a place loses when it is stored, and than an enclosure is widened by, as a share of its coordinates. */
+    private static final double STORED = 0x1p-42;
+
     private static final int PLACE = Bodies.PLACE;
 
     final double[] start = new double[PLACE];
@@ -51,7 +54,10 @@ final class Phase {
     final LeafColumn atLast = new LeafColumn(1);
 
     /** What stands for the object where it was asked about last, after its start. */
-    final LeafColumn probe = new LeafColumn(1);
+    private final LeafColumn probe = new LeafColumn(1);
+
+    /** The share after which the probe stands; NaN where it does not tell a place of this leg. */
+    private double probed = Double.NaN;
 
     private final LeafColumn exact = new LeafColumn(1);
     private final double[] part = new double[6];
@@ -91,6 +97,7 @@ final class Phase {
         dz = z;
         axis = about;
         degrees = byDegrees;
+        probed = Double.NaN;
         placeAt(1, end);
         if (Arrays.equals(start, 0, Pose.LOST, end, 0, Pose.LOST) && degrees == 0) {
             return false;
@@ -193,6 +200,7 @@ final class Phase {
         } else if (level.accuracy == Accuracy.SPHERE) {
             turnBy(share);
             level.placeTipped(form, start[0], start[1], start[2], start, 3, probe, 0);
+            probed = Double.NaN;
             union(probe, out);
         } else {
             // The enclosure changes with the turn: what encloses the exact leaves all the way encloses it too.
@@ -240,9 +248,28 @@ final class Phase {
 
     /** What stands for the object after a share of the leg; valid until the next call. */
     LeafColumn after(double share) {
-        placeAt(share, between);
-        level.place(form, between[0], between[1], between[2], between, 3, probe, 0);
+        if (share != probed) {
+            placeAt(share, between);
+            level.place(form, between[0], between[1], between[2], between, 3, probe, 0);
+            probed = share;
+        }
         return probe;
+    }
+
+    /**
+     * Widens the bounds of a whole leg to hold every place on it as it is stored: enclosures are rounded outward by more
+     * where coordinates are larger, and parts of groups and corners of meshes are rounded when they are placed.
+     */
+    void around(double[] box, double[] out) {
+        double size = Math.abs(start[0]) + Math.abs(start[1]) + Math.abs(start[2]);
+        for (double bound : box) {
+            size += Math.abs(bound);
+        }
+        double slack = STORED * size + Double.MIN_NORMAL;
+        for (int k = 0; k < 3; k++) {
+            out[k] = box[k] - slack;
+            out[3 + k] = box[3 + k] + slack;
+        }
     }
 
     /** Writes {@link #atLast}: the end of the whole leg, whatever was asked since. */
@@ -254,6 +281,7 @@ final class Phase {
     /** What stands for the object at the end; valid until the next call. */
     LeafColumn atEnd() {
         level.place(form, end[0], end[1], end[2], end, 3, probe, 0);
+        probed = Double.NaN;
         return probe;
     }
 

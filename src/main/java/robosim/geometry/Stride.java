@@ -29,6 +29,9 @@ final class Stride {
     /** Not asked here: see {@link Motion}. */
     static final int UNKNOWN = 0;
 
+    /** More than a place loses when it is stored, as a share of its coordinates. */
+    private static final double STORED = 0x1p-47;
+
     /** More than the least float. */
     private static final double LEAST = 0x1p-140;
 
@@ -93,6 +96,7 @@ final class Stride {
         if (!border.clearlyHolds(box) && !endsInside()) {
             return BLOCKED;
         }
+        widen(places, at);
         if (passesAll()) {
             return FREE;
         }
@@ -129,6 +133,19 @@ final class Stride {
         end[along] = sum;
         end[3 + along] = DoubleDouble.sumTail(to, rest, sum);
         return sum - from;
+    }
+
+    /** Makes the box hold the end however its parts are rounded when they are placed. */
+    private void widen(double[] places, int at) {
+        double size = Math.abs(places[at]) + Math.abs(places[at + 1]) + Math.abs(places[at + 2]);
+        for (int k = 0; k < 6; k++) {
+            size += Math.abs(box[k]);
+        }
+        double slack = STORED * size + Double.MIN_NORMAL;
+        for (int k = 0; k < 3; k++) {
+            box[k] -= slack;
+            box[3 + k] += slack;
+        }
     }
 
     private boolean passesAll() {

@@ -23,7 +23,8 @@ import robosim.geometry.net.Redial;
             ExitCodes.FINE + ":with --once, the environment was answered and hung up",
             ExitCodes.UNUSABLE
                     + ":not done: bad usage, or with --once an environment that cannot be reached or a connection that"
-                    + " failed (TLS, the secret, the protocol)"
+                    + " failed (TLS, the secret, the protocol)",
+            ExitCodes.ENDED
         },
         footerHeading = "%nExamples:%n",
         footer = {

@@ -17,5 +17,8 @@ final class ExitCodes {
 
     static final String REFUSED = UNUSABLE + ":not done: bad usage, or something that cannot be read or written";
 
+    /** What a Java process ends with that a signal ends, after its last steps. */
+    static final String ENDED = "128+N:ended by signal N, after it was closed: 143 by SIGTERM, 130 by Ctrl-C";
+
     private ExitCodes() {}
 }

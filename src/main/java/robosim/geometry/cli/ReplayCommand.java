@@ -166,7 +166,7 @@ final class ReplayCommand implements Callable<Integer> {
         }
         if (reader instanceof ScenarioReader lines && lines.torn() > 0) {
             out.println(file + ": line " + lines.torn()
-                    + " breaks off, as where a recording is killed; it was passed over");
+                    + " breaks off, as where a recording is killed or its disk is full; it was passed over");
         }
         steps += replay.steps();
         compared += replay.compared();

@@ -18,7 +18,7 @@ import robosim.geometry.net.GeometryServer;
         mixinStandardHelpOptions = true,
         versionProvider = Version.class,
         exitCodeListHeading = ExitCodes.HEADING,
-        exitCodeList = {ExitCodes.FINE + ":it was listening until it was ended", ExitCodes.REFUSED},
+        exitCodeList = {ExitCodes.REFUSED, ExitCodes.ENDED},
         footerHeading = "%nExamples:%n",
         footer = {
             "  robosim-geometry serve 5555",

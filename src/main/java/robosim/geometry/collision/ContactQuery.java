@@ -120,7 +120,8 @@ public final class ContactQuery {
 
     /**
      * The distance of two objects or of their projections. More steps never widen the bracket; without a limit it is at
-     * most 2<sup>-40</sup> of the distance and the objects' size wide.
+     * most 2<sup>-43</sup> of the distance and the objects' size wide, near contact too. Both ends are proven, with what
+     * rounding may have moved them.
      */
     public static Verdict distance(GeometryObject a, GeometryObject b, Dimension dimension, Budget budget) {
         return limited(a, b, dimension, budget, true);

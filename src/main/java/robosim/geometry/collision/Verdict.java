@@ -7,7 +7,7 @@ package robosim.geometry.collision;
  * @param certainty {@code EXACT} where the answer is proven, which "no" always is; {@code UNCERTAIN} where nothing is
  *     decided yet or "yes" is to within rounding only
  * @param low they are at least so far apart, world units; 0 in contact, and where they are apart by less than doubles tell
- * @param high they are at most so far apart; {@code low <= high}
+ * @param high they are at most so far apart: no more than two points of theirs, rounded up; {@code low <= high}
  * @param steps how many steps were taken
  */
 public record Verdict(Answer answer, Certainty certainty, double low, double high, long steps) {

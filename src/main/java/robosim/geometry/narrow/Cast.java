@@ -187,11 +187,11 @@ public final class Cast {
     private double convex(double x, double y, double z, int kind, double[] row, int at) {
         if (dimension == Dimension.PLANAR) {
             return cone
-                    ? PlanarCone.distance(x, z, ux, uz, halfCos, halfSin, kind, row, at, s)
+                    ? PlanarCone.distance(x, z, dx, dz, halfCos, halfSin, kind, row, at, s)
                     : PlanarRay.distance(x, z, dx, dz, kind, row, at, s);
         }
         return cone
-                ? SpatialCone.distance(x, y, z, ux, uy, uz, halfCos, halfSin, kind, row, at, s)
+                ? SpatialCone.distance(x, y, z, dx, dy, dz, halfCos, halfSin, kind, row, at, s)
                 : SpatialRay.distance(x, y, z, dx, dy, dz, kind, row, at, s);
     }
 

@@ -19,6 +19,9 @@ final class ConeCylinder {
     /** What is this share of a vector's length outside of a cone or within is so whatever was rounded. */
     private static final double DOUBT = 32 * U;
 
+    /** So little does the cone's border rise along a mantle that is better searched around. */
+    private static final double LEVEL = 0x1p-12;
+
     private final ConeCylinderFrame frame = new ConeCylinderFrame();
     private final ConeCylinderMantle mantle = new ConeCylinderMantle();
     private final ConeCylinderCap cap = new ConeCylinderCap();
@@ -78,7 +81,7 @@ final class ConeCylinder {
         if (frame.gap > 0) {
             mantle.solve(frame);
             if (mantle.isMissed || (frame.near <= mantle.height && mantle.height <= frame.far)) {
-                side();
+                side(LEVEL);
                 return bracket.isDone();
             }
             isFar = mantle.height > frame.far;
@@ -87,14 +90,14 @@ final class ConeCylinder {
         return bracket.isDone();
     }
 
-    private void side() {
+    private void side(double level) {
         if (mantle.isMissed) {
             bracket.edge(mantle.edgeA, mantle.edgeP, mantle.edgeQ);
             if (!bracket.isDone()) {
                 bracket.away();
             }
         } else {
-            bracket.mantle(mantle.height, -mantle.cos, mantle.sin);
+            bracket.mantle(mantle.height, -mantle.cos, mantle.sin, level);
         }
     }
 
@@ -102,16 +105,33 @@ final class ConeCylinder {
         double height = isFar ? frame.far : frame.near;
         if (cap.isBehind(frame, height)) {
             bracket.edge(height < 0 ? -1 : 1, 0, 0);
-            return;
+            if (bracket.isDone()) {
+                return;
+            }
         }
         cap.solve(frame, height);
         if (cap.isMissed) {
             bracket.edge(cap.height, cap.p, cap.q);
+            if (!bracket.isDone()) {
+                bracket.edge(cap.height, cap.betweenP, cap.betweenQ);
+            }
             if (bracket.isDone()) {
                 return;
             }
         }
         bracket.rim(isFar, cap.p - frame.away, cap.q);
+    }
+
+    // The direction that points most against the cone of those between the cap's and the mantle's, and a little
+    // between.
+    private void corner() {
+        double along = Math.max(0, -frame.ua);
+        double away = Math.max(0, -frame.up);
+        double size = RayMath.legs(along, away);
+        double slack = size - frame.cone.sin;
+        if (slack > 0) {
+            bracket.corner(along / size + slack / 4, away / size + slack / 4);
+        }
     }
 
     /** Near where one part of the cylinder gives way to another the wrong one may have been taken. */
@@ -120,16 +140,24 @@ final class ConeCylinder {
         if (frame.near > 0 && !bracket.isDone()) {
             bracket.axis();
         }
+        if (frame.near >= 0 && frame.gap > 0 && !bracket.isDone()) {
+            corner();
+        }
         if (frame.gap > 0 && !bracket.isDone()) {
             bracket.away();
             mantle.solve(frame);
-            side();
+            side(LEVEL);
+            if (!bracket.isDone()) {
+                side(Double.POSITIVE_INFINITY);
+            }
         }
         if (!bracket.isDone()) {
             rim(false);
+            bracket.edge(cap.height, cap.p, cap.q);
         }
         if (!bracket.isDone()) {
             rim(true);
+            bracket.edge(cap.height, cap.p, cap.q);
         }
         if (frame.near > 0 && !bracket.isDone() && !cap.isBehind(frame, frame.near)) {
             cap.holdsFoot(frame, frame.near);

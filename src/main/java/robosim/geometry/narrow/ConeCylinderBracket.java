@@ -13,15 +13,12 @@ final class ConeCylinderBracket {
     private static final double ERROR = 0x1p-94;
 
     /** So deep inside the cone, as a share of the extent, are the points that are looked for: deeper than {@link #ERROR}. */
-    private static final double DEPTH = 0x1p-88;
+    private static final double DEPTH = 0x1p-92;
 
     /** A bracket as narrow as this share of the distance is narrow enough. */
     private static final double NARROW = 0x1p-42;
 
     private static final int STEPS = 12;
-
-    /** Below this slope along the axis, for a cylinder as wide as it is away, the border is sought around the mantle. */
-    private static final double LEVEL = 0x1p-12;
 
     private static final int NORMAL = ConeCylinderFrame.FREE;
     private static final int POINT = NORMAL + 3;
@@ -108,6 +105,21 @@ final class ConeCylinderBracket {
         direction();
     }
 
+    /**
+     * Along the axis and away from it by so much: where both are positive, and the cone is behind both the lower cap's plane
+     * and the mantle's nearest, or all but, such a direction proves it.
+     */
+    void corner(double along, double away) {
+        p.set(PART, along);
+        for (int k = 0; k < 3; k++) {
+            p.multiply(NORMAL + k, ConeCylinderFrame.BODY + k, PART);
+        }
+        p.set(PART, away);
+        p.divide(PART, PART, ConeCylinderFrame.AWAY);
+        p.advance(NORMAL, NORMAL, PART, ConeCylinderFrame.ACROSS, TEMPORARY);
+        direction();
+    }
+
     /** The plane that touches the cone along the line of its border nearest to a vector of the frame. */
     void edge(double along, double p0, double q0) {
         f.put(POINT, along, p0, q0);
@@ -189,14 +201,16 @@ final class ConeCylinderBracket {
     /**
      * A point of the mantle near a place around it and a height, led to the cone's border and to where it is nearest. One of
      * the two numbers leads to the border, the one along which that is steeper; the other to where n is across both.
+     *
+     * @param level below this slope along the axis, for a cylinder as wide as it is away, the border is sought around it
      */
-    void mantle(double height, double p0, double q0) {
+    void mantle(double height, double p0, double q0, double level) {
         radial(p0, q0);
         p.set(HEIGHT, height);
         onMantle();
         p.dot(PART, OUTWARD, ConeCylinderFrame.BODY, TEMPORARY);
         p.dot(REST, OUTWARD, AROUND, TEMPORARY);
-        boolean isUpwards = Math.abs(p.get(PART)) * f.extent >= LEVEL * f.radius * Math.abs(p.get(REST));
+        boolean isUpwards = Math.abs(p.get(PART)) * f.extent >= level * f.radius * Math.abs(p.get(REST));
         double unit = isUpwards ? low / f.extent : low;
         double last = Double.NaN;
         double way = 0;
@@ -212,7 +226,7 @@ final class ConeCylinderBracket {
             if (isBetween()) {
                 point();
             }
-            double next = i == 0 ? Math.copySign(0x1p-24 * unit, -slope) : -slope * way / (slope - last);
+            double next = i == 0 ? Math.copySign(0x1p-44 * unit, -slope) : -slope * way / (slope - last);
             if (isDone() || !(Math.abs(next) < unit) || next == 0) {
                 return;
             }

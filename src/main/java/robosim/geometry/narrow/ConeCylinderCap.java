@@ -9,6 +9,7 @@ package robosim.geometry.narrow;
  */
 final class ConeCylinderCap {
     private static final int STEPS = 110;
+    private static final double BESIDE = 0x1p-70;
 
     private ConeCylinderFrame f = new ConeCylinderFrame();
 
@@ -21,7 +22,13 @@ final class ConeCylinderCap {
     double p;
     double q;
 
-    // Of the plane, turned so that it is above the apex: its height, the cone's axis along it, and the angles at which the
+    /** Where they are apart, the same between the conic and the disc. */
+    double betweenP;
+
+    double betweenQ;
+
+    // Of the plane, turned so that it is above the apex: its height, the cone's axis along it, and the angles at which
+    // the
     // conic begins and ends, seen from the apex: sines and cosines, not of length 1.
     private double level;
     private double beginCos;
@@ -41,8 +48,10 @@ final class ConeCylinderCap {
 
     private void set(ConeCylinderFrame frame, double at) {
         f = frame;
-        height = at;
-        level = Math.abs(at);
+        // Through the apex the plane would have but directions in common with the cone: a plane beside it tells them
+        // apart.
+        level = Math.max(Math.abs(at), BESIDE * f.extent);
+        height = Math.copySign(level, at);
         double ua = at < 0 ? -f.ua : f.ua;
         double c = f.cone.cos;
         double s = f.cone.sin;
@@ -55,7 +64,7 @@ final class ConeCylinderCap {
         centerAside = isTurned ? f.away * (f.uq / f.across) : 0;
     }
 
-    /** Whether the cone is behind the apex' side of the plane, by all that doubles tell. */
+    /** Whether the cone does not reach the plane, by all that doubles tell. */
     boolean isBehind(ConeCylinderFrame frame, double at) {
         set(frame, at);
         return !(beginCos > 0);
@@ -73,18 +82,24 @@ final class ConeCylinderCap {
     /** Takes the nearest common point of the rim and the cone's border. */
     void solve(ConeCylinderFrame frame, double at) {
         set(frame, at);
-        double begin = level * beginSin / beginCos;
+        double begin = beginCos > 0 ? level * beginSin / beginCos : 0;
         double end = endCos > 0 ? level * endSin / endCos : Double.POSITIVE_INFINITY;
         double low = Math.max(begin, centerAlong - f.radius);
         double high = Math.min(end, centerAlong + f.radius);
         isMissed = !(low <= high);
         if (isMissed) {
+            place((low + high) / 2, centerAside);
+            betweenP = p;
+            betweenQ = q;
             place(low == begin ? begin : end, 0);
             return;
         }
         double middle = lowest(low, high);
         if (gap > 0) {
             isMissed = true;
+            place(middle, (chord + aside) / 2);
+            betweenP = p;
+            betweenQ = q;
             place(middle, chord);
             return;
         }

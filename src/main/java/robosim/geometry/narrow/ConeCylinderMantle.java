@@ -9,7 +9,10 @@ package robosim.geometry.narrow;
  * positive product with the way from the apex. The line's own nearest point is in closed form.
  */
 final class ConeCylinderMantle {
-    private static final int STEPS = 90;
+    private static final int STEPS = 160;
+
+    /** Takes the place of a slope that only its sign is needed of. */
+    private static final double FLAT = 0x1p-40;
 
     private ConeCylinderFrame f = new ConeCylinderFrame();
 
@@ -34,6 +37,11 @@ final class ConeCylinderMantle {
     private double slope;
     private double noise;
     private double rise;
+
+    // The line with the least slope of those that met the cone.
+    private double flattest;
+    private double bestCos;
+    private double bestSin;
 
     void solve(ConeCylinderFrame frame) {
         f = frame;
@@ -72,6 +80,7 @@ final class ConeCylinderMantle {
     }
 
     private void search(double firstCos, double firstSin, double lastCos, double lastSin) {
+        flattest = Double.POSITIVE_INFINITY;
         double low = 0;
         double high = 1;
         look(firstCos, firstSin);
@@ -82,7 +91,7 @@ final class ConeCylinderMantle {
         }
         look(lastCos, lastSin);
         double atHigh = slope;
-        if (atHigh <= 0) {
+        if (atHigh < 0) {
             take(lastCos, lastSin);
             return;
         }
@@ -112,7 +121,7 @@ final class ConeCylinderMantle {
                 side = 1;
             }
         }
-        take(cos, sin);
+        take(flattest < Double.POSITIVE_INFINITY ? bestCos : cos, flattest < Double.POSITIVE_INFINITY ? bestSin : sin);
     }
 
     private void take(double c, double s) {
@@ -131,25 +140,35 @@ final class ConeCylinderMantle {
         double radial = p * s + q * c;
         double turned = f.up * s + f.uq * c;
         double askew = (p * f.uq - q * f.up) / base;
+        double steep = Math.abs(f.ua);
         noise = 0;
         if (b >= f.cone.cos) {
             rise = 0;
-            slope = radial;
+            slope = Math.max(steep, FLAT) * radial;
+            if (slope < flattest) {
+                flattest = slope;
+                bestCos = c;
+                bestSin = s;
+            }
             return;
         }
         // The cone and the plane of the apex and the line: a sector, whose border the line crosses at this tangent.
         double square = (f.cone.sin - Math.abs(askew)) * (f.cone.sin + Math.abs(askew));
         double reach = Math.sqrt(Math.max(0, square));
-        double steep = Math.abs(f.ua);
         double run = b * f.cone.cos + steep * reach;
         if (square < 0 || !(run > 0)) {
             // missed: the cone is on the side of its axis
             rise = 0;
-            slope = askew > 0 ? -1 : 1;
+            slope = askew > 0 ? -base : base;
             return;
         }
-        rise = base * (steep * f.cone.cos - b * reach) / run;
+        rise = base * Math.max(0, steep * f.cone.cos - b * reach) / run;
         slope = steep * radial - rise * turned;
+        if (Math.abs(slope) < flattest) {
+            flattest = Math.abs(slope);
+            bestCos = c;
+            bestSin = s;
+        }
         noise = 2 * RayMath.U * (steep * radial + rise * Math.abs(turned));
     }
 }

@@ -32,7 +32,7 @@ final class DiscPolygon {
         if (outline < r - error) {
             return true;
         }
-        int side = PointPolygon.side(0, 0, q, error);
+        int side = PointPolygon.side(q, error);
         if (side > 0) {
             return true;
         }

@@ -15,6 +15,9 @@ final class DiscRectangle {
     private static final double SQUARES = Filter.bound(5.01 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
 
+    /** So many times the radius away from the centre, its rounding is that of the distance. */
+    private static final double MANY = 16;
+
     private static final Stages.Counter FINE = Stages.counter("DiscRectangle fine");
     private static final Stages.Counter EXACT = Stages.counter("DiscRectangle");
 
@@ -108,9 +111,9 @@ final class DiscRectangle {
         return ExactPlanar.of(Leaf.UPRIGHT_BOX, row, at).touchesDisc(px, pz, r);
     }
 
-    /** The least distance, 0 in contact. */
-    static double distance(double px, double pz, double r, double[] row, int at, FineOverlap fine) {
-        if (touch(px, pz, r, row, at, fine)) {
+    /** The least distance, 0 in contact; within three ulp of itself and 2^-98 of the offset and the sizes. */
+    static double distance(double px, double pz, double r, double[] row, int at, Scratch scratch) {
+        if (touch(px, pz, r, row, at, scratch.fine)) {
             return 0;
         }
         double c = row[at + 6];
@@ -121,6 +124,44 @@ final class DiscRectangle {
         if (beyondX + beyondZ < RayMath.TINY) {
             return Math.max(0, RayMath.legs(beyondX, beyondZ) / Math.sqrt(square) - r);
         }
-        return Math.max(0, Math.sqrt((beyondX * beyondX + beyondZ * beyondZ) / square) - r);
+        double toCenter = Math.sqrt((beyondX * beyondX + beyondZ * beyondZ) / square);
+        // Beside a radius that is not small, what is left is only as good as the radius.
+        return toCenter > MANY * r ? toCenter - r : powerDistance(px, pz, r, row, at, scratch.planarPairs);
+    }
+
+    // (d - r) (d + r) / (d + r), the product from the squares in pairs of doubles.
+    private static double powerDistance(double px, double pz, double r, double[] row, int at, Pairs p) {
+        double c = row[at + 6];
+        double s = row[at + 8];
+        p.difference(0, px, row[at]);
+        p.difference(1, pz, row[at + 2]);
+        p.product(2, c, c);
+        p.product(3, s, s);
+        p.add(2, 2, 3);
+        squareBeyond(p, 4, c, -s, row[at + 3]);
+        squareBeyond(p, 5, s, c, row[at + 5]);
+        p.add(4, 4, 5);
+        p.divide(4, 4, 2);
+        double toCenter = Math.sqrt(p.get(4));
+        p.product(5, r, r);
+        p.subtract(4, 4, 5);
+        return Math.max(0, p.get(4) / (toCenter + r));
+    }
+
+    // The square of how far the centre is beyond a side, times the length of its normal.
+    private static void squareBeyond(Pairs p, int out, double nx, double nz, double half) {
+        int temporary = 6;
+        p.multiply(out, 0, nx);
+        p.multiply(temporary, 1, nz);
+        p.add(out, out, temporary);
+        if (p.get(out) < 0) {
+            p.negate(out);
+        }
+        p.multiply(temporary, 2, half);
+        p.subtract(out, out, temporary);
+        if (p.get(out) < 0) {
+            p.set(out, 0);
+        }
+        p.multiply(out, out, out);
     }
 }

@@ -40,7 +40,6 @@ final class FineSimplex {
     private final double[] pointsA = new double[12];
     private final double[] pointsB = new double[12];
     private final double[] weight = new double[4];
-    private final int[] kept = new int[4];
     private int count;
     private boolean holds;
     private boolean any;

@@ -1,5 +1,7 @@
 package robosim.geometry.narrow;
 
+import robosim.geometry.exact.Filter;
+
 /**
  * A sector of the XZ plane (the beam of a sonar) and the projection of a leaf.
  *
@@ -10,6 +12,10 @@ package robosim.geometry.narrow;
 public final class PlanarCone {
     private static final double LEAST = 0x1p-100;
     private static final double MOST = 0x1p100;
+    private static final double FILTER = Filter.bound(1.01);
+
+    /** The square of a side that is all but a point, beside what is not tiny itself. */
+    private static final double SHORT = 0x1p-900;
 
     private PlanarCone() {}
 
@@ -46,7 +52,7 @@ public final class PlanarCone {
         sector.set(ux, uz, halfCos, halfSin);
         return switch (kind) {
             case Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE -> disc(sector, ox, oz, ux, uz, halfCos, b, j, s);
-            case Leaf.CYLINDER -> oval(sector, ox, oz, b, j, s);
+            case Leaf.CYLINDER -> oval(ox, oz, ux, uz, halfCos, b, j, s);
             default -> polygon(sector, ox, oz, ux, uz, halfCos, kind, b, j, s);
         };
     }
@@ -89,15 +95,18 @@ public final class PlanarCone {
         PlanarShape q = s.planarB;
         q.set(kind, b, j, ox, oz);
         if (!q.isTiny()) {
-            int side = PointPolygon.side(0, 0, q, q.error);
+            int side = PointPolygon.side(q, FILTER * q.error);
             if (side > 0) {
                 return 0;
             }
             if (side < 0 && sector.isSurelyBeyond(q)) {
                 return Double.POSITIVE_INFINITY;
             }
-            if (side < 0 && !nearest(q) && sector.surelyHolds(q.pointX, q.pointZ, q.error)) {
-                return Math.sqrt(q.pointX * q.pointX + q.pointZ * q.pointZ);
+            if (side < 0) {
+                nearest(q);
+                if (sector.surelyHolds(q.pointX, q.pointZ, q.error)) {
+                    return Math.sqrt(q.pointX * q.pointX + q.pointZ * q.pointZ);
+                }
             }
         }
         double axis = PlanarRay.scaled(ox, oz, ux, uz, kind, b, j, s);
@@ -131,13 +140,11 @@ public final class PlanarCone {
         }
     }
 
-    // The point nearest to the apex is left in q's point; true where the apex is inside.
-    private static boolean nearest(PlanarShape q) {
+    // The point of the outline that is nearest to the apex is left in q's point.
+    private static void nearest(PlanarShape q) {
         q.pointX = q.x[0];
         q.pointZ = q.z[0];
         double least = q.pointX * q.pointX + q.pointZ * q.pointZ;
-        // A blurred side does not tell, so what only such sides bound is judged by the bounds as well.
-        boolean inside = q.count > 2 && !PointPolygon.isBeyond(0, 0, q, q.error);
         int last = q.count - 1;
         for (int k = 0; k <= last; k++) {
             int previous = k == 0 ? last : k - 1;
@@ -151,15 +158,11 @@ public final class PlanarCone {
                 q.pointX = bx;
                 q.pointZ = bz;
             }
-            double ex = bx - ax;
-            double ez = bz - az;
-            double across = ax * bz - az * bx;
-            inside &= across >= 0 || q.isBlurred(ex, ez);
-            double along = -(ex * ax + ez * az);
+            double ex = q.sideX[k];
+            double ez = q.sideZ[k];
             double length = ex * ex + ez * ez;
-            // The foot of the apex on the side's line, where that is on the side. Not from a x b: of a short side seen
-            // from far away the rounding of the two products would be divided by the side's length alone.
-            if (along > 0 && along < length) {
+            // The foot of the apex on the side's line, where that is on the side.
+            if (ex * ax + ez * az < 0 && ex * bx + ez * bz > 0 && length > SHORT) {
                 double past = ax * ez - az * ex;
                 double turn = past / length;
                 if (past * turn < least) {
@@ -169,10 +172,10 @@ public final class PlanarCone {
                 }
             }
         }
-        return inside;
     }
 
-    private static double oval(PlanarSector sector, double ox, double oz, double[] b, int j, Scratch s) {
+    private static double oval(
+            double ox, double oz, double ux, double uz, double halfCos, double[] b, int j, Scratch s) {
         PlanarShape apex = s.planarA;
         PlanarShape q = s.planarB;
         apex.point();
@@ -182,12 +185,6 @@ public final class PlanarCone {
         if (!bracket.isApart()) {
             return 0;
         }
-        // Seen from the apex, the nearest point lies along the best normal.
-        if (sector.mayHold(bracket.normalX, bracket.normalZ)) {
-            return bracket.distance();
-        }
-        return Math.min(
-                RayOval.distance(ox, oz, sector.leftX, sector.leftZ, b, j, q),
-                RayOval.distance(ox, oz, sector.rightX, sector.rightZ, b, j, q));
+        return s.sectorOval().distance(ox, oz, ux, uz, halfCos, b, j, q, bracket.distance());
     }
 }

@@ -39,7 +39,7 @@ public final class PlanarDistance {
 
     private static double discPolygon(double[] disc, int i, int kind, double[] b, int j, Scratch s) {
         return kind == Leaf.UPRIGHT_BOX && DiscRectangle.isSquare(b, j)
-                ? DiscRectangle.distance(disc[i], disc[i + 2], disc[i + 3], b, j, s.fine)
+                ? DiscRectangle.distance(disc[i], disc[i + 2], disc[i + 3], b, j, s)
                 : DiscPolygon.distance(disc[i], disc[i + 2], disc[i + 3], kind, b, j, s);
     }
 }

@@ -21,9 +21,6 @@ final class PlanarSector {
     /** How far a product with an edge may be off, as a share of the other vector's size. */
     private double doubt;
 
-    /** The same as derived, for the one answer that is certified and has nothing exact behind it. */
-    private double derived;
-
     /** At least the length of either edge. */
     private double most;
 
@@ -39,7 +36,6 @@ final class PlanarSector {
         most = Math.abs(ux) + Math.abs(uz);
         double sineOff = (Math.abs(halfCos * halfCos + halfSin * halfSin - 1) + 4 * 0x1p-53) / halfSin;
         doubt = (FILTER + sineOff) * most;
-        derived = (EDGE_ERROR + sineOff) * most;
     }
 
     /** Whether a place within a square of the given error is certainly in the sector. */
@@ -48,15 +44,6 @@ final class PlanarSector {
         return wx * leftZ - wz * leftX > slack
                 && rightX * wz - rightZ * wx > slack
                 && wx * (leftX + rightX) + wz * (leftZ + rightZ) > 2 * slack;
-    }
-
-    /** Whether a direction may be in the sector. */
-    boolean mayHold(double wx, double wz) {
-        double slack = derived * (Math.abs(wx) + Math.abs(wz));
-        return !(wx * leftZ - wz * leftX < -slack)
-                && !(rightX * wz - rightZ * wx < -slack)
-                // not behind: with a narrow sector both products are small there too
-                && wx * (leftX + rightX) + wz * (leftZ + rightZ) >= 0;
     }
 
     /** Whether a disc certainly lies beyond the line of one edge. */

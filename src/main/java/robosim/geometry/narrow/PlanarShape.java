@@ -28,7 +28,6 @@ final class PlanarShape {
 
     // A triangle's corner is one difference: off by 1u of itself.
     private static final double CORNER_ROUNDING = 0x1p-53;
-    private static final double BLUR = 16;
 
     int family;
 
@@ -40,6 +39,15 @@ final class PlanarShape {
     final double[] tailX = new double[CORNERS];
 
     final double[] tailZ = new double[CORNERS];
+
+    /**
+     * The direction of the side that leads to each corner from the one before it, of any length. Not the difference of the
+     * two: of a short side seen from far away rounding would turn that anywhere. Of a box the own axis as it is stored, of an
+     * octagon that of its plane, of a triangle the difference of the stored corners, off by 1u of itself.
+     */
+    final double[] sideX = new double[CORNERS];
+
+    final double[] sideZ = new double[CORNERS];
 
     /** No corner is off by more in x or in z; for a disc or an oval the same of its outline. */
     double error;
@@ -73,6 +81,8 @@ final class PlanarShape {
 
     private final double[] spanX = new double[3];
     private final double[] spanZ = new double[3];
+    private final double[] wayX = new double[3];
+    private final double[] wayZ = new double[3];
 
     static int family(int kind) {
         return switch (kind) {
@@ -93,11 +103,6 @@ final class PlanarShape {
             x[k] *= power;
             z[k] *= power;
         }
-    }
-
-    /** Whether a side is so short that rounding of its ends may turn it anywhere. */
-    boolean isBlurred(double ex, double ez) {
-        return Math.abs(ex) + Math.abs(ez) <= BLUR * Math.max(error, ROUNDING * size);
     }
 
     private static double bound(double size, double rounding) {
@@ -171,19 +176,36 @@ final class PlanarShape {
                 Math.max(Math.abs(x0), Math.abs(z0)),
                 Math.max(Math.max(Math.abs(x1), Math.abs(z1)), Math.max(Math.abs(x2), Math.abs(z2))));
         error = bound(size, CORNER_ROUNDING);
-        double turn = (x1 - x0) * (z2 - z0) - (z1 - z0) * (x2 - x0);
+        int turn = isSame(row, at, at + 3) || isSame(row, at + 3, at + 6) || isSame(row, at + 6, at)
+                ? 0
+                : Orientation.side(row[at], row[at + 2], row[at + 3], row[at + 5], row[at + 6], row[at + 8]);
         if (turn > 0) {
             corner(x0, z0);
             corner(x1, z1);
             corner(x2, z2);
+            side(0, row, at + 6, at);
+            side(1, row, at, at + 3);
+            side(2, row, at + 3, at + 6);
         } else if (turn < 0) {
             corner(x0, z0);
             corner(x2, z2);
             corner(x1, z1);
+            side(0, row, at + 3, at);
+            side(1, row, at, at + 6);
+            side(2, row, at + 6, at + 3);
         } else {
-            flatTriangle(x0, z0, x1, z1, x2, z2);
+            flatTriangle(row, at, x0, z0, x1, z1, x2, z2);
         }
         tails(row, at, ox, oz);
+    }
+
+    private void side(int k, double[] row, int from, int to) {
+        sideX[k] = row[to] - row[from];
+        sideZ[k] = row[to + 2] - row[from + 2];
+    }
+
+    private static boolean isSame(double[] row, int p, int q) {
+        return row[p] == row[q] && row[p + 2] == row[q + 2];
     }
 
     // Each corner is one of the row's three, in whatever order.
@@ -199,24 +221,26 @@ final class PlanarShape {
         }
     }
 
-    // The longest side of a triangle that is flat, or so thin that its area is lost.
-    private void flatTriangle(double x0, double z0, double x1, double z1, double x2, double z2) {
+    // The longest side of a triangle that is flat.
+    private void flatTriangle(double[] row, int at, double x0, double z0, double x1, double z1, double x2, double z2) {
         double s01 = Math.max(Math.abs(x1 - x0), Math.abs(z1 - z0));
         double s12 = Math.max(Math.abs(x2 - x1), Math.abs(z2 - z1));
         double s20 = Math.max(Math.abs(x0 - x2), Math.abs(z0 - z2));
         if (s01 >= s12 && s01 >= s20) {
-            segment(x0, z0, x1, z1);
+            segment(row, at, at + 3, x0, z0, x1, z1);
         } else if (s12 >= s20) {
-            segment(x1, z1, x2, z2);
+            segment(row, at + 3, at + 6, x1, z1, x2, z2);
         } else {
-            segment(x2, z2, x0, z0);
+            segment(row, at + 6, at, x2, z2, x0, z0);
         }
     }
 
-    private void segment(double x0, double z0, double x1, double z1) {
+    private void segment(double[] row, int from, int to, double x0, double z0, double x1, double z1) {
         corner(x0, z0);
         if (x0 != x1 || z0 != z1) {
             corner(x1, z1);
+            side(0, row, to, from);
+            side(1, row, from, to);
         }
     }
 
@@ -239,20 +263,22 @@ final class PlanarShape {
         double sumZ = 0;
         for (int axis = 0; axis < 3; axis++) {
             double half = row[at + Leaf.SIZE + axis];
-            double gx = half * row[at + Leaf.ROTATION + axis];
-            double gz = half * row[at + Leaf.ROTATION + 6 + axis];
+            double ux = row[at + Leaf.ROTATION + axis];
+            double uz = row[at + Leaf.ROTATION + 6 + axis];
+            if (uz < 0 || (uz == 0 && ux < 0)) {
+                ux = -ux;
+                uz = -uz;
+            }
+            double gx = half * ux;
+            double gz = half * uz;
             if (gx == 0 && gz == 0) {
                 continue;
-            }
-            if (gz < 0 || (gz == 0 && gx < 0)) {
-                gx = -gx;
-                gz = -gz;
             }
             sizeX += Math.abs(gx);
             sizeZ += gz;
             sumX += gx;
             sumZ += gz;
-            spans = insert(spans, gx, gz);
+            spans = insert(spans, ux, uz, gx, gz);
         }
         size = Math.max(sizeX, sizeZ);
         error = bound(size, BOX_ROUNDING);
@@ -273,18 +299,26 @@ final class PlanarShape {
             tailZ[k + spans] = 0;
             px += 2 * spanX[k];
             pz += 2 * spanZ[k];
+            int to = k + 1;
+            sideX[to] = wayX[k];
+            sideZ[to] = wayZ[k];
+            to = to == spans ? 0 : to + spans;
+            sideX[to] = -wayX[k];
+            sideZ[to] = -wayZ[k];
         }
         count = 2 * spans;
     }
 
-    // Keeps the spans in the order of their directions, and those of one direction as one. Compared exactly: a long
-    // span that is taken for parallel to one that is all but nothing would come out of order among the others.
-    private int insert(int spans, double gx, double gz) {
+    // Keeps the spans in the order of their directions, and those of one direction as one. Compared exactly, and as
+    // they
+    // are stored: a long span that is taken for parallel to one that is all but nothing would come out of order among
+    // the others, and a corner between two in the wrong order would be none of the real ones.
+    private int insert(int spans, double ux, double uz, double gx, double gz) {
         int to = 0;
-        while (to < spans && turn(to, gx, gz) > 0) {
+        while (to < spans && turn(to, ux, uz) > 0) {
             to++;
         }
-        if (to < spans && turn(to, gx, gz) == 0) {
+        if (to < spans && turn(to, ux, uz) == 0) {
             spanX[to] += gx;
             spanZ[to] += gz;
             return spans;
@@ -292,14 +326,18 @@ final class PlanarShape {
         for (int k = spans; k > to; k--) {
             spanX[k] = spanX[k - 1];
             spanZ[k] = spanZ[k - 1];
+            wayX[k] = wayX[k - 1];
+            wayZ[k] = wayZ[k - 1];
         }
+        wayX[to] = ux;
+        wayZ[to] = uz;
         spanX[to] = gx;
         spanZ[to] = gz;
         return spans + 1;
     }
 
-    private int turn(int span, double gx, double gz) {
-        return Orientation.compareProducts(spanX[span], gz, spanZ[span], gx);
+    private int turn(int span, double ux, double uz) {
+        return Orientation.compareProducts(wayX[span], uz, wayZ[span], ux);
     }
 
     private void octagon(double[] row, int at, double ox, double oz) {
@@ -331,21 +369,25 @@ final class PlanarShape {
             d1 = Math.min(d1, x1 - z0);
             d0 = Math.max(d0, x0 - z1);
         }
-        distinct(x1, x1 - d1);
-        distinct(x1, s1 - x1);
-        distinct(s1 - z1, z1);
-        distinct(d0 + z1, z1);
-        distinct(x0, x0 - d0);
-        distinct(x0, s0 - x0);
-        distinct(s0 - z0, z0);
-        distinct(d1 + z0, z0);
+        distinct(x1, x1 - d1, 1, 1);
+        distinct(x1, s1 - x1, 0, 1);
+        distinct(s1 - z1, z1, -1, 1);
+        distinct(d0 + z1, z1, -1, 0);
+        distinct(x0, x0 - d0, -1, -1);
+        distinct(x0, s0 - x0, 0, -1);
+        distinct(s0 - z0, z0, 1, -1);
+        distinct(d1 + z0, z0, 1, 0);
         if (count > 1 && x[count - 1] == x[0] && z[count - 1] == z[0]) {
             count--;
+            sideX[0] = sideX[count];
+            sideZ[0] = sideZ[count];
         }
     }
 
-    private void distinct(double px, double pz) {
+    private void distinct(double px, double pz, double ex, double ez) {
         if (count == 0 || x[count - 1] != px || z[count - 1] != pz) {
+            sideX[count] = ex;
+            sideZ[count] = ez;
             corner(px, pz);
         }
     }

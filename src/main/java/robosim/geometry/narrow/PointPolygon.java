@@ -5,7 +5,11 @@ final class PointPolygon {
     /** Sides below this are measured by {@link #ENLARGED} times their length. */
     private static final double SHORT = 0x1p-450;
 
+    private static final double UNDERFLOW = 0x1p-960;
     private static final double ENLARGED = 0x1p500;
+
+    // A product of a side's direction, off by 1u itself, and a corner, and the difference of two such products.
+    private static final double PRODUCT = 3.01 * 0x1p-53;
 
     private PointPolygon() {}
 
@@ -46,24 +50,22 @@ final class PointPolygon {
     }
 
     /**
-     * 1 where the point is inside by more than the error, -1 where it is outside by more, 0 where the sides do not tell.
+     * 1 where the origin is certainly inside, -1 where it is certainly outside, 0 where the sides do not tell; what is flat
+     * has no inside.
+     *
+     * @param error at least the shape's own, times a filter
      */
-    static int side(double px, double pz, PlanarShape q, double error) {
-        if (q.count < 3 || isBeyond(px, pz, q, error)) {
+    static int side(PlanarShape q, double error) {
+        if (q.count < 3 || isBeyond(0, 0, q, error)) {
             return -1;
         }
+        double off = error + PRODUCT * q.size;
         int verdict = 1;
-        int last = q.count - 1;
-        for (int k = 0; k <= last; k++) {
-            int previous = k == 0 ? last : k - 1;
-            double ex = q.x[k] - q.x[previous];
-            double ez = q.z[k] - q.z[previous];
-            if (q.isBlurred(ex, ez)) {
-                verdict = 0;
-                continue;
-            }
-            double slack = error * (Math.abs(ex) + Math.abs(ez));
-            double left = ex * (pz - q.z[previous]) - ez * (px - q.x[previous]);
+        for (int k = 0; k < q.count; k++) {
+            double ex = q.sideX[k];
+            double ez = q.sideZ[k];
+            double slack = off * (Math.abs(ex) + Math.abs(ez)) + UNDERFLOW;
+            double left = ez * q.x[k] - ex * q.z[k];
             if (left < -slack) {
                 return -1;
             }

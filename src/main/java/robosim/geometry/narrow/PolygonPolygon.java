@@ -5,9 +5,9 @@ import robosim.geometry.exact.Stages;
 
 /** Two convex polygons on the plane: what boxes, triangles and octagons throw. */
 final class PolygonPolygon {
-    // With n the difference of two corners, a corner's coordinates are off by the shape's error, so n . corner by that
-    // times |nx| + |nz|; n, the products and their sum add 3u of the shape's size. The polygons as rounded overlap in a
-    // square of the errors' size where no n, a normal of theirs, finds them less deep; then the real ones overlap.
+    // With n a side's normal, a corner's coordinates are off by the shape's error, so n . corner by that times
+    // |nx| + |nz|; n, the products and their sum add 3u of the shape's size. The real polygons are apart only along a
+    // normal of theirs: they overlap where each of these, of which none is off by more, finds them overlapping.
     private static final double ROUNDING = 1.01;
     private static final double PRODUCT = 3 * 0x1p-53;
     private static final double FILTER = Filter.bound(ROUNDING);
@@ -51,15 +51,13 @@ final class PolygonPolygon {
             return q.count == 1 ? 1 : 0;
         }
         if (p.count == 2) {
-            return apartAlong(p, q, p.z[1] - p.z[0], p.x[0] - p.x[1], error);
+            return apartAlong(p, q, p.sideZ[1], -p.sideX[1], error);
         }
         int verdict = 0;
-        int last = p.count - 1;
-        for (int k = 0; k <= last; k++) {
-            int previous = k == 0 ? last : k - 1;
+        for (int k = 0; k < p.count; k++) {
             // Outward, as the corners run from x to z.
-            double nx = p.z[k] - p.z[previous];
-            double nz = p.x[previous] - p.x[k];
+            double nx = p.sideZ[k];
+            double nz = -p.sideX[k];
             double slack = error * (Math.abs(nx) + Math.abs(nz)) + UNDERFLOW;
             // Not the side's own level: one between two corners that rounding parts may point anywhere.
             double gap = -q.support(-nx, -nz) - p.support(nx, nz);

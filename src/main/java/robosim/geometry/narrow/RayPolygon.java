@@ -7,11 +7,11 @@ import robosim.geometry.exact.Stages;
 /** A ray and a convex polygon on the plane: what a box, a triangle or an octagon throws. */
 final class RayPolygon {
     // Corners are seen from the start, and off by the shape's error; a product with the direction and the sum of
-    // two add 2u of the size. A side is the difference of two corners, off by twice the error; it, a product and
-    // a sum add 3u.
+    // two add 2u of the size. A side's direction is off by 1u; it, a product and a sum add 3u.
     private static final double ROUNDING = 1.01;
     private static final double FILTER = Filter.bound(ROUNDING);
     private static final double PRODUCT = 2 * 0x1p-53;
+    private static final double DOUBTFUL = 4 * 0x1p-53;
     private static final double SIDE_PRODUCT = 3 * 0x1p-53;
     private static final double UNDERFLOW = 0x1p-960;
 
@@ -59,7 +59,7 @@ final class RayPolygon {
         double square = ux * ux + uz * uz;
         double first = kind == Leaf.BOX || kind == Leaf.UPRIGHT_BOX
                 ? RayZonogon.entry(ox, oz, ux, uz, b, j)
-                : lastCrossing(q, ux, uz);
+                : lastCrossing(kind, q, ux, uz, speed);
         double share = Math.min(Math.max(first, nearest / square), furthest / square);
         return Math.max(0, share) * Math.sqrt(square);
     }
@@ -67,19 +67,14 @@ final class RayPolygon {
     // 1 a clear hit, -1 a clear miss, 0 in doubt, by the side normals alone
     private static int sides(PlanarShape q, double ux, double uz, double speed, double filter) {
         int verdict = 1;
-        int last = q.count - 1;
-        for (int k = 0; k <= last; k++) {
-            int previous = k == 0 ? last : k - 1;
-            double nx = q.z[k] - q.z[previous];
-            double nz = q.x[previous] - q.x[k];
+        for (int k = 0; k < q.count; k++) {
+            double nx = q.sideZ[k];
+            double nz = -q.sideX[k];
             double beyond = -(nx * q.x[k] + nz * q.z[k]);
             double nearing = -(nx * ux + nz * uz);
             double length = Math.abs(nx) + Math.abs(nz);
-            double doubt = filter
-                            * ((q.error + SIDE_PRODUCT * q.size) * length
-                                    + 2 * q.error * (Math.abs(q.x[k]) + Math.abs(q.z[k])))
-                    + UNDERFLOW;
-            double nearingDoubt = filter * (2 * q.error + SIDE_PRODUCT * length) * speed + UNDERFLOW;
+            double doubt = filter * (q.error + SIDE_PRODUCT * q.size) * length + UNDERFLOW;
+            double nearingDoubt = filter * SIDE_PRODUCT * length * speed + UNDERFLOW;
             if (beyond > doubt && nearing < -nearingDoubt) {
                 return -1;
             }
@@ -90,19 +85,24 @@ final class RayPolygon {
         return verdict;
     }
 
-    // The last of the sides' lines that the ray crosses inward, for a ray that is known to hit.
-    private static double lastCrossing(PlanarShape q, double ux, double uz) {
+    // The last of the sides' lines that the ray crosses inward, for a ray that is known to hit. Of a triangle's side
+    // along
+    // which the ray runs but for rounding, plain doubles do not tell which way that is.
+    private static double lastCrossing(int kind, PlanarShape q, double ux, double uz, double speed) {
         double share = 0;
         int last = q.count - 1;
         for (int k = 0; k <= last; k++) {
             int previous = k == 0 ? last : k - 1;
-            double ex = q.x[k] - q.x[previous];
-            double ez = q.z[k] - q.z[previous];
+            double ex = q.sideX[k];
+            double ez = q.sideZ[k];
             double ahead = ez * q.x[k] - ex * q.z[k];
             double way = ez * ux - ex * uz;
-            if (ahead < 0 && way < 0 && !q.isBlurred(ex, ez)) {
-                share = Math.max(share, crossing(q, previous, k, ux, uz));
+            double length = Math.abs(ex) + Math.abs(ez);
+            boolean isClear = ahead > DOUBTFUL * length * q.size || way > DOUBTFUL * length * speed;
+            if (isClear || (kind == Leaf.PRISM && !(ahead < 0 && way < 0))) {
+                continue;
             }
+            share = Math.max(share, kind == Leaf.PRISM ? ahead / way : crossing(q, previous, k, ux, uz));
         }
         return share;
     }
@@ -117,7 +117,7 @@ final class RayPolygon {
         double ahead = cross(q.x[to], q.z[to], ex, ez)
                 + ((q.x[to] * ezTail - q.z[to] * exTail) + (q.tailX[to] * ez - q.tailZ[to] * ex));
         double way = cross(ux, uz, ex, ez) + (ux * ezTail - uz * exTail);
-        return way != 0 ? ahead / way : 0;
+        return ahead < 0 && way < 0 ? ahead / way : 0;
     }
 
     private static double cross(double ax, double az, double bx, double bz) {

@@ -58,6 +58,7 @@ public final class Scratch {
     final PlanarShape planarB = new PlanarShape();
     final PlanarBracket planarBracket = new PlanarBracket();
     final FineOverlap fine = new FineOverlap();
+    final Pairs planarPairs = new Pairs(7);
 
     /** A direction and the depth along it. */
     final double[] planarNormal = new double[3];
@@ -77,6 +78,7 @@ public final class Scratch {
     private @Nullable SweepScratch sweep;
     private @Nullable Penetration penetration;
     private @Nullable ConeScratch cones;
+    private @Nullable SectorOval sectorOval;
 
     /** Two meshes in space, descended at once. */
     MeshPairs meshPairs() {
@@ -106,6 +108,13 @@ public final class Scratch {
             penetration = new Penetration();
         }
         return penetration;
+    }
+
+    SectorOval sectorOval() {
+        if (sectorOval == null) {
+            sectorOval = new SectorOval();
+        }
+        return sectorOval;
     }
 
     ConeScratch cones() {

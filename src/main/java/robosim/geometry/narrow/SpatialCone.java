@@ -31,12 +31,14 @@ public final class SpatialCone {
             double[] row,
             int j,
             Scratch s) {
-        if ((kind == Leaf.UPRIGHT_BOX || kind == Leaf.BOX) && isSurelyBeyond(ox, oy, oz, ux, uy, uz, halfCos, row, j)) {
+        boolean isBox = kind == Leaf.UPRIGHT_BOX || kind == Leaf.BOX;
+        boolean isCylinder = kind == Leaf.UPRIGHT_CYLINDER || kind == Leaf.CYLINDER;
+        if ((isBox || isCylinder) && isSurelyBeyond(ox, oy, oz, ux, uy, uz, halfCos, kind, row, j)) {
             return Double.POSITIVE_INFINITY;
         }
         double axis = SpatialRay.distance(ox, oy, oz, ux, uy, uz, kind, row, j, s);
-        if (axis == 0 || !(halfSin > 0)) {
-            return axis;
+        if (axis == 0 || !(halfSin > 0) || !(halfCos < 1)) {
+            return axis; // or so narrow that its stored cosine is that of a line
         }
         Cone cone = s.cones().cone;
         double size = RayMath.largest(ux, uy, uz);
@@ -69,17 +71,27 @@ public final class SpatialCone {
     }
 
     /**
-     * Whether a box surely lies beyond the plane that touches the cone along the line nearest to its centre m: with e the
+     * Whether a box or a cylinder surely lies beyond the plane that touches the cone along the line nearest to its centre m: with e the
      * unit vector from the axis to m, the plane's normal is {@code n = e cos - u sin}.
      *
      * <p>As m is not all but on the axis, e is off by 2^-30 of itself along the axis at most; u, sin, m and all else are off
-     * by some roundings of 2^-53. The box's own axes are of length 1 to 2^-30. 2^-28 of all that is added up are taken.
+     * by some roundings of 2^-53. Their own axes are of length 1 to 2^-30. 2^-28 of all that is added up are taken.
      */
     private static boolean isSurelyBeyond(
-            double ox, double oy, double oz, double dx, double dy, double dz, double cos, double[] row, int j) {
+            double ox,
+            double oy,
+            double oz,
+            double dx,
+            double dy,
+            double dz,
+            double cos,
+            int kind,
+            double[] row,
+            int j) {
         double mx = row[j] - ox;
         double my = row[j + 1] - oy;
         double mz = row[j + 2] - oz;
+        // a cylinder's sixth number only adds
         double size = Math.abs(mx) + Math.abs(my) + Math.abs(mz) + row[j + 3] + row[j + 4] + row[j + 5];
         double length = RayMath.length(dx, dy, dz);
         // where no square loses bits or overflows
@@ -101,11 +113,24 @@ public final class SpatialCone {
         double nx = ex / aside * cos - ux * sin;
         double ny = ey / aside * cos - uy * sin;
         double nz = ez / aside * cos - uz * sin;
-        double gap = nx * mx + ny * my + nz * mz;
-        for (int k = 0; k < 3; k++) {
-            int r = j + Leaf.ROTATION + k;
-            gap -= row[j + 3 + k] * Math.abs(nx * row[r] + ny * row[r + 3] + nz * row[r + 6]);
-        }
+        double gap = nx * mx + ny * my + nz * mz - reach(nx, ny, nz, kind, row, j);
         return gap > 0x1p-28 * size;
+    }
+
+    /** How far a box or a cylinder reaches from its centre along a unit vector. */
+    private static double reach(double nx, double ny, double nz, int kind, double[] row, int j) {
+        if (kind == Leaf.UPRIGHT_CYLINDER) {
+            return row[j + 3] * Math.sqrt(nx * nx + nz * nz) + row[j + 4] * Math.abs(ny);
+        }
+        int r = j + Leaf.ROTATION;
+        double along = Math.abs(nx * row[r + 1] + ny * row[r + 4] + nz * row[r + 7]);
+        if (kind == Leaf.CYLINDER) {
+            // The axis is of length 1 to 2^-30: of the square of the sine, so much is added.
+            double across = Math.sqrt(Math.max(0, (1 - along) * (1 + along)) + 0x1p-29);
+            return row[j + 3] * across + row[j + 4] * along;
+        }
+        return row[j + 3] * Math.abs(nx * row[r] + ny * row[r + 3] + nz * row[r + 6])
+                + row[j + 4] * along
+                + row[j + 5] * Math.abs(nx * row[r + 2] + ny * row[r + 5] + nz * row[r + 8]);
     }
 }

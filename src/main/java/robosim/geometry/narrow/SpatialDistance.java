@@ -12,8 +12,9 @@ public final class SpatialDistance {
      *
      * <p>Upright pairs: the planar distance and the gap between the heights put together. A sphere with anything but a
      * prism: a few ulp below the truth, never above it ({@link SphereDistance}). Boxes, triangles and prisms: off by no
-     * more than 2^-48 of the sizes and the offset. A cylinder that is not beside another upright leaf: the lower end of a
-     * bracket, no more than 2^-44 of the distance and 2^-40 of the sizes below the truth.
+     * more than 2^-44 of the distance and 2^-47 of the sizes and the offset. A cylinder that is not beside another upright
+     * leaf: the lower end of a bracket, no more than 2^-44 of the distance and 2^-46 of the sizes and the offset below the
+     * truth, never above it.
      */
     public static double between(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
         if (Leaf.isUpright(kindA) && Leaf.isUpright(kindB)) {

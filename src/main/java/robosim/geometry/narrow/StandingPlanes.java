@@ -131,7 +131,8 @@ final class StandingPlanes {
             return false;
         }
         // A ball has but one plane where it touches; what has an inside within the level, none other.
-        if ((kindA == Leaf.SPHERE && rows[at + Leaf.SIZE] > 0) || (kindB == Leaf.SPHERE && rows[rest + Leaf.SIZE] > 0)) {
+        if ((kindA == Leaf.SPHERE && rows[at + Leaf.SIZE] > 0)
+                || (kindB == Leaf.SPHERE && rows[rest + Leaf.SIZE] > 0)) {
             return true;
         }
         int side = Levels.side(kindA, rows, at, kindB, rows, rest);

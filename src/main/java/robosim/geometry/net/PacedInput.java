@@ -102,7 +102,9 @@ final class PacedInput extends InputStream implements MessagePace {
                 turn.hold();
             } else {
                 turn.give();
-                if (!inside) {
+                if (inside) {
+                    SocketSettings.acknowledge(socket); // the rest may wait for that
+                } else {
                     turn.rest();
                 }
             }

@@ -37,6 +37,9 @@ public final class Tls {
      * @throws IllegalArgumentException where a store cannot be read with its password
      */
     public static Tls load(Path keyStore, char[] keyPassword, Path trustStore, char @Nullable [] trustPassword) {
+        Arguments.present("keyStore", keyStore);
+        Arguments.present("keyPassword", keyPassword);
+        Arguments.present("trustStore", trustStore);
         try {
             KeyManagerFactory keys = KeyManagerFactory.getInstance(KeyManagerFactory.getDefaultAlgorithm());
             keys.init(store("keyStore", keyStore, keyPassword), keyPassword);

@@ -20,6 +20,7 @@ public final class WatchClient {
      * @throws IOException where nobody listens there
      */
     public static InputStream dial(String host, int port) throws IOException {
+        Arguments.present("host", host);
         Arguments.port(port, 1);
         Socket socket = new Socket();
         try {

@@ -73,7 +73,8 @@ final class JsonInput implements Closeable {
         return new JsonInput(parser(bytes, at, length), true);
     }
 
-    // Not createParser(bytes, at, length): where names are not canonicalized, that of Jackson 2.22 takes at + length for
+    // Not createParser(bytes, at, length): where names are not canonicalized, that of Jackson 2.22 takes at + length
+    // for
     // the length of more than 8,000 bytes, and reads what stands behind the line.
     private static JsonParser parser(byte[] bytes, int at, int length) throws IOException {
         return length <= LineInput.BUFFER
@@ -230,7 +231,11 @@ final class JsonInput implements Closeable {
         if (!isNumber()) {
             throw refused("must be a number (got: " + kind() + ")");
         }
-        double value = Double.parseDouble(scalar());
+        String digits = scalar();
+        if (digits.length() > MAX_NUMBER_LENGTH) { // the parser itself does not count the sign, nor the point
+            throw refused(numberTooLong());
+        }
+        double value = Double.parseDouble(digits);
         if (!Double.isFinite(value)) {
             throw refused("must be a number that a double can hold (got: one beyond 1.8e308)");
         }
@@ -361,6 +366,10 @@ final class JsonInput implements Closeable {
         return pointer.isEmpty() ? "the message: " : "at " + Text.line(pointer) + ": ";
     }
 
+    private static String numberTooLong() {
+        return "a number must have at most " + MAX_NUMBER_LENGTH + " characters (got: more)";
+    }
+
     private static String tooLong() {
         return "a text must have at most " + Limits.MAX_TEXT_BYTES + " bytes (got: more)";
     }
@@ -388,7 +397,7 @@ final class JsonInput implements Closeable {
             return "nesting must be at most " + Limits.MAX_DEPTH + " deep (got: more)";
         }
         if (words.startsWith("Number value length")) {
-            return "a number must have at most " + MAX_NUMBER_LENGTH + " characters (got: more)";
+            return numberTooLong();
         }
         return words.startsWith("String value length") || words.startsWith("Name length") ? tooLong() : words;
     }

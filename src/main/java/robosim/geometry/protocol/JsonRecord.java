@@ -45,7 +45,8 @@ public final class JsonRecord {
      * @throws ProtocolException naming a field that is missing or unknown
      */
     public JsonRecord only(String required, String optional) throws ProtocolException {
-        for (String name : List.of(required.split(" "))) {
+        Checks.present("optional", optional);
+        for (String name : List.of(Checks.present("required", required).split(" "))) {
             if (!fields.containsKey(name)) {
                 throw refused("must have the field \"" + name + "\" (got: none)");
             }
@@ -67,12 +68,12 @@ public final class JsonRecord {
 
     /** Whether there is such a field. */
     public boolean has(String field) {
-        return fields.containsKey(field);
+        return fields.containsKey(Checks.present("field", field));
     }
 
     /** Whether the field is there and null. */
     public boolean isNull(String field) {
-        return fields.containsKey(field) && fields.get(field) == null;
+        return has(field) && fields.get(field) == null;
     }
 
     /** A text. */
@@ -96,6 +97,7 @@ public final class JsonRecord {
 
     /** One of the names of an enum. */
     public <E extends Enum<E>> E constant(String field, Class<E> type) throws ProtocolException {
+        Checks.present("type", type);
         String text = text(field);
         for (E constant : type.getEnumConstants()) {
             if (constant.name().equals(text)) {
@@ -115,7 +117,7 @@ public final class JsonRecord {
     }
 
     private <T> T value(String field, Class<T> type, String kind) throws ProtocolException {
-        Object value = fields.get(field);
+        Object value = fields.get(Checks.present("field", field));
         if (!type.isInstance(value)) {
             throw at(field).refused("must be " + kind + " (got: " + (value == null ? "null or none" : "another") + ")");
         }
@@ -128,6 +130,7 @@ public final class JsonRecord {
 
     /** What is wrong here, with its place. */
     public ProtocolException refused(String what) {
+        Checks.present("what", what);
         return new ProtocolException((place.isEmpty() ? "the line: " : "at " + Text.line(place) + ": ") + what);
     }
 
@@ -138,6 +141,7 @@ public final class JsonRecord {
      *               An infinite Double becomes null, as on the wire
      */
     public static String write(Map<String, ? extends @Nullable Object> fields) {
+        Checks.present("fields", fields);
         StringWriter text = new StringWriter();
         try (JsonGenerator out = JsonInput.FACTORY.createGenerator(text)) {
             write(out, fields);

@@ -78,11 +78,12 @@ public final class MessageChannel {
      * @throws IllegalStateException where nothing has been read, so that there is no encoding yet
      */
     public void write(Reply reply) throws IOException {
+        Checks.present("reply", reply);
         Speech spoken = speech;
         if (spoken == null) {
             throw new IllegalStateException("a request must be read before it is answered");
         }
-        spoken.write(Checks.present("reply", reply));
+        spoken.write(reply);
     }
 
     /**
@@ -90,6 +91,7 @@ public final class MessageChannel {
      * exception where it cannot be told any more.
      */
     public void refuse(String reason) {
+        Checks.present("reason", reason);
         if (encoding != Encoding.JSON) {
             return;
         }
@@ -105,7 +107,9 @@ public final class MessageChannel {
 
     /** What a peer that speaks JSON is told before its connection is closed, with its line feed. Needs no Jackson. */
     public static byte[] errorLine(String reason) {
-        String words = Text.line(reason).replace("\\", "\\\\").replace("\"", "\\\"");
+        String words = Text.line(Checks.present("reason", reason))
+                .replace("\\", "\\\\")
+                .replace("\"", "\\\"");
         return ("{\"type\":\"error\",\"message\":\"" + words + "\"}\n").getBytes(StandardCharsets.UTF_8);
     }
 
@@ -172,6 +176,7 @@ public final class MessageChannel {
 
             @Override
             public void write(Reply reply) throws IOException {
+                Checks.present("reply", reply);
                 writer.write(reply.bundle());
             }
 

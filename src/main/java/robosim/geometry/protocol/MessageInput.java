@@ -3,6 +3,7 @@ package robosim.geometry.protocol;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.ObjectStreamConstants;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The bytes under an object stream: buffered, and counted from the beginning of each message, because the object stream's
@@ -22,6 +23,8 @@ final class MessageInput extends InputStream {
     private boolean resetFirst;
 
     private boolean afterReset;
+    private boolean inside;
+    private @Nullable IOException failure;
 
     MessageInput(InputStream source, MessagePace pace) {
         this.source = source;
@@ -35,6 +38,7 @@ final class MessageInput extends InputStream {
      */
     int awaitMessage() throws IOException {
         pace.idle();
+        inside = false;
         int first = peek();
         while (first == ObjectStreamConstants.TC_RESET) {
             resetFirst = true; // what a sender writes after a message; the next one may come much later
@@ -44,14 +48,26 @@ final class MessageInput extends InputStream {
         if (first != NONE) {
             pace.begun();
         }
+        inside = true;
         count = 0;
         afterReset = resetFirst;
         return first;
     }
 
+    /** How the stream itself failed; null where it did not. */
+    @Nullable
+    IOException failure() {
+        return failure;
+    }
+
     /** Whether the sender reset its stream before this message, which then refers to no earlier one. */
     boolean afterReset() {
         return afterReset;
+    }
+
+    /** Whether a message has begun. */
+    boolean isInside() {
+        return inside;
     }
 
     /** Bytes of the message so far. */
@@ -64,7 +80,13 @@ final class MessageInput extends InputStream {
     }
 
     private boolean fill() throws IOException {
-        int got = source.read(buffer, 0, buffer.length);
+        int got;
+        try {
+            got = source.read(buffer, 0, buffer.length);
+        } catch (IOException e) {
+            failure = e;
+            throw e;
+        }
         next = 0;
         end = Math.max(got, 0);
         return got > 0;

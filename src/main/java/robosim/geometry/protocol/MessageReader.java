@@ -29,8 +29,8 @@ public final class MessageReader {
 
     /** Reads what a translator understands, and tells when a message begins. */
     public MessageReader(InputStream in, MessageTranslator translator, MessagePace pace) {
-        this.input = new MessageInput(Objects.requireNonNull(in, "in"), Objects.requireNonNull(pace, "pace"));
-        this.translator = Objects.requireNonNull(translator, "translator");
+        this.input = new MessageInput(Checks.present("in", in), Checks.present("pace", pace));
+        this.translator = Checks.present("translator", translator);
     }
 
     /**
@@ -91,6 +91,12 @@ public final class MessageReader {
         }
         if (failure instanceof InterruptedIOException) {
             return "a message stalled after " + input.count() + " bytes of it";
+        }
+        IOException broken = input.failure();
+        if (broken != null) { // as where the peer is killed
+            return "the connection failed "
+                    + (input.isInside() ? "after " + input.count() + " bytes of a message: " : "between two messages: ")
+                    + Text.line(String.valueOf(broken.getMessage()));
         }
         String text = failure.getMessage();
         String kind = failure.getClass().getSimpleName();

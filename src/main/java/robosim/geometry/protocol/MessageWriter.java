@@ -4,7 +4,6 @@ import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.ObjectOutputStream;
 import java.io.OutputStream;
-import java.util.Objects;
 
 /**
  * Writes bundles to a stream, each forgotten when it is written, so that neither end keeps what has passed.
@@ -23,14 +22,14 @@ public final class MessageWriter {
 
     /** Writes what a translator makes of the bundles. */
     public MessageWriter(OutputStream out, MessageTranslator translator) throws IOException {
-        this.translator = Objects.requireNonNull(translator, "translator");
-        this.objects = new ObjectOutputStream(new BufferedOutputStream(Objects.requireNonNull(out, "out"), 8192));
+        this.translator = Checks.present("translator", translator);
+        this.objects = new ObjectOutputStream(new BufferedOutputStream(Checks.present("out", out), 8192));
         objects.flush();
     }
 
     /** Writes one message, whole, and flushes it. */
     public void write(Bundle bundle) throws IOException {
-        objects.writeObject(translator.encode(Objects.requireNonNull(bundle, "bundle")));
+        objects.writeObject(translator.encode(Checks.present("bundle", bundle)));
         objects.reset();
         objects.flush();
     }

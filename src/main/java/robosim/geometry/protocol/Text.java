@@ -11,12 +11,14 @@ public final class Text {
 
     /** A name in quotes, on one line, of bearable length. */
     public static String quoted(String name) {
-        return '"' + plain(name.replace("\\", "\\\\").replace("\"", "\\\""), LONGEST_QUOTE) + '"';
+        return '"'
+                + plain(Checks.present("name", name).replace("\\", "\\\\").replace("\"", "\\\""), LONGEST_QUOTE)
+                + '"';
     }
 
     /** A sentence that may hold what a peer sent, on one line, of bearable length. */
     public static String line(String sentence) {
-        return plain(sentence, LONGEST_LINE);
+        return plain(Checks.present("sentence", sentence), LONGEST_LINE);
     }
 
     private static String plain(String text, int longest) {

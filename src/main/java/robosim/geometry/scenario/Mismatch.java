@@ -1,5 +1,6 @@
 package robosim.geometry.scenario;
 
+import java.util.BitSet;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.protocol.Beam;
@@ -15,7 +16,8 @@ import robosim.geometry.protocol.Text;
 
 /**
  * A step whose answer is another than the one expected. Answers are the same where the same moves were made, in the same
- * order, and each distance has the same bits; NaN is NaN. Words that say why something was refused do not count.
+ * order, and each distance has the same bits; NaN is NaN. Of equal moves, the same ones: where an answer tells which were
+ * refused, they are compared. Words that say why something was refused do not count.
  *
  * @param step     of the conversation, from 1
  * @param line     of its request in its file, from 1; 0 where there is none
@@ -26,15 +28,26 @@ import robosim.geometry.protocol.Text;
  * @param others   how many more requests of the step are answered otherwise
  */
 public record Mismatch(long step, long line, int index, String request, String expected, String got, int others) {
+    /** Refuses null. */
+    public Mismatch {
+        Given.present("request", request);
+        Given.present("expected", expected);
+        Given.present("got", got);
+    }
 
     /** Compares an answer with what its step expects; null where they are the same, or nothing is expected. */
     static @Nullable Mismatch of(long number, Step step, @Nullable Reply got) {
         Reply expected = step.expected();
-        if (expected == null || (got != null && got.bundle().equals(expected.bundle()))) {
-            return null; // the bundles' doubles are equal where their bits are, or both are NaN
+        if (expected == null) {
+            return null;
         }
         if (got == null) {
             return whole(number, step, "an answer", "none");
+        }
+        if (got.bundle().equals(expected.bundle())) { // its doubles are equal where their bits are, or both are NaN
+            return step.request() instanceof MoveBundle asked
+                    ? refusals(number, step, asked.moves(), expected, got)
+                    : null;
         }
         if (step.request() instanceof SonarRequestBundle sonars) {
             return distances(number, step, sonars.requests(), expected, got);
@@ -112,6 +125,40 @@ public record Mismatch(long step, long line, int index, String request, String e
                 firstMade ? "refused" : "made",
                 firstMade ? "made" : refused,
                 others);
+    }
+
+    /** The same moves were made; null where the same were refused too, or nothing is known of those, as from Java's bytes. */
+    private static @Nullable Mismatch refusals(
+            long number, Step step, List<MoveRequest> asked, Reply expected, Reply got) {
+        BitSet wanted = refused(expected);
+        BitSet answered = refused(got);
+        boolean someWere = ((MoveBundle) got.bundle()).moves().size() < asked.size();
+        if (wanted.isEmpty() || wanted.equals(answered) || (answered.isEmpty() && someWere)) {
+            return null;
+        }
+        BitSet different = (BitSet) wanted.clone();
+        different.xor(answered);
+        int first = different.nextSetBit(0);
+        if (first >= asked.size()) {
+            return whole(number, step, "move " + first + " refused", "no such move");
+        }
+        String reason = reason(got, first);
+        return new Mismatch(
+                number,
+                step.line(),
+                first,
+                words(asked.get(first)),
+                wanted.get(first) ? "refused" : "made",
+                answered.get(first) ? "refused" + (reason.isEmpty() ? "" : ", " + reason) : "made",
+                different.cardinality() - 1);
+    }
+
+    private static BitSet refused(Reply reply) {
+        BitSet indices = new BitSet();
+        for (Problem problem : reply.problems()) {
+            indices.set(problem.index());
+        }
+        return indices;
     }
 
     private static String reason(Reply reply, int index) {

@@ -42,8 +42,8 @@ public final class Recorder implements SessionListener, AutoCloseable {
      *                  times
      */
     public Recorder(String name, Opening opening, @Nullable LongSupplier nanoClock) {
-        this.name = name;
-        this.opening = opening;
+        this.name = Given.present("name", name);
+        this.opening = Given.present("opening", opening);
         this.nanoClock = nanoClock;
         this.beginning = now();
     }
@@ -70,6 +70,7 @@ public final class Recorder implements SessionListener, AutoCloseable {
 
     /** A note for people, before the next request. */
     public void note(String text) {
+        Given.present("text", text);
         record(to -> to.note(text));
     }
 
@@ -92,7 +93,18 @@ public final class Recorder implements SessionListener, AutoCloseable {
             LOG.log(
                     System.Logger.Level.WARNING,
                     name + ": is no longer recorded, after " + bytes() + " bytes: " + Text.line(String.valueOf(e)));
+            giveUp(Text.line(e.getMessage() == null ? e.toString() : e.getMessage()));
             close();
+        }
+    }
+
+    private void giveUp(String reason) {
+        try {
+            if (writer != null) {
+                writer.giveUp(reason);
+            }
+        } catch (IOException | RuntimeException | LinkageError | VirtualMachineError e) {
+            LOG.log(System.Logger.Level.DEBUG, name + ": nor is there room to say so in its file", e);
         }
     }
 

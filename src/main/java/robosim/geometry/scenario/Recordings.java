@@ -3,9 +3,7 @@ package robosim.geometry.scenario;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.FileAlreadyExistsException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.time.Clock;
 import java.time.ZoneOffset;
 import java.time.format.DateTimeFormatter;
@@ -36,12 +34,20 @@ public final class Recordings implements Function<String, SessionListener> {
     private final SessionOptions session;
     private final long mostBytes;
     private final Clock clock;
+    private final Maker maker;
 
-    private Recordings(Function<String, Path> files, SessionOptions session, long mostBytes, Clock clock) {
+    /** Makes a file that must not be there. */
+    @FunctionalInterface
+    interface Maker {
+        OutputStream make(Path place) throws IOException;
+    }
+
+    private Recordings(Function<String, Path> files, SessionOptions session, long mostBytes, Clock clock, Maker maker) {
         this.files = files;
-        this.session = session;
+        this.session = Given.present("session", session);
         this.mostBytes = mostBytes;
-        this.clock = clock;
+        this.clock = Given.present("clock", clock);
+        this.maker = maker;
     }
 
     /**
@@ -51,12 +57,14 @@ public final class Recordings implements Function<String, SessionListener> {
      */
     public static Recordings inFolder(Path folder, SessionOptions session) {
         Clock clock = Clock.systemUTC();
-        return new Recordings(name -> folder.resolve(name), session, DEFAULT_BYTES, clock);
+        Given.present("folder", folder);
+        return new Recordings(name -> folder.resolve(name), session, DEFAULT_BYTES, clock, RecordingFile::new);
     }
 
     /** A file of that name for the first session, and for each that follows one of that name with a number. */
     public static Recordings inFile(Path file, SessionOptions session) {
-        return new Recordings(name -> file, session, DEFAULT_BYTES, Clock.systemUTC());
+        Given.present("file", file);
+        return new Recordings(name -> file, session, DEFAULT_BYTES, Clock.systemUTC(), RecordingFile::new);
     }
 
     /** These recordings with another limit of bytes for each file, at which recording stops and the session goes on. */
@@ -64,16 +72,22 @@ public final class Recordings implements Function<String, SessionListener> {
         if (bytes < 1) {
             throw new IllegalArgumentException("bytes must be at least 1 (got: " + bytes + ")");
         }
-        return new Recordings(files, session, bytes, clock);
+        return new Recordings(files, session, bytes, clock, maker);
     }
 
     /** These recordings with names and titles by another clock. */
     public Recordings by(Clock other) {
-        return new Recordings(files, session, mostBytes, other);
+        return new Recordings(files, session, mostBytes, other, maker);
+    }
+
+    /** These recordings into files of another making. */
+    Recordings into(Maker other) {
+        return new Recordings(files, session, mostBytes, clock, other);
     }
 
     @Override
     public Recorder apply(String connection) {
+        Given.present("connection", connection);
         return new Recorder(connection, () -> open(connection), System::nanoTime);
     }
 
@@ -86,8 +100,7 @@ public final class Recordings implements Function<String, SessionListener> {
         for (int number = 1; ; number++) {
             OutputStream out;
             try {
-                out = Files.newOutputStream(
-                        numbered(file, number), StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+                out = maker.make(numbered(file, number));
             } catch (FileAlreadyExistsException taken) {
                 continue;
             }

@@ -16,10 +16,8 @@ import java.util.List;
 public record Scenario(ScenarioHeader header, List<Step> steps, long torn) {
     /** Refuses null. */
     public Scenario {
-        if (header == null) {
-            throw new IllegalArgumentException("header must be given (got: null)");
-        }
-        steps = List.copyOf(steps);
+        Given.present("header", header);
+        steps = Given.copy("steps", steps);
     }
 
     /** All of it. */
@@ -60,7 +58,7 @@ public record Scenario(ScenarioHeader header, List<Step> steps, long torn) {
 
     /** Writes it; worlds that its file named are written out. The stream is left open. */
     public void write(OutputStream out) throws IOException {
-        ScenarioWriter writer = new ScenarioWriter(out, header);
+        ScenarioWriter writer = new ScenarioWriter(Given.present("out", out), header);
         for (Step step : steps) {
             writer.write(step);
         }

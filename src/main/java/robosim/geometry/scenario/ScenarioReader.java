@@ -47,7 +47,7 @@ public final class ScenarioReader implements StepReader {
      * @throws ScenarioException where it cannot be opened, or does not begin as a scenario
      */
     public static ScenarioReader open(Path file) throws IOException {
-        Path folder = file.toAbsolutePath().normalize().getParent();
+        Path folder = Given.present("file", file).toAbsolutePath().normalize().getParent();
         Path above = folder == null ? null : folder.getParent();
         return open(file, above != null ? above : file.toAbsolutePath().getRoot());
     }
@@ -59,9 +59,10 @@ public final class ScenarioReader implements StepReader {
      * @throws ScenarioException where it cannot be opened, or does not begin as a scenario
      */
     public static ScenarioReader open(Path file, Path root) throws IOException {
+        Given.present("root", root);
         InputStream in;
         try {
-            in = Files.newInputStream(file);
+            in = Files.newInputStream(Given.present("file", file));
         } catch (NoSuchFileException e) {
             throw new ScenarioException(file.toString(), 0, "there is no such file; check the path", e);
         } catch (IOException e) {
@@ -82,7 +83,7 @@ public final class ScenarioReader implements StepReader {
      * @throws ScenarioException where it does not begin as a scenario
      */
     public static ScenarioReader of(InputStream in, String source) throws ScenarioException {
-        return new ScenarioReader(in, source, WorldFiles.none());
+        return new ScenarioReader(Given.present("in", in), Given.present("source", source), WorldFiles.none());
     }
 
     @Override

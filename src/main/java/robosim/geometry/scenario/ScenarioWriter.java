@@ -26,6 +26,9 @@ public final class ScenarioWriter implements Closeable {
     private final long mostBytes;
     private long bytes;
 
+    /** Whether the last line breaks off. */
+    private boolean torn;
+
     /** Writes the header. */
     public ScenarioWriter(OutputStream out, ScenarioHeader header) throws IOException {
         this(out, header, Long.MAX_VALUE);
@@ -37,9 +40,9 @@ public final class ScenarioWriter implements Closeable {
      * @param mostBytes of the file; a call that would write beyond that throws an IOException and writes nothing
      */
     public ScenarioWriter(OutputStream out, ScenarioHeader header, long mostBytes) throws IOException {
-        this.out = out;
+        this.out = Given.present("out", out);
         this.mostBytes = mostBytes;
-        String line = header.line();
+        String line = Given.present("header", header).line();
         JsonRecord.read(line);
         put(line);
     }
@@ -48,7 +51,7 @@ public final class ScenarioWriter implements Closeable {
     public void note(String text) throws IOException {
         Map<String, String> note = new LinkedHashMap<>();
         note.put("type", "note");
-        note.put("text", text);
+        note.put("text", Given.present("text", text));
         String line = JsonRecord.write(note);
         JsonRecord.read(line);
         put(line);
@@ -92,7 +95,7 @@ public final class ScenarioWriter implements Closeable {
 
     /** A step with its notes. */
     public void write(Step step) throws IOException {
-        for (String note : step.notes()) {
+        for (String note : Given.present("step", step).notes()) {
             note(note);
         }
         request(step.request());
@@ -118,9 +121,34 @@ public final class ScenarioWriter implements Closeable {
         if (text.size() > mostBytes - bytes) {
             throw new IOException("a recording must have at most " + mostBytes + " bytes (got: more)");
         }
-        out.write(text.toByteArray());
-        out.flush();
+        try {
+            out.write(text.toByteArray());
+            out.flush();
+        } catch (IOException e) {
+            torn = !cutBack(e);
+            throw e;
+        }
         bytes += text.size();
+    }
+
+    /** What is left of lines that could not be written whole is taken back, where that is possible. */
+    private boolean cutBack(IOException cause) {
+        if (out instanceof RecordingFile file) {
+            try {
+                file.cutTo(bytes);
+                return true;
+            } catch (IOException e) {
+                cause.addSuppressed(e);
+            }
+        }
+        return false;
+    }
+
+    /** Says, as the last thing, why nothing more is written; where there is room for that, and no line breaks off. */
+    void giveUp(String reason) throws IOException {
+        if (!torn) {
+            note("recorded no further: " + reason);
+        }
     }
 
     @Override

@@ -27,7 +27,7 @@ public record Step(
 
     /** Refuses an answer that is none to such a request. */
     public Step {
-        notes = List.copyOf(notes);
+        notes = Given.copy("notes", notes);
         if (request == null || request instanceof DistanceBundle) {
             throw new IllegalArgumentException("request must be an InitBundle, a MoveBundle or a SonarRequestBundle"
                     + " (got: " + (request == null ? "null" : "a DistanceBundle") + ")");

@@ -42,7 +42,7 @@ public final class WatchReader implements StepReader {
      * @throws IOException where nobody listens there, or what is told there is no scenario
      */
     public static WatchReader dial(String host, int port) throws IOException {
-        return new WatchReader(host, port, connect(host, port));
+        return new WatchReader(Given.present("host", host), port, connect(host, port));
     }
 
     private static ScenarioReader connect(String host, int port) throws IOException {

@@ -58,12 +58,12 @@ public final class Watching implements Function<String, SessionListener>, WatchS
 
     @Override
     public SessionListener apply(String connection) {
-        return new Watched(connection);
+        return new Watched(Given.present("connection", connection));
     }
 
     @Override
     public WatchServer.Lines join(Runnable breakOff) {
-        Watcher watcher = new Watcher(breakOff);
+        Watcher watcher = new Watcher(Given.present("breakOff", breakOff));
         synchronized (this) {
             watchers.add(watcher);
             attach(watcher, newest());

@@ -37,7 +37,8 @@ public final class WireReader implements StepReader {
 
     /** Opens the two files of a conversation, which must be there. */
     public static WireReader open(Path toModule, Path fromModule) throws IOException {
-        InputStream asked = new BufferedInputStream(Files.newInputStream(toModule));
+        Given.present("fromModule", fromModule);
+        InputStream asked = new BufferedInputStream(Files.newInputStream(Given.present("toModule", toModule)));
         try {
             return new WireReader(toModule, asked, new BufferedInputStream(Files.newInputStream(fromModule)));
         } catch (IOException e) {

@@ -34,6 +34,10 @@ final class Bounds {
         return view.minX() <= minX && view.minZ() <= minZ && maxX <= view.maxX() && maxZ <= view.maxZ();
     }
 
+    boolean isApart(double fromX, double fromZ, double toX, double toZ) {
+        return toX < minX || maxX < fromX || toZ < minZ || maxZ < fromZ;
+    }
+
     double width() {
         return Math.max(0, maxX - minX);
     }

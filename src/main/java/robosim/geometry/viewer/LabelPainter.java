@@ -12,6 +12,9 @@ final class LabelPainter {
     /** The mean advance of a letter in its size; the page is laid out by it, whatever the font. */
     private static final double ADVANCE = 0.6;
 
+    /** Places along a name at which it is asked whether something lies over it. */
+    private static final int SAMPLES = 5;
+
     private final MapFrame frame;
     private final Canvas canvas;
     private final List<double[]> taken = new ArrayList<>();
@@ -33,9 +36,12 @@ final class LabelPainter {
                 beside(thing.object());
             }
         }
-        for (Scene.Thing thing : things) {
-            if (!thing.object().isMoveable()) {
-                upon(thing.object());
+        // The uppermost first: what it covers has no name there.
+        List<Cover> above = new ArrayList<>();
+        for (int k = things.size() - 1; k >= 0; k--) {
+            GeometryObject object = things.get(k).object();
+            if (!object.isMoveable()) {
+                upon(object, above);
             }
         }
         canvas.close();
@@ -57,7 +63,9 @@ final class LabelPainter {
             return;
         }
         Bounds bounds = bounds(robot);
-        double reach = frame.scale * Math.max(bounds.width(), bounds.length()) / 2 + 5;
+        double half = frame.scale * Math.max(bounds.width(), bounds.length()) / 2;
+        // The arrow of a small one stands beside it.
+        double reach = (half < ThingPainter.SMALL_ARROW ? half + 2 * ThingPainter.SMALL_ARROW : half) + 5;
         double x = frame.x(bounds.middleX());
         double y = frame.y(bounds.middleZ());
         double width = ADVANCE * ROBOT_SIZE * name.length();
@@ -73,20 +81,51 @@ final class LabelPainter {
         canvas.text(places[0][0], places[0][1], name, Canvas.Anchor.START, ROBOT_SIZE, Palette.TEXT);
     }
 
-    /** A static object's name stands on it, where it fits. */
-    private void upon(GeometryObject object) {
+    /** What lies over the things that are still to come. */
+    private record Cover(List<Outline> outlines, Bounds bounds) {}
+
+    /** A static object's name stands on it, where it fits and nothing lies over it. */
+    private void upon(GeometryObject object, List<Cover> above) {
+        List<Outline> outlines = Outline.of(object);
+        Bounds bounds = new Bounds();
+        outlines.forEach(bounds::add);
         String name = object.name();
-        if (name == null) {
-            return;
+        if (name != null) {
+            upon(name, bounds, above);
         }
-        Bounds bounds = bounds(object);
+        above.add(new Cover(outlines, bounds));
+    }
+
+    private void upon(String name, Bounds bounds, List<Cover> above) {
         double width = ADVANCE * STATIC_SIZE * name.length();
         boolean fits = frame.scale * bounds.width() > width + 6 && frame.scale * bounds.length() > STATIC_SIZE + 2;
         double x = frame.x(bounds.middleX());
         double y = frame.y(bounds.middleZ()) + STATIC_SIZE * 0.36;
-        if (fits && take(x - width / 2, y, width, STATIC_SIZE)) {
+        if (fits && !isCovered(x - width / 2, y, width, above) && take(x - width / 2, y, width, STATIC_SIZE)) {
             canvas.text(x, y, name, Canvas.Anchor.MIDDLE, STATIC_SIZE, Palette.TEXT);
         }
+    }
+
+    private boolean isCovered(double x, double y, double width, List<Cover> above) {
+        double fromX = frame.worldX(x);
+        double toX = frame.worldX(x + width);
+        double fromZ = frame.worldZ(y - STATIC_SIZE);
+        double toZ = frame.worldZ(y);
+        for (Cover cover : above) {
+            if (cover.bounds.isApart(fromX, fromZ, toX, toZ)) {
+                continue;
+            }
+            for (int k = 0; k < 2 * SAMPLES; k++) {
+                double at = fromX + (toX - fromX) * (k / 2) / (SAMPLES - 1.0);
+                double z = k % 2 == 0 ? fromZ : toZ;
+                for (Outline outline : cover.outlines) {
+                    if (Outline.depth(outline, at, z) >= 0) {
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
     }
 
     private boolean take(double x, double y, double width, double size) {

@@ -84,7 +84,7 @@ final class LegendPainter {
             canvas.circle(x + 8, y - 5, 8, Style.filled(Palette.robot(0), 0.92));
             double[] arrow = {x + 14, y - 5, x + 4, y - 10, x + 6, y - 5, x + 4, y};
             canvas.polygons(List.of(arrow), Style.filled(Palette.FLOOR, 0.95));
-            x = label(x + 22, y, "robot and its heading");
+            x = label(x + 22, y, "moves; the arrow is its heading");
         }
         if (scene.marks().stream().anyMatch(mark -> mark.why() == Scene.Mark.Why.GOAL)) {
             Style ring = Style.filled(Palette.GOAL, 0.12).outlined(Palette.GOAL, 1.8, 0.9);

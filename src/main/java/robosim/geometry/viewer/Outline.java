@@ -33,6 +33,27 @@ sealed interface Outline {
     /** Corners of the rim of a tipped cylinder. */
     int RIM = 64;
 
+    /**
+     * How far a place is within a piece: its distance from the piece's edge, below 0 outside, where it is only a bound.
+     */
+    static double depth(Outline outline, double x, double z) {
+        if (outline instanceof Disc disc) {
+            return disc.radius() - Math.sqrt((x - disc.x()) * (x - disc.x()) + (z - disc.z()) * (z - disc.z()));
+        }
+        double[] corners = ((Polygon) outline).corners();
+        double least = corners.length < 6 ? -1 : Double.POSITIVE_INFINITY;
+        for (int k = 0; k < corners.length && corners.length >= 6; k += 2) {
+            int next = (k + 2) % corners.length;
+            double ex = corners[next] - corners[k];
+            double ez = corners[next + 1] - corners[k + 1];
+            double size = Math.sqrt(ex * ex + ez * ez);
+            if (size > 0) {
+                least = Math.min(least, (ex * (z - corners[k + 1]) - ez * (x - corners[k])) / size);
+            }
+        }
+        return least;
+    }
+
     /** The pieces of an object at its place. */
     static List<Outline> of(GeometryObject object) {
         List<Outline> outlines = new ArrayList<>();
@@ -164,6 +185,22 @@ sealed interface Outline {
 
         boolean isUpright() {
             return rotation[1] == 0 && rotation[7] == 0;
+        }
+
+        /** The world's Y of an own place. */
+        double height(double x, double y, double z) {
+            return rotation[3] * x + rotation[4] * y + rotation[5] * z + origin.y();
+        }
+
+        /** The largest Y of a box of these half sizes about the own origin. */
+        double reach(double x, double y, double z) {
+            return origin.y() + Math.abs(rotation[3]) * x + Math.abs(rotation[4]) * y + Math.abs(rotation[5]) * z;
+        }
+
+        /** The largest Y of a cylinder about the own origin. */
+        double top(double radius, double half) {
+            double across = Math.sqrt(rotation[3] * rotation[3] + rotation[5] * rotation[5]);
+            return origin.y() + Math.abs(rotation[4]) * half + across * radius;
         }
 
         void project(double x, double y, double z, double[] into, int at) {

@@ -4,6 +4,7 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -100,7 +101,9 @@ public final class Painter {
         paintStatics();
         paintLife();
         canvas.unclip();
-        new LabelPainter(frame, canvas).paint(scene.things());
+        List<Scene.Thing> all = new ArrayList<>(statics());
+        all.addAll(movers());
+        new LabelPainter(frame, canvas).paint(all);
         new LegendPainter(scene, frame, canvas, farthest).paint();
     }
 
@@ -122,9 +125,9 @@ public final class Painter {
     }
 
     private List<Scene.Thing> statics() {
-        return scene.things().stream()
+        return Heights.fromBelow(scene.things().stream()
                 .filter(thing -> !thing.object().isMoveable())
-                .toList();
+                .toList());
     }
 
     private void paintStatics() {
@@ -139,7 +142,7 @@ public final class Painter {
         TracePainter traces = new TracePainter(scene, frame, canvas, farthest);
         traces.trails(robots);
         traces.pings();
-        canvas.open("robots", "");
+        canvas.open("moveables", "");
         for (Scene.Thing thing : movers()) {
             Ink ink = robots.getOrDefault(thing.object().name(), Palette.robot(0));
             ThingPainter.paintMoveable(thing, ink, frame, canvas);

@@ -20,12 +20,17 @@ final class Picker {
         for (Scene.Thing thing : things) {
             GeometryObject object = thing.object();
             double rank = rank(object.isMoveable(), distance(object, x, z, slack), slack);
-            if (rank <= best && rank < Double.POSITIVE_INFINITY) {
+            if (rank < best || (rank == best && found != null && isOver(object, found))) {
                 found = object;
                 best = rank;
             }
         }
         return found;
+    }
+
+    /** Whether of two things at the same place the second to come is painted over the first. */
+    private static boolean isOver(GeometryObject later, GeometryObject earlier) {
+        return later.isMoveable() || Heights.top(later) >= Heights.top(earlier);
     }
 
     /** The lower, the sooner it is taken: what is hit, then what is missed by little; each time what moves first. */

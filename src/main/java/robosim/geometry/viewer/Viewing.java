@@ -238,7 +238,7 @@ final class Viewing {
         if (sandbox != null) {
             Sandbox.Refused refused = sandbox.refused();
             String words = refused == null
-                    ? "drag a robot" + outside(sandbox.outside())
+                    ? "drag what moves" + outside(sandbox.outside())
                     : Labels.name(refused.ghost()) + " may not be there: " + refused.words() + " is in the way";
             return feed == null
                     ? words

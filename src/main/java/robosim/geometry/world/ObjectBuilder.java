@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Attitude;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
@@ -125,7 +126,14 @@ final class ObjectBuilder {
             double[] angles = numbers("turned", turned);
             return Pose.of(center, 0).turned(angles[0], angles[1]);
         }
-        return Pose.of(center, number(element, "heading", "0"));
+        double[] parts = numbers("heading", element.attribute("heading", "0"));
+        Pose upright = Pose.of(center, parts[0]);
+        if (parts.length == 1) {
+            return upright;
+        }
+        double[] attitude = Attitude.identity();
+        Attitude.setHeading(attitude, 0, parts[0], Pose.of(center, parts[1]).heading());
+        return Pose.of(center, attitude, 0);
     }
 
     private Point center(Element element) {

@@ -23,7 +23,7 @@ final class PgmReader {
         int size = white < 256 ? 1 : 2;
         int from = words.behind();
         long need = (long) width * height * size;
-        long there = bytes.length - from;
+        long there = bytes.length - (long) from;
         if (there != need) {
             throw new WorldException(
                     source,

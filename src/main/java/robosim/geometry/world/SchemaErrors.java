@@ -24,6 +24,7 @@ final class SchemaErrors {
                     "size",
                     "a length of at least 0, alone or with km, m, cm, mm, in or ft behind it, like 0.25 or 25cm"),
             Map.entry("point", "three lengths x y z, like 1 0 -2.5 or 1m 0 -25cm"),
+            Map.entry("heading", "a number of degrees, like 30, or two whose sum it is"),
             Map.entry("turn", "two numbers rx ry in degrees, like 0 90"),
             Map.entry("rotation", "nine numbers, row by row, like 1 0 0 0 1 0 0 0 1"),
             Map.entry("count", "a whole number from 1 to 10000"),

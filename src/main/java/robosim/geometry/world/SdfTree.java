@@ -84,7 +84,7 @@ final class SdfTree {
             throw sdf.wrong("<sdf> must have a <world> or a <model> (got: none)");
         }
         SdfScope world = new SdfScope("");
-        fill(world, holder, null);
+        fill(world, holder);
         return world;
     }
 
@@ -107,7 +107,19 @@ final class SdfTree {
         skipped.add(each);
     }
 
-    private void fill(SdfScope scope, SdfElement element, @Nullable SdfNode home) throws WorldException {
+    /** Fills a scope with all that is in an element, and works out where that stands. */
+    private void fill(SdfScope scope, SdfElement element) throws WorldException {
+        add(scope, element, null);
+        // Only now is everybody there from whom somebody may count; also what nobody counts from must stand somewhere.
+        for (SdfNode model : scope.models) {
+            scope.placement(model);
+        }
+        for (SdfNode link : scope.links) {
+            scope.placement(link);
+        }
+    }
+
+    private void add(SdfScope scope, SdfElement element, @Nullable SdfNode home) throws WorldException {
         if (++depth > Limits.MAX_GROUPS) {
             throw element.wrong("models must be at most " + Limits.MAX_GROUPS
                     + " within each other, included ones too (got: one more)");
@@ -125,13 +137,6 @@ final class SdfTree {
                 case "joint" -> joint(scope, child, home);
                 default -> {} // pose and static are the model's own
             }
-        }
-        // Also what nobody counts from must stand somewhere.
-        for (SdfNode model : scope.models) {
-            scope.placement(model);
-        }
-        for (SdfNode link : scope.links) {
-            scope.placement(link);
         }
         depth--;
     }
@@ -190,7 +195,7 @@ final class SdfTree {
         String path = scope.pathOf(name);
         SdfObjects.checkName(path, placed);
         SdfScope inner = new SdfScope(path);
-        fill(inner, model, null);
+        fill(inner, model);
         SdfNode node = new SdfNode(
                 placed, pose, "", home, inner, frame.isEmpty() ? model.attribute("placement_frame") : frame, isStatic);
         named(scope, name, node);
@@ -260,7 +265,7 @@ final class SdfTree {
             SdfScope alone = placementFrame.isEmpty() ? null : alone(model);
             // Stands for the frame of the model that is no more.
             SdfNode proxy = new SdfNode(include, pose, "", home, alone, placementFrame, false);
-            fill(scope, model, proxy);
+            add(scope, model, proxy);
             return;
         }
         String name = include.valueOf("name");
@@ -272,7 +277,7 @@ final class SdfTree {
     private SdfScope alone(SdfElement model) throws WorldException {
         SdfTree aside = new SdfTree(this);
         SdfScope scope = new SdfScope(model.givenName());
-        aside.fill(scope, model, null);
+        aside.fill(scope, model);
         nodes = aside.nodes;
         return scope;
     }

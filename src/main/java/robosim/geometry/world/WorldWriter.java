@@ -5,6 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Attitude;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
@@ -18,7 +19,8 @@ import robosim.geometry.model.SphereObject;
  * Writes a world as XML that reads back to an equal one. The same world always gives the same text.
  *
  * <p>Numbers are in world units, in the shortest form that is exact. An attitude is a heading where that gives back the
- * same rotation to the bit, and nine numbers else. Meshes are written inline, also those that came from a file.
+ * same rotation to the bit, with the rounding that it has lost, and nine numbers else: what was read back turns on as what
+ * was written, to the bit. Meshes are written inline, also those that came from a file.
  */
 public final class WorldWriter {
     /** The namespace of the format. */
@@ -155,12 +157,18 @@ public final class WorldWriter {
             attribute("center", Decimal.of(center.x()) + " " + Decimal.of(center.y()) + " " + Decimal.of(center.z()));
         }
         double heading = pose.heading();
-        if (!Pose.of(center, heading).equals(pose)) {
+        double lost = pose.lostHeading();
+        // A heading is more than its rotation: later turns add to it, and to what it has lost in rounding.
+        double[] made = Attitude.identity();
+        Attitude.setHeading(made, 0, heading, lost);
+        if (!Pose.of(center, made, 0).equals(pose)) {
             StringBuilder numbers = new StringBuilder();
             for (int k = 0; k < 9; k++) {
                 numbers.append(k == 0 ? "" : " ").append(Decimal.of(pose.rotation(k)));
             }
             attribute("rotation", numbers.toString());
+        } else if (lost != 0) {
+            attribute("heading", Decimal.of(heading) + " " + Decimal.of(lost));
         } else if (heading != 0) {
             number("heading", heading);
         }

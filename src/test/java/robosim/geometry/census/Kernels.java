@@ -1,5 +1,6 @@
 package robosim.geometry.census;
 
+import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.model.Dimension;
 
@@ -8,6 +9,11 @@ final class Kernels {
     private Kernels() {}
 
     static List<Kernel> all() {
-        return List.of(new StandingMoves(Dimension.PLANAR), new StandingMoves(Dimension.SPATIAL));
+        List<Kernel> all = new ArrayList<>();
+        all.add(new CylinderCone());
+        all.addAll(DistanceKernel.all());
+        all.add(new StandingMoves(Dimension.PLANAR));
+        all.add(new StandingMoves(Dimension.SPATIAL));
+        return all;
     }
 }

@@ -48,7 +48,8 @@ final class StandingMoves implements Kernel {
 
     @Override
     public List<String> regimes() {
-        List<String> regimes = new ArrayList<>(List.of("apart", "overlap, free", "overlap, blocked", "contact, nothing in the way"));
+        List<String> regimes =
+                new ArrayList<>(List.of("apart", "overlap, free", "overlap, blocked", "contact, nothing in the way"));
         for (int k = 1; k <= axes.length; k++) {
             String contact = CONTACTS[k + 3 - axes.length];
             for (String outcome : List.of("into", "next behind the plane", "next in the way")) {
@@ -99,7 +100,11 @@ final class StandingMoves implements Kernel {
                         regime,
                         "%s by %s beside %s and %s: %s"
                                 .formatted(
-                                        object(mover, base, unit), move, object(piece, base, unit), object(next, base, unit), result));
+                                        object(mover, base, unit),
+                                        move,
+                                        object(piece, base, unit),
+                                        object(next, base, unit),
+                                        result));
     }
 
     private String regime(Box mover, long[] way, Box piece, Box next, boolean isBlocked) {
@@ -179,8 +184,7 @@ final class StandingMoves implements Kernel {
     }
 
     /** Somewhere on the way, under the level or, most of them if so wanted, out of it by a little. */
-    private Box next(
-            SplittableRandom random, Box mover, int up, long[] way, boolean isOut, boolean adversarial) {
+    private Box next(SplittableRandom random, Box mover, int up, long[] way, boolean isOut, boolean adversarial) {
         long top = isOut ? random.nextInt(1, 3) : random.nextInt(4) == 0 ? random.nextInt(-1, 3) : 0;
         Box next = box(random, up, top, -1, adversarial);
         for (int axis = 0; axis < 3; axis++) {
@@ -237,8 +241,7 @@ final class StandingMoves implements Kernel {
     }
 
     private boolean isBehind(Box mover, long[] way, List<Box> others, Box other) {
-        return others.stream()
-                .anyMatch(p -> start(mover, p) == Start.TOUCHING && hasBetween(mover, way, p, other));
+        return others.stream().anyMatch(p -> start(mover, p) == Start.TOUCHING && hasBetween(mover, way, p, other));
     }
 
     /** Whether the times, from 0 to 1, at which the two share a place on each axis have one in common. */

@@ -3,12 +3,17 @@ package robosim.geometry.contract;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.Geometry;
+import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
+import robosim.geometry.model.SphereObject;
 
 /** What a cone in space must not hear, and what it must. */
 class ConeTest {
@@ -30,6 +35,74 @@ class ConeTest {
                 .isCloseTo(0.05817, within(1e-5));
         assertThat(heard(bar.turned(90, 0), new Point(0.6, 0, -0.7), new Point(-0.837, -0.5, 0.224), 30))
                 .isInfinite();
+    }
+
+    /** A line through a point hears it; a cone of however little width about that line does too. */
+    @Test
+    void aConeHearsWhatItsAxisHits() {
+        GeometryObject point = new SphereObject(new Point(1, 3, 0), 0);
+        for (double width : new double[] {0, 1e-300, 1e-9, 1e-6, 2e-6, 1e-3, 1}) {
+            assertThat(heard(point, new Point(), new Point(1, 3, 0), width))
+                    .as("width %s", width)
+                    .isCloseTo(Math.sqrt(10), within(1e-15));
+        }
+        SplittableRandom random = new SplittableRandom(241);
+        for (int k = 0; k < 2_000; k++) {
+            Point way = new Point(random.nextInt(-9, 10), random.nextInt(1, 10), random.nextInt(-9, 10));
+            double x = way.x() * 2;
+            double y = way.y() * 2;
+            double z = way.z() * 2;
+            GeometryObject target = switch (k % 5) {
+                case 0 -> new SphereObject(new Point(x, y, z), 0);
+                case 1 -> new BoxObject(new Point(x, y, z), 0, 0, 0);
+                case 2 -> new CylinderObject(new Point(x, y, z), 0, 0);
+                case 3 -> new CylinderObject(new Point(x, y, z), 0, 1).turned(90.0 * (k % 4), 90.0 * (k % 3));
+                default ->
+                    new MeshObject(
+                            List.of(new Point(x, y, z), new Point(x, y, z), new Point(x, y, z)),
+                            new int[][] {{0, 1, 2}});
+            };
+            double line = heard(target, new Point(), way, 0);
+            double cone = heard(target, new Point(), way, StrictMath.pow(10, -random.nextDouble(2, 8)));
+            assertThat(line).isFinite();
+            assertThat(cone).as(target + " towards " + way).isBetween(line * (1 - 0x1p-40), line);
+        }
+    }
+
+    /**
+     * Whole directions and corners exactly 60 degrees apart, so that the corner is on the border of a cone of 120 degrees:
+     * it is heard, whichever way the axes are named and pointed. A cone an ulp narrower does not hear it.
+     */
+    @Test
+    void whatIsOnTheBorderIsHeardFromEverySide() {
+        int found = 0;
+        for (int n = 0; n < 343 * 343; n++) {
+            int[] d = {n % 7 - 3, n / 7 % 7 - 3, n / 49 % 7 - 3};
+            int[] p = {n / 343 % 7 - 3, n / 2401 % 7 - 3, n / 16_807 % 7 - 3};
+            int dp = d[0] * p[0] + d[1] * p[1] + d[2] * p[2];
+            int squares = (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) * (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+            if (dp <= 0 || 4 * dp * dp != squares || found++ % 7 > 0) {
+                continue;
+            }
+            Point way = new Point(d[0], d[1], d[2]);
+            Point corner = new Point(p[0], p[1], p[2]);
+            double distance = Math.sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+            // The triangle's other corners are farther from the axis.
+            Point far = new Point(3.0 * p[0] - d[0], 3.0 * p[1] - d[1], 3.0 * p[2] - d[2]);
+            for (GeometryObject target : List.of(
+                    new SphereObject(corner, 0),
+                    new BoxObject(corner, 0, 0, 0),
+                    new MeshObject(List.of(corner, corner, far), new int[][] {{0, 1, 2}}))) {
+                String name = target + " towards " + way;
+                assertThat(heard(target, new Point(), way, 120))
+                        .as(name)
+                        .isCloseTo(distance, within(4 * Math.ulp(distance)));
+                assertThat(heard(target, new Point(), way, Math.nextDown(119.99999999999999)))
+                        .as(name)
+                        .isInfinite();
+            }
+        }
+        assertThat(found).isGreaterThan(500);
     }
 
     private static double heard(GeometryObject object, Point from, Point to, double width) {

@@ -28,7 +28,10 @@ class GlobalTurnsTest {
     }
 
     private static GeometryObject bar(double rx, double ry) {
-        return new BoxObject(new Point(1, 2, 3), 4, 0.5, 0.25).turned(0, ry).turned(rx, 0).moveable("bar");
+        return new BoxObject(new Point(1, 2, 3), 4, 0.5, 0.25)
+                .turned(0, ry)
+                .turned(rx, 0)
+                .moveable("bar");
     }
 
     /** The rotation about an axis of the world, by its definition. */
@@ -73,7 +76,8 @@ class GlobalTurnsTest {
         for (int k = 0; k < 300; k++) {
             double ry = k % 5 == 0 ? 90 : random.nextDouble(-400, 400);
             assertThat(own.move("bar", new Move(0, 0, 0, 0, ry)).allowed()).isTrue();
-            assertThat(global.moveGlobal("bar", new Move(0, 0, 0, 0, ry)).allowed()).isTrue();
+            assertThat(global.moveGlobal("bar", new Move(0, 0, 0, 0, ry)).allowed())
+                    .isTrue();
             assertThat(global.getObject("bar")).isEqualTo(own.getObject("bar"));
         }
     }
@@ -109,7 +113,8 @@ class GlobalTurnsTest {
         int refused = 0;
         for (int k = 0; k < 400; k++) {
             GeometryObject bar = bar(random.nextDouble(-180, 180), random.nextDouble(-180, 180));
-            Point at = new Point(1 + random.nextDouble(-2, 2), 2 + random.nextDouble(-2, 2), 3 + random.nextDouble(-2, 2));
+            Point at =
+                    new Point(1 + random.nextDouble(-2, 2), 2 + random.nextDouble(-2, 2), 3 + random.nextDouble(-2, 2));
             GeometryObject post = k % 2 == 0
                     ? new SphereObject(at, random.nextDouble(0.3))
                     : new CylinderObject(at, 0.1, random.nextDouble(2));
@@ -127,7 +132,9 @@ class GlobalTurnsTest {
                 double[] turn = about(isAboutX ? 0 : 1, degrees * free * (n / 2000.0) * (1 - 1e-12));
                 GeometryObject there = bar.oriented(product(turn, bar.rotation()));
                 if (rest.testObject(there)) {
-                    assertThat(rest.testObject(there)).as("%s by %s beside %s: %s", bar, move, post, result).isFalse();
+                    assertThat(rest.testObject(there))
+                            .as("%s by %s beside %s: %s", bar, move, post, result)
+                            .isFalse();
                 }
             }
             if (result.allowed()) {

@@ -60,7 +60,13 @@ class StandingAgainstTruthTest {
             StandingTruth.Answer truth = StandingTruth.move(mover, mover.movedTo(end), others, dimension);
             answers[truth.ordinal()]++;
             String what = "case %d: %s by %s beside %s: %s, %s"
-                    .formatted(k, text(mover), move, others.stream().map(StandingAgainstTruthTest::text).toList(), truth, result);
+                    .formatted(
+                            k,
+                            text(mover),
+                            move,
+                            others.stream().map(StandingAgainstTruthTest::text).toList(),
+                            truth,
+                            result);
             if (truth != StandingTruth.Answer.UNKNOWN) {
                 assertThat(result.allowed()).as(what).isEqualTo(truth == StandingTruth.Answer.FREE);
             }
@@ -96,19 +102,18 @@ class StandingAgainstTruthTest {
                     .max()
                     .orElseThrow();
         }
-        double half =
-                switch (object.kind()) {
-                    case BOX -> {
-                        BoxObject box = (BoxObject) object;
-                        double[] r = box.rotation();
-                        yield (Math.abs(r[3 * axis]) * box.width()
-                                        + Math.abs(r[3 * axis + 1]) * box.height()
-                                        + Math.abs(r[3 * axis + 2]) * box.length())
-                                / 2;
-                    }
-                    case CYLINDER -> ((CylinderObject) object).radius();
-                    default -> ((SphereObject) object).radius();
-                };
+        double half = switch (object.kind()) {
+            case BOX -> {
+                BoxObject box = (BoxObject) object;
+                double[] r = box.rotation();
+                yield (Math.abs(r[3 * axis]) * box.width()
+                                + Math.abs(r[3 * axis + 1]) * box.height()
+                                + Math.abs(r[3 * axis + 2]) * box.length())
+                        / 2;
+            }
+            case CYLINDER -> ((CylinderObject) object).radius();
+            default -> ((SphereObject) object).radius();
+        };
         return side * of(object.center(), axis) + half;
     }
 
@@ -142,8 +147,7 @@ class StandingAgainstTruthTest {
     }
 
     private static BoxObject box(SplittableRandom random) {
-        BoxObject box =
-                new BoxObject(place(random), random.nextInt(0, 5), random.nextInt(1, 5), random.nextInt(0, 5));
+        BoxObject box = new BoxObject(place(random), random.nextInt(0, 5), random.nextInt(1, 5), random.nextInt(0, 5));
         if (random.nextInt(4) != 0) {
             return box;
         }

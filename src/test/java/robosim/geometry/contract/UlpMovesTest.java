@@ -24,8 +24,10 @@ class UlpMovesTest {
 
     private static Geometry world(Dimension dimension, double gap) {
         Geometry world = new Geometry(0x1p42, 0x1p42, 0x1p42, dimension, Accuracy.EXACT);
-        assertThat(world.addObject(new BoxObject(new Point(FAR + 4 + gap, 0, 0), 4, 4, 4).named("wall"))).isTrue();
-        assertThat(world.addObject(new BoxObject(new Point(FAR, 0, 0), 4, 4, 4).moveable("robot"))).isTrue();
+        assertThat(world.addObject(new BoxObject(new Point(FAR + 4 + gap, 0, 0), 4, 4, 4).named("wall")))
+                .isTrue();
+        assertThat(world.addObject(new BoxObject(new Point(FAR, 0, 0), 4, 4, 4).moveable("robot")))
+                .isTrue();
         return world;
     }
 
@@ -38,7 +40,9 @@ class UlpMovesTest {
         assertThat(result.allowed()).isFalse();
         assertThat(result.fraction()).isGreaterThan(1 / 6.0).isLessThan(0.5); // rounded, one ulp
         assertThat(FAR + result.fraction() * 3 * ULP).isEqualTo(FAR + ULP);
-        assertThat(world.moveToContact("robot", new Move(3 * ULP, 0, 0, 0, 0), 0).allowed()).isFalse();
+        assertThat(world.moveToContact("robot", new Move(3 * ULP, 0, 0, 0, 0), 0)
+                        .allowed())
+                .isFalse();
         assertThat(world.getObject("robot").center().x()).isEqualTo(FAR + ULP);
     }
 
@@ -70,12 +74,11 @@ class UlpMovesTest {
             rest.addObject(wall);
             double radius = random.nextDouble(0.1, 1);
             Point at = new Point(random.nextDouble(-3, 2.9), 0, random.nextDouble(-1, 1));
-            GeometryObject robot =
-                    switch (k % 3) {
-                        case 0 -> new SphereObject(at, radius);
-                        case 1 -> new CylinderObject(at, radius, 1);
-                        default -> new BoxObject(at, 2 * radius, 1, 1).turned(k % 2 == 0 ? 0 : 33, k % 5 == 0 ? 0 : 20);
-                    };
+            GeometryObject robot = switch (k % 3) {
+                case 0 -> new SphereObject(at, radius);
+                case 1 -> new CylinderObject(at, radius, 1);
+                default -> new BoxObject(at, 2 * radius, 1, 1).turned(k % 2 == 0 ? 0 : 33, k % 5 == 0 ? 0 : 20);
+            };
             robot = robot.moveable("robot");
             if (!world.addObject(robot)) {
                 continue;
@@ -88,10 +91,14 @@ class UlpMovesTest {
             assertThat(rest.testObject(world.getObject("robot"))).isFalse();
             if (!result.allowed()) {
                 refused++;
-                assertThat(result.fraction()).as("%s by %s: %s", robot, way, result).isLessThan(1);
+                assertThat(result.fraction())
+                        .as("%s by %s: %s", robot, way, result)
+                        .isLessThan(1);
                 assertThat(result.obstacle()).isEqualTo(wall);
                 Point end = new Point(at.x() + result.fraction() * way, at.y(), at.z());
-                assertThat(rest.testObject(robot.movedTo(end))).as("%s by %s: %s", robot, way, result).isFalse();
+                assertThat(rest.testObject(robot.movedTo(end)))
+                        .as("%s by %s: %s", robot, way, result)
+                        .isFalse();
             }
         }
         assertThat(refused).isBetween(300, 2700);

@@ -1,13 +1,22 @@
 package robosim.geometry.narrow;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Geometry;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Ray;
+import robosim.geometry.model.SphereObject;
 
 class PlanarConeTest {
     private final Scratch scratch = new Scratch();
@@ -112,6 +121,65 @@ class PlanarConeTest {
         pole[3] = 1;
         assertThat(cone(0, 0, Math.PI, 0.2, Leaf.SPHERE, pole)).isInfinite();
         assertThat(cone(pole[0], pole[2], 0, 0.2, Leaf.SPHERE, pole)).isZero();
+    }
+
+    /** Of a thin cylinder the nearest point is within the sector by 2e-8 radian: half of it is nearer than where edges cut it. */
+    @Test
+    void theNearestPointOfAThinTippedCylinderJustWithin() {
+        Geometry world = new Geometry(1e6, 1e6, 1e6, Dimension.PLANAR, Accuracy.EXACT);
+        double c = 0.19822396935131023;
+        double s = 0.9801567517364816;
+        world.addObjectUnchecked(new CylinderObject(
+                        new Point(26014.48327229044, 0, 5245.556404148815), 1.9686211026532975E-7, 2.3462392314694314)
+                .oriented(new double[] {c, s, 0, 0, 0, -1, -s, c, 0}));
+        Ray ray = new Ray(new Point(), new Point(0.7842446722995322, 0, -0.6204516854435962));
+        assertThat(world.getRayDistance(ray, 0, Double.POSITIVE_INFINITY, 99.49874525957496))
+                .isBetween(26536.8, 26536.8977);
+    }
+
+    /** Whatever the axis meets is heard, though a sector be as narrow as rounding of the direction. */
+    @Test
+    void whatTheAxisMeetsIsHeardHoweverNarrowTheSector() {
+        SplittableRandom random = new SplittableRandom(24);
+        int met = 0;
+        for (int k = 0; k < 4000; k++) {
+            double dx = random.nextInt(-40, 41);
+            double dz = random.nextInt(-40, 41);
+            if (dx == 0 && dz == 0) {
+                continue;
+            }
+            double times = random.nextInt(1, 30) / (random.nextBoolean() ? 1.0 : 3.0);
+            PlanarRows rows = new PlanarRows(k);
+            int kind = k % 6;
+            double[] row = rows.row(kind, 0, random.nextBoolean() ? 1e-3 : 1);
+            if (kind == Leaf.SPHERE || kind == Leaf.UPRIGHT_CYLINDER) {
+                row[3] = 0;
+            }
+            for (int corner = 0; corner < (kind == Leaf.TRIANGLE ? 9 : 3); corner += 3) {
+                row[corner] += times * dx;
+                row[corner + 2] += times * dz;
+            }
+            double axis = PlanarRay.distance(0, 0, dx, dz, kind, row, 0, scratch);
+            for (double half : new double[] {1e-3, 1e-9, 1e-15, 1e-200}) {
+                double heard = PlanarCone.distance(
+                        0, 0, dx, dz, StrictMath.cos(half), StrictMath.sin(half), kind, row, 0, scratch);
+                assertThat(heard)
+                        .as("kind %d along (%s, %s), half angle %s: %s", kind, dx, dz, half, Arrays.toString(row))
+                        .isLessThanOrEqualTo(axis * (1 + 0x1p-48));
+            }
+            met += axis < Double.POSITIVE_INFINITY ? 1 : 0;
+        }
+        assertThat(met).isGreaterThan(1000);
+        Geometry world = new Geometry(100, 100, 100, Dimension.PLANAR, Accuracy.EXACT);
+        world.addObjectUnchecked(new SphereObject(new Point(1, 0, 3), 0));
+        Ray ray = new Ray(new Point(), new Point(1, 0, 3));
+        double line = world.getRayDistance(ray, 0, 100, 0);
+        assertThat(line).isCloseTo(Math.sqrt(10), within(1e-15));
+        for (double width : new double[] {1e-3, 1e-6, 1e-9, 1e-12, 1e-15, Double.MIN_VALUE}) {
+            assertThat(world.getRayDistance(ray, 0, 100, width))
+                    .as("width " + width)
+                    .isCloseTo(line, within(1e-15));
+        }
     }
 
     @Test

@@ -13,6 +13,7 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
@@ -21,9 +22,14 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import robosim.geometry.MoveResult;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.Point;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.JsonLines;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.SonarRequest;
@@ -282,5 +288,95 @@ class EndsTest {
         assertThatThrownBy(() -> GeometryClient.main(new String[] {"localhost", "x"}))
                 .hasMessageContaining("x");
         assertThatThrownBy(() -> NetOptions.defaults().withConnections(0)).hasMessageContaining("connections");
+    }
+
+    /** A bundle that would take minutes: it is cut off, and its peer is told; so is the log. */
+    @Test
+    @Timeout(60)
+    void whatIsNotAnsweredInTimeIsCutOffAndToldSo() throws Exception {
+        CountDownLatch atWork = new CountDownLatch(2);
+        class Slow implements SessionListener {
+            private boolean begun;
+
+            @Override
+            public void tried(MoveRequest request, MoveResult result) {
+                if (!begun) {
+                    atWork.countDown();
+                }
+                begun = true;
+                try {
+                    Thread.sleep(20);
+                } catch (InterruptedException e) {
+                    Thread.currentThread().interrupt();
+                }
+            }
+        }
+        NetOptions options = NetOptions.defaults().withListeners(connection -> new Slow());
+        InitBundle world = new InitBundle(List.of(new CylinderObject(new Point(), 0.25, 1).moveable("robot")));
+        MoveBundle minutes = new MoveBundle(Collections.nCopies(10_000, new MoveRequest("robot", 0, 0, 0, 0, 0)));
+        Set<Thread> before = ownThreads();
+        try (LogCapture log = new LogCapture();
+                GeometryServer server = new GeometryServer(InetAddress.getLoopbackAddress(), 0, options);
+                Peer json = Peer.dial(server.port());
+                Peer java = Peer.dial(server.port())) {
+            json.send(("{\"type\":\"hello\",\"version\":1}\n" + JsonLines.write(world) + "\n" + JsonLines.write(minutes)
+                            + "\n")
+                    .getBytes(StandardCharsets.UTF_8));
+            java.send(world);
+            java.send(minutes);
+            assertThat(atWork.await(20, TimeUnit.SECONDS)).isTrue();
+            server.close();
+            assertThat(ownThreads()).isEqualTo(before);
+            assertThat(json.heardToTheEnd())
+                    .contains("\"message\":\"the module is ending: message 2 was cut off, and has no answer\"");
+            assertThat(java.receive()).isNull();
+            assertThat(log.linesWith("closed at message 2, which was cut off and has no answer"))
+                    .hasSize(2);
+        }
+    }
+
+    @Test
+    void whoIsRefusedForLackOfMemoryIsToldThat() throws Exception {
+        NetOptions options = NetOptions.defaults().withListeners(connection -> new SessionListener() {
+            @Override
+            public void asked(Bundle request) {
+                throw new OutOfMemoryError("Java heap space");
+            }
+        });
+        try (LogCapture log = new LogCapture();
+                GeometryServer server = new GeometryServer(InetAddress.getLoopbackAddress(), 0, options);
+                Peer peer = Peer.dial(server.port())) {
+            peer.send("{\"type\":\"hello\",\"version\":1}\n{\"type\":\"sonars\",\"requests\":[]}\n"
+                    .getBytes(StandardCharsets.UTF_8));
+            assertThat(peer.heardToTheEnd())
+                    .contains("the module has not enough memory for this request")
+                    .doesNotContain("an error of the module itself");
+            assertThat(log.linesWith("closed at message 1, the module has not enough memory"))
+                    .hasSize(1)
+                    .first()
+                    .asString()
+                    .startsWith("WARNING")
+                    .contains("(got: java.lang.OutOfMemoryError: Java heap space)");
+        }
+    }
+
+    /** Six peers that complain about ever new worlds: what they can write is bounded, and counted. */
+    @Test
+    @Timeout(60)
+    void aLogIsNotFilledByPeers() throws Exception {
+        int worlds = 1500;
+        try (LogCapture log = new LogCapture();
+                GeometryServer server = new GeometryServer(0)) {
+            for (int k = 0; k < 3; k++) {
+                try (Peer peer = Peer.dial(server.port())) {
+                    for (int world = 0; world < worlds; world++) {
+                        peer.send(new InitBundle(List.of()));
+                        peer.send(new MoveBundle(List.of(NOBODY)));
+                        assertThat(((MoveBundle) peer.receive()).moves()).isEmpty();
+                    }
+                }
+            }
+            assertThat(log.lines().size()).isBetween(2000, 2900); // and 10 for each second that this took
+        }
     }
 }

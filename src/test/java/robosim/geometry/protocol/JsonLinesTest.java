@@ -301,4 +301,21 @@ class JsonLinesTest {
         String pom = java.nio.file.Files.readString(java.nio.file.Path.of("pom.xml"));
         assertThat(pom).contains("<version>" + JsonLines.MODULE.split(" ")[1] + "</version>\n  <packaging>");
     }
+
+    /** The sign, the point and the exponent are characters too. */
+    @Test
+    void aNumberHasAtMostItsCharactersWhateverTheyAre() throws ProtocolException {
+        String line =
+                "{\"type\":\"moves\",\"moves\":[{\"objectName\":\"a\",\"x\":%s,\"y\":0,\"z\":0,\"rx\":0,\"ry\":0}]}";
+        for (String form : new String[] {"0.%s", "-0.%s", "0.%se0", "-0.%se-1", "0.%sE+00"}) {
+            int rest = 1100 - form.length() + 2;
+            String most = form.formatted("1".repeat(rest));
+            assertThat(most).hasSize(1100);
+            assertThat(JsonLines.readRequest(line.formatted(most))).isInstanceOf(MoveBundle.class);
+            assertThatThrownBy(() -> JsonLines.readRequest(line.formatted(form.formatted("1".repeat(rest + 1)))))
+                    .as(form)
+                    .isInstanceOf(ProtocolException.class)
+                    .hasMessageContaining("at /moves/0/x: a number must have at most 1100 characters (got: more)");
+        }
+    }
 }

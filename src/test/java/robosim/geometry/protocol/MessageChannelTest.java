@@ -342,4 +342,33 @@ class MessageChannelTest {
                         gate.getField("OPEN").get(null));
         return channel.getMethod("read").invoke(made);
     }
+
+    /** As where the peer is killed: its system resets the connection. */
+    @Test
+    void aConnectionThatFailsIsNoBadMessage() throws IOException {
+        ByteArrayOutputStream sent = new ByteArrayOutputStream();
+        MessageWriter writer = new MessageWriter(sent);
+        writer.write(new MoveBundle(List.of()));
+        int first = sent.size();
+        writer.write(new MoveBundle(List.of()));
+        for (int cut : new int[] {first, first + 1, first + 7, sent.size() - 3}) {
+            InputStream in = new java.io.FilterInputStream(new ByteArrayInputStream(sent.toByteArray(), 0, cut)) {
+                @Override
+                public int read(byte[] into, int at, int length) throws IOException {
+                    int got = super.read(into, at, length);
+                    if (got < 0) {
+                        throw new java.net.SocketException("Connection reset");
+                    }
+                    return got;
+                }
+            };
+            MessageReader reader = new MessageReader(in);
+            assertThat(reader.read()).isEqualTo(new MoveBundle(List.of()));
+            String place = cut == first ? "between two messages" : "bytes of a message";
+            assertThatThrownBy(reader::read)
+                    .isInstanceOf(ProtocolException.class)
+                    .hasMessageStartingWith("the connection failed ")
+                    .hasMessageEndingWith(place + ": Connection reset");
+        }
+    }
 }

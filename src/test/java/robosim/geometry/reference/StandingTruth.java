@@ -50,7 +50,8 @@ public final class StandingTruth {
             }
             List<Rational[]> start = points(isRound ? piece.points().subList(0, 1) : piece.points());
             List<Rational[]> way = new ArrayList<>(start);
-            way.addAll(points(isRound ? ends.get(k).points().subList(0, 1) : ends.get(k).points()));
+            way.addAll(points(
+                    isRound ? ends.get(k).points().subList(0, 1) : ends.get(k).points()));
             movers.add(new Mover(start, way, isRound ? piece.radius() : Rational.ZERO));
         }
         for (GeometryObject obstacle : obstacles) {
@@ -76,8 +77,8 @@ public final class StandingTruth {
             GeometryObject from, GeometryObject to, List<GeometryObject> obstacles, Dimension dimension) {
         StandingTruth truth = new StandingTruth(from, to, obstacles, dimension);
         return truth.movers.stream()
-                .anyMatch(k -> truth.others.stream()
-                        .anyMatch(q -> truth.blocks(k, q) != Answer.FREE && truth.isBehind(k, q)));
+                .anyMatch(k ->
+                        truth.others.stream().anyMatch(q -> truth.blocks(k, q) != Answer.FREE && truth.isBehind(k, q)));
     }
 
     private List<Rational[]> points(List<Rational[]> of) {

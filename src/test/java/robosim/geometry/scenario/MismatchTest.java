@@ -73,6 +73,29 @@ class MismatchTest {
         assertThat(new Replay(ScenarioReaderTest.OPTIONS).step(step)).isNull();
     }
 
+    /** Of two equal moves one was made: which one, the moves themselves do not tell. */
+    @Test
+    void whichOfEqualMovesWereRefusedCounts() {
+        MoveRequest a = move("a", 1, 0);
+        MoveBundle asked = new MoveBundle(List.of(a, a, move("b", 0, 0)));
+        MoveBundle made = new MoveBundle(List.of(a, move("b", 0, 0)));
+        Step step = new Step(4, List.of(), asked, new Reply(made, List.of(Problem.of(1, "the wall"))), null);
+        assertThat(Mismatch.of(2, step, new Reply(made, List.of(Problem.of(1, "other words")))))
+                .isNull();
+        assertThat(Mismatch.of(2, step, new Reply(made))).as("nothing told").isNull();
+        assertThat(Mismatch.of(2, step, new Reply(made, List.of(Problem.of(0, "it")))))
+                .hasToString(
+                        "step 2 (line 4), request 0, a move of \"a\" by (1.0, 0.0, 0.0): expected made, got refused,"
+                                + " it; and 1 more of this step");
+        Step stray = new Step(4, List.of(), asked, new Reply(asked, List.of(Problem.of(7, "none"))), null);
+        assertThat(Mismatch.of(2, stray, new Reply(asked)))
+                .hasToString("step 2 (line 4), 3 moves: expected move 7 refused, got no such move");
+        Step allMade = new Step(4, List.of(), asked, new Reply(asked, List.of(Problem.of(2, "wall"))), null);
+        assertThat(Mismatch.of(2, allMade, new Reply(asked)))
+                .hasToString(
+                        "step 2 (line 4), request 2, a move of \"b\" by (0.0, 0.0, 0.0): expected refused, got made");
+    }
+
     @Test
     void whatIsNotExpectedIsNotCompared() {
         Replay replay = new Replay(ScenarioReaderTest.OPTIONS);

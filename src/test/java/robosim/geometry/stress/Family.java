@@ -29,9 +29,12 @@ abstract class Family {
         return adversarial ? new double[] {0.2, 0.85} : new double[] {0.3, 0.7};
     }
 
-    /** The most exact stages that a case in general position may need on average: none, where there is a filter for it. */
+    /**
+     * The most exact stages that a random case may need on average: none of those in general position, where there is a
+     * filter for it, and some of the few that are thinner or smaller than rounding at their place.
+     */
     double exactAtRandom() {
-        return 0;
+        return 0.04;
     }
 
     /** What a failure says beside the numbers. */

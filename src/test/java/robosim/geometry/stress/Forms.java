@@ -74,8 +74,12 @@ final class Forms {
         return out;
     }
 
-    /** A turn by a random amount about a random axis. */
+    /** A turn by a random amount about a random axis, or about the vertical and then an own axis. */
     static void turn(SplittableRandom random, double[] row) {
+        if (random.nextInt(4) == 0) {
+            pitched(random, row);
+            return;
+        }
         double w = between(random, 1);
         double x = between(random, 1);
         double y = between(random, 1);
@@ -86,6 +90,23 @@ final class Forms {
             return;
         }
         quaternion(row, w, x, y, z);
+    }
+
+    /** One own axis stays level: the two others throw segments that are parallel, but for their rounding. */
+    private static void pitched(SplittableRandom random, double[] row) {
+        double yaw = between(random, Math.PI);
+        double pitch = between(random, Math.PI) * (random.nextBoolean() ? 1 : tiny(random));
+        double c = StrictMath.cos(yaw);
+        double s = StrictMath.sin(yaw);
+        double level = StrictMath.cos(pitch);
+        double rise = StrictMath.sin(pitch);
+        double[][] axes = {{c, 0, -s}, {s * rise, level, c * rise}, {s * level, -rise, c * level}};
+        int first = random.nextInt(3);
+        for (int k = 0; k < 3; k++) {
+            for (int axis = 0; axis < 3; axis++) {
+                row[6 + 3 * k + (axis + first) % 3] = axes[axis][k];
+            }
+        }
     }
 
     /** The rotation of a quaternion of any length. */

@@ -1,6 +1,7 @@
 package robosim.geometry.stress;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -176,6 +177,72 @@ class FoundTest {
             assertThat(PlanarOverlap.test(Leaf.SPHERE, disc, 0, Leaf.TRIANGLE, side, 0, new Scratch()))
                     .as("a disc of radius " + disc[3] + " under a side at 1")
                     .isEqualTo(disc[3] >= 1);
+        }
+    }
+
+    /** From 1,000 away along a side, but for 1e-13 of its length: it enters at the near end. */
+    @Test
+    void aRayAlongASideEntersAtItsNearEnd() {
+        double[] triangle = {
+            0.9249278089292172,
+            -0.9456710005703698,
+            1.314376704204852,
+            -1.32004320430771,
+            -1.3701374959763393,
+            -1.4200288955111997,
+            -1.1046531926047445,
+            -0.9133062826845862,
+            -0.3972184487342023,
+            0,
+            0,
+            0,
+            0,
+            0,
+            0,
+            0
+        };
+        double distance = PlanarRay.distance(
+                677.0660113339505,
+                824.8635245941497,
+                -0.6602940268799037,
+                -0.8042472147362743,
+                Leaf.TRIANGLE,
+                triangle,
+                0,
+                new Scratch());
+        assertThat(distance).isCloseTo(1065.551483420977, within(4 * Math.ulp(1065.0)));
+    }
+
+    /** Its height is 4e-11 of its width: the side that it throws is so short that a look along it goes astray. */
+    @Test
+    void aDiscWithinAThinTippedBoxTouchesIt() {
+        double[] box = {
+            8.7109253855116211E17,
+            5.2422874893815245E17,
+            -1.02232674589903283E18,
+            1.58532880156492902E18 / 2,
+            6.855546263056758E7 / 2,
+            1.27110301279055181E18 / 2,
+            -0.35551190533332805,
+            -0.0941830940391968,
+            0.9299144207740143,
+            0,
+            -0.9949101576638282,
+            -0.10076595743273897,
+            0.9346717526309795,
+            -0.03582349751965006,
+            0.3537024057865493,
+            0
+        };
+        double[] disc = new double[16];
+        disc[0] = 4.5936031775959693E17;
+        disc[1] = 3.5578666005411328E17;
+        disc[2] = -3.3086614204348531E17;
+        for (double radius : new double[] {0, 1, 1e3, 1e5, 1e6, 1e9}) {
+            disc[3] = radius;
+            assertThat(PlanarOverlap.test(Leaf.SPHERE, disc, 0, Leaf.BOX, box, 0, new Scratch()))
+                    .as("a disc of radius " + radius)
+                    .isTrue();
         }
     }
 }

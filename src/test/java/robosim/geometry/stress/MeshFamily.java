@@ -59,6 +59,13 @@ final class MeshFamily extends Family {
         public void random(Case c) {
             make(first, false, solid);
             make(second, false, false);
+            if (Mixed.isDue(random)) {
+                mixed();
+                first.center(first.about());
+                second.center(second.about());
+                finish(c);
+                return;
+            }
             double far = solid ? 1.4 : 0.6;
             if (random.nextInt(4) == 0) {
                 first.turnAndPut(0, 0, 0);
@@ -70,6 +77,20 @@ final class MeshFamily extends Family {
                 second.scale(-random.nextInt(4));
             }
             finish(c);
+        }
+
+        /** Makes one thin, or the second tiny; a tiny one meets the inside of a solid one, or one of its sides. */
+        private void mixed() {
+            int which = random.nextInt(1, 8);
+            if ((which & 1) != 0) {
+                first.squash(Mixed.factor(random));
+            }
+            if ((which & 2) != 0) {
+                second.squash(Mixed.factor(random));
+            }
+            if ((which & 4) != 0) {
+                second.scale(-random.nextInt(10, 67));
+            }
         }
 
         private void make(Surfaces surfaces, boolean grid, boolean closed) {
@@ -92,7 +113,11 @@ final class MeshFamily extends Family {
             }
             double far = random.nextInt(6) / 2.0;
             second.move(far * random.nextInt(-1, 2), far * random.nextInt(-1, 2), far * random.nextInt(-1, 2));
-            if (random.nextInt(3) != 0) {
+            if (random.nextInt(5) == 0) {
+                mixed();
+                first.center(first.point());
+                second.center(second.point());
+            } else if (random.nextInt(3) != 0) {
                 touch();
             }
             if (random.nextInt(3) == 0) {

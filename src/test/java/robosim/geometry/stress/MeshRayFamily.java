@@ -63,6 +63,20 @@ final class MeshRayFamily extends Family {
             surfaces = new Surfaces(random);
         }
 
+        /** Makes it thin, or tiny as seen from where the ray starts. */
+        private void mixed(Case c) {
+            int which = random.nextInt(1, 4);
+            if ((which & 1) != 0) {
+                surfaces.squash(Mixed.factor(random));
+            }
+            if ((which & 2) != 0) {
+                double away = Mixed.far(random);
+                for (int k = 0; k < 3; k++) {
+                    c.ray[k] *= away;
+                }
+            }
+        }
+
         private void make(boolean grid) {
             if (target == Target.QUAD) {
                 surfaces.quad(grid);
@@ -82,6 +96,13 @@ final class MeshRayFamily extends Family {
                 c.ray[k] = Forms.between(random, far);
                 c.ray[3 + k] = Forms.between(random, 1.5) - c.ray[k];
             }
+            if (Mixed.isDue(random)) {
+                mixed(c);
+                double[] to = surfaces.about();
+                for (int k = 0; k < 3; k++) {
+                    c.ray[3 + k] = to[k] - c.ray[k];
+                }
+            }
             finish(c);
         }
 
@@ -89,6 +110,9 @@ final class MeshRayFamily extends Family {
         public void adversarial(Case c) {
             boolean grid = random.nextInt(4) != 0;
             make(grid);
+            if (random.nextInt(4) == 0) {
+                surfaces.squash(Mixed.factor(random));
+            }
             double[] triangles = surfaces.triangles();
             point(triangles);
             boolean within = target != Target.QUAD && random.nextInt(3) == 0;

@@ -39,6 +39,13 @@ final class OrientationFamily extends Family {
                 for (int k = 0; k < axes * (axes + 1); k++) {
                     c.a[k] = Forms.between(random, 1);
                 }
+                if (Mixed.isDue(random)) { // one point far nearer to another than to the rest, or all nearly on a line
+                    double factor = Mixed.factor(random);
+                    int axis = random.nextInt(axes);
+                    for (int k = random.nextBoolean() ? axis : axes * axes; k < axes * (axes + 1); k += axes) {
+                        c.a[k] *= factor;
+                    }
+                }
             }
 
             @Override

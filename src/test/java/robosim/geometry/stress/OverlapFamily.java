@@ -93,7 +93,20 @@ final class OverlapFamily extends Family {
         @Override
         public void random(Case c) {
             forms(c);
-            general(c);
+            if (Mixed.isDue(random)) {
+                mixed(c);
+                Mixed.meet(c, random);
+                together(c);
+            } else {
+                general(c);
+            }
+        }
+
+        private void mixed(Case c) {
+            Forms.random(c.formA, random, c.a);
+            Forms.random(c.formB, random, c.b);
+            align(c);
+            Mixed.sizes(c, random);
         }
 
         private void general(Case c) {
@@ -117,6 +130,10 @@ final class OverlapFamily extends Family {
             double n =
                     share * (Forms.reach(c.formA, c.a) + Forms.reach(c.formB, c.b)) / Math.sqrt(x * x + y * y + z * z);
             Forms.move(c.formB, c.b, toMiddle(c, 0) + n * x, toMiddle(c, 1) + n * y, toMiddle(c, 2) + n * z);
+            together(c);
+        }
+
+        private void together(Case c) {
             double shiftX = Forms.between(random, 2);
             double shiftY = Forms.between(random, 2);
             double shiftZ = Forms.between(random, 2);
@@ -135,10 +152,14 @@ final class OverlapFamily extends Family {
                 return;
             }
             forms(c);
-            switch (random.nextInt(20)) {
+            switch (random.nextInt(24)) {
                 case 0 -> {
                     general(c);
-                    Mutations.elongate(c, random);
+                    if (random.nextBoolean()) {
+                        Mixed.sizes(c, random);
+                    } else {
+                        Mutations.elongate(c, random);
+                    }
                     threshold.begin(c);
                     threshold.next(c);
                     return;
@@ -163,6 +184,14 @@ final class OverlapFamily extends Family {
                 case 14, 15 -> {
                     Mutations.tangent(c, random, planar);
                     align(c);
+                }
+                case 16, 17 -> {
+                    mixed(c);
+                    Mixed.meet(c, random);
+                }
+                case 18, 19 -> {
+                    mixed(c);
+                    Mixed.touch(c, random);
                 }
                 default -> {
                     general(c);

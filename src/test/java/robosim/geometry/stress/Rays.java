@@ -38,9 +38,24 @@ final class Rays implements Family.Source {
     public void random(Case c) {
         c.formB = forms[random.nextInt(forms.length)];
         Forms.random(c.formB, random, c.b);
+        if (Mixed.isDue(random)) {
+            Mixed.aimable(c.formB, random, c.b);
+            start(c);
+            Mixed.about(c.formB, random, c.b, p);
+            towards(c, p);
+            return;
+        }
         Forms.move(c.formB, c.b, Forms.between(random, 2), Forms.between(random, 2), Forms.between(random, 2));
         double reach = Forms.reach(c.formB, c.b);
         aim(c, reach * (random.nextInt(10) == 0 ? random.nextDouble() : 1 + 4 * random.nextDouble()), reach * spread);
+    }
+
+    /** Starts the ray from about as far away as the form was wide, or from much farther. */
+    private void start(Case c) {
+        double away = random.nextBoolean() ? 3 : Mixed.far(random);
+        for (int k = 0; k < 3; k++) {
+            c.ray[k] = Forms.between(random, away);
+        }
     }
 
     /** From a point so far away to one so near the middle. */
@@ -70,7 +85,7 @@ final class Rays implements Family.Source {
             return;
         }
         c.formB = forms[random.nextInt(forms.length)];
-        switch (random.nextInt(12)) {
+        switch (random.nextInt(14)) {
             case 0 -> {
                 beginThreshold(c);
                 nextAtThreshold(c);
@@ -97,6 +112,21 @@ final class Rays implements Family.Source {
                 flatten(c);
                 along(c);
                 c.ray[3 + random.nextInt(3)] += Forms.tiny(random);
+            }
+            case 10, 11 -> {
+                Forms.random(c.formB, random, c.b);
+                Mixed.sizes(c.formB, random, c.b);
+                if (random.nextBoolean()) {
+                    Forms.move(
+                            c.formB, c.b, Forms.between(random, 2), Forms.between(random, 2), Forms.between(random, 2));
+                }
+                start(c);
+                if (random.nextBoolean()) {
+                    Forms.point(c.formB, random, c.b, p);
+                    towards(c, p);
+                } else {
+                    along(c);
+                }
             }
             default -> {
                 Forms.random(c.formB, random, c.b);
@@ -258,6 +288,9 @@ final class Rays implements Family.Source {
 
     private void beginThreshold(Case c) {
         Forms.random(c.formB, random, c.b);
+        if (random.nextInt(3) == 0) {
+            Mixed.sizes(c.formB, random, c.b);
+        }
         flatten(c);
         double reach = Forms.reach(c.formB, c.b);
         aim(c, reach * (1.5 + random.nextInt(3) * random.nextDouble() * 1000), 0);

@@ -47,7 +47,22 @@ final class SolidFamily extends Family {
                     c.b[k] = Forms.between(random, 1.2);
                     c.b[3 + k] = random.nextDouble() * 0.2;
                 }
+                if (Mixed.isDue(random)) {
+                    mixed(c);
+                    double[] p = surfaces.about();
+                    for (int k = 0; k < 3; k++) {
+                        c.b[k] = p[k] + Forms.between(random, 1.5) * c.b[3 + k];
+                    }
+                }
                 finish(c);
+            }
+
+            /** Makes the box small or thin, or the mesh thin. */
+            private void mixed(Case c) {
+                Mixed.sizes(c.formB, random, c.b);
+                if (random.nextInt(3) == 0) {
+                    surfaces.squash(Mixed.factor(random));
+                }
             }
 
             @Override
@@ -55,6 +70,9 @@ final class SolidFamily extends Family {
                 boolean grid = random.nextInt(4) != 0;
                 surfaces.closed(grid);
                 box(c, grid);
+                if (random.nextInt(4) == 0) {
+                    mixed(c);
+                }
                 hard(c);
                 finish(c);
             }

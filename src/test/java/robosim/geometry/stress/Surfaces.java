@@ -6,6 +6,7 @@ import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.reference.Truth.Form;
 
 /** Small meshes made up at random, and the triangles that they are. */
 final class Surfaces {
@@ -122,6 +123,41 @@ final class Surfaces {
                 corner[k] = Math.scalb(corner[k], power);
             }
         }
+    }
+
+    /** Makes it thin along one axis, or nearly flat in some plane. */
+    void squash(double factor) {
+        int axis = random.nextInt(3);
+        double x = random.nextBoolean() ? 0 : Forms.between(random, 1);
+        for (double[] corner : corners) {
+            corner[axis] = factor * corner[axis] + x * corner[(axis + 1) % 3];
+        }
+    }
+
+    /** A point at a corner, on an edge or on a face. */
+    double[] point() {
+        double[] p = new double[3];
+        Forms.point(Form.TRIANGLE, random, face(), p);
+        return p;
+    }
+
+    /** A point in the plane of a face, on it or beside it. */
+    double[] about() {
+        double[] p = new double[3];
+        Mixed.about(Form.TRIANGLE, random, face(), p);
+        return p;
+    }
+
+    private double[] face() {
+        double[] triangles = triangles();
+        double[] row = new double[Case.ROW];
+        System.arraycopy(triangles, 9 * random.nextInt(triangles.length / 9), row, 0, 9);
+        return row;
+    }
+
+    /** Moves it so that a point of it comes to the origin. */
+    void center(double[] point) {
+        move(-point[0], -point[1], -point[2]);
     }
 
     /** Puts one corner somewhere else. */

@@ -86,7 +86,7 @@ final class SweepFamily extends Family {
     /** A cylinder that rises or sinks on its way is left to exact numbers wherever its plan meets the other's. */
     @Override
     double exactAtRandom() {
-        return !planar && formsA[0] == Form.UPRIGHT_CYLINDER ? 0.65 : 0;
+        return !planar && formsA[0] == Form.UPRIGHT_CYLINDER ? 0.65 : super.exactAtRandom();
     }
 
     @Override
@@ -130,7 +130,23 @@ final class SweepFamily extends Family {
         @Override
         public void random(Case c) {
             forms(c, false);
-            general(c);
+            if (Mixed.isDue(random)) {
+                Mixed.sizes(c, random);
+                Mixed.meet(c, random);
+                back(c);
+            } else {
+                general(c);
+            }
+        }
+
+        /** Moves the first back by a part of a way that is long beside either, so that it comes to where it is on that. */
+        private void back(Case c) {
+            double far = 2 * (Forms.reach(c.formA, c.a) + Forms.reach(c.formB, c.b));
+            double share = 0.2 + random.nextDouble();
+            for (int k = 0; k < 3; k++) {
+                c.ray[3 + k] = Forms.between(random, far);
+            }
+            Forms.move(c.formA, c.a, -share * c.ray[3], -share * c.ray[4], -share * c.ray[5]);
         }
 
         /** So far apart that they seldom touch, and towards about the middle of the other. */
@@ -156,7 +172,7 @@ final class SweepFamily extends Family {
                 nextAtThreshold(c);
                 return;
             }
-            switch (random.nextInt(12)) {
+            switch (random.nextInt(14)) {
                 case 0 -> {
                     beginThreshold(c);
                     nextAtThreshold(c);
@@ -173,6 +189,16 @@ final class SweepFamily extends Family {
                     if (random.nextInt(3) == 0) {
                         toContact(c, 0);
                     }
+                }
+                case 9, 10 -> {
+                    forms(c, false);
+                    Mixed.sizes(c, random);
+                    if (random.nextBoolean()) {
+                        Mixed.touch(c, random);
+                    } else {
+                        Mixed.meet(c, random);
+                    }
+                    back(c);
                 }
                 case 5, 6 -> {
                     forms(c, true);
@@ -224,6 +250,9 @@ final class SweepFamily extends Family {
         /** Turns the way aside, or shortens it, until the product says that it is free. */
         private void beginThreshold(Case c) {
             forms(c, false);
+            if (random.nextInt(3) == 0) {
+                Mixed.sizes(c, random);
+            }
             general(c);
             boolean shorten = random.nextInt(3) == 0;
             for (int k = 0; k < 3; k++) {

@@ -2,6 +2,7 @@ package robosim.geometry.viewer;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
@@ -96,7 +97,7 @@ class PainterTest {
         assertThat(withClass(document, "sphere")).hasSize(1);
         assertThat(withClass(document, "mesh")).hasSize(1);
         assertThat(withClass(document, "group")).hasSize(1);
-        assertThat(withClass(document, "robot")).hasSize(1);
+        assertThat(withClass(document, "moveable")).hasSize(1);
         assertThat(withClass(document, "trail")).hasSize(1);
         assertThat(withClass(document, "ping")).hasSize(2);
         assertThat(withClass(document, "silence")).hasSize(1);
@@ -130,6 +131,128 @@ class PainterTest {
         Element group = withClass(document, "group").get(0);
         assertThat(count(group, "path")).isEqualTo(1);
         assertThat(count(group, "circle")).isEqualTo(1);
+    }
+
+    private static Scene above(GeometryObject... objects) {
+        List<Scene.Thing> things = new ArrayList<>();
+        for (GeometryObject object : objects) {
+            things.add(new Scene.Thing(object, null));
+        }
+        return Scene.of("Above", VIEW, things);
+    }
+
+    private static List<String> titles(Document document, String role) {
+        return withClass(document, role).stream()
+                .map(group -> group.getElementsByTagName("title").item(0).getTextContent())
+                .toList();
+    }
+
+    /** Seen from above, what reaches higher is drawn over what lies below it, wherever it stands in the file. */
+    @Test
+    void whatCoversIsDrawnOverWhatLiesBelow() throws Exception {
+        Scene scene = above(
+                new BoxObject(new Point(0, 3, 0), 4, 0.2, 3).named("roof"),
+                new CylinderObject(new Point(0, 0, 0), 1, 1).turned(90, 0).named("log"),
+                new MeshObject(
+                                List.of(
+                                        new Point(-2, 5, -1),
+                                        new Point(2, 0, -1),
+                                        new Point(2, 0, 1),
+                                        new Point(9, 9, 9)),
+                                new int[][] {{0, 1, 2}})
+                        .movedTo(new Point(0, -1, 0))
+                        .named("sheet"),
+                new SphereObject(new Point(0, 1, 0), 1.25).named("ball"),
+                new ObjectGroup(List.of(new BoxObject(new Point(0, -1, 0), 1, 1, 1).turned(45, 0)))
+                        .turned(45, 0)
+                        .named("group"),
+                new BoxObject(new Point(0, -2, 0), 20, 0.1, 10).named("floor"),
+                new BoxObject(new Point(0, -2, 0), 2, 0.1, 1).named("mat"));
+        // Tops: 3.1, 1, 4, 2.25, about -0.2, -1.95, -1.95.
+        Document document = parse(Painter.svg(scene));
+        assertThat(titles(document, "object")).containsExactly("floor", "mat", "group", "log", "ball", "roof", "sheet");
+        // In the middle of the page only what nothing covers has a name; the mat's place is the floor's middle too.
+        Element names = withClass(document, "names").get(0);
+        assertThat(names.getTextContent()).contains("sheet").doesNotContain("mat", "floor", "roof");
+        assertThat(Heights.top(new BoxObject(new Point(0, 1, 0), 2, 2, 2).turned(45, 30)))
+                .isCloseTo(1 + Math.sqrt(2), within(1e-12));
+        assertThat(Heights.top(new CylinderObject(new Point(), 3, 8).turned(60, 0)))
+                .isCloseTo(2 + 3 * Math.sin(Math.PI / 3), within(1e-12));
+    }
+
+    private static boolean isShade(int rgb, int other) {
+        int most = 0;
+        for (int shift = 16; shift >= 0; shift -= 8) {
+            most = Math.max(most, Math.abs((rgb >> shift & 0xff) - (other >> shift & 0xff)));
+        }
+        return most < 40;
+    }
+
+    private static int pixels(BufferedImage image, Scene.View view, double x, double z, int around, int rgb) {
+        MapFrame frame = new MapFrame(view);
+        int scale = (int) Math.round(image.getWidth() / frame.width);
+        int found = 0;
+        for (int dx = -around * scale; dx <= around * scale; dx++) {
+            for (int dy = -around * scale; dy <= around * scale; dy++) {
+                int px = (int) (frame.x(x) * scale) + dx;
+                int py = (int) (frame.y(z) * scale) + dy;
+                found += isShade(image.getRGB(px, py) & 0xffffff, rgb) ? 1 : 0;
+            }
+        }
+        return found / (scale * scale);
+    }
+
+    /** An arrow is seen where nothing is below it, and is no larger than the part that it stands on. */
+    @Test
+    void anArrowIsSeenAndNoLargerThanItsPart() {
+        int first = Palette.robot(0).light();
+        GeometryObject off = new ObjectGroup(List.of(
+                        new BoxObject(new Point(3, 0, 0), 1, 1, 1), new BoxObject(new Point(-3, 0, 1), 1, 1, 1)))
+                .moveable("off");
+        BufferedImage image = Painter.image(above(off), Theme.LIGHT);
+        assertThat(pixels(image, VIEW, 0, 0, 10, first))
+                .as("an arrow on the floor")
+                .isBetween(30, 150);
+        assertThat(pixels(image, VIEW, 3, 0, 30, 0xffffff)).as("none on a part").isZero();
+        // A plus of two bars: the arrow keeps to the bar's width of 0.4, 30 pixels.
+        GeometryObject plus = new ObjectGroup(
+                        List.of(new BoxObject(new Point(), 8, 1, 0.4), new BoxObject(new Point(), 0.4, 1, 8)))
+                .moveable("plus");
+        image = Painter.image(above(plus), Theme.LIGHT);
+        assertThat(pixels(image, VIEW, 0, 0, 16, 0xffffff)).isGreaterThan(60);
+        assertThat(pixels(image, VIEW, 0.5, 0, 14, first))
+                .as("the bar ahead of it")
+                .isGreaterThan(28 * 28 * 9 / 10);
+    }
+
+    /** A robot of a pixel or two is a dot of its colour and not of its edge. */
+    @Test
+    void smallRobotsAreSeen() {
+        int first = Palette.robot(0).light();
+        for (GeometryObject small : List.of(
+                new CylinderObject(new Point(1, 0, 1), 0.01, 1).moveable("a"),
+                new CylinderObject(new Point(1, 0, 1), 0.04, 1).moveable("a"),
+                new BoxObject(new Point(1, 0, 1), 0.02, 1, 0.02).moveable("a"),
+                new BoxObject(new Point(1, 0, 1), 0.1, 1, 0.1).moveable("a"),
+                new BoxObject(new Point(1, 0, 1), 0, 1, 0).moveable("a"),
+                new ObjectGroup(List.of(new BoxObject(new Point(0, 0, 0), 0.02, 1, 0.02)))
+                        .movedTo(new Point(1, 0, 1))
+                        .moveable("a"))) {
+            BufferedImage image = Painter.image(above(small), Theme.LIGHT);
+            assertThat(pixels(image, VIEW, 1, 1, 4, first)).as("%s", small).isGreaterThanOrEqualTo(8);
+        }
+        // Forward is told beside it.
+        BufferedImage image = Painter.image(
+                above(new SphereObject(new Point(), 0.02).turned(0, 90).moveable("a")), Theme.LIGHT);
+        assertThat(pixels(image, VIEW, 0, -0.13, 4, first))
+                .isGreaterThan(2 * pixels(image, VIEW, 0, 0.13, 4, first))
+                .isPositive();
+    }
+
+    @Test
+    void whatMovesIsNotCalledARobot() {
+        String svg = Painter.svg(above(new BoxObject(new Point(), 1, 1, 1).moveable("crate")));
+        assertThat(svg).contains("moves; the arrow is its heading").doesNotContain("robot");
     }
 
     @Test

@@ -132,7 +132,7 @@ class ViewingTest {
                 .containsExactly(Scene.Mark.Why.REFUSED, Scene.Mark.Why.PICKED);
         viewing.release();
         assertThat(viewing.life().blocked()).isEmpty();
-        assertThat(viewing.status()).isEqualTo("drag a robot");
+        assertThat(viewing.status()).isEqualTo("drag what moves");
     }
 
     @Test
@@ -300,7 +300,7 @@ class ViewingTest {
         Scene.View seen = viewing.camera.frame().visible();
         assertThat(seen.minX()).isLessThan(-10);
         assertThat(seen.maxX()).isGreaterThan(12.5);
-        assertThat(viewing.status()).startsWith("drag a robot; lost is not in the world");
+        assertThat(viewing.status()).startsWith("drag what moves; lost is not in the world");
         press(viewing, 12, 0);
         drag(viewing, 2, 0);
         assertThat(viewing.status()).isEqualTo("lost may not be there: wall is in the way");
@@ -310,7 +310,7 @@ class ViewingTest {
         press(viewing, 12, 0);
         drag(viewing, 6, 0);
         viewing.release();
-        assertThat(viewing.status()).isEqualTo("drag a robot");
+        assertThat(viewing.status()).isEqualTo("drag what moves");
         assertThat(viewing.life().things().get(1).object().center().x()).isCloseTo(6, within(1e-9));
         press(viewing, 6, 0);
         drag(viewing, 5, 3);

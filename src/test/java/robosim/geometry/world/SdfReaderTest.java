@@ -2,6 +2,7 @@ package robosim.geometry.world;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.tuple;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -255,6 +256,32 @@ class SdfReaderTest {
         assertThat(placed)
                 .extracting(GeometryObject::center)
                 .containsExactly(new Point(1, -2, -10), new Point(0, 0, -10));
+    }
+
+    /** Names are looked up when all of a scope is there, whatever stands before whatever. */
+    @Test
+    void aMergedModelStandsBeforeASiblingThatAnEarlierPoseCountsFrom() throws IOException {
+        file("arm.sdf", "<sdf version=\"1.10\"><model name=\"arm\">" + ball("upper", "") + "</model></sdf>");
+        String arm =
+                "<include merge=\"true\"><uri>arm.sdf</uri><pose relative_to=\"late\">0 0 1 0 0 0</pose></include>";
+        String base = ball("base", "<pose relative_to=\"late\">1 0 0 0 0 0</pose>");
+        String late = "<frame name=\"late\"><pose>0 10 0 0 0 0</pose></frame>";
+        for (String content : List.of(base + arm + late, arm + base + late, late + arm + base, base + late + arm)) {
+            assertThat(objects(model("m", "<static>1</static>" + content)))
+                    .as(content)
+                    .extracting(GeometryObject::name, GeometryObject::center)
+                    .containsExactlyInAnyOrder(
+                            tuple("m::base::c", new Point(1, 0, -10)), tuple("m::upper::c", new Point(0, 1, -10)));
+        }
+        // In a world too, and with a placement frame.
+        String model = model("early", "<pose relative_to=\"late\"/><static>1</static>" + ball("l", ""));
+        assertThat(objects(model
+                        + "<model name=\"n\"><static>1</static><include merge=\"true\"><uri>arm.sdf</uri>"
+                        + "<placement_frame>upper</placement_frame><pose relative_to=\"end\"/></include>"
+                        + "<frame name=\"end\"><pose>0 0 3 0 0 0</pose></frame></model>"
+                        + late))
+                .extracting(GeometryObject::center)
+                .containsExactlyInAnyOrder(new Point(0, 0, -10), new Point(0, 3, 0));
     }
 
     @Test

@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collections;
 import java.util.List;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.model.BoxObject;
@@ -62,6 +63,52 @@ class WorldWriterTest {
         assertThat(WorldWriter.toXml(new World(9, 9, 9, List.of(new WorldObject(turned)))))
                 .contains("heading=\"33.3\"")
                 .doesNotContain("rotation");
+    }
+
+    /** A heading that is a sum has a low part, which no single number tells; so has what was turned in a world. */
+    @Test
+    void whatIsReadBackTurnsOnAsWhatWasWritten() throws WorldException {
+        SplittableRandom random = new SplittableRandom(24);
+        int sums = 0;
+        int rotations = 0;
+        for (int run = 0; run < 500; run++) {
+            GeometryObject object = new BoxObject(new Point(), 1, 2, 3);
+            for (int k = random.nextInt(4); k > 0; k--) {
+                object = object.turned(0, random.nextDouble() * random.nextDouble() * 40);
+            }
+            if (random.nextInt(3) == 0) {
+                object = object.oriented(
+                        object.turned(0, 0.1 * random.nextInt(3600)).rotation());
+            }
+            if (random.nextInt(8) == 0) {
+                object = object.turned(random.nextDouble(-90, 90), 3);
+            }
+            GeometryObject group =
+                    new ObjectGroup(List.of(object)).turned(0, 0.1).turned(0, 0.2);
+            World world = new World(99, 99, 99, List.of(new WorldObject(object), new WorldObject(group)));
+            String xml = WorldWriter.toXml(world);
+            World again = reread(xml);
+            assertThat(again).isEqualTo(world);
+            assertThat(WorldWriter.toXml(again)).isEqualTo(xml);
+            sums += object.pose().lostHeading() != 0 ? 1 : 0;
+            rotations += xml.contains("rotation=") ? 1 : 0;
+            for (int k = 0; k < 2; k++) {
+                GeometryObject written = world.objects().get(k).object();
+                GeometryObject read = again.objects().get(k).object();
+                for (int turn = 0; turn < 20; turn++) {
+                    double degrees = random.nextDouble() * random.nextDouble() * 80 - 40;
+                    written = written.turned(0, degrees);
+                    read = read.turned(0, degrees);
+                    assertThat(read.rotation())
+                            .as("run %d, turn %d of\n%s", run, turn, xml)
+                            .isEqualTo(written.rotation());
+                    assertThat(read.pose().lostHeading())
+                            .isEqualTo(written.pose().lostHeading());
+                }
+            }
+        }
+        assertThat(sums).isBetween(100, 300);
+        assertThat(rotations).isBetween(50, 400);
     }
 
     @Test

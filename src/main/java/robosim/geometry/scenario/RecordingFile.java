@@ -1,0 +1,41 @@
+package robosim.geometry.scenario;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+
+/** A new file that can be cut back to the last whole line, where the disk was full in the midst of another. */
+class RecordingFile extends OutputStream {
+    private final FileChannel file;
+
+    /** Makes it; it must not be there. */
+    RecordingFile(Path place) throws IOException {
+        file = FileChannel.open(place, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+    }
+
+    @Override
+    public void write(int single) throws IOException {
+        write(new byte[] {(byte) single}, 0, 1);
+    }
+
+    @Override
+    public void write(byte[] bytes, int at, int length) throws IOException {
+        ByteBuffer left = ByteBuffer.wrap(bytes, at, length);
+        while (left.hasRemaining()) {
+            file.write(left);
+        }
+    }
+
+    /** Only so many bytes stay. */
+    void cutTo(long bytes) throws IOException {
+        file.truncate(bytes);
+    }
+
+    @Override
+    public void close() throws IOException {
+        file.close();
+    }
+}

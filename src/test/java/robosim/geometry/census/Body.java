@@ -1,0 +1,361 @@
+package robosim.geometry.census;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.SplittableRandom;
+import robosim.geometry.narrow.Leaf;
+import robosim.geometry.narrow.LeafColumn;
+
+/** A convex leaf as the twin sees it: support, projection, corners and edges in plain doubles. Shares no code with the kernels. */
+final class Body {
+    enum Type {
+        BOX,
+        CYLINDER,
+        TRIANGLE,
+        SPHERE
+    }
+
+    final Type type;
+    final int kind;
+    final double[] row;
+
+    /** The centre; a triangle's first corner. */
+    final double[] c;
+
+    /** The own axes of a box; of a cylinder the second is its axis. */
+    final double[][] axes;
+
+    final double[][] corners;
+    final double[][] edges;
+
+    private Body(Type type, int kind, double[] row) {
+        this.type = type;
+        this.kind = kind;
+        this.row = row;
+        c = new double[] {row[0], row[1], row[2]};
+        axes = new double[3][];
+        for (int k = 0; k < 3; k++) {
+            axes[k] = kind == Leaf.UPRIGHT_CYLINDER || type == Type.SPHERE
+                    ? new double[] {k == 0 ? 1 : 0, k == 1 ? 1 : 0, k == 2 ? 1 : 0}
+                    : new double[] {row[6 + k], row[9 + k], row[12 + k]};
+        }
+        corners = corners();
+        edges = edges();
+    }
+
+    static Body box(double[] centre, double[] half, double[] r, boolean upright) {
+        return new Body(Type.BOX, upright ? Leaf.UPRIGHT_BOX : Leaf.BOX, row(centre, r, half[0], half[1], half[2]));
+    }
+
+    static Body cylinder(double[] centre, double radius, double half, double[] r, boolean upright) {
+        return new Body(
+                Type.CYLINDER, upright ? Leaf.UPRIGHT_CYLINDER : Leaf.CYLINDER, row(centre, r, radius, half, 0));
+    }
+
+    static Body sphere(double[] centre, double radius) {
+        return new Body(Type.SPHERE, Leaf.SPHERE, row(centre, new double[9], radius, 0, 0));
+    }
+
+    static Body triangle(double[] corners) {
+        double[] row = Arrays.copyOf(corners, 16);
+        return new Body(Type.TRIANGLE, Leaf.TRIANGLE, row);
+    }
+
+    private static double[] row(double[] centre, double[] r, double p, double q, double s) {
+        double[] row = new double[16];
+        System.arraycopy(centre, 0, row, 0, 3);
+        row[3] = p;
+        row[4] = q;
+        row[5] = s;
+        System.arraycopy(r, 0, row, 6, 9);
+        return row;
+    }
+
+    /** The same somewhere else. */
+    Body movedBy(double[] way) {
+        double[] moved = row.clone();
+        for (int k = 0; k < (type == Type.TRIANGLE ? 9 : 3); k++) {
+            moved[k] += way[k % 3];
+        }
+        return new Body(type, kind, moved);
+    }
+
+    void writeTo(LeafColumn column) {
+        column.clear();
+        column.append(1);
+        column.setKind(0, kind);
+        System.arraycopy(row, 0, column.rows(0), column.at(0), 16);
+    }
+
+    boolean isUpright() {
+        return kind == Leaf.UPRIGHT_BOX || kind == Leaf.UPRIGHT_CYLINDER;
+    }
+
+    /** The sum of the half sizes. */
+    double size() {
+        return switch (type) {
+            case BOX -> row[3] + row[4] + row[5];
+            case CYLINDER -> row[3] + row[4];
+            case SPHERE -> row[3];
+            case TRIANGLE -> Math.max(Vec.length(Vec.minus(corners[1], c)), Vec.length(Vec.minus(corners[2], c)));
+        };
+    }
+
+    private double[][] corners() {
+        if (type == Type.TRIANGLE) {
+            return new double[][] {c, {row[3], row[4], row[5]}, {row[6], row[7], row[8]}};
+        }
+        if (type != Type.BOX) {
+            return new double[0][];
+        }
+        double[][] out = new double[8][];
+        for (int k = 0; k < 8; k++) {
+            double[] p = c;
+            for (int axis = 0; axis < 3; axis++) {
+                p = Vec.plus(p, (k >> axis & 1) == 0 ? -row[3 + axis] : row[3 + axis], axes[axis]);
+            }
+            out[k] = p;
+        }
+        return out;
+    }
+
+    /** From where, and the way to the other end: six numbers each. */
+    private double[][] edges() {
+        if (type == Type.TRIANGLE) {
+            return new double[][] {edge(0, 1), edge(1, 2), edge(2, 0)};
+        }
+        if (type != Type.BOX) {
+            return new double[0][];
+        }
+        double[][] out = new double[12][];
+        int n = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            for (int k = 0; k < 8; k++) {
+                if ((k >> axis & 1) == 0) {
+                    out[n++] = edge(k, k | 1 << axis);
+                }
+            }
+        }
+        return out;
+    }
+
+    private double[] edge(int from, int to) {
+        double[] p = corners[from];
+        double[] q = corners[to];
+        return new double[] {p[0], p[1], p[2], q[0] - p[0], q[1] - p[1], q[2] - p[2]};
+    }
+
+    /** How far it reaches along n. */
+    double reach(double[] n) {
+        return switch (type) {
+            case BOX ->
+                Vec.dot(n, c)
+                        + row[3] * Math.abs(Vec.dot(n, axes[0]))
+                        + row[4] * Math.abs(Vec.dot(n, axes[1]))
+                        + row[5] * Math.abs(Vec.dot(n, axes[2]));
+            case CYLINDER ->
+                Vec.dot(n, c) + row[4] * Math.abs(Vec.dot(n, axes[1])) + row[3] * Vec.length(Vec.cross(n, axes[1]));
+            case SPHERE -> Vec.dot(n, c) + row[3] * Vec.length(n);
+            case TRIANGLE -> Math.max(Vec.dot(n, c), Math.max(Vec.dot(n, corners[1]), Vec.dot(n, corners[2])));
+        };
+    }
+
+    /** The nearest point of it. */
+    double[] project(double[] p) {
+        double[] w = Vec.minus(p, c);
+        switch (type) {
+            case BOX -> {
+                double[] out = c;
+                for (int k = 0; k < 3; k++) {
+                    double t = Math.max(-row[3 + k], Math.min(row[3 + k], Vec.dot(w, axes[k])));
+                    out = Vec.plus(out, t, axes[k]);
+                }
+                return out;
+            }
+            case CYLINDER -> {
+                double t = Vec.dot(w, axes[1]);
+                double[] aside = Vec.plus(w, -t, axes[1]);
+                double away = Vec.length(aside);
+                double share = away > row[3] ? row[3] / away : 1;
+                return Vec.plus(Vec.plus(c, Math.max(-row[4], Math.min(row[4], t)), axes[1]), share, aside);
+            }
+            case SPHERE -> {
+                double away = Vec.length(w);
+                return Vec.plus(c, away > row[3] ? row[3] / away : 1, w);
+            }
+            default -> {
+                return projectOnTriangle(p);
+            }
+        }
+    }
+
+    /** The unit direction from it to a place outside, where the distance grows the most; zero inside. */
+    double[] outward(double[] p) {
+        if (type != Type.CYLINDER) {
+            double[] away = Vec.minus(p, project(p));
+            double length = Vec.length(away);
+            return length > 0 ? Vec.plus(new double[3], 1 / length, away) : away;
+        }
+        // Not from the nearest point, of which rounding leaves no direction near contact.
+        double[] w = Vec.minus(p, c);
+        double t = Vec.dot(w, axes[1]);
+        double[] aside = Vec.plus(w, -t, axes[1]);
+        double far = Vec.length(aside);
+        double up = Math.max(0, Math.abs(t) - row[4]);
+        double out = Math.max(0, far - row[3]);
+        double all = Math.hypot(up, out);
+        if (!(all > 0)) {
+            return new double[3];
+        }
+        double[] along = Vec.plus(new double[3], Math.signum(t) * up / all, axes[1]);
+        return out > 0 ? Vec.plus(along, out / all / far, aside) : along;
+    }
+
+    private double[] projectOnTriangle(double[] p) {
+        double[] e = Vec.minus(corners[1], c);
+        double[] f = Vec.minus(corners[2], c);
+        double[] n = Vec.cross(e, f);
+        double square = Vec.dot(n, n);
+        double[] w = Vec.minus(p, c);
+        if (square > 0) {
+            double s = Vec.dot(Vec.cross(w, f), n) / square;
+            double t = Vec.dot(Vec.cross(e, w), n) / square;
+            if (s >= 0 && t >= 0 && s + t <= 1) {
+                return Vec.plus(Vec.plus(c, s, e), t, f);
+            }
+        }
+        double[] best = c;
+        double least = Double.POSITIVE_INFINITY;
+        for (double[] edge : edges) {
+            double[] from = {edge[0], edge[1], edge[2]};
+            double[] way = {edge[3], edge[4], edge[5]};
+            double length = Vec.dot(way, way);
+            double t = length > 0 ? Math.max(0, Math.min(1, Vec.dot(Vec.minus(p, from), way) / length)) : 0;
+            double[] q = Vec.plus(from, t, way);
+            double away = Vec.length(Vec.minus(p, q));
+            if (away < least) {
+                least = away;
+                best = q;
+            }
+        }
+        return best;
+    }
+
+    /** A point that is furthest along n; any one where there are many. */
+    double[] furthest(double[] n, SplittableRandom random) {
+        switch (type) {
+            case BOX -> {
+                double[] out = c;
+                for (int k = 0; k < 3; k++) {
+                    double along = Vec.dot(n, axes[k]);
+                    double t = Math.abs(along) < 1e-12 ? random.nextDouble(-1, 1) : Math.signum(along);
+                    out = Vec.plus(out, t * row[3 + k], axes[k]);
+                }
+                return out;
+            }
+            case CYLINDER -> {
+                double along = Vec.dot(n, axes[1]);
+                double[] aside = Vec.plus(n, -along, axes[1]);
+                double length = Vec.length(aside);
+                double t = Math.abs(along) < 1e-12 ? random.nextDouble(-1, 1) : Math.signum(along);
+                double[] out = Vec.plus(c, t * row[4], axes[1]);
+                if (length < 1e-12) {
+                    double[] any = Vec.unit(Vec.cross(axes[1], Vec.direction(random)));
+                    return Vec.plus(out, row[3] * random.nextDouble(), any);
+                }
+                return Vec.plus(out, row[3] / length, aside);
+            }
+            case SPHERE -> {
+                return Vec.plus(c, row[3] / Vec.length(n), n);
+            }
+            default -> {
+                double[] sum = new double[3];
+                double all = 0;
+                double reach = reach(n);
+                for (double[] corner : corners) {
+                    double weight = reach - Vec.dot(n, corner) < 1e-12 * (size() + Vec.length(c))
+                            ? random.nextDouble(0.1, 1)
+                            : 0;
+                    sum = Vec.plus(sum, weight, corner);
+                    all += weight;
+                }
+                return Vec.plus(new double[3], 1 / all, sum);
+            }
+        }
+    }
+
+    /** What of it is furthest along n: a point, a line or a face. */
+    String feature(double[] n) {
+        double small = 1e-9;
+        switch (type) {
+            case BOX -> {
+                int flat = 0;
+                for (int k = 0; k < 3; k++) {
+                    flat += Math.abs(Vec.dot(n, axes[k])) < small ? 1 : 0;
+                }
+                return List.of("corner", "edge", "face").get(flat);
+            }
+            case CYLINDER -> {
+                double along = Math.abs(Vec.dot(n, axes[1]));
+                return along < small ? "mantle" : Vec.length(Vec.cross(n, axes[1])) < small ? "cap" : "rim";
+            }
+            case SPHERE -> {
+                return "sphere";
+            }
+            default -> {
+                double reach = reach(n);
+                int tops = 0;
+                for (double[] corner : corners) {
+                    tops += reach - Vec.dot(n, corner) < small * size() ? 1 : 0;
+                }
+                return List.of("", "corner", "edge", "face").get(tops);
+            }
+        }
+    }
+
+    /** Directions in which it goes on, both ways, from a point of its surface. */
+    List<double[]> tangents(double[] p) {
+        double[] w = Vec.minus(p, c);
+        double inner = 1 - 1e-11;
+        List<double[]> out = new java.util.ArrayList<>();
+        switch (type) {
+            case BOX -> {
+                for (int k = 0; k < 3; k++) {
+                    if (Math.abs(Vec.dot(w, axes[k])) < inner * row[3 + k]) {
+                        out.add(axes[k]);
+                    }
+                }
+            }
+            case CYLINDER -> {
+                double t = Vec.dot(w, axes[1]);
+                double[] aside = Vec.plus(w, -t, axes[1]);
+                if (Math.abs(t) < inner * row[4]) {
+                    out.add(axes[1]);
+                }
+                if (Vec.length(aside) > 0) {
+                    double[] radial = Vec.unit(aside);
+                    out.add(Vec.unit(Vec.cross(axes[1], radial)));
+                    if (Vec.length(aside) < inner * row[3]) {
+                        out.add(radial);
+                    }
+                }
+            }
+            case TRIANGLE -> {
+                for (double[] edge : edges) {
+                    double[] way = {edge[3], edge[4], edge[5]};
+                    double length = Vec.length(way);
+                    if (length > 0) {
+                        out.add(Vec.plus(new double[3], 1 / length, way));
+                    }
+                }
+            }
+            case SPHERE -> {}
+        }
+        return out;
+    }
+
+    @Override
+    public String toString() {
+        return kind + " " + Arrays.toString(row);
+    }
+}

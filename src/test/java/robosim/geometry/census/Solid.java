@@ -1,0 +1,146 @@
+package robosim.geometry.census;
+
+import java.util.SplittableRandom;
+import robosim.geometry.narrow.Leaf;
+
+/** A convex leaf as the twins see it: corners with edges and sides, or a centre, an axis and a radius. */
+final class Solid {
+    private static final int[][] BOX_EDGES = {
+        {0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3}, {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}
+    };
+    private static final int[][] TRIANGLE_EDGES = {{0, 1}, {1, 2}, {2, 0}};
+    private static final int[][] BOX_SIDES = {{0, 2, 4}, {1, 3, 5}, {0, 1, 4}, {2, 3, 6}, {0, 1, 2}, {4, 5, 6}};
+    private static final int[][] TRIANGLE_SIDES = {{0, 1, 2}};
+
+    final int kind;
+    final double[][] corners;
+    final int[][] edges;
+
+    /** Of each side a corner and the two that its edges lead to; a box's sides go on to a fourth. */
+    final int[][] sides;
+
+    final double[] centre;
+    final double[] axis;
+    final double radius;
+    final double half;
+
+    private Solid(int kind, double[][] corners, double[] centre, double[] axis, double radius, double half) {
+        this.kind = kind;
+        this.corners = corners;
+        edges = kind == Leaf.BOX ? BOX_EDGES : kind == Leaf.TRIANGLE ? TRIANGLE_EDGES : new int[0][];
+        sides = kind == Leaf.BOX ? BOX_SIDES : kind == Leaf.TRIANGLE ? TRIANGLE_SIDES : new int[0][];
+        this.centre = centre;
+        this.axis = axis;
+        this.radius = radius;
+        this.half = half;
+    }
+
+    /** A row's solid, seen from an origin. */
+    static Solid of(int kind, double[] row, double[] origin) {
+        double[] c = {row[0] - origin[0], row[1] - origin[1], row[2] - origin[2]};
+        return switch (kind) {
+            case Leaf.BOX -> {
+                double[][] corners = new double[8][3];
+                for (int m = 0; m < 8; m++) {
+                    for (int k = 0; k < 3; k++) {
+                        corners[m][k] = c[k];
+                        for (int e = 0; e < 3; e++) {
+                            corners[m][k] += ((m >> e & 1) == 0 ? -1 : 1) * row[3 + e] * row[6 + 3 * k + e];
+                        }
+                    }
+                }
+                yield new Solid(kind, corners, c, new double[3], 0, 0);
+            }
+            case Leaf.TRIANGLE -> {
+                double[][] corners = new double[3][3];
+                for (int m = 0; m < 9; m++) {
+                    corners[m / 3][m % 3] = row[m] - origin[m % 3];
+                }
+                yield new Solid(kind, corners, c, new double[3], 0, 0);
+            }
+            case Leaf.CYLINDER -> {
+                double[] axis = Space.unit(new double[] {row[7], row[10], row[13]});
+                yield new Solid(kind, new double[0][], c, axis, row[3], row[4]);
+            }
+            default -> new Solid(kind, new double[0][], c, new double[3], row[3], 0);
+        };
+    }
+
+    /** The same turned about the origin by a matrix, then moved on. */
+    Solid placed(double[] turn, double[] shift) {
+        double[][] moved = new double[corners.length][];
+        for (int m = 0; m < corners.length; m++) {
+            moved[m] = Space.sum(Space.times(turn, corners[m]), shift, 1);
+        }
+        return new Solid(
+                kind, moved, Space.sum(Space.times(turn, centre), shift, 1), Space.times(turn, axis), radius, half);
+    }
+
+    boolean isPolytope() {
+        return corners.length > 0;
+    }
+
+    /** The largest distance of a point of it from the origin, rounded up a little. */
+    double reach() {
+        double reach = isPolytope() ? 0 : Space.length(centre) + radius + half;
+        for (double[] corner : corners) {
+            reach = Math.max(reach, Space.length(corner));
+        }
+        return reach;
+    }
+
+    /** A point that lies furthest in a direction; any of those that do. */
+    double[] furthest(double[] n, SplittableRandom random) {
+        if (!isPolytope()) {
+            double along = Space.dot(n, axis);
+            double[] across = Space.sum(n, axis, -along);
+            double length = Space.length(across);
+            double[] p = Space.sum(centre, kind == Leaf.SPHERE ? n : across, radius / Math.max(length, 1e-300));
+            if (kind == Leaf.SPHERE) {
+                return Space.sum(centre, n, radius);
+            }
+            if (length < 1e-9) {
+                double[] any = Space.unit(Space.cross(axis, Space.direction(random)));
+                p = Space.sum(centre, any, radius * random.nextDouble());
+            }
+            double height = Math.abs(along) < 1e-9 ? random.nextDouble(-1, 1) : Math.signum(along);
+            return Space.sum(p, axis, half * height);
+        }
+        double most = Double.NEGATIVE_INFINITY;
+        for (double[] corner : corners) {
+            most = Math.max(most, Space.dot(n, corner));
+        }
+        double[] sum = new double[3];
+        double weights = 0;
+        for (double[] corner : corners) {
+            if (Space.dot(n, corner) > most - 1e-9 * (1 + reach())) {
+                double weight = random.nextDouble(0.05, 1);
+                weights += weight;
+                sum = Space.sum(sum, corner, weight);
+            }
+        }
+        return Space.sum(new double[3], sum, 1 / weights);
+    }
+
+    /** The direction of an edge, a cylinder's axis; of a sphere any. */
+    double[] edge(SplittableRandom random) {
+        if (isPolytope()) {
+            int[] edge = edges[random.nextInt(edges.length)];
+            return Space.unit(Space.sum(corners[edge[1]], corners[edge[0]], -1));
+        }
+        return kind == Leaf.CYLINDER ? axis : Space.direction(random);
+    }
+
+    /** The normal of a side or a cap, one way or the other; of a sphere any direction. */
+    double[] normal(SplittableRandom random) {
+        double way = random.nextBoolean() ? 1 : -1;
+        double[] n = kind == Leaf.CYLINDER ? axis : Space.direction(random);
+        if (isPolytope()) {
+            int[] side = sides[random.nextInt(sides.length)];
+            n = Space.cross(
+                    Space.sum(corners[side[1]], corners[side[0]], -1),
+                    Space.sum(corners[side[2]], corners[side[0]], -1));
+        }
+        return Space.unit(Space.sum(new double[3], n, way));
+    }
+}

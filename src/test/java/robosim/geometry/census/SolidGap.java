@@ -1,0 +1,268 @@
+package robosim.geometry.census;
+
+import robosim.geometry.narrow.Leaf;
+
+/**
+ * The distance of two solids from one pair of features after the other, in closed form or by a bracketed search in one
+ * variable. Where the two overlap it means nothing, but that it is 0 where they begin to.
+ */
+final class SolidGap {
+    /** Which features are nearest, of the first and of the second solid. */
+    enum Meeting {
+        CORNER_ON_SIDE,
+        SIDE_ON_CORNER,
+        EDGES,
+        RIM_ON_SIDE,
+        RIM_ON_EDGE,
+        RIM_ON_ROUND,
+        MANTLE_ON_EDGE,
+        MANTLES,
+        SPHERE
+    }
+
+    private static final int SPREAD = 24;
+    private static final double GOLDEN = 0.6180339887498949;
+
+    double distance;
+    Meeting meeting = Meeting.EDGES;
+
+    double between(Solid a, Solid b) {
+        distance = Double.POSITIVE_INFINITY;
+        if (a.kind == Leaf.SPHERE) {
+            take(fromPoint(b, a.centre) - a.radius - (b.kind == Leaf.SPHERE ? b.radius : 0), Meeting.SPHERE);
+        } else if (b.kind == Leaf.SPHERE) {
+            take(fromPoint(a, b.centre) - b.radius, Meeting.SPHERE);
+        } else if (a.isPolytope() && b.isPolytope()) {
+            sides(a, b, Meeting.CORNER_ON_SIDE);
+            sides(b, a, Meeting.SIDE_ON_CORNER);
+            for (int[] e : a.edges) {
+                for (int[] f : b.edges) {
+                    take(segments(a.corners[e[0]], a.corners[e[1]], b.corners[f[0]], b.corners[f[1]]), Meeting.EDGES);
+                }
+            }
+        } else if (a.isPolytope()) {
+            roundAndFlat(b, a);
+        } else if (b.isPolytope()) {
+            roundAndFlat(a, b);
+        } else {
+            mantles(a, b);
+            rims(a, b);
+            rims(b, a);
+        }
+        return distance;
+    }
+
+    private void take(double found, Meeting how) {
+        if (found < distance) {
+            distance = found;
+            meeting = how;
+        }
+    }
+
+    private void sides(Solid of, Solid on, Meeting how) {
+        for (int[] side : on.sides) {
+            for (double[] corner : of.corners) {
+                take(aboveSide(corner, on, side), how);
+            }
+        }
+    }
+
+    /** How far a point is from a side's plane, infinite where its foot is not on the side. */
+    private static double aboveSide(double[] p, Solid on, int[] side) {
+        double[] u = Space.sum(on.corners[side[1]], on.corners[side[0]], -1);
+        double[] v = Space.sum(on.corners[side[2]], on.corners[side[0]], -1);
+        double[] n = Space.cross(u, v);
+        double square = Space.dot(n, n);
+        double[] w = Space.sum(p, on.corners[side[0]], -1);
+        double s = Space.dot(Space.cross(w, v), n);
+        double t = Space.dot(Space.cross(u, w), n);
+        boolean inside =
+                s >= 0 && t >= 0 && (on.kind == Leaf.BOX ? s <= square && t <= square : s + t <= square) && square > 0;
+        return inside ? Math.abs(Space.dot(w, n)) / Math.sqrt(square) : Double.POSITIVE_INFINITY;
+    }
+
+    private static double segments(double[] p, double[] q, double[] r, double[] s) {
+        double[] u = Space.sum(q, p, -1);
+        double[] v = Space.sum(s, r, -1);
+        double[] w = Space.sum(p, r, -1);
+        double[] n = Space.cross(u, v);
+        double nn = Space.dot(n, n);
+        double best = Double.POSITIVE_INFINITY;
+        if (nn > 0) {
+            double i = Space.dot(Space.cross(v, w), n);
+            double j = Space.dot(Space.cross(u, w), n);
+            if (i >= 0 && i <= nn && j >= 0 && j <= nn) {
+                best = Math.abs(Space.dot(w, n)) / Math.sqrt(nn);
+            }
+        }
+        best = Math.min(best, Math.min(fromSegment(p, r, s), fromSegment(q, r, s)));
+        return Math.min(best, Math.min(fromSegment(r, p, q), fromSegment(s, p, q)));
+    }
+
+    private static double fromSegment(double[] p, double[] q, double[] r) {
+        double[] u = Space.sum(r, q, -1);
+        double[] w = Space.sum(p, q, -1);
+        double uu = Space.dot(u, u);
+        double share = uu > 0 ? Math.max(0, Math.min(1, Space.dot(u, w) / uu)) : 0;
+        return Space.length(Space.sum(w, u, -share));
+    }
+
+    /** From a point to a solid, 0 inside; a sphere counts as its centre. */
+    private static double fromPoint(Solid to, double[] p) {
+        double[] w = Space.sum(p, to.centre, -1);
+        if (to.kind == Leaf.CYLINDER) {
+            double along = Space.dot(w, to.axis);
+            double out = Math.max(0, Space.length(Space.sum(w, to.axis, -along)) - to.radius);
+            double up = Math.max(0, Math.abs(along) - to.half);
+            return up == 0 ? out : out == 0 ? up : Math.sqrt(up * up + out * out);
+        }
+        if (to.kind == Leaf.SPHERE) {
+            return Space.length(w);
+        }
+        double best = Double.POSITIVE_INFINITY;
+        boolean inside = to.kind == Leaf.BOX;
+        for (int k = 0; k < 3 && inside; k++) {
+            double[] e = Space.sum(to.corners[1 << k], to.corners[0], -1);
+            double along = Space.dot(Space.sum(p, to.corners[0], -1), e);
+            inside = along >= 0 && along <= Space.dot(e, e);
+        }
+        if (inside) {
+            return 0;
+        }
+        for (int[] side : to.sides) {
+            best = Math.min(best, aboveSide(p, to, side));
+        }
+        for (int[] e : to.edges) {
+            best = Math.min(best, fromSegment(p, to.corners[e[0]], to.corners[e[1]]));
+        }
+        return best;
+    }
+
+    private void roundAndFlat(Solid round, Solid flat) {
+        for (int[] side : flat.sides) {
+            double[] u = Space.sum(flat.corners[side[1]], flat.corners[side[0]], -1);
+            double[] v = Space.sum(flat.corners[side[2]], flat.corners[side[0]], -1);
+            double[] n = Space.unit(Space.cross(u, v));
+            if (Space.dot(n, Space.sum(round.centre, flat.corners[side[0]], -1)) < 0) {
+                n = Space.sum(new double[3], n, -1);
+            }
+            double along = Space.dot(n, round.axis);
+            double[] across = Space.sum(n, round.axis, -along);
+            double[] p = Space.sum(round.centre, round.axis, along > 0 ? -round.half : round.half);
+            double length = Space.length(across);
+            take(
+                    aboveSide(length > 0 ? Space.sum(p, across, -round.radius / length) : p, flat, side),
+                    Meeting.RIM_ON_SIDE);
+            take(
+                    aboveSide(p, flat, side) == Double.POSITIVE_INFINITY || length > 1e-12
+                            ? Double.POSITIVE_INFINITY
+                            : aboveSide(p, flat, side),
+                    Meeting.RIM_ON_SIDE);
+        }
+        for (int[] e : flat.edges) {
+            double[] p = flat.corners[e[0]];
+            double[] way = Space.sum(flat.corners[e[1]], p, -1);
+            double far = fromPoint(round, Space.sum(p, way, 0.5)) - 0.5 * Space.length(way);
+            if (far >= distance) {
+                continue;
+            }
+            // A convex function along the edge.
+            double low = 0;
+            double high = 1;
+            double s = 1 - GOLDEN;
+            double t = GOLDEN;
+            double atS = fromPoint(round, Space.sum(p, way, s));
+            double atT = fromPoint(round, Space.sum(p, way, t));
+            for (int k = 0; k < 60; k++) {
+                if (atS <= atT) {
+                    high = t;
+                    t = s;
+                    atT = atS;
+                    s = high - GOLDEN * (high - low);
+                    atS = fromPoint(round, Space.sum(p, way, s));
+                } else {
+                    low = s;
+                    s = t;
+                    atS = atT;
+                    t = low + GOLDEN * (high - low);
+                    atT = fromPoint(round, Space.sum(p, way, t));
+                }
+            }
+            double[] foot = Space.sum(p, way, 0.5 * (low + high));
+            double found = Math.min(
+                    fromPoint(round, foot), Math.min(fromPoint(round, p), fromPoint(round, flat.corners[e[1]])));
+            double up = Math.abs(Space.dot(Space.sum(foot, round.centre, -1), round.axis));
+            take(found, up < round.half ? Meeting.MANTLE_ON_EDGE : Meeting.RIM_ON_EDGE);
+        }
+    }
+
+    private void mantles(Solid a, Solid b) {
+        double[] n = Space.cross(a.axis, b.axis);
+        double nn = Space.dot(n, n);
+        double[] w = Space.sum(a.centre, b.centre, -1);
+        double i = Space.dot(Space.cross(b.axis, w), n);
+        double j = Space.dot(Space.cross(a.axis, w), n);
+        if (nn > 1e-24 && Math.abs(i) <= a.half * nn && Math.abs(j) <= b.half * nn) {
+            take(Math.abs(Space.dot(w, n)) / Math.sqrt(nn) - a.radius - b.radius, Meeting.MANTLES);
+        }
+    }
+
+    /** The rims of one, as circles, against the other. */
+    private void rims(Solid of, Solid to) {
+        double[] u = Space.unit(
+                Space.cross(of.axis, Math.abs(of.axis[0]) < 0.8 ? new double[] {1, 0, 0} : new double[] {0, 1, 0}));
+        double[] v = Space.cross(of.axis, u);
+        for (int way = -1; way <= 1; way += 2) {
+            double[] c = Space.sum(of.centre, of.axis, way * of.half);
+            if (fromPoint(to, c) - of.radius >= distance) {
+                continue;
+            }
+            double[] at = new double[SPREAD];
+            for (int k = 0; k < SPREAD; k++) {
+                at[k] = fromRim(to, c, u, v, of.radius, 2 * Math.PI * k / SPREAD);
+            }
+            for (int k = 0; k < SPREAD; k++) {
+                if (at[k] <= at[(k + 1) % SPREAD] && at[k] <= at[(k + SPREAD - 1) % SPREAD]) {
+                    lowest(of, to, c, u, v, 2 * Math.PI * (k - 1) / SPREAD, 2 * Math.PI * (k + 1) / SPREAD);
+                }
+            }
+            take(cap(of, to, c, way), Meeting.RIM_ON_SIDE);
+        }
+    }
+
+    private void lowest(Solid of, Solid to, double[] c, double[] u, double[] v, double from, double until) {
+        double low = from;
+        double high = until;
+        for (int k = 0; k < 60; k++) {
+            double s = high - GOLDEN * (high - low);
+            double t = low + GOLDEN * (high - low);
+            if (fromRim(to, c, u, v, of.radius, s) <= fromRim(to, c, u, v, of.radius, t)) {
+                high = t;
+            } else {
+                low = s;
+            }
+        }
+        take(fromRim(to, c, u, v, of.radius, 0.5 * (low + high)), Meeting.RIM_ON_ROUND);
+    }
+
+    private static double fromRim(Solid to, double[] c, double[] u, double[] v, double r, double angle) {
+        double x = r * Math.cos(angle);
+        double y = r * Math.sin(angle);
+        double[] p = {c[0] + x * u[0] + y * v[0], c[1] + x * u[1] + y * v[1], c[2] + x * u[2] + y * v[2]};
+        return fromPoint(to, p);
+    }
+
+    /** How far the other is above a cap, where its nearest point to the cap's plane is over the cap. */
+    private static double cap(Solid of, Solid to, double[] c, int way) {
+        double[] n = Space.sum(new double[3], of.axis, way);
+        double along = Space.dot(n, to.axis);
+        double[] across = Space.sum(n, to.axis, -along);
+        double length = Space.length(across);
+        double[] p = Space.sum(to.centre, to.axis, along > 0 ? -to.half : to.half);
+        p = length > 0 ? Space.sum(p, across, -to.radius / length) : p;
+        double[] w = Space.sum(p, c, -1);
+        double up = Space.dot(w, n);
+        boolean over = up >= 0 && Space.length(Space.sum(w, n, -up)) <= of.radius;
+        return over ? up : Double.POSITIVE_INFINITY;
+    }
+}
