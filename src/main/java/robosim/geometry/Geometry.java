@@ -27,6 +27,17 @@ import robosim.geometry.narrow.Scratch;
  * geometry.simpleMove("robot", 5, 0, 0);                                                // false: the wall
  * }</pre>
  *
+ * <h2>Contacts at the start</h2>
+ *
+ * What an object touches or overlaps where a move begins, as in worlds that were loaded unchecked, blocks only what goes
+ * deeper into it: along it and away are free. Each face of a mesh and each member of a group is a piece of its own. And who
+ * stands on a floor may cross its seams: where a plane is between the object and a piece that it touches, and the move does
+ * not cross that plane, nothing that lies wholly behind the plane blocks, such as the next triangle of a floor, the next tile of
+ * equal height, or the flush wall along which it slides. That is decided without rounding on the start and the end as stored, so
+ * that a step of one ulp does block. Heights that are exact sums stay: who drives level keeps its height to the bit. On a
+ * sloping floor the end of a move is rounded, and may be rounded to behind the plane: then the move is refused, or the
+ * next seam is. {@code docs/numerics.md} says which planes are known.
+ *
  * <h2>Long runs</h2>
  *
  * A moveable object's centre and heading are kept as sums together with the rounding that they lost; every query sees
@@ -276,7 +287,7 @@ public final class Geometry {
 
     /**
      * Makes a move along the object's own axes, or tells what blocks it. All or nothing: a refused move leaves the
-     * object where it was, to the bit.
+     * object where it was, to the bit. What is free is free as stored: see {@link MoveResult} for moves of the size of an ulp.
      */
     public MoveResult move(String name, Move move) {
         int id = population.mover(name);

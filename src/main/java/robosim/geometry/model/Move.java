@@ -5,13 +5,14 @@ import java.io.Serializable;
 /**
  * A motion: first a straight translation, then in place a turn about the own Y, then about the own X.
  *
- * <p>The translation is along the object's own axes (forward is +X) or, where a call says so, along the world's.
+ * <p>All is along and about the object's own axes (forward is +X) or, where a call says so, the world's: then too the
+ * turn by {@code ry} comes first.
  *
  * @param x  world units forward
  * @param y  world units up
  * @param z  world units to the right of forward
- * @param rx degrees about the own X, after the turn by {@code ry}; of any size, and more than 360 is more than a circle
- * @param ry degrees about the own Y
+ * @param rx degrees about the X axis, after the turn by {@code ry}; of any size, and more than 360 is more than a circle
+ * @param ry degrees about the Y axis
  */
 public record Move(double x, double y, double z, double rx, double ry) implements Serializable {
     private static final long serialVersionUID = 1;

@@ -1,5 +1,7 @@
 package robosim.geometry.narrow;
 
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import robosim.geometry.exact.Dyadic;
 
@@ -32,13 +34,21 @@ final class ExactBetween {
         }
     }
 
-    /** Whether there is one; where all points are in one plane, that is it. */
-    static boolean exists(List<ExactVector> upper, List<ExactVector> lower, boolean inPlane) {
-        return new ExactBetween(upper, lower, inPlane).exists();
+    /**
+     * Whether there is one; where all points are in one plane, that is it.
+     *
+     * @param pivot one of the upper points that all such planes are known to go through; -1 where none is known
+     */
+    static boolean exists(List<ExactVector> upper, List<ExactVector> lower, boolean inPlane, int pivot) {
+        List<ExactVector> first = new ArrayList<>(upper);
+        if (pivot > 0) {
+            Collections.swap(first, 0, pivot);
+        }
+        return new ExactBetween(first, lower, inPlane).exists(pivot >= 0);
     }
 
-    private boolean exists() {
-        for (int p = 0; p < points.length; p++) {
+    private boolean exists(boolean hasPivot) {
+        for (int p = 0; p < (hasPivot ? 1 : points.length); p++) {
             for (int q = p + 1; q < points.length; q++) {
                 if (flat) {
                     if (isBetween(p, q, -1)) {

@@ -1,7 +1,9 @@
 package robosim.geometry.narrow;
 
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.Dimension;
 
@@ -41,12 +43,9 @@ final class StandingPlanes {
             Scratch s) {
         boolean flat = dimension == Dimension.PLANAR;
         if (planes == null) {
-            planes = hasOnlyLevel(dimension, rows, at, kinds, kindAt, s)
-                    ? List.of()
-                    : find(flat, motion, rows, at, kinds, kindAt);
-        }
-        if (planes.isEmpty()) {
-            return false; // an overlap, or a level plane that was asked before
+            boolean isKnown = hasOnlyLevel(dimension, rows, at, kinds, kindAt, s);
+            isComplete = true;
+            planes = isKnown ? List.of() : find(flat, motion, rows, at, kinds, kindAt);
         }
         for (Plane plane : planes) {
             ExactVector n = plane.normal;
@@ -67,16 +66,59 @@ final class StandingPlanes {
             return false;
         }
         ExactFeatures k = new ExactFeatures(flat, kindTo, to, toAt);
-        if (k.isRound) {
+        ExactFeatures i = new ExactFeatures(flat, kinds[kindAt + 1], rows, end);
+        if (k.isRound || isCrossing(k.corners) || isCrossing(i.corners)) {
             return false;
         }
-        List<ExactVector> upper = new ArrayList<>(k.corners);
+        ExactFeatures p = new ExactFeatures(flat, kinds[kindAt + 2], rows, end + Leaf.STRIDE);
+        Set<ExactVector> upper = new LinkedHashSet<>(new ExactFeatures(flat, kinds[kindAt], rows, at).corners);
+        upper.addAll(i.corners);
+        upper.addAll(k.corners);
         upper.addAll(new ExactFeatures(flat, kind, from, fromAt).corners);
-        upper.addAll(new ExactFeatures(flat, kinds[kindAt], rows, at).corners);
-        upper.addAll(new ExactFeatures(flat, kinds[kindAt + 1], rows, end).corners);
+        List<ExactVector> first = new ArrayList<>(upper);
+        int pivot = pivot(first);
+        if (pivot < 0) {
+            pivot = pivot(p.corners) < 0 ? -1 : first.size();
+            if (pivot > 0) {
+                first.add(p.corners.get(pivot(p.corners)));
+            }
+        }
         List<ExactVector> lower = new ArrayList<>(q.corners);
-        lower.addAll(new ExactFeatures(flat, kinds[kindAt + 2], rows, end + Leaf.STRIDE).corners);
-        return ExactBetween.exists(List.copyOf(new java.util.LinkedHashSet<>(upper)), lower, flat);
+        lower.addAll(p.corners);
+        return ExactBetween.exists(first, lower, flat, pivot);
+    }
+
+    /** A corner that lies in all planes, and so in all that are between these; -1 where there is none. */
+    private int pivot(List<ExactVector> corners) {
+        if (planes != null && isSpanned && !planes.isEmpty()) {
+            for (int k = 0; k < corners.size(); k++) {
+                boolean isOnAll = true;
+                for (Plane plane : planes) {
+                    isOnAll &= plane.normal.dot(corners.get(k)).compareTo(plane.below.high()) == 0;
+                }
+                if (isOnAll) {
+                    return k;
+                }
+            }
+        }
+        return -1;
+    }
+
+    /** Whether a corner of the mover ends behind all planes, and so behind all that are between these. */
+    private boolean isCrossing(List<ExactVector> corners) {
+        if (planes == null || !isSpanned || planes.isEmpty()) {
+            return false;
+        }
+        for (ExactVector corner : corners) {
+            boolean isBehind = true;
+            for (Plane plane : planes) {
+                isBehind &= plane.normal.dot(corner).compareTo(plane.below.high()) < 0;
+            }
+            if (isBehind) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Whether a level plane is certainly the only one. */
@@ -103,7 +145,7 @@ final class StandingPlanes {
 
     /** Whether a corner is beyond all planes, and so beyond all that are between these. */
     private boolean isBeyondAll(List<ExactVector> corners) {
-        if (planes == null || !isSpanned) {
+        if (planes == null || !isSpanned || planes.isEmpty()) {
             return false;
         }
         for (ExactVector corner : corners) {

@@ -2,6 +2,7 @@ package robosim.geometry.census;
 
 import java.util.ArrayList;
 import java.util.List;
+import robosim.geometry.model.Dimension;
 
 /** All kernels that are counted, in the order of the published table. */
 final class Kernels {
@@ -19,6 +20,8 @@ final class Kernels {
         all.addAll(DistanceKernel.all());
         all.add(new SpatialTurn());
         all.add(new SpatialWay());
+        all.add(new StandingMoves(Dimension.PLANAR));
+        all.add(new StandingMoves(Dimension.SPATIAL));
         return all;
     }
 }
