@@ -22,14 +22,14 @@ final class PolygonPolygon {
      * octagons have sides in the same four directions, one of which parts them where they are apart.
      */
     static boolean touch(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
-        return kindA == Leaf.PRISM && kindB == Leaf.PRISM
+        return (kindA == Leaf.PRISM && kindB == Leaf.PRISM)
                 ? octagonsTouch(a, i, b, j)
                 : polygonsTouch(kindA, a, i, kindB, b, j, s);
     }
 
     private static boolean octagonsTouch(double[] a, int i, double[] b, int j) {
         for (int k = 0; k < 8; k += 2) {
-            if (a[i + k] > b[j + k + 1] || b[j + k] > a[i + k + 1]) {
+            if ((a[i + k] > b[j + k + 1]) || (b[j + k] > a[i + k + 1])) {
                 return false;
             }
         }
