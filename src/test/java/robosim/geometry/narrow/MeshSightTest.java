@@ -137,14 +137,14 @@ class MeshSightTest {
             double[] row, double x, double y, double z, Dimension dimension, boolean isCone, double half) {
         double cos = StrictMath.cos(half);
         double sin = StrictMath.sin(half);
-        double ux = cast.unit(0);
-        double uy = cast.unit(1);
-        double uz = cast.unit(2);
+        double dx = cast.way(0);
+        double dy = cast.way(1);
+        double dz = cast.way(2);
         if (dimension == Dimension.SPATIAL) {
-            return SpatialCone.distance(x, y, z, ux, uy, uz, cos, sin, Leaf.TRIANGLE, row, 0, scratch);
+            return SpatialCone.distance(x, y, z, dx, dy, dz, cos, sin, Leaf.TRIANGLE, row, 0, scratch);
         }
         return isCone
-                ? PlanarCone.distance(x, z, ux, uz, cos, sin, Leaf.TRIANGLE, row, 0, scratch)
-                : PlanarRay.distance(x, z, cast.way(0), cast.way(2), Leaf.TRIANGLE, row, 0, scratch);
+                ? PlanarCone.distance(x, z, dx, dz, cos, sin, Leaf.TRIANGLE, row, 0, scratch)
+                : PlanarRay.distance(x, z, dx, dz, Leaf.TRIANGLE, row, 0, scratch);
     }
 }
