@@ -65,7 +65,8 @@ public final class Fairness {
                 "p99",
                 "p99.9",
                 "worst",
-                java.lang.management.ManagementFactory.getOperatingSystemMXBean().getSystemLoadAverage());
+                java.lang.management.ManagementFactory.getOperatingSystemMXBean()
+                        .getSystemLoadAverage());
         Healthy healthy = new Healthy();
         for (Greed attack : attacks) {
             measure(healthy, attack);
@@ -75,7 +76,8 @@ public final class Fairness {
     /** Beside nobody, then beside an attack, of one server. */
     private static void measure(Healthy healthy, Greed attack) throws Exception {
         long nanos = Long.getLong("seconds", 8) * 1_000_000_000;
-        List<String> flags = List.of(System.getProperty("server.flags", "").trim().split(" +"));
+        List<String> flags =
+                List.of(System.getProperty("server.flags", "").trim().split(" +"));
         Process server = start(flags.get(0).isEmpty() ? List.of() : flags, "serve");
         try {
             int port = Integer.parseInt(line(server));
@@ -126,8 +128,8 @@ public final class Fairness {
     }
 
     private static String line(Process process) throws IOException {
-        String line = new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8))
-                .readLine();
+        String line =
+                new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8)).readLine();
         if (line == null) {
             throw new IOException("the process must say a line (got: its end)");
         }
@@ -198,7 +200,8 @@ public final class Fairness {
                         Bundle answer = in.read();
                         times[count++] = System.nanoTime() - start;
                         if (!answers.get(k).equals(answer)) {
-                            throw new IOException("answer " + k + " must be " + answers.get(k) + " (got: " + answer + ")");
+                            throw new IOException(
+                                    "answer " + k + " must be " + answers.get(k) + " (got: " + answer + ")");
                         }
                     }
                 }

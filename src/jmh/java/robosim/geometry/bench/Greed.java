@@ -15,8 +15,10 @@ enum Greed {
     CONES(50, 1000, true) {
         @Override
         byte[] request() {
-            return sonars(10_000, "{\"objectName\":\"r\",\"xOffset\":%d,\"zOffset\":%d,"
-                    + "\"beam\":{\"min\":0,\"max\":null,\"width\":2.5}}");
+            return sonars(
+                    10_000,
+                    "{\"objectName\":\"r\",\"xOffset\":%d,\"zOffset\":%d,"
+                            + "\"beam\":{\"min\":0,\"max\":null,\"width\":2.5}}");
         }
     },
 
@@ -113,7 +115,8 @@ enum Greed {
     private static byte[] world(int objects) {
         SplittableRandom random = new SplittableRandom(5);
         StringBuilder line = new StringBuilder(128 * objects).append("{\"type\":\"init\",\"objects\":[");
-        line.append("{\"kind\":\"cylinder\",\"name\":\"r\",\"moveable\":true,\"center\":[0,0,0],\"radius\":0.2,\"height\":1}");
+        line.append(
+                "{\"kind\":\"cylinder\",\"name\":\"r\",\"moveable\":true,\"center\":[0,0,0],\"radius\":0.2,\"height\":1}");
         for (int k = 1; k < objects; k++) {
             line.append(",{\"kind\":\"box\",\"center\":[")
                     .append(random.nextInt(1, 2000))

@@ -164,7 +164,11 @@ final class CheckText {
     private void rooms() {
         List<WorldCheck.Room> rooms = check.rooms();
         if (rooms.isEmpty()) {
-            add("ways", check.robots().isEmpty() ? "there is no robot" : "there is no robot that can be asked where it gets to");
+            add(
+                    "ways",
+                    check.robots().isEmpty()
+                            ? "there is no robot"
+                            : "there is no robot that can be asked where it gets to");
             return;
         }
         WorldCheck.Room main = rooms.get(0);
@@ -215,8 +219,10 @@ final class CheckText {
         WorldCheck.Needs needs = check.needs();
         WorldCheck.Setting truth = needs.setting(world.dimension(), Accuracy.EXACT);
         if (check.robots().isEmpty()) {
-            add("needs", "not asked, for there is no robot: name an object and make it moveable to learn what its"
-                    + " questions need");
+            add(
+                    "needs",
+                    "not asked, for there is no robot: name an object and make it moveable to learn what its"
+                            + " questions need");
             return;
         }
         if (truth.isAskedEnough() && !needs.isTold()) {

@@ -119,7 +119,8 @@ final class ConvertCommand implements Callable<Integer> {
         }
         if (Files.exists(out) && Files.isSameFile(in, out)) {
             throw new ParameterException(
-                    spec.commandLine(), "OUT must be another file than IN, which it would overwrite (got: " + out + ")");
+                    spec.commandLine(),
+                    "OUT must be another file than IN, which it would overwrite (got: " + out + ")");
         }
         Inputs.folders(spec, "--models", models);
         WorldImport read = WorldImport.read(in, options());

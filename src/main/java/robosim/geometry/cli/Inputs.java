@@ -37,7 +37,8 @@ final class Inputs {
         if (!Files.isRegularFile(file)) {
             throw new ParameterException(
                     spec.commandLine(),
-                    parameter + " must be a regular file; this is a pipe, a socket or a device, so save what it gives to"
+                    parameter
+                            + " must be a regular file; this is a pipe, a socket or a device, so save what it gives to"
                             + " a file first (got: " + file + ")");
         }
         if (!Files.isReadable(file)) {

@@ -65,7 +65,8 @@ final class ViewCommand implements Callable<Integer> {
     @Option(
             names = "--models",
             paramLabel = "DIR",
-            description = "a folder of models for SDFormat's model://, beside that of the world file; may be given again")
+            description =
+                    "a folder of models for SDFormat's model://, beside that of the world file; may be given again")
     private List<Path> models = new ArrayList<>();
 
     @Option(names = "--dark", description = "on dark paper; D changes it in the window")

@@ -21,7 +21,8 @@ final class ConeCylinderCap {
     double p;
     double q;
 
-    // Of the plane, turned so that it is above the apex: its height, the cone's axis along it, and the angles at which the
+    // Of the plane, turned so that it is above the apex: its height, the cone's axis along it, and the angles at which
+    // the
     // conic begins and ends, seen from the apex: sines and cosines, not of length 1.
     private double level;
     private double beginCos;

@@ -164,8 +164,7 @@ final class ExactFeatures {
      * Of two leaves that touch and do not overlap, the directions from b to a of planes between them, of each of which there
      * is one: all of them, or all others are between these; or none where a rim touches what is no corner.
      */
-    static List<ExactVector> parting(
-            boolean flat, int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    static List<ExactVector> parting(boolean flat, int kindA, double[] a, int i, int kindB, double[] b, int j) {
         List<ExactVector> parting = new ArrayList<>();
         ExactFeatures mine = new ExactFeatures(flat, kindA, a, i);
         for (ExactVector normal : mine.normalsWith(new ExactFeatures(flat, kindB, b, j))) {

@@ -231,8 +231,7 @@ final class Gjk {
         finish();
     }
 
-    private void load(
-            int kindA, double[] a, int i, int kindB, double[] b, int j, double scale, boolean flat) {
+    private void load(int kindA, double[] a, int i, int kindB, double[] b, int j, double scale, boolean flat) {
         if (flat) {
             first.planar(kindA, a, i, ox, oz, scale);
             second.planar(kindB, b, j, ox, oz, scale);

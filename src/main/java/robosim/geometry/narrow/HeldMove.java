@@ -142,7 +142,6 @@ final class HeldMove {
         }
         List<ExactVector> parting = ExactFeatures.parting(planar, kindA, a, i, kindB, b, j);
         ExactVector way = ExactVector.of(dx, dy, dz);
-        return !parting.isEmpty()
-                && parting.stream().allMatch(n -> n.dot(way).signum() < 0);
+        return !parting.isEmpty() && parting.stream().allMatch(n -> n.dot(way).signum() < 0);
     }
 }

@@ -184,7 +184,8 @@ final class HeldTurn {
                 double fy = ofMover.edgeY[m];
                 double fz = ofMover.edgeZ[m];
                 turned(fx, fy, fz, cos, sin);
-                double way = nx * (ey * vz - ez * vy) + ny * (ez * vx - ex * vz) + nz * (ex * vy - ey * vx) < 0 ? -1 : 1;
+                double way =
+                        nx * (ey * vz - ez * vy) + ny * (ez * vx - ex * vz) + nz * (ex * vy - ey * vx) < 0 ? -1 : 1;
                 across.aim(rest, ex, ey, ez, mover, fx, fy, fz, wx, wy, wz, way);
                 end = Math.max(end, across.until(t));
             }
@@ -211,8 +212,7 @@ final class HeldTurn {
     }
 
     /** Holds what of a direction is square to an edge. */
-    private double square(
-            double nx, double ny, double nz, double ex, double ey, double ez, double t, double depth) {
+    private double square(double nx, double ny, double nz, double ex, double ey, double ez, double t, double depth) {
         double along = nx * ex + ny * ey + nz * ez;
         double x = nx - along * ex;
         double y = ny - along * ey;

@@ -147,8 +147,7 @@ public final class Standing {
      *
      * @param kindTo the mover's piece where it goes to, which is the end or a place before it
      */
-    boolean isBehind(
-            int kind, double[] from, int at, int kindTo, double[] to, int atTo, int kindB, double[] b, int j) {
+    boolean isBehind(int kind, double[] from, int at, int kindTo, double[] to, int atTo, int kindB, double[] b, int j) {
         if (levelCount > 0
                 && Levels.has(kind)
                 && Levels.has(kindTo)
@@ -165,7 +164,9 @@ public final class Standing {
             }
         }
         for (int k = 0; k < count; k++) {
-            if (planes[k].part(dimension, motion, rows, k * ROWS, kinds, 3 * k, kind, from, at, kindTo, to, atTo, kindB, b, j, s)) {
+            if (planes[k].part(
+                    dimension, motion, rows, k * ROWS, kinds, 3 * k, kind, from, at, kindTo, to, atTo, kindB, b, j,
+                    s)) {
                 return true;
             }
         }

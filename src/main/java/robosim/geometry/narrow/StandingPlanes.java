@@ -41,7 +41,9 @@ final class StandingPlanes {
             Scratch s) {
         boolean flat = dimension == Dimension.PLANAR;
         if (planes == null) {
-            planes = hasOnlyLevel(dimension, rows, at, kinds, kindAt, s) ? List.of() : find(flat, motion, rows, at, kinds, kindAt);
+            planes = hasOnlyLevel(dimension, rows, at, kinds, kindAt, s)
+                    ? List.of()
+                    : find(flat, motion, rows, at, kinds, kindAt);
         }
         if (planes.isEmpty()) {
             return false; // an overlap, or a level plane that was asked before

@@ -66,7 +66,9 @@ public final class Sweep {
             case Leaf.SPHERE -> true;
             case Leaf.UPRIGHT_CYLINDER -> isLevel;
             case Leaf.CYLINDER ->
-                ExactExtent.axis(kind, row, at).cross(ExactVector.of(wx, wy, wz)).isZero();
+                ExactExtent.axis(kind, row, at)
+                        .cross(ExactVector.of(wx, wy, wz))
+                        .isZero();
             default -> false;
         };
     }
@@ -218,8 +220,7 @@ public final class Sweep {
                 double share = Leaf.isMesh(kindB)
                         ? againstMesh(Leaf.TRIANGLE, s.triangleA, 0, b, j)
                         : piece(Leaf.TRIANGLE, s.triangleA, 0, kindB, b.rows(j), b.at(j), -1, least);
-                boolean isFirst =
-                        share < least || (share == least && ownPiece >= 0 && isLower(s.outer, t, ownPiece));
+                boolean isFirst = share < least || (share == least && ownPiece >= 0 && isLower(s.outer, t, ownPiece));
                 if (share != Double.POSITIVE_INFINITY && isFirst) {
                     least = share;
                     ownPiece = t;

@@ -25,8 +25,9 @@ final class Connection implements Runnable {
     /** A world from a message of so many bytes has more objects than can be put into an index within a turn. */
     private static final int HEAVY_BYTES = 1 << 20;
 
-    private static final String NO_MEMORY = "the module has not enough memory for this request; ask for less at a time, or"
-            + " give it more (-Xmx); a new connection may go on";
+    private static final String NO_MEMORY =
+            "the module has not enough memory for this request; ask for less at a time, or"
+                    + " give it more (-Xmx); a new connection may go on";
 
     private final Socket socket;
     private final String name;

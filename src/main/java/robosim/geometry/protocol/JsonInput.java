@@ -73,7 +73,8 @@ final class JsonInput implements Closeable {
         return new JsonInput(parser(bytes, at, length), true);
     }
 
-    // Not createParser(bytes, at, length): where names are not canonicalized, that of Jackson 2.22 takes at + length for
+    // Not createParser(bytes, at, length): where names are not canonicalized, that of Jackson 2.22 takes at + length
+    // for
     // the length of more than 8,000 bytes, and reads what stands behind the line.
     private static JsonParser parser(byte[] bytes, int at, int length) throws IOException {
         return length <= LineInput.BUFFER

@@ -108,8 +108,8 @@ final class LineInput {
     }
 
     private ProtocolException endedInside() {
-        return new ProtocolException("the stream ended inside a line, after " + count
-                + " bytes of it; each message ends with a line feed");
+        return new ProtocolException(
+                "the stream ended inside a line, after " + count + " bytes of it; each message ends with a line feed");
     }
 
     private boolean fill() throws IOException {

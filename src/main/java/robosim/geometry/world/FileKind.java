@@ -97,7 +97,8 @@ final class FileKind {
             case "svg" -> "this is a picture (SVG), and holds no world";
             case "html" -> "this is a page of the web: what was fetched is no file but the page around it";
             case "gazebo", "gazebo_world" -> "this is a world of a Gazebo older than SDFormat 1.4; convert it there";
-            default -> readAs.equals("xml") || readAs.equals("sdf") ? null : "this is XML, with the root <" + root + ">";
+            default ->
+                readAs.equals("xml") || readAs.equals("sdf") ? null : "this is XML, with the root <" + root + ">";
         };
     }
 }

@@ -105,9 +105,8 @@ record MapSettings(
                     default -> {}
                 }
                 if (depth > Limits.MAX_NESTED) {
-                    int line = event.getStartMark()
-                            .map(mark -> mark.getLine() + 1)
-                            .orElse(0);
+                    int line =
+                            event.getStartMark().map(mark -> mark.getLine() + 1).orElse(0);
                     throw new WorldException(
                             source,
                             line,

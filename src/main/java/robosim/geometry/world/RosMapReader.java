@@ -142,7 +142,8 @@ public final class RosMapReader {
             return List.of();
         }
         return List.of(yaml + ":" + settings.freeLine() + ": free_thresh should be at most occupied_thresh, "
-                + settings.occupied() + "; as in the map server of ROS 2, what is above occupied_thresh is a wall, and no"
+                + settings.occupied()
+                + "; as in the map server of ROS 2, what is above occupied_thresh is a wall, and no"
                 + " cell is unknown (got: " + settings.free() + ")");
     }
 
@@ -171,8 +172,7 @@ public final class RosMapReader {
         return new WorldObject(box(settings, grid, height, cells).named(side + " edge of the map"));
     }
 
-    private static BoxObject box(
-            MapSettings settings, OccupancyGrid grid, double height, Rectangles.Rectangle cells) {
+    private static BoxObject box(MapSettings settings, OccupancyGrid grid, double height, Rectangles.Rectangle cells) {
         BoxObject box = new BoxObject(
                 new Point(),
                 (cells.toX() - cells.fromX()) * settings.resolution(),

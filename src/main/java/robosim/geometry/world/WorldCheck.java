@@ -140,12 +140,7 @@ public record WorldCheck(
      * @param settings  what each setting answered, PLANAR before SPATIAL and the coarsest first
      */
     public record Needs(
-            Dimension dimension,
-            Accuracy accuracy,
-            boolean isProven,
-            int met,
-            long seed,
-            List<Setting> settings) {
+            Dimension dimension, Accuracy accuracy, boolean isProven, int met, long seed, List<Setting> settings) {
         /** Copies the list. */
         public Needs {
             settings = List.copyOf(settings);

@@ -221,7 +221,9 @@ class ConvertCommandTest extends CommandRun {
         String named = "<sdf version='1.6'>new.sdf</sdf>";
         for (String text : new String[] {named + broken, broken + named, broken}) {
             Files.writeString(config, "<model><name>wall</name>\n" + text + "</model>");
-            assertThat(run("check", sdf, "--models", folder.resolve("models"))).as(text).isEqualTo(ExitCodes.FINE);
+            assertThat(run("check", sdf, "--models", folder.resolve("models")))
+                    .as(text)
+                    .isEqualTo(ExitCodes.FINE);
             assertThat(out.toString())
                     .contains(
                             "objects   7: ",
@@ -286,7 +288,8 @@ class ConvertCommandTest extends CommandRun {
         Path recording = folder.resolve("r.scenario.jsonl");
         Assumptions.assumeTrue(
                 new ProcessBuilder("mkfifo", recording.toString()).start().waitFor() == 0);
-        Assumptions.assumeTrue(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor() == 0);
+        Assumptions.assumeTrue(
+                new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor() == 0);
         for (List<Object> line : List.<List<Object>>of(
                 List.of("check", pipe),
                 List.of("convert", pipe, folder + "/v.xml"),

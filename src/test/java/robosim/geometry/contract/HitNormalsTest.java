@@ -26,7 +26,8 @@ class HitNormalsTest {
         int hits = 0;
         for (int k = 0; k < 4_000; k++) {
             double thick = Math.pow(10, random.nextDouble(-13, k % 2 == 0 ? -10 : 0));
-            GeometryObject plate = new BoxObject(place(), 2, thick, 2).turned(random.nextDouble(-180, 180), random.nextDouble(-180, 180));
+            GeometryObject plate = new BoxObject(place(), 2, thick, 2)
+                    .turned(random.nextDouble(-180, 180), random.nextDouble(-180, 180));
             RayHit hit = hit(Dimension.SPATIAL, plate, 1e6);
             if (hit == null) {
                 continue;
@@ -35,7 +36,9 @@ class HitNormalsTest {
             Point n = hit.normal();
             double along = n.x() * r[1] + n.y() * r[4] + n.z() * r[7];
             double aside = Math.sqrt(Math.max(0, 1 - along * along));
-            assertThat(Math.abs(along) > 0.999_999 || aside > 0.999_999).as(plate + " " + hit).isTrue();
+            assertThat(Math.abs(along) > 0.999_999 || aside > 0.999_999)
+                    .as(plate + " " + hit)
+                    .isTrue();
             hits++;
         }
         assertThat(hits).isGreaterThan(3_000);
@@ -89,7 +92,9 @@ class HitNormalsTest {
             double up = flat ? 0 : n.y() * to.y();
             double way = Math.sqrt(to.x() * to.x() + (flat ? 0 : to.y() * to.y()) + to.z() * to.z());
             String what = dimension + " " + object + " from " + start + " to " + to + ": " + hit;
-            assertThat(Math.sqrt(n.x() * n.x() + n.y() * n.y() + n.z() * n.z())).as(what).isCloseTo(1, within(1e-14));
+            assertThat(Math.sqrt(n.x() * n.x() + n.y() * n.y() + n.z() * n.z()))
+                    .as(what)
+                    .isCloseTo(1, within(1e-14));
             assertThat((n.x() * to.x() + up + n.z() * to.z()) / way).as(what).isLessThan(1e-12);
         }
         return hit;

@@ -24,7 +24,8 @@ class ProximityTest {
     @Test
     void boxesNearContactAreAsFarApartAsTheyAre() {
         Geometry geometry = new Geometry(100, 100, 100);
-        geometry.addObjectUnchecked(new BoxObject(new Point(), 1, 1, 1).turned(60, 120).moveable("robot"));
+        geometry.addObjectUnchecked(
+                new BoxObject(new Point(), 1, 1, 1).turned(60, 120).moveable("robot"));
         Point place = new Point(-0.167293923366, 0.457843680164, -1.058114501391);
         geometry.addObjectUnchecked(new BoxObject(place, 1, 1, 1).turned(160, 300));
         assertThat(geometry.getProximity("robot", 1)).isBetween(1.0000002e-6, 1.0000004e-6);
@@ -36,7 +37,8 @@ class ProximityTest {
         int close = 0;
         for (int round = 0; round < 3_000; round++) {
             Dimension dimension = Dimension.values()[round & 1];
-            Accuracy accuracy = round % 3 > 0 ? Accuracy.EXACT : Accuracy.values()[round / 3 % Accuracy.values().length];
+            Accuracy accuracy =
+                    round % 3 > 0 ? Accuracy.EXACT : Accuracy.values()[round / 3 % Accuracy.values().length];
             double gap = round % 5 == 0 ? 2 : random.nextDouble(0.1, 5);
             GeometryObject robot = robot();
             List<GeometryObject> others = new ArrayList<>();
@@ -53,11 +55,17 @@ class ProximityTest {
             }
             close += ties > 0 ? 1 : 0;
             String what = "%s %s, %s beside %s".formatted(dimension, accuracy, robot, others);
-            assertThat(proximity(dimension, accuracy, robot, others, 1e3)).as(what).isEqualTo(least);
-            assertThat(proximity(dimension, accuracy, robot, others, least)).as(what).isEqualTo(least);
+            assertThat(proximity(dimension, accuracy, robot, others, 1e3))
+                    .as(what)
+                    .isEqualTo(least);
+            assertThat(proximity(dimension, accuracy, robot, others, least))
+                    .as(what)
+                    .isEqualTo(least);
             List<GeometryObject> turnedRound = new ArrayList<>(others);
             java.util.Collections.reverse(turnedRound);
-            assertThat(proximity(dimension, accuracy, robot, turnedRound, 1e3)).as(what).isEqualTo(least);
+            assertThat(proximity(dimension, accuracy, robot, turnedRound, 1e3))
+                    .as(what)
+                    .isEqualTo(least);
         }
         assertThat(close).isGreaterThan(1_500);
     }

@@ -73,7 +73,10 @@ class StandingTest {
                 for (int x = -8; x < 8; x += 2) {
                     for (int z = -8; z < 8; z += 2) {
                         List<Point> p = List.of(
-                                new Point(x, 0, z), new Point(x + 2, 0, z), new Point(x + 2, 0, z + 2), new Point(x, 0, z + 2));
+                                new Point(x, 0, z),
+                                new Point(x + 2, 0, z),
+                                new Point(x + 2, 0, z + 2),
+                                new Point(x, 0, z + 2));
                         add(world, new MeshObject(p, new int[][] {{3, 2, 1, 0}}));
                     }
                 }
@@ -109,7 +112,8 @@ class StandingTest {
         for (int x = 0; x < 16; x++) {
             for (int z = 0; z < 16; z++) {
                 int a = 17 * x + z;
-                faces.add((x + z) % 2 == 0 ? new int[] {a, a + 1, a + 18, a + 17} : new int[] {a + 1, a + 18, a + 17, a});
+                faces.add(
+                        (x + z) % 2 == 0 ? new int[] {a, a + 1, a + 18, a + 17} : new int[] {a + 1, a + 18, a + 17, a});
             }
         }
         if (withWall) {
@@ -140,11 +144,15 @@ class StandingTest {
             return switch (this) {
                 case BOX -> new BoxObject(new Point(x, y + 0.25, z), 1, 0.5, 0.75).moveable("robot");
                 case TURNED_BOX ->
-                    new BoxObject(new Point(x, y + 0.25, z), 1, 0.5, 0.75).turned(0, 37).moveable("robot");
+                    new BoxObject(new Point(x, y + 0.25, z), 1, 0.5, 0.75)
+                            .turned(0, 37)
+                            .moveable("robot");
                 case CYLINDER -> new CylinderObject(new Point(x, y + 0.5, z), 0.375, 1).moveable("robot");
                 case SPHERE -> new SphereObject(new Point(x, y + 0.375, z), 0.375).moveable("robot");
                 case WHEEL ->
-                    new CylinderObject(new Point(x, y + 0.375, z), 0.375, 0.25).turned(90, 0).moveable("robot");
+                    new CylinderObject(new Point(x, y + 0.375, z), 0.375, 0.25)
+                            .turned(90, 0)
+                            .moveable("robot");
                 case GROUP ->
                     new ObjectGroup(List.of(
                                     new BoxObject(new Point(0, 0.5, 0), 1, 0.25, 1),
@@ -187,11 +195,15 @@ class StandingTest {
                 double share = random.nextInt(3) == 0 ? 1 : random.nextDouble(0.01, 0.5);
                 Move move = new Move(share * x, 0, share * z, 0, 0);
                 MoveResult result = world.moveGlobal("robot", move);
-                assertThat(result.allowed()).as("%s on %s from %s by %s: %s", mover, floor, c, move, result).isTrue();
+                assertThat(result.allowed())
+                        .as("%s on %s from %s by %s: %s", mover, floor, c, move, result)
+                        .isTrue();
                 if (mover != Mover.WHEEL) {
                     Move turn = new Move(0, 0, 0, 0, random.nextDouble(-200, 200));
                     result = world.move("robot", turn);
-                    assertThat(result.allowed()).as("%s on %s by %s: %s", mover, floor, turn, result).isTrue();
+                    assertThat(result.allowed())
+                            .as("%s on %s by %s: %s", mover, floor, turn, result)
+                            .isTrue();
                 }
             }
         }
@@ -209,10 +221,14 @@ class StandingTest {
                 double x = random.nextDouble(-1, 1);
                 double z = mover == Mover.WHEEL ? 0 : random.nextDouble(-1, 1);
                 if (Math.hypot(before.x(), before.z()) < 5) {
-                    assertThat(world.simpleMove("robot", x, 0, z)).as("%s on %s", mover, floor).isTrue();
+                    assertThat(world.simpleMove("robot", x, 0, z))
+                            .as("%s on %s", mover, floor)
+                            .isTrue();
                     made++;
                 }
-                assertThat(world.simpleTurn("robot", random.nextDouble(-90, 90))).as("%s on %s", mover, floor).isTrue();
+                assertThat(world.simpleTurn("robot", random.nextDouble(-90, 90)))
+                        .as("%s on %s", mover, floor)
+                        .isTrue();
             }
             assertThat(made).isGreaterThan(10);
         }
@@ -226,7 +242,8 @@ class StandingTest {
             MoveResult down = world.moveGlobal("robot", new Move(3, -Math.ulp(1.0), 0, 0, 0));
             assertThat(down.allowed()).as("%s on %s", mover, floor).isFalse();
             assertThat(down.fraction()).as("%s on %s", mover, floor).isZero();
-            assertThat(world.moveGlobal("robot", new Move(3, Math.ulp(1.0), 0, 0, 0)).allowed())
+            assertThat(world.moveGlobal("robot", new Move(3, Math.ulp(1.0), 0, 0, 0))
+                            .allowed())
                     .as("%s on %s", mover, floor)
                     .isTrue();
         }
@@ -244,7 +261,10 @@ class StandingTest {
                     add(world, new BoxObject(new Point(0, 0.5, 0), 4, 1, 8));
                     if (isMesh) {
                         List<Point> p = List.of(
-                                new Point(2, top, -4), new Point(6, top, -4), new Point(6, top, 4), new Point(2, top, 4));
+                                new Point(2, top, -4),
+                                new Point(6, top, -4),
+                                new Point(6, top, 4),
+                                new Point(2, top, 4));
                         add(world, new MeshObject(p, new int[][] {{0, 1, 2, 3}}).named("step"));
                     } else {
                         add(world, new BoxObject(new Point(4, top / 2, 0), 4, top, 8).named("step"));
@@ -311,16 +331,20 @@ class StandingTest {
                 add(world, new BoxObject(new Point(x + 0.5, 0, -0.25), 1, 2, 0.5));
             }
             Point at = new Point(-4, 0, 0.5);
-            GeometryObject robot =
-                    switch (kind) {
-                        case 0 -> new BoxObject(at, 0.75, 1, 1).moveable("robot");
-                        case 1 -> new CylinderObject(at, 0.5, 1).moveable("robot");
-                        case 2 -> new SphereObject(at, 0.5).moveable("robot");
-                        default -> new BoxObject(new Point(-4, 0, 0.5), 1, 1, 1).turned(0, 90).moveable("robot");
-                    };
+            GeometryObject robot = switch (kind) {
+                case 0 -> new BoxObject(at, 0.75, 1, 1).moveable("robot");
+                case 1 -> new CylinderObject(at, 0.5, 1).moveable("robot");
+                case 2 -> new SphereObject(at, 0.5).moveable("robot");
+                default ->
+                    new BoxObject(new Point(-4, 0, 0.5), 1, 1, 1).turned(0, 90).moveable("robot");
+            };
             add(world, robot);
-            assertThat(world.moveGlobal("robot", new Move(8.3, 0, 0, 0, 0)).allowed()).as("kind " + kind).isTrue();
-            assertThat(world.moveGlobal("robot", new Move(-1.7, 0, 0, 0, 0)).allowed()).as("kind " + kind).isTrue();
+            assertThat(world.moveGlobal("robot", new Move(8.3, 0, 0, 0, 0)).allowed())
+                    .as("kind " + kind)
+                    .isTrue();
+            assertThat(world.moveGlobal("robot", new Move(-1.7, 0, 0, 0, 0)).allowed())
+                    .as("kind " + kind)
+                    .isTrue();
             MoveResult into = world.moveGlobal("robot", new Move(-1, 0, -0x1p-53, 0, 0));
             assertThat(into.allowed()).as("kind " + kind).isFalse();
             assertThat(into.fraction()).isZero();
@@ -341,7 +365,8 @@ class StandingTest {
     @Test
     void aPlaneBetweenCornersCounts() {
         Geometry world = new Geometry(SIZE, SIZE, SIZE, Dimension.PLANAR, Accuracy.EXACT);
-        // The robot's corner at the origin, a post's there too; the diagonal parts them, and the next wall begins on it.
+        // The robot's corner at the origin, a post's there too; the diagonal parts them, and the next wall begins on
+        // it.
         add(world, new BoxObject(new Point(1, 0, -1), 2, 1, 2));
         List<Point> p = List.of(new Point(2, 0, 2), new Point(5, 0, 5), new Point(5, 0, 0));
         add(world, new MeshObject(p, new int[][] {{0, 1, 2}}).named("next"));

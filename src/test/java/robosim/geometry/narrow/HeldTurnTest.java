@@ -89,7 +89,8 @@ class HeldTurnTest {
             double pitch = random.nextDouble(-80, 80);
             double[] mover = SweepRows.cylinder(0, 0, 0, radius, half, random.nextDouble(-180, 180), pitch, 0);
             double post = random.nextDouble(0.05, 0.5);
-            double gap = Math.sqrt(radius * radius + half * half) * BOUND * StrictMath.pow(2, random.nextDouble(0.5, 20));
+            double gap =
+                    Math.sqrt(radius * radius + half * half) * BOUND * StrictMath.pow(2, random.nextDouble(0.5, 20));
             double away = reach(radius, half, mover[10]) + post + gap;
             double angle = random.nextDouble(-3, 3);
             double[] still = SweepRows.disc(away * Math.cos(angle), 0, away * Math.sin(angle), post, 3);
@@ -111,9 +112,7 @@ class HeldTurnTest {
 
     @Test
     void whatWasStoppedIsWithinTheBoundAndGoesNoFurther() {
-        int[] kinds = {
-            Leaf.BOX, Leaf.UPRIGHT_BOX, Leaf.TRIANGLE, Leaf.CYLINDER, Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE
-        };
+        int[] kinds = {Leaf.BOX, Leaf.UPRIGHT_BOX, Leaf.TRIANGLE, Leaf.CYLINDER, Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE};
         int stopped = 0;
         int most = 0;
         double[] pose = new double[Leaf.STRIDE];
@@ -153,16 +152,15 @@ class HeldTurnTest {
             String what = "kind %d %s about %s by %s, kind %d %s"
                     .formatted(kindA, Arrays.toString(a), Arrays.toString(about), degrees, kindB, Arrays.toString(b));
             // The mover reaches at least as far as its centre.
-            double radius = Math.sqrt((a[0] - 0.1) * (a[0] - 0.1) + (a[1] - 0.2) * (a[1] - 0.2)
-                    + (a[2] - 0.3) * (a[2] - 0.3));
+            double radius =
+                    Math.sqrt((a[0] - 0.1) * (a[0] - 0.1) + (a[1] - 0.2) * (a[1] - 0.2) + (a[2] - 0.3) * (a[2] - 0.3));
             assertThat(gjk.upper()).as(what).isLessThan(BOUND * Math.max(0.1, radius));
         }
         assertThat(stopped).isGreaterThan(5_000);
         assertThat(most).isLessThan(FEW);
     }
 
-    private double turn(
-            int kindA, double[] a, double wx, double wy, double wz, double degrees, int kindB, double[] b) {
+    private double turn(int kindA, double[] a, double wx, double wy, double wz, double degrees, int kindB, double[] b) {
         return SpatialSweep.turn(kindA, a, 0, 0, 0, 0, wx, wy, wz, degrees, kindB, b, 0, scratch);
     }
 

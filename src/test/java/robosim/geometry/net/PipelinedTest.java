@@ -195,7 +195,8 @@ class PipelinedTest {
                     socket.setSoTimeout(20_000);
                     Thread sender = new Thread(() -> send(socket, talk.sent()), "sender");
                     sender.start();
-                    byte[] answers = withoutPongs(tongue, socket.getInputStream().readAllBytes());
+                    byte[] answers =
+                            withoutPongs(tongue, socket.getInputStream().readAllBytes());
                     sender.join();
                     assertThat(heard(tongue, new ByteArrayInputStream(answers))).isEqualTo(talk.answers());
                 }
@@ -218,8 +219,11 @@ class PipelinedTest {
     void aLongLineMayComeBehindAnother() throws Exception {
         String hello = "{\"type\":\"hello\",\"version\":1}\n";
         String moves = "{\"type\":\"moves\",\"moves\":[]}\n";
-        String both = hello + moves.replace("}", " ".repeat(70_000) + "}") + moves.replace("[", "[" + " ".repeat(9000))
-                + moves.replace("[", "[" + " ".repeat(9000)) + moves;
+        String both = hello
+                + moves.replace("}", " ".repeat(70_000) + "}")
+                + moves.replace("[", "[" + " ".repeat(9000))
+                + moves.replace("[", "[" + " ".repeat(9000))
+                + moves;
         ByteArrayOutputStream out = new ByteArrayOutputStream();
         MessageChannel channel = new MessageChannel(
                 new ByteArrayInputStream(both.getBytes(StandardCharsets.UTF_8)),

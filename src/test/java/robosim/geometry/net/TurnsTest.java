@@ -183,7 +183,9 @@ class TurnsTest {
         assertThat(stuck.get(1).isRunning()).isTrue();
         now.addAndGet(10 * Turns.PATIENCE_NANOS);
         turns.lend(stuck.get(2));
-        assertThat(stuck.get(2).isWaiting()).as("no more than there are processors").isTrue();
+        assertThat(stuck.get(2).isWaiting())
+                .as("no more than there are processors")
+                .isTrue();
         turns.giveWay(stuck.get(0)); // it looks up at last
         assertThat(stuck.get(0).isWaiting()).isTrue();
         turns.lend(stuck.get(2));

@@ -125,7 +125,9 @@ class HostileFilesTest {
     @Test
     void facesOfManyCornersAndManyFaces() throws IOException {
         String corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-        refused(file("corners.obj", corners + "f" + " 1".repeat(1001) + "\n"), ":4: a face must have 3 to 1000 corners");
+        refused(
+                file("corners.obj", corners + "f" + " 1".repeat(1001) + "\n"),
+                ":4: a face must have 3 to 1000 corners");
         StringBuilder round = new StringBuilder();
         StringBuilder face = new StringBuilder("f");
         for (int k = 0; k < 102; k++) {
@@ -148,7 +150,9 @@ class HostileFilesTest {
 
     @Test
     void aMapAndAModelThatNamePipes() throws IOException, InterruptedException {
-        assumeTrue(isMade(folder.resolve("map.pgm")) && isMade(folder.resolve("m.sdf")) && isMade(folder.resolve("m.stl")));
+        assumeTrue(isMade(folder.resolve("map.pgm"))
+                && isMade(folder.resolve("m.sdf"))
+                && isMade(folder.resolve("m.stl")));
         refused(
                 file(
                         "t.yaml",
@@ -156,7 +160,9 @@ class HostileFilesTest {
                                 + "free_thresh: 0.2\n"),
                 "there is no such image file");
         refused(
-                file("a.sdf", "<sdf version=\"1.6\"><world name=\"w\"><include><uri>m.sdf</uri></include></world></sdf>"),
+                file(
+                        "a.sdf",
+                        "<sdf version=\"1.6\"><world name=\"w\"><include><uri>m.sdf</uri></include></world></sdf>"),
                 "a regular file is needed");
         refused(
                 file(

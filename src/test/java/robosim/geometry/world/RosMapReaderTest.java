@@ -81,8 +81,7 @@ class RosMapReaderTest {
                                 new BoxObject(new Point(-1.25, 0, 1.25), 0.5, 3, 1.5).named("left edge of the map")),
                         new WorldObject(
                                 new BoxObject(new Point(1.25, 0, 1.25), 0.5, 3, 1.5).named("right edge of the map")),
-                        new WorldObject(
-                                new BoxObject(new Point(0, 0, 0.25), 3, 3, 0.5).named("upper edge of the map")),
+                        new WorldObject(new BoxObject(new Point(0, 0, 0.25), 3, 3, 0.5).named("upper edge of the map")),
                         new WorldObject(
                                 new BoxObject(new Point(0, 0, 2.25), 3, 3, 0.5).named("lower edge of the map")));
         assertThat(world.unit()).isEqualTo(Unit.METRE);
@@ -111,13 +110,13 @@ class RosMapReaderTest {
                 double free = Math.min(right / Math.abs(towardsRight), up / Math.abs(towardsUp));
                 Ray ray = new Ray(
                         middle,
-                        new Point(
-                                towardsRight * cos - towardsUp * sin, 0, -(towardsRight * sin + towardsUp * cos)));
+                        new Point(towardsRight * cos - towardsUp * sin, 0, -(towardsRight * sin + towardsUp * cos)));
                 assertThat(geometry.getRayDistance(ray, 0, Double.POSITIVE_INFINITY, 0))
                         .isCloseTo(free, within(1e-9));
                 assertThat(geometry.addObject(new SphereObject(middle, 0.125).moveable("robot")))
                         .isTrue();
-                Move away = new Move(100 * ray.direction().x(), 0, 100 * ray.direction().z(), 0, 0);
+                Move away = new Move(
+                        100 * ray.direction().x(), 0, 100 * ray.direction().z(), 0, 0);
                 assertThat(geometry.moveGlobal("robot", away).obstacle())
                         .isNotNull()
                         .satisfies(obstacle -> assertThat(obstacle.name()).endsWith(" edge of the map"));
@@ -171,8 +170,10 @@ class RosMapReaderTest {
         assertThat(picture(grid(map("P2\n# by hand\n3 2 # columns, rows\n9\n0 9 0\n9 # free\n9 0\n"))))
                 .isEqualTo(walls);
         // A comment may stand in what looks like a word, and a carriage return ends it too.
-        assertThat(picture(grid(map("P2#a\r3#b\n2 #c\r\n9#d\r 0 9#e\n0#f\r9 9 0")))).isEqualTo(walls);
-        assertThat(picture(grid(map("P5#a\r3#b\n2 255#d\n\0\u00ff\0\u00ff\u00fe\1")))).isEqualTo(walls);
+        assertThat(picture(grid(map("P2#a\r3#b\n2 #c\r\n9#d\r 0 9#e\n0#f\r9 9 0"))))
+                .isEqualTo(walls);
+        assertThat(picture(grid(map("P5#a\r3#b\n2 255#d\n\0\u00ff\0\u00ff\u00fe\1"))))
+                .isEqualTo(walls);
         assertThat(picture(grid(map("P5\r3 2\r255\r#\u00ff\0\u00ff\u00fe\1"))))
                 .as("behind the one white space no comment begins")
                 .isEqualTo("#.# ..#");

@@ -375,8 +375,9 @@ class WorldReaderTest {
                 .hasMessage("a file must have at most 134217728 bytes (got: more)");
         assertThatThrownBy(() -> WorldReader.read(endless, "t.xml", null))
                 .isInstanceOf(WorldException.class)
-                .hasMessage("t.xml:1: a tag with its attributes, a comment, or the space before the first tag must have at"
-                        + " most 4194304 bytes (got: more)");
+                .hasMessage(
+                        "t.xml:1: a tag with its attributes, a comment, or the space before the first tag must have at"
+                                + " most 4194304 bytes (got: more)");
         assertThatThrownBy(() -> ObjReader.read(endless, "t.obj", 1))
                 .isInstanceOf(WorldException.class)
                 .hasMessage("t.obj:1: a statement must have at most 100000 characters (got: more)");
