@@ -48,6 +48,9 @@ public final class PlanarCone {
             ux = Math.scalb(Math.scalb(ux, shift / 2), shift - shift / 2);
             uz = Math.scalb(Math.scalb(uz, shift / 2), shift - shift / 2);
         }
+        if (halfCos >= 1) { // narrower than a cosine tells: its axis
+            return PlanarRay.scaled(ox, oz, ux, uz, kind, b, j, s);
+        }
         PlanarSector sector = s.sector;
         sector.set(ux, uz, halfCos, halfSin);
         return switch (kind) {

@@ -38,8 +38,11 @@ final class RayZonogon {
     }
 
     private static double gap(double offset, double offsetTail, double gx, double gz, int axis, double[] row, int at) {
-        double gap = Math.abs(offset);
-        double tail = offset < 0 ? -offsetTail : offsetTail;
+        // Together with its tail, which has the sign where the difference of two products is all but nothing.
+        double whole = offset + offsetTail;
+        double wholeTail = DoubleDouble.sumTail(offset, offsetTail, whole);
+        double gap = Math.abs(whole);
+        double tail = whole < 0 ? -wholeTail : wholeTail;
         for (int other = 0; other < 3; other++) {
             if (other == axis) {
                 continue;
@@ -47,10 +50,12 @@ final class RayZonogon {
             double half = row[at + Leaf.SIZE + other];
             double p = row[at + Leaf.ROTATION + other] * gz;
             double q = row[at + Leaf.ROTATION + 6 + other] * gx;
-            double cross = p - q;
-            double crossTail = DoubleDouble.differenceTail(p, q, cross)
+            double rounded = p - q;
+            double roundedTail = DoubleDouble.differenceTail(p, q, rounded)
                     + DoubleDouble.productTail(row[at + Leaf.ROTATION + other], gz, p)
                     - DoubleDouble.productTail(row[at + Leaf.ROTATION + 6 + other], gx, q);
+            double cross = rounded + roundedTail;
+            double crossTail = DoubleDouble.sumTail(rounded, roundedTail, cross);
             double reach = half * Math.abs(cross);
             double reachTail = DoubleDouble.productTail(half, Math.abs(cross), reach)
                     + half * (cross < 0 ? -crossTail : crossTail);

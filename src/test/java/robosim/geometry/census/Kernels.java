@@ -3,13 +3,29 @@ package robosim.geometry.census;
 import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.reference.Truth.Form;
 
 /** All kernels that are counted, in the order of the published table. */
 final class Kernels {
+    private static final Form[] DISC = {Form.SPHERE};
+    private static final Form[] RECTANGLE = {Form.UPRIGHT_BOX};
+    private static final Form[] POLYGONS = {Form.BOX, Form.TRIANGLE, Form.UPRIGHT_BOX};
+    private static final Form[] TIPPED = {Form.BOX, Form.TRIANGLE};
+    private static final Form[] OVAL = {Form.CYLINDER};
+    private static final Form[] ANY = {Form.SPHERE, Form.UPRIGHT_BOX, Form.BOX, Form.TRIANGLE, Form.CYLINDER};
+
     private Kernels() {}
 
     static List<Kernel> all() {
         List<Kernel> all = new ArrayList<>();
+        planar(all);
+        spatial(all);
+        all.add(new StandingMoves(Dimension.PLANAR));
+        all.add(new StandingMoves(Dimension.SPATIAL));
+        return all;
+    }
+
+    private static void spatial(List<Kernel> all) {
         all.addAll(OverlapKernel.all());
         all.add(new RayKernel());
         all.add(new CylinderCone());
@@ -20,8 +36,20 @@ final class Kernels {
         all.addAll(DistanceKernel.all());
         all.add(new SpatialTurn());
         all.add(new SpatialWay());
-        all.add(new StandingMoves(Dimension.PLANAR));
-        all.add(new StandingMoves(Dimension.SPATIAL));
-        return all;
+    }
+
+    private static void planar(List<Kernel> all) {
+        all.add(new PlanarPair("discs", DISC, DISC));
+        all.add(new PlanarPair("a disc and an upright box", DISC, RECTANGLE));
+        all.add(new PlanarPair("a disc and a tipped box or a triangle", DISC, TIPPED));
+        all.add(new PlanarPair("boxes and triangles", POLYGONS, POLYGONS));
+        all.add(new PlanarPair("a tipped cylinder and any other", OVAL, ANY));
+        all.add(new PlanarSight("a disc", Form.SPHERE));
+        all.add(new PlanarSight("an upright box", Form.UPRIGHT_BOX));
+        all.add(new PlanarSight("a tipped box or a triangle", Form.BOX, Form.TRIANGLE));
+        all.add(new PlanarSight("a tipped cylinder", Form.CYLINDER));
+        all.add(new PlanarBeam("a disc", Form.SPHERE));
+        all.add(new PlanarBeam("a box or a triangle", Form.UPRIGHT_BOX, Form.BOX, Form.TRIANGLE));
+        all.add(new PlanarBeam("a tipped cylinder", Form.CYLINDER));
     }
 }

@@ -213,6 +213,39 @@ class FoundTest {
         assertThat(distance).isCloseTo(1065.551483420977, within(4 * Math.ulp(1065.0)));
     }
 
+    /** One axis of the box is level, so that two sides are parallel but for rounding; the ray runs along both. */
+    @Test
+    void aRayAlongTwoSidesThatAreAllButParallelIsNotLate() {
+        double[] box = {
+            -0.10589361833663657,
+            0.045895008048493224,
+            -0.4857342044709423,
+            0.7204449437632923,
+            0.8471864618238465,
+            0.5411624869509957,
+            -0.7732375858721114,
+            0.5897284576595785,
+            -0.23307505662580827,
+            0,
+            -0.3675587775169207,
+            -0.9300002930484844,
+            -0.6341164213255078,
+            -0.7191111814571662,
+            0.28421026179328823,
+            0
+        };
+        double distance = PlanarRay.distance(
+                1.684165654826531,
+                -1.5323813892229832,
+                -0.6341164213255079,
+                0.7732375858721114,
+                Leaf.BOX,
+                box,
+                0,
+                new Scratch());
+        assertThat(distance).isCloseTo(1.5412229636509853, within(1e-15));
+    }
+
     /** Its height is 4e-11 of its width: the side that it throws is so short that a look along it goes astray. */
     @Test
     void aDiscWithinAThinTippedBoxTouchesIt() {
