@@ -26,7 +26,6 @@ final class Motion {
     private final Bodies bodies;
     private final Border border;
     private final Near near;
-    private final Scratch s;
     private final Phase phase;
     private final StandOff standOff;
     private final Standing standing;
@@ -68,7 +67,6 @@ final class Motion {
         this.bodies = bodies;
         this.border = border;
         near = new Near(bodies);
-        s = scratch;
         phase = new Phase(scratch);
         standOff = new StandOff(phase, scratch);
         standing = new Standing(scratch);
