@@ -1,5 +1,6 @@
 package robosim.geometry;
 
+import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Border;
 import robosim.geometry.narrow.Distance;
@@ -20,6 +21,8 @@ final class Motion {
 
     /** A share is taken back by so much first, then by twice as much each time. */
     private static final double FIRST_STEP = 0x1p-52;
+
+    private static final double HALF_ROOT = 0.7071067811865476;
     /** The largest share of what is refused. */
     private static final double MOST = Math.nextDown(1.0);
 
@@ -36,6 +39,9 @@ final class Motion {
 
     /** What holds the whole phase however its places are rounded. */
     private final double[] around = new double[6];
+
+    /** Bounds of x + z and of x - z, for octagons. */
+    private final double[] diagonals = new double[4];
 
     /** The bounds of what stands for the object at the end of the phase. */
     private final double[] endBox = new double[6];
@@ -278,9 +284,15 @@ final class Motion {
         return !standing.isEmpty();
     }
 
-    /** A turn of an axis-aligned enclosure: free where the box about all of it meets nothing new or deeper. */
+    /** A turn of an enclosure that changes as it turns: free where what holds all of it meets nothing new or deeper. */
     private double metByEnclosure(int other) {
-        if (!meets(other) || !deepens(other, box)) {
+        if (!level.of(other).meets(Bodies.bare(other), box)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        level.boundsOf(phase.atStart, 0, phase.atStart.size(), part);
+        takeDiagonals(0);
+        double before = depth(other, part);
+        if (!deepens(other, 1, before)) {
             return Double.POSITIVE_INFINITY;
         }
         double low = 0;
@@ -288,7 +300,7 @@ final class Motion {
         for (int halving = 0; halving < 50; halving++) {
             double middle = low / 2 + high / 2;
             phase.sweptBox(middle, box);
-            if (meets(other) && deepens(other, box)) {
+            if (deepens(other, middle, before)) {
                 high = middle;
             } else {
                 low = middle;
@@ -299,23 +311,44 @@ final class Motion {
         return low;
     }
 
-    private boolean meets(int other) {
-        return level.of(other).meets(Bodies.bare(other), box);
-    }
-
-    /** Whether a box overlaps an object's bounds more deeply than the object does at the start. */
-    private boolean deepens(int other, double[] way) {
-        level.boundsOf(phase.atStart, 0, phase.atStart.size(), part);
-        double before = depth(other, part);
-        double after = depth(other, way);
+    /** Whether what holds the object up to a share of the turn, {@link #box}, overlaps another more deeply than before. */
+    private boolean deepens(int other, double share, double before) {
+        if (depth(other, box, level.dimension) < 0) {
+            return false;
+        }
+        takeDiagonals(share);
+        double after = depth(other, box);
         return after >= 0 && (before < 0 || after > before);
     }
 
+    private void takeDiagonals(double share) {
+        if (level.accuracy == Accuracy.DOP) {
+            phase.sweptDiagonals(share, diagonals);
+        }
+    }
+
+    /** How deeply two enclosures overlap, below 0 where they do not: along the axes and, of octagons, between them. */
     private double depth(int other, double[] of) {
+        double least = depth(other, of, level.dimension);
+        if (level.accuracy == Accuracy.DOP) {
+            Level home = level.of(other);
+            int leaf = home.first(Bodies.bare(other));
+            double[] row = home.leaves().rows(leaf);
+            int at = home.leaves().at(leaf) + 4;
+            for (int k = 0; k < 4; k += 2) {
+                double one = diagonals[k + 1] - row[at + k];
+                double two = row[at + k + 1] - diagonals[k];
+                least = Math.min(least, HALF_ROOT * Math.min(one, two));
+            }
+        }
+        return least;
+    }
+
+    private double depth(int other, double[] of, Dimension dimension) {
         double[] b = level.of(other).bounds();
         int at = 6 * Bodies.bare(other);
         double least = Double.POSITIVE_INFINITY;
-        for (int k = 0; k < 3; k += level.dimension == Dimension.PLANAR ? 2 : 1) {
+        for (int k = 0; k < 3; k += dimension == Dimension.PLANAR ? 2 : 1) {
             double one = of[3 + k] - b[at + k];
             double two = b[at + 3 + k] - of[k];
             least = Math.min(least, Math.min(one, two));

@@ -27,11 +27,13 @@ import robosim.geometry.model.Point;
  *
  * @param allowed      whether it was made; a move is all or nothing, a refused one leaves the object where it was
  * @param fraction     the share of the translation that is free, from 0 to 1: strictly before contact, rounded down, and
- *                     that place has been verified free; 1 only where all of the translation is free
+ *                     that place has been verified free; the least of those beside each obstacle alone; 1 only where all of
+ *                     the translation is free
  * @param turnFraction the share of the turns that is free after the whole translation, from 0 to 1; 0 where the
  *                     translation is not free, and 1 only where the move is allowed. Where a move turns about both axes, the
  *                     turn about Y is the first half of this share and the turn about X the second
- * @param obstacle     what blocks the move, as it is; null where nothing does or the world's border does
+ * @param obstacle     what blocks the move, as it is, and of several that block at the same share the one added first; null
+ *                     where nothing does, or the world's border before all of them
  * @param contact      where the moved object meets what blocks it, with the face of a mesh or the member of a group that
  *                     blocks; null where nothing blocks
  * @param normal       the unit normal there, from what blocks towards the moved object; null where nothing blocks

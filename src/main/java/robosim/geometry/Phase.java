@@ -215,6 +215,19 @@ final class Phase {
         union(exact, out);
     }
 
+    /**
+     * The bounds of x + z (two numbers) and of x - z (two more) of all places of the octagon that stands for the object during
+     * the first share of a turn.
+     */
+    void sweptDiagonals(double share, double[] out) {
+        System.arraycopy(atStart.rows(0), atStart.at(0) + 4, out, 0, 4);
+        exactAtStart();
+        turnBy(share);
+        for (int leaf = 0; leaf < exact.size(); leaf++) {
+            sweep.turnDiagonals(exact, leaf, out);
+        }
+    }
+
     /** The same with each triangle of a mesh for itself, which takes longer. */
     void tightlySwept(double share, double[] out) {
         exactAtStart();

@@ -204,7 +204,7 @@ final class Ranging {
 
     /**
      * The reach of the index and of bounds. A certified distance may be below the true one, and so below where the bounds
-     * begin: by 2^-40 of itself in a cone, and for a turned cylinder by 2^-48 of its place and size, both of which the
+     * begin: by 2^-40 of itself in a cone, and for a cylinder by 2^-44 of its place and size, both of which the
      * world limits. What is answered at all is to be found again with its own distance as the limit.
      */
     private static double loose(double reach, double slack) {

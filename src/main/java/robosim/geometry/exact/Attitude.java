@@ -28,6 +28,11 @@ public final class Attitude {
         return entry;
     }
 
+    /** Whether the nine numbers from there on are a rotation: right-handed and orthonormal to 1e-9. */
+    public static boolean isRotation(double[] column, int at) {
+        return Rotations.isOrthonormal(column, at);
+    }
+
     /** Whether nine numbers are a rotation: right-handed and orthonormal to 1e-9. */
     public static boolean isRotation(double[] rotation) {
         return Rotations.isOrthonormal(rotation, 0);

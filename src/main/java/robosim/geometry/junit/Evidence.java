@@ -1,7 +1,6 @@
 package robosim.geometry.junit;
 
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.Files;
@@ -12,6 +11,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.viewer.Pictures;
+import robosim.geometry.world.WholeFile;
 
 /** What a failed test leaves in its folder. */
 final class Evidence {
@@ -92,9 +92,7 @@ final class Evidence {
     private String replay(Scenario scenario) throws IOException {
         Path file = folder.resolve(REPLAY);
         Files.createDirectories(folder);
-        try (OutputStream out = Files.newOutputStream(file)) {
-            scenario.write(out);
-        }
+        WholeFile.write(file, scenario::write); // nothing is left of one that cannot be written
         return file.toString();
     }
 

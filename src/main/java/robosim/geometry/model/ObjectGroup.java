@@ -14,6 +14,12 @@ import org.jspecify.annotations.Nullable;
  * are moveable has no meaning inside a group.
  */
 public final class ObjectGroup implements GeometryObject {
+    /**
+     * Most groups within each other. The deepest tried in earnest is a shelf in a row in a hall, 3; every question goes
+     * down by calls.
+     */
+    public static final int MAX_DEPTH = 100;
+
     private static final long serialVersionUID = 1;
 
     private final transient Tag tag;
@@ -21,10 +27,14 @@ public final class ObjectGroup implements GeometryObject {
     private final transient List<GeometryObject> members;
     private final transient @Nullable GeometryObject boundingVolume;
 
+    /** Groups within each other, this one included. */
+    private final transient int depth;
+
     /**
      * A union.
      *
-     * @param members objects in the own frame; at least one
+     * @param members objects in the own frame; at least one, and groups among them at most {@link #MAX_DEPTH} deep with
+     *     this one
      */
     public ObjectGroup(List<GeometryObject> members) {
         this(members, null);
@@ -49,6 +59,15 @@ public final class ObjectGroup implements GeometryObject {
         this.pose = pose;
         this.members = members;
         this.boundingVolume = checkedBoundingVolume;
+        int deepest = 0;
+        for (GeometryObject member : members) {
+            deepest = Math.max(deepest, member instanceof ObjectGroup group ? group.depth : 0);
+        }
+        this.depth = deepest + 1;
+        if (depth > MAX_DEPTH) {
+            throw new IllegalArgumentException(
+                    "groups must be at most " + MAX_DEPTH + " within each other (got: one more)");
+        }
     }
 
     private static List<GeometryObject> copy(List<GeometryObject> members) {

@@ -59,13 +59,39 @@ public final class Pose {
         return new Pose(Checks.present("center", center), attitude);
     }
 
-    /** From the numbers of {@link Attitude}; copied. */
+    /**
+     * From the numbers of {@link Attitude}; copied.
+     *
+     * @throws IllegalArgumentException where they are no rotation
+     */
     public static Pose of(Point center, double[] attitude, int at) {
+        checkAttitude("attitude", attitude, at, Attitude.STRIDE, at);
         return new Pose(Checks.present("center", center), Arrays.copyOfRange(attitude, at, at + Attitude.STRIDE));
     }
 
-    /** From the {@link #PLACE} numbers of a place as a world keeps it; copied. */
+    private static void checkAttitude(String argument, double[] numbers, int at, int length, int attitude) {
+        Checks.present(argument, numbers);
+        if (at < 0 || numbers.length - length < at) {
+            throw new IllegalArgumentException(argument + " must have " + length + " numbers from there on (got: "
+                    + numbers.length + " and " + at + ")");
+        }
+        if (!Attitude.isRotation(numbers, attitude)) {
+            throw new IllegalArgumentException(
+                    argument + " must hold a rotation: 9 numbers, row-major, whose columns are"
+                            + " right-handed and orthonormal to 1e-9 (got: "
+                            + Arrays.toString(Arrays.copyOfRange(numbers, attitude, attitude + 9)) + ")");
+        }
+        Checks.angle(argument + "'s heading", numbers[attitude + 9]);
+        Checks.angle(argument + "'s lost heading", numbers[attitude + 10]);
+    }
+
+    /**
+     * From the {@link #PLACE} numbers of a place as a world keeps it; copied.
+     *
+     * @throws IllegalArgumentException where they hold no place or no rotation
+     */
     public static Pose of(double[] places, int at) {
+        checkAttitude("places", places, at, PLACE, at + 3);
         return new Pose(
                 new Point(places[at], places[at + 1], places[at + 2]),
                 Arrays.copyOfRange(places, at + 3, at + LOST),

@@ -120,12 +120,55 @@ final class ConeCylinderBracket {
         direction();
     }
 
-    /** The plane that touches the cone along the line of its border nearest to a vector of the frame. */
+    /**
+     * The plane that touches the cone along the line of its border nearest to a vector of the frame, led around the cone to
+     * where it is farthest from the cylinder.
+     */
     void edge(double along, double p0, double q0) {
         f.put(POINT, along, p0, q0);
         locate();
-        copy(NORMAL, OUTWARD);
-        direction();
+        double last = Double.NaN;
+        double way = 0;
+        for (int i = 0; i < STEPS; i++) {
+            copy(NORMAL, OUTWARD);
+            direction();
+            p.cross(AROUND, Cone.AXIS, SIDE, TEMPORARY);
+            lowest();
+            p.dot(PART, POINT, AROUND, TEMPORARY);
+            double slope = p.get(PART);
+            double next = i == 0 ? Math.copySign(0x1p-40, slope) : -slope * way / (slope - last);
+            if (isSilent() || !(Math.abs(next) < 0.25) || next == 0) {
+                return;
+            }
+            last = slope;
+            way = next;
+            p.set(PART, next);
+            p.advance(SIDE, SIDE, PART, AROUND, TEMPORARY);
+            p.dot(PART, SIDE, SIDE, TEMPORARY);
+            p.root(PART, PART);
+            for (int k = 0; k < 3; k++) {
+                p.divide(SIDE + k, SIDE + k, PART);
+            }
+            outward();
+        }
+    }
+
+    // POINT = the cylinder's point that is least far along NORMAL.
+    private void lowest() {
+        p.dot(PART, NORMAL, ConeCylinderFrame.BODY, TEMPORARY);
+        boolean isUp = p.get(PART) > 0;
+        p.negate(PART);
+        p.advance(RADIAL, NORMAL, PART, ConeCylinderFrame.BODY, TEMPORARY);
+        p.dot(REST, RADIAL, RADIAL, TEMPORARY);
+        p.root(REST, REST);
+        p.set(PART, -f.radius);
+        if (p.get(REST) > 0) {
+            p.divide(PART, PART, REST);
+        }
+        p.advance(POINT, ConeCylinderFrame.CENTER, PART, RADIAL, TEMPORARY);
+        p.set(REST, isUp ? -1 : 1);
+        p.multiply(PART, ConeCylinderFrame.HALF, REST);
+        p.advance(POINT, POINT, PART, ConeCylinderFrame.BODY, TEMPORARY);
     }
 
     /** The lower cap's plane, where the cap holds its nearest point in the cone. */
@@ -343,6 +386,11 @@ final class ConeCylinderBracket {
         p.multiply(LATERAL, PART, Cone.COS);
         p.multiply(REST, AHEAD, Cone.SIN);
         p.subtract(LATERAL, LATERAL, REST);
+        outward();
+    }
+
+    // OUTWARD = the normal of the plane that touches the cone on the side of SIDE.
+    private void outward() {
         for (int k = 0; k < 3; k++) {
             p.multiply(OUTWARD + k, SIDE + k, Cone.COS);
             p.multiply(REST, Cone.AXIS + k, Cone.SIN);

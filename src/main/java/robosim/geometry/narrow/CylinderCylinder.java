@@ -2,6 +2,7 @@ package robosim.geometry.narrow;
 
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.Stages;
+import robosim.geometry.model.Dimension;
 
 /** Two cylinders in space, of which at least one is turned. */
 final class CylinderCylinder {
@@ -73,8 +74,15 @@ final class CylinderCylinder {
         if (exact.isApart(gjk.nx(), gjk.ny(), gjk.nz(), s.hull.x(), s.hull.y(), s.hull.z())) {
             return false;
         }
-        s.uncertain |= !exact.haveInCommon(
-                0.5 * gjk.ax() + 0.5 * gjk.bx(), 0.5 * gjk.ay() + 0.5 * gjk.by(), 0.5 * gjk.az() + 0.5 * gjk.bz());
+        if (exact.haveInCommon(
+                0.5 * gjk.ax() + 0.5 * gjk.bx(), 0.5 * gjk.ay() + 0.5 * gjk.by(), 0.5 * gjk.az() + 0.5 * gjk.bz())) {
+            return true;
+        }
+        // Trees go by bounds: what these prove apart is, or an answer would depend on which tree was asked.
+        if (LeafBounds.areApart(Dimension.SPATIAL, kindA, a, i, kindB, b, j, s)) {
+            return false;
+        }
+        s.uncertain = true;
         return true;
     }
 

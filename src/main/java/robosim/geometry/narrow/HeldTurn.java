@@ -8,8 +8,14 @@ import robosim.geometry.exact.Radians;
  *
  * <p>At an angle an axis that tells the two apart is found, and held, once in the world, where the mover's points run on
  * sinusoids, and once in the mover, where the other's do. The turn is free for as long as the better of the two goes on
- * telling them apart; there the next axis is looked for. Only these axes prove anything, with all rounding counted; how
- * they are found does not matter. From contact the same is done with the depth at the start allowed for.
+ * telling them apart; there the next axis is looked for. Where that is soon, the normals of sides, the directions across an
+ * edge of each ({@link AcrossTurn}), which turn with both, and what of the axis is square to each edge are tried too. For
+ * polytopes these are all axes of the method of separating axes, each for as long as it holds; for round things what is
+ * lost by holding an axis grows with the square of the angle. Only these axes prove anything, with all rounding counted;
+ * how they are found does not matter. From contact the same is done with the depth at the start allowed for.
+ *
+ * <p>Where no axis leads on there is contact, or a gap of at most 2^-30 of the mover's radius, its largest distance from
+ * the pivot, and 2^-43 of both leaves' distances from it.
  */
 final class HeldTurn {
     private static final double FULL = 2 * Math.PI;
@@ -25,6 +31,10 @@ final class HeldTurn {
 
     /** An edge this close to a direction is not one that it is square to. */
     private static final double SQUARE = 0.5;
+
+    // Edges that are nearly parallel: the direction across them is held too, as one that turns is told too roughly.
+    private static final double NEARLY = 0x1p-8;
+    private static final double PARALLEL = 0x1p-40;
 
     private final TurnBody mover = new TurnBody();
     private final TurnBody rest = new TurnBody();
@@ -90,19 +100,17 @@ final class HeldTurn {
             }
             pose(kindA, a, i, px, py, pz, t);
             ask(gjk, kind, pose, 0, kindB, b, j);
-            double gap = gjk.lower() > 0 ? gjk.upper() : 0;
             double next = t;
             if (gjk.lower() > 0) {
-                next = hold(gjk.nx(), gjk.ny(), gjk.nz(), t, depth);
-                if (next - t < FAR && next < wanted && !planar) {
-                    if (!haveFacets) {
-                        ofMover.spatial(kindA, a, i);
-                        ofRest.spatial(kindB, b, j);
-                        haveFacets = true;
-                    }
-                    next = Math.max(next, near(gjk.nx(), gjk.ny(), gjk.nz(), t, depth));
-                }
-            } else if (depth > 0) {
+                next = found(gjk, kindA, a, i, kindB, b, j, t, wanted, depth);
+            }
+            // A place where nothing goes on is contact, or a bracket of round things that is still open.
+            boolean isClose = gjk.upper() + depth < CLOSE * mover.extent;
+            if (!(next - t > STALLED) && depth == 0 && !isClose && !gjk.isClosed() && gjk.close() > 0) {
+                next = Math.max(next, found(gjk, kindA, a, i, kindB, b, j, t, wanted, depth));
+            }
+            double gap = gjk.lower() > 0 ? gjk.upper() : 0;
+            if (gap == 0 && depth > 0) {
                 depth(ways, kind, pose, 0, kindB, b, j);
                 for (int k = 0; k < ways.count(); k++) {
                     next = Math.max(next, hold(ways.nx(k), ways.ny(k), ways.nz(k), t, depth));
@@ -114,6 +122,30 @@ final class HeldTurn {
             t = next;
         }
         return Math.min(Math.nextDown(1.0), Math.max(0, t / angle * (1 - 0x1p-50)));
+    }
+
+    /** How far the axis that was found, and others near it, are good for. */
+    private double found(
+            Gjk gjk,
+            int kindA,
+            double[] a,
+            int i,
+            int kindB,
+            double[] b,
+            int j,
+            double t,
+            double wanted,
+            double depth) {
+        double next = hold(gjk.nx(), gjk.ny(), gjk.nz(), t, depth);
+        if (next - t < FAR && next < wanted && !planar) {
+            if (!haveFacets) {
+                ofMover.spatial(kindA, a, i);
+                ofRest.spatial(kindB, b, j);
+                haveFacets = true;
+            }
+            next = Math.max(next, near(gjk.nx(), gjk.ny(), gjk.nz(), t, depth));
+        }
+        return next;
     }
 
     /** Steps that the last question took. */
@@ -184,10 +216,16 @@ final class HeldTurn {
                 double fy = ofMover.edgeY[m];
                 double fz = ofMover.edgeZ[m];
                 turned(fx, fy, fz, cos, sin);
-                double way =
-                        nx * (ey * vz - ez * vy) + ny * (ez * vx - ex * vz) + nz * (ex * vy - ey * vx) < 0 ? -1 : 1;
+                double cx = ey * vz - ez * vy;
+                double cy = ez * vx - ex * vz;
+                double cz = ex * vy - ey * vx;
+                double way = nx * cx + ny * cy + nz * cz < 0 ? -1 : 1;
                 across.aim(rest, ex, ey, ez, mover, fx, fy, fz, wx, wy, wz, way);
                 end = Math.max(end, across.until(t));
+                double length = Math.sqrt(cx * cx + cy * cy + cz * cz);
+                if (length < NEARLY && length > PARALLEL) {
+                    end = Math.max(end, side(nx, ny, nz, cx / length, cy / length, cz / length, t, depth));
+                }
             }
             end = Math.max(end, square(nx, ny, nz, ex, ey, ez, t, depth));
         }

@@ -1,5 +1,7 @@
 package robosim.geometry.narrow;
 
+import robosim.geometry.model.Dimension;
+
 /** Axis-aligned bounds of leaves, rounded outward: nothing of the leaf lies outside, to the bit. */
 public final class LeafBounds {
     // Six roundings of a sum of products of numbers that are not negative, and one for this product itself.
@@ -25,6 +27,21 @@ public final class LeafBounds {
             }
             default -> throw new IllegalArgumentException("kind must be one of Leaf (got: " + kind + ")");
         }
+    }
+
+    /** Whether the bounds of two leaves are apart; in PLANAR as seen from above. */
+    static boolean areApart(
+            Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+        double[] p = s.boundsA;
+        double[] q = s.boundsB;
+        of(kindA, a, i, p);
+        of(kindB, b, j, q);
+        for (int k = 0; k < 3; k += dimension == Dimension.PLANAR ? 2 : 1) {
+            if (p[k] > q[3 + k] || q[k] > p[3 + k]) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private static void around(double[] rows, int at, double halfX, double halfY, double halfZ, double[] out6) {

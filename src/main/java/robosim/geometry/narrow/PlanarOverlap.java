@@ -1,5 +1,7 @@
 package robosim.geometry.narrow;
 
+import robosim.geometry.model.Dimension;
+
 /** Whether the projections of two leaves on the XZ plane touch or overlap. */
 public final class PlanarOverlap {
     private PlanarOverlap() {}
@@ -8,7 +10,7 @@ public final class PlanarOverlap {
      * Whether the projections of two leaves touch or overlap; the same for (a, b) and (b, a).
      *
      * <p>Exact for the stored numbers where boxes, triangles, spheres and upright cylinders are concerned. Octagons (they
-     * are enclosures) and turned cylinders are certified: apart only where a line between the two is beyond the rounding
+     * are enclosures; two of them are exact) and turned cylinders are certified: apart only where a line between the two is beyond the rounding
      * error, some 2^-46 of the sizes and the offset. With a turned cylinder {@link Scratch#uncertain} is set where the two
      * touch and are not so deep in each other that no rounding could matter; octagons only have to miss nothing.
      */
@@ -67,7 +69,14 @@ public final class PlanarOverlap {
         if (s.planarBracket.isApart()) {
             return false;
         }
-        s.uncertain |= !isDeep(kindA, a, i, kindB, b, j, s);
+        if (isDeep(kindA, a, i, kindB, b, j, s)) {
+            return true;
+        }
+        // Trees go by bounds: what these prove apart is, or an answer would depend on which tree was asked.
+        if (LeafBounds.areApart(Dimension.PLANAR, kindA, a, i, kindB, b, j, s)) {
+            return false;
+        }
+        s.uncertain = true;
         return true;
     }
 

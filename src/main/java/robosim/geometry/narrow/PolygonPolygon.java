@@ -17,8 +17,26 @@ final class PolygonPolygon {
 
     private PolygonPolygon() {}
 
-    /** Whether they touch or overlap; exact, but for octagons, which touch where it is in doubt. */
+    /**
+     * Whether they touch or overlap; exact, but for an octagon and something else, which touch where it is in doubt. Two
+     * octagons have sides in the same four directions, one of which parts them where they are apart.
+     */
     static boolean touch(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+        return kindA == Leaf.PRISM && kindB == Leaf.PRISM
+                ? octagonsTouch(a, i, b, j)
+                : polygonsTouch(kindA, a, i, kindB, b, j, s);
+    }
+
+    private static boolean octagonsTouch(double[] a, int i, double[] b, int j) {
+        for (int k = 0; k < 8; k += 2) {
+            if (a[i + k] > b[j + k + 1] || b[j + k] > a[i + k + 1]) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static boolean polygonsTouch(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
         PlanarShape p = s.planarA;
         PlanarShape q = s.planarB;
         double ox = PlanarShape.originX(kindA, a, i);
@@ -84,6 +102,10 @@ final class PolygonPolygon {
         }
         PlanarShape p = s.planarA;
         PlanarShape q = s.planarB;
+        if (kindA == Leaf.PRISM && kindB == Leaf.PRISM) {
+            p.set(kindA, a, i, PlanarShape.originX(kindA, a, i), PlanarShape.originZ(kindA, a, i));
+            q.set(kindB, b, j, PlanarShape.originX(kindA, a, i), PlanarShape.originZ(kindA, a, i));
+        }
         if (p.isTiny() && q.isTiny()) { // else the squares would vanish
             p.enlarge(RayMath.ENLARGED);
             q.enlarge(RayMath.ENLARGED);

@@ -37,6 +37,7 @@ final class RimReach {
 
     // c c', most of the reach anywhere, Q, and D(t) = a cos t + b sin t.
     private double both;
+    private double speed;
     private double most;
     private double square;
     private double a;
@@ -75,6 +76,7 @@ final class RimReach {
         double pp = px * px + py * py + pz * pz;
         double qq = qx * qx + qy * qy + qz * qz;
         both = c * e;
+        speed = Math.sqrt(qq);
         most = Math.abs(c) * Math.sqrt(qq) + Math.abs(e) * Math.sqrt(pp) + Math.sqrt(pp * qq);
         square = c * c * qq + e * e * pp + pp * qq;
         a = px * qx + py * qy + pz * qz;
@@ -92,6 +94,14 @@ final class RimReach {
         double y = nz * vx - nx * vz;
         double z = nx * vy - ny * vx;
         return Math.sqrt(x * x + y * y + z * z);
+    }
+
+    /**
+     * At least the reach from t until {@code arc} later, and no more than grows in that time: off by a few roundings where n
+     * is nearly along the axis and the bounds' squares have lost it.
+     */
+    double soon(double t, double arc) {
+        return at(Radians.cos(t), Radians.sin(t)) + speed * arc * (1 + ROUNDOFF) + ROUNDOFF;
     }
 
     /** Finds a bound: constant (0), touching at t (1), or touching where it reaches further than there. */

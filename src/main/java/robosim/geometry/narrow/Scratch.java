@@ -43,6 +43,11 @@ public final class Scratch {
     final double[] triangleBox = new double[6];
     final double[] meshBox = new double[6];
 
+    /** The bounds of two leaves where these decide. */
+    final double[] boundsA = new double[6];
+
+    final double[] boundsB = new double[6];
+
     /** Distance and penetration of the two leaves of a question, in space or in the plane. */
     final Gjk gjk = new Gjk();
 

@@ -5,7 +5,8 @@ package robosim.geometry.narrow;
  *
  * <p>Boxes, triangles and prisms: whether anything is in the cone is exact for the stored cosine, and the distance is
  * within 8 ulp of the largest coordinate. Spheres: exact likewise, within 2^-90. Cylinders: a lower bound of the distance, within
- * 2^-40 of it; infinite only where they are proved apart.
+ * 2^-40 of it (nearer than 2^-44 of offset and sizes: within as much); infinite only where they are proved apart, while what
+ * passes by closer than 2^-44 of offset and sizes may be heard.
  */
 public final class SpatialCone {
     private SpatialCone() {}
@@ -13,7 +14,7 @@ public final class SpatialCone {
     /**
      * World units from the apex to the nearest point of the leaf inside the cone.
      *
-     * @param ux the cone's axis, of any length but zero
+     * @param ux the cone's axis, of any length but zero; its own direction decides, not that of a rounded unit vector
      * @param halfCos cosine of half the opening angle, between 0 and 1, both excluded; it is what decides
      * @param halfSin sine of the same
      * @return 0 where the apex is in the leaf; {@code +Infinity} where nothing of it is in the cone

@@ -71,7 +71,7 @@ public final class SpatialSweep {
      * <p>What touches or overlaps at the start blocks where the depth anywhere on the arc is above that at the start.
      *
      * @return the share that is free, from 0 up to, not including, 1, rounded down: the turn so far is proven free, and
-     *     contact may be a gap of 2^-30 of the mover's radius away; {@code +Infinity} where all of the turn is free
+     *     contact may be a gap of 2^-30 of the mover's radius and 2^-43 of both leaves' distances from the pivot away; {@code +Infinity} where all of the turn is free
      */
     public static double turn(
             int kindA,

@@ -10,6 +10,9 @@ import robosim.geometry.model.Dimension;
  * motion; it belongs to one owner of queries.
  */
 public final class Sweep {
+    /** A mesh of no more triangles is bounded by each of them, and a larger one by its box. */
+    private static final int FEW = 64;
+
     private final Scratch s;
     private final double[] swept = new double[6];
 
@@ -135,6 +138,38 @@ public final class Sweep {
                 out[3 + k] = Math.max(out[3 + k], swept[3 + k]);
             }
         }
+    }
+
+    /**
+     * Widens the bounds of x + z (two numbers) and of x - z (two more), which hold the leaf and whatever it is a part of
+     * at the start, to hold it anywhere on a turn.
+     */
+    public void turnDiagonals(LeafColumn column, int leaf, double[] out4) {
+        int kind = column.kind(leaf);
+        if (!Leaf.isMesh(kind)) {
+            turnDiagonals(kind, column.rows(leaf), column.at(leaf), out4);
+            return;
+        }
+        double[] box = s.meshBox;
+        column.bounds(leaf, box);
+        if (column.mesh(leaf).size() <= FEW) {
+            s.outer.startBox(column, leaf, box);
+            for (int t = s.outer.next(0); t >= 0; t = s.outer.next(0)) {
+                s.outer.corners(t, s.triangleA, 0);
+                turnDiagonals(Leaf.TRIANGLE, s.triangleA, 0, out4);
+            }
+            return;
+        }
+        out4[0] = Math.min(out4[0], Math.nextDown(box[0] + box[2]));
+        out4[1] = Math.max(out4[1], Math.nextUp(box[3] + box[5]));
+        out4[2] = Math.min(out4[2], Math.nextDown(box[0] - box[5]));
+        out4[3] = Math.max(out4[3], Math.nextUp(box[3] - box[2]));
+        boxRow(box, s.triangleB);
+        turnDiagonals(Leaf.UPRIGHT_BOX, s.triangleB, 0, out4);
+    }
+
+    private void turnDiagonals(int kind, double[] row, int at, double[] out4) {
+        SweptBounds.turnDiagonals(kind, row, at, px, py, pz, wx, wy, wz, degrees, out4, s);
     }
 
     private static void boxRow(double[] box, double[] row) {

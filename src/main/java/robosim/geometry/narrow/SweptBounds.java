@@ -4,6 +4,8 @@ import robosim.geometry.exact.Degrees;
 
 /** Axis-aligned bounds of a leaf over a whole motion, rounded outward: the leaf never leaves them, to the bit. */
 public final class SweptBounds {
+    private static final double HALF_ROOT = 0.7071067811865476;
+
     private SweptBounds() {}
 
     /** Writes least x, y, z and greatest x, y, z of a leaf anywhere on a straight way. */
@@ -63,5 +65,47 @@ public final class SweptBounds {
             body.aim(-x, -y, -z, sign);
             out6[k] = -body.greatest(angle, -pivot, -out6[k]);
         }
+    }
+
+    /**
+     * Widens the bounds of x + z (two numbers) and of x - z (two more), which hold the leaf and whatever it is a part of as
+     * they stand, to hold it anywhere on a turn.
+     */
+    static void turnDiagonals(
+            int kind,
+            double[] row,
+            int at,
+            double px,
+            double py,
+            double pz,
+            double wx,
+            double wy,
+            double wz,
+            double degrees,
+            double[] out4,
+            Scratch s) {
+        if (degrees == 0) {
+            return;
+        }
+        TurnBody body = s.sweep().body;
+        double sign = degrees < 0 ? -1 : 1;
+        body.load(kind, row, at, px, py, pz, wx, wy, wz);
+        double angle = Degrees.toRadians(Math.abs(degrees)) * (1 + 0x1p-50) + TurnOutline.MARGIN;
+        for (int k = 0; k < 2; k++) {
+            double z = k == 0 ? HALF_ROOT : -HALF_ROOT;
+            double pivot = HALF_ROOT * px + z * pz;
+            double slack = 0x1p-48 * (Math.abs(px) + Math.abs(pz));
+            body.aim(HALF_ROOT, 0, z, sign);
+            out4[2 * k + 1] = diagonal(body, angle, pivot, out4[2 * k + 1], slack);
+            body.aim(-HALF_ROOT, 0, -z, sign);
+            out4[2 * k] = -diagonal(body, angle, -pivot, -out4[2 * k], slack);
+        }
+    }
+
+    // The direction has unit length; a diagonal is the root of two longer.
+    private static double diagonal(TurnBody body, double angle, double pivot, double start, double slack) {
+        double from = HALF_ROOT * start;
+        double to = body.greatest(angle, pivot, from);
+        return to > from ? (to + slack + 0x1p-48 * Math.abs(to)) / HALF_ROOT : start;
     }
 }

@@ -15,6 +15,12 @@ final class TurnBody {
     static final int MOST_POINTS = 16;
     private static final int MOST_STEPS = 12;
 
+    /** An arc, and the share of it that is tried next, for rims that lie almost flat. */
+    private static final double SOON = 0x1p-6;
+
+    /** What of sqrt(1 - s^2) is lost where s is 1 to rounding. */
+    private static final double LOST = 0x1p-25;
+
     /** Whether heights are left out: for turns about the vertical of what is seen from above. */
     boolean level;
 
@@ -215,6 +221,9 @@ final class TurnBody {
                 double constant = limit + radius * rim.constant;
                 end = Math.max(end, pointsUntil(constant, radius * rim.cosine, radius * rim.sine, t));
             }
+            for (double arc = SOON; arc > end - t && arc > TurnOutline.MARGIN; arc *= SOON) {
+                end = Math.max(end, Math.min(t + arc, pointsUntil(limit + radius * rim.soon(t, arc), 0, 0, t)));
+            }
             if (!(end - t > TurnOutline.MARGIN)) {
                 break;
             }
@@ -252,9 +261,9 @@ final class TurnBody {
         double floor = least(0);
         double e = error();
         double end = Double.POSITIVE_INFINITY;
-        double rim = rims ? radius * across(sk + sa) : 0;
+        double reach = rims ? radius * rim.at(1, 0) : 0;
         for (int m = 0; m < points; m++) {
-            double above = k[m] + a[m] - margin - rim - floor;
+            double above = k[m] + a[m] - margin - reach - floor;
             if (above > 2 * e) {
                 continue;
             }
@@ -266,10 +275,11 @@ final class TurnBody {
     // The points that are not among the hindmost now, over the arc in question.
     private double others(double floor, double e, double end) {
         double free = Double.POSITIVE_INFINITY;
-        double rim = rims ? radius * steepest(0, Math.min(end, FULL)) : 0;
+        double reach = rims ? radius * rim.at(1, 0) : 0;
+        double most = rims ? radius * Math.min(1, steepest(0, Math.min(end, FULL)) + LOST) : 0;
         for (int m = 0; m < points; m++) {
-            if (k[m] + a[m] - margin - (rims ? radius * across(sk + sa) : 0) - floor > 2 * e) {
-                double limit = floor + margin + rim + e - k[m];
+            if (k[m] + a[m] - margin - reach - floor > 2 * e) {
+                double limit = floor + margin + most + e - k[m];
                 free = Math.min(free, a[m] > limit ? TurnOutline.beyond(a[m], b[m], limit, 0) : 0);
             }
         }
@@ -282,14 +292,14 @@ final class TurnBody {
      * distance d from the axis. So the least is raised by at least v t - (pi^2 r / (8 c) + d / 2) t^2.
      */
     private double rimRising(int m, double e) {
-        double tilt = across(sk + sa);
+        double tilt = rim.at(1, 0);
         double swing = Math.sqrt(a[m] * a[m] + b[m] * b[m]) + radius * Math.sqrt(sa * sa + sb * sb);
         if (swing <= e) {
             return Double.POSITIVE_INFINITY; // turns about the direction itself
         }
         // The rim's reach r sqrt(1 - s^2) changes by -r s s' / tilt.
         double speed = tilt > 0 ? b[m] + radius * (sk + sa) * sb / tilt : 0;
-        double least = tilt > 0 ? speed - e - ROUNDOFF * radius / tilt : 0;
+        double least = tilt > 0 ? speed - e - ROUNDOFF * radius * (1 + 1 / tilt) / tilt : 0;
         if (!(least > 0)) {
             return 0;
         }

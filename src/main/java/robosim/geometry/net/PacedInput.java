@@ -99,7 +99,7 @@ final class PacedInput extends InputStream implements MessagePace {
                 throw new IOException("the connection was cut off");
             }
             if (inside && in.available() > 0) {
-                turn.hold();
+                compute();
             } else {
                 turn.give();
                 if (inside) {
@@ -112,7 +112,7 @@ final class PacedInput extends InputStream implements MessagePace {
             if (inside) {
                 count(got);
             }
-            turn.hold();
+            compute();
             return got;
         } catch (IOException e) {
             if (stopping.getAsBoolean() && !guard.isBroken()) {
@@ -120,6 +120,13 @@ final class PacedInput extends InputStream implements MessagePace {
             }
             throw e;
         }
+    }
+
+    /** Has the turn; what a message waits for that is not its peer's fault. */
+    private void compute() {
+        long start = System.nanoTime();
+        turn.hold();
+        deadline += System.nanoTime() - start;
     }
 
     /** What is large waits for its room. */

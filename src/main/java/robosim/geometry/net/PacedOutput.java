@@ -43,7 +43,9 @@ final class PacedOutput extends OutputStream {
                 boolean computing = turn.isRunning();
                 step();
                 if (computing) {
+                    long start = System.nanoTime();
                     turn.take();
+                    messageDue += System.nanoTime() - start; // no fault of the peer
                 }
             }
             int part = Math.min(STEP_BYTES - count, end - from);

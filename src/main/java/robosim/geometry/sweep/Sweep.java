@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import robosim.geometry.Snapshot;
+import robosim.geometry.exact.Given;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 
@@ -79,6 +80,7 @@ public final class Sweep implements Serializable {
 
     /** Over one world more. */
     public Sweep over(SweepWorld world) {
+        Given.present("world", world);
         if (worlds.stream().anyMatch(each -> each.name().equals(world.name()))) {
             throw new IllegalArgumentException("worlds must have names of their own (got twice: " + world.name() + ")");
         }
@@ -95,6 +97,7 @@ public final class Sweep implements Serializable {
      */
     public Sweep vary(String parameter, String... values) {
         Names.check("name of a parameter", parameter);
+        Given.present("values", values);
         if (values.length == 0 || Arrays.stream(values).distinct().count() < values.length) {
             throw new IllegalArgumentException("values of " + parameter + " must be at least one, and each once (got: "
                     + Arrays.toString(values) + ")");
@@ -147,16 +150,27 @@ public final class Sweep implements Serializable {
         return new SweepHeader(name, scenario.fingerprint(), seed, replicates, prints, values);
     }
 
-    /** How many worlds with how many combinations of values there are. */
+    /**
+     * How many worlds with how many combinations of values there are.
+     *
+     * @throws IllegalStateException where there is no world yet, and so nothing that could be carried out
+     */
     public long cells() {
         long cells = worlds.size();
+        if (cells == 0) {
+            throw new IllegalStateException("a sweep must have at least one world; add it by over(world) (got: none)");
+        }
         for (List<String> values : parameters.values()) {
             cells = times(cells, values.size());
         }
         return cells;
     }
 
-    /** How many replicates there are in all. */
+    /**
+     * How many replicates there are in all.
+     *
+     * @throws IllegalStateException where there is no world yet
+     */
     public long size() {
         return times(cells(), replicates);
     }
@@ -170,6 +184,7 @@ public final class Sweep implements Serializable {
 
     /** Whether a replicate is of a shard. */
     public boolean isOf(Shard shard, long index) {
+        Given.present("shard", shard);
         return shard.has(index % cells(), index / cells());
     }
 

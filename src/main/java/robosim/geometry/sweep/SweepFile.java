@@ -94,7 +94,11 @@ final class SweepFile {
                 if (number == 1 || open.startsWith(HEADER)) {
                     header = header(open, header);
                 } else {
-                    reader.read(Outcome.of(open), end, line.length);
+                    Outcome outcome = Outcome.of(open);
+                    if (header != null) {
+                        header.check(outcome);
+                    }
+                    reader.read(outcome, end, line.length);
                 }
             } catch (ProtocolException | IllegalArgumentException e) {
                 throw new SweepException(file + " line " + number + ": " + e.getMessage(), e);
@@ -123,7 +127,7 @@ final class SweepFile {
         SweepHeader header = SweepHeader.of(record);
         if (before != null && !header.isOfSame(before)) {
             throw record.refused(
-                    "a file must hold the results of one sweep (got: " + header + " after " + before + ")");
+                    "a file must hold the results of one sweep (got: one with " + header.differences(before) + ")");
         }
         return before == null || header.replicates() > before.replicates() ? header : before;
     }

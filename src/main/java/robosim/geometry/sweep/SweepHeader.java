@@ -1,8 +1,13 @@
 package robosim.geometry.sweep;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Given;
 import robosim.geometry.protocol.JsonRecord;
 import robosim.geometry.protocol.ProtocolException;
 
@@ -39,7 +44,66 @@ public record SweepHeader(
 
     /** Whether another sweep is the same but for how many replicates there are of each cell. */
     public boolean isOfSame(SweepHeader other) {
+        Given.present("other", other);
         return line(0).equals(other.line(0));
+    }
+
+    /** In what another sweep is not the same, in words that can follow "it has". */
+    String differences(SweepHeader other) {
+        List<String> differences = new ArrayList<>();
+        differ(differences, "scenario", scenario, other.scenario);
+        differ(differences, "fingerprint", print, other.print);
+        differ(differences, "seed", Outcome.hex(seed), Outcome.hex(other.seed));
+        differ(
+                differences,
+                "worlds",
+                worlds.keySet().toString(),
+                other.worlds.keySet().toString());
+        for (String world : worlds.keySet()) {
+            String print = other.worlds.get(world);
+            if (print != null && !print.equals(worlds.get(world))) {
+                differences.add("another world of the name " + world);
+            }
+        }
+        differ(differences, "parameters", parameters.toString(), other.parameters.toString());
+        return String.join(", ", differences);
+    }
+
+    private static void differ(List<String> differences, String what, String own, String other) {
+        if (!own.equals(other)) {
+            differences.add("the " + what + " " + own + " and not " + other);
+        }
+    }
+
+    /** Refuses an outcome of which index, world, values, replicate and seed do not belong together in this sweep. */
+    void check(Outcome outcome) {
+        long cells = size() / replicates;
+        if (cells < 1) {
+            throw new IllegalArgumentException("a sweep must have at least one world (got: none)");
+        }
+        long rest = outcome.index() % cells;
+        List<String> names = List.copyOf(worlds.keySet());
+        String world = names.get((int) (rest % names.size()));
+        rest /= names.size();
+        SortedMap<String, String> values = new TreeMap<>();
+        for (Map.Entry<String, String> parameter : new TreeMap<>(parameters).entrySet()) {
+            String[] all = parameter.getValue().split(",", -1);
+            values.put(parameter.getKey(), all[(int) (rest % all.length)]);
+            rest /= all.length;
+        }
+        long replicate = outcome.index() / cells;
+        expect("world", world, outcome.world(), outcome);
+        expect("parameters", values.toString(), new TreeMap<>(outcome.parameters()).toString(), outcome);
+        expect("replicate", String.valueOf(replicate), String.valueOf(outcome.replicate()), outcome);
+        String own = Outcome.hex(Seeds.of(seed, scenario, world, values, replicate));
+        expect("seed", own, Outcome.hex(outcome.seed()), outcome);
+    }
+
+    private static void expect(String what, String own, String given, Outcome outcome) {
+        if (!own.equals(given)) {
+            throw new IllegalArgumentException(what + " of the result with index " + outcome.index() + " must be " + own
+                    + " in this sweep (got: " + given + ")");
+        }
     }
 
     /** The line that a file of results begins with, with its check sum. */

@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Given;
 
 /**
  * Results as a picture, SVG: a panel for each number, its mean over the values of the parameter with the most numeric ones,
@@ -47,6 +48,8 @@ public final class SweepPlot {
 
     /** The picture. */
     public static String svg(SweepHeader header, SweepSummary summary) {
+        Given.present("header", header);
+        Given.present("summary", summary);
         SweepPlot plot = new SweepPlot(header, summary);
         plot.draw();
         return plot.svg.toString();

@@ -15,6 +15,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.LongConsumer;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Given;
 
 /**
  * Carries out a sweep, or a shard of it, on some threads, into a file. Each outcome is appended when it is there, as a line
@@ -37,11 +38,14 @@ public final class SweepRun {
 
     /** A sweep into a new file; all of it, on one thread. */
     public static SweepRun of(Sweep sweep, Path file) {
+        Given.present("sweep", sweep);
+        Given.present("file", file);
         return new SweepRun(sweep, file);
     }
 
     /** Only this part of it. */
     public SweepRun shard(Shard part) {
+        Given.present("shard", part);
         shard = part;
         return this;
     }
@@ -66,6 +70,7 @@ public final class SweepRun {
 
     /** Told, from any of the threads, how many replicates of the shard are done. */
     public SweepRun progress(LongConsumer listener) {
+        Given.present("progress", listener);
         progress = listener;
         return this;
     }
@@ -133,17 +138,22 @@ public final class SweepRun {
     /** Finds what is done already, drops a line that broke off, and appends what is missing. */
     private void append(SweepHeader header) throws IOException, InterruptedException {
         BitSet done = new BitSet();
+        BitSet beyond = new BitSet();
         SweepFile before = SweepFile.read(file, header, (outcome, offset, length) -> {
-            if (outcome.index() >= sweep.size()) {
-                throw new SweepException(file + ": it has more replicates than asked for (got: " + outcome.index()
-                        + " of " + sweep.size() + ")");
+            if (outcome.index() < sweep.size()) {
+                done.set((int) outcome.index());
+            } else {
+                beyond.set(0);
             }
-            done.set((int) outcome.index());
         });
         SweepHeader old = before.header();
         if (old != null && !old.isOfSame(header)) {
             throw new SweepException(
-                    file + ": it must be of the same sweep to be resumed; it is of " + old + " and not of " + header);
+                    file + ": it must be of the same sweep to be resumed; it has " + old.differences(header));
+        }
+        if (old != null && !beyond.isEmpty()) {
+            throw new SweepException(
+                    file + ": it has more replicates than asked for (got: " + old.size() + " of " + sweep.size() + ")");
         }
         if (before.torn() > 0) {
             try (FileChannel whole = FileChannel.open(file, StandardOpenOption.WRITE)) {

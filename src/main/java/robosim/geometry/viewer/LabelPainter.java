@@ -116,7 +116,8 @@ final class LabelPainter {
                 continue;
             }
             for (int k = 0; k < 2 * SAMPLES; k++) {
-                double at = fromX + (toX - fromX) * (k / 2) / (SAMPLES - 1.0);
+                int column = k / 2;
+                double at = fromX + (toX - fromX) * column / (SAMPLES - 1.0);
                 double z = k % 2 == 0 ? fromZ : toZ;
                 for (Outline outline : cover.outlines) {
                     if (Outline.depth(outline, at, z) >= 0) {

@@ -2,6 +2,7 @@ package robosim.geometry.viewer;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Given;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 
@@ -35,12 +36,16 @@ public record Scene(
 
     /** Copies the lists. */
     public Scene {
-        things = List.copyOf(things);
-        trails = List.copyOf(trails);
-        pings = List.copyOf(pings);
-        refusals = List.copyOf(refusals);
-        blocked = List.copyOf(blocked);
-        marks = List.copyOf(marks);
+        Given.present("title", title);
+        Given.present("subtitle", subtitle);
+        Given.present("unit", unit);
+        Given.present("view", view);
+        things = Given.list("things", things);
+        trails = Given.list("trails", trails);
+        pings = Given.list("pings", pings);
+        refusals = Given.list("refusals", refusals);
+        blocked = Given.list("blocked", blocked);
+        marks = Given.list("marks", marks);
     }
 
     /** A world and what stands in it. */
@@ -131,7 +136,12 @@ public record Scene(
      *
      * @param colour 0xRRGGBB; null for a colour by its kind
      */
-    public record Thing(GeometryObject object, @Nullable Integer colour) {}
+    public record Thing(GeometryObject object, @Nullable Integer colour) {
+        /** Refuses nothing for an object. */
+        public Thing {
+            Given.present("object", object);
+        }
+    }
 
     /**
      * Where a moveable object has been.

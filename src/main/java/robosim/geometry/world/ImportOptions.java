@@ -2,6 +2,7 @@ package robosim.geometry.world;
 
 import java.nio.file.Path;
 import java.util.List;
+import robosim.geometry.exact.Given;
 
 /**
  * What the files of other formats do not say for themselves.
@@ -31,7 +32,7 @@ public record ImportOptions(double wallHeight, double scale, Up up, List<Path> m
         if (up == null) {
             throw new IllegalArgumentException("up must be given (got: null)");
         }
-        models = List.copyOf(models);
+        models = Given.list("models", models);
     }
 
     /** These with other folders of models. */

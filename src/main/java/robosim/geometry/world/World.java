@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
+import robosim.geometry.exact.Given;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 
@@ -36,13 +37,9 @@ public record World(
         width = size("width", width);
         height = size("height", height);
         length = size("length", length);
-        if (dimension == null) {
-            throw new IllegalArgumentException("dimension must be given (got: null)");
-        }
-        if (accuracy == null) {
-            throw new IllegalArgumentException("accuracy must be given (got: null)");
-        }
-        objects = List.copyOf(objects);
+        Given.present("dimension", dimension);
+        Given.present("accuracy", accuracy);
+        objects = Given.list("objects", objects);
         Set<String> names = new HashSet<>();
         for (WorldObject object : objects) {
             String name = object.object().name();
@@ -86,6 +83,7 @@ public record World(
      * @param refused told each object that reaches beyond the world's border and was left out
      */
     public Geometry toGeometry(Consumer<WorldObject> refused) {
+        Given.present("refused", refused);
         Geometry geometry = new Geometry(width, height, length, dimension, accuracy);
         for (WorldObject object : objects) {
             if (!geometry.addObjectUnchecked(object.object())) {

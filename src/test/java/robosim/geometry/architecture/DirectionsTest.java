@@ -35,7 +35,7 @@ class DirectionsTest {
                     "junit",
                     Set.of("", "viewer", "scenario", "net", "protocol", "world", "collision", "model", "exact")),
             Map.entry("viewer", Set.of("", "scenario", "net", "protocol", "world", "model", "exact")),
-            Map.entry("sweep", Set.of("", "scenario", "net", "protocol", "world", "model")),
+            Map.entry("sweep", Set.of("", "scenario", "net", "protocol", "world", "model", "exact")),
             Map.entry("cli", Set.of("", "sweep", "viewer", "scenario", "net", "protocol", "world", "model")));
 
     /** Rooms whose use of a library or of a part of the JDK is theirs alone. */

@@ -3,6 +3,7 @@ package robosim.geometry.census;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.narrow.Leaf;
 import robosim.geometry.narrow.LeafColumn;
 
@@ -78,6 +79,20 @@ final class Body {
             moved[k] += way[k % 3];
         }
         return new Body(type, kind, moved);
+    }
+
+    /** What of a solid is deeper inside than a margin; null where nothing is, or it is no solid. */
+    @Nullable
+    Body shrunkBy(double by) {
+        double[] smaller = row.clone();
+        int sizes = type == Type.BOX ? 3 : type == Type.CYLINDER ? 2 : type == Type.SPHERE ? 1 : 0;
+        for (int k = 3; k < 3 + sizes; k++) {
+            smaller[k] -= by;
+            if (smaller[k] < 0) {
+                return null;
+            }
+        }
+        return sizes > 0 ? new Body(type, kind, smaller) : null;
     }
 
     void writeTo(LeafColumn column) {
@@ -203,7 +218,7 @@ final class Body {
         double far = Vec.length(aside);
         double up = Math.max(0, Math.abs(t) - row[4]);
         double out = Math.max(0, far - row[3]);
-        double all = Math.hypot(up, out);
+        double all = StrictMath.hypot(up, out);
         if (!(all > 0)) {
             return new double[3];
         }

@@ -6,6 +6,7 @@ import robosim.geometry.exact.Rotations;
 import robosim.geometry.narrow.Leaf;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.SpatialCone;
+import robosim.geometry.narrow.SpatialRay;
 
 /** A cone in space and a leaf, made up so that the cone's border comes near some place of the leaf. */
 final class ConeQuestion {
@@ -26,6 +27,11 @@ final class ConeQuestion {
     double ask() {
         return SpatialCone.distance(
                 apex[0], apex[1], apex[2], way[0], way[1], way[2], cos, StrictMath.sin(half), kind, row, 0, scratch);
+    }
+
+    /** What the product answers for the ray along the cone's axis. */
+    double ray() {
+        return SpatialRay.distance(apex[0], apex[1], apex[2], way[0], way[1], way[2], kind, row, 0, scratch);
     }
 
     /** The upper end of the product's bracket. */
@@ -59,8 +65,13 @@ final class ConeQuestion {
 
     /** Takes the border to within a share of the half angle of a point, on a side chosen at random; off by 0 puts it there. */
     void aim(double[] point, double off, SplittableRandom random) {
+        aim(point, off, direction(random), random);
+    }
+
+    /** The same on the side of a vector. */
+    void aim(double[] point, double off, double[] side, SplittableRandom random) {
         double[] to = unit(point[0] - apex[0], point[1] - apex[1], point[2] - apex[2]);
-        double[] aside = across(to, random);
+        double[] aside = across(to, side);
         double angle = half * (1 + off);
         double length = random.nextBoolean() ? 1 : random.nextDouble(0.1, 10);
         for (int k = 0; k < 3; k++) {
@@ -96,8 +107,7 @@ final class ConeQuestion {
         }
     }
 
-    static double[] across(double[] u, SplittableRandom random) {
-        double[] v = direction(random);
+    private static double[] across(double[] u, double[] v) {
         double along = u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
         return unit(v[0] - along * u[0], v[1] - along * u[1], v[2] - along * u[2]);
     }

@@ -11,8 +11,14 @@ final class CylinderCone implements Kernel {
     /** What is documented: the answer is not above the truth, and below by this share of it at most. */
     private static final double SHARE = 0x1p-40;
 
-    /** And of the offsets and sizes by this where the apex is that near. */
-    private static final double NEAREST = 0x1p-52;
+    /**
+     * Nearer than this share of the offsets and sizes the answer may be below by as much; and what is silent may be heard
+     * where the cylinder passes the cone by less.
+     */
+    private static final double NEAREST = 0x1p-44;
+
+    /** A cone hears no later than the ray along its axis, whose distance is so good. */
+    private static final double RAY_ULPS = 4;
 
     private final ConeQuestion q = new ConeQuestion(Leaf.CYLINDER);
 
@@ -51,18 +57,32 @@ final class CylinderCone implements Kernel {
             return answer == 0 ? Visit.right(regime) : Visit.wrong(regime, q.paste(answer, truth));
         }
         if (twin.low == Double.POSITIVE_INFINITY || answer == Double.POSITIVE_INFINITY) {
-            boolean isRight = answer == Double.POSITIVE_INFINITY
-                    ? twin.high == Double.POSITIVE_INFINITY
-                    : regime.equals("grazing");
+            boolean isRight =
+                    answer == Double.POSITIVE_INFINITY ? twin.high == Double.POSITIVE_INFINITY : passesClosely();
             return isRight ? Visit.right(regime) : Visit.wrong(regime, q.paste(answer, truth));
         }
-        double bound = Math.max(SHARE * answer, NEAREST * q.extent());
+        double nearest = NEAREST * q.extent();
+        double bound = answer > nearest ? SHARE * answer : nearest;
+        if (answer == q.ray()) {
+            bound = Math.max(bound, RAY_ULPS * Math.ulp(q.extent()));
+        }
         return Visit.number(
                 regime,
                 Math.max(0, twin.low - answer) / bound,
                 answer > twin.high ? 2 : 0,
                 regime.equals("grazing") ? 0 : (Math.max(answer, upper) - answer) / bound,
                 () -> q.paste(answer, truth));
+    }
+
+    // Whether a cylinder that is a little larger is not silent.
+    private boolean passesClosely() {
+        double more = NEAREST * q.extent();
+        q.row[3] += more;
+        q.row[4] += more;
+        boolean isSilent = new CylinderConeTwin(q).low == Double.POSITIVE_INFINITY;
+        q.row[3] -= more;
+        q.row[4] -= more;
+        return !isSilent;
     }
 
     private static String regime(CylinderConeTwin t) {
@@ -104,14 +124,16 @@ final class CylinderCone implements Kernel {
         }
         q.row[3] = radius;
         q.row[4] = half;
-        stand(random, radius, half, adversarial);
+        do {
+            stand(random, radius, half, adversarial);
+        } while (isInside() && random.nextInt(4) == 0);
         double degrees = random.nextDouble(0.5, 89.99);
         if (adversarial) {
             degrees =
                     StrictMath.pow(10, random.nextInt(8) == 0 ? -random.nextDouble(0, 6) : random.nextDouble(0, 1.954));
         }
         q.widen(StrictMath.toRadians(degrees));
-        if (random.nextInt(20) < 9) {
+        if (random.nextInt(20) < 10) {
             build(random, radius, half, adversarial);
         } else {
             aim(random, radius, half, adversarial);
@@ -122,25 +144,29 @@ final class CylinderCone implements Kernel {
         }
     }
 
+    private boolean isInside() {
+        return Math.abs(q.apex[1]) <= q.row[4] && Math.hypot(q.apex[0], q.apex[2]) <= q.row[3];
+    }
+
     // Over a cap, beside the mantle, beyond a rim, or anywhere.
     private void stand(SplittableRandom random, double radius, double half, boolean adversarial) {
         double off = adversarial ? StrictMath.pow(10, -random.nextDouble(0, 7)) : random.nextDouble();
         double angle = random.nextDouble(-Math.PI, Math.PI);
         double away = random.nextDouble() * radius;
         double height = half * random.nextDouble(-1, 1);
-        switch (random.nextInt(5)) {
-            case 0 -> height = half + off;
-            case 1 -> away = radius + off;
-            case 2 -> {
+        switch (random.nextInt(13)) {
+            case 0, 1, 12 -> height = half + off;
+            case 2, 3, 4 -> away = radius + off;
+            case 5, 6, 7 -> {
                 height = half + off;
-                away = radius + off * random.nextDouble(0, 4);
+                away = radius + random.nextDouble(0, 4);
             }
-            case 3 -> {
+            case 8, 9 -> {
                 height = random.nextDouble(-4, 4) * (random.nextBoolean() ? 1 : half / 4);
                 away = random.nextDouble(0, 4) * (random.nextBoolean() ? 1 : radius / 4);
             }
             default -> {
-                height = random.nextInt(8) == 0 ? height : half + random.nextDouble(0, 3);
+                height = random.nextInt(3) == 0 ? height : half + random.nextDouble(0, 3);
                 away = random.nextInt(8) == 0 ? away : radius + random.nextDouble(0, 3);
             }
         }
@@ -152,7 +178,8 @@ final class CylinderCone implements Kernel {
     // From the answer: a point of the cylinder that is nearest along a direction n, and the cone whose border touches
     // there.
     private void build(SplittableRandom random, double radius, double half, boolean adversarial) {
-        int part = random.nextInt(6);
+        int any = random.nextInt(7);
+        int part = any > 5 ? 0 : any;
         for (int attempt = 0; attempt < 30; attempt++) {
             double angle = StrictMath.atan2(q.apex[2], q.apex[0])
                     + (random.nextBoolean() ? 1.5 : 3) * random.nextDouble(-1, 1);
@@ -189,9 +216,9 @@ final class CylinderCone implements Kernel {
         double away = radius;
         double height = half * random.nextDouble(-1, 1);
         double facing = StrictMath.atan2(q.apex[2], q.apex[0]);
-        int part = random.nextInt(5);
+        int part = random.nextInt(7);
         switch (part) {
-            case 0 -> {
+            case 0, 5, 6 -> {
                 height = Math.max(-half, Math.min(half, q.apex[1]));
                 away = Math.min(radius, Math.hypot(q.apex[0], q.apex[2]));
                 angle = facing;
@@ -209,7 +236,7 @@ final class CylinderCone implements Kernel {
             off = StrictMath.pow(10, -random.nextDouble(1, 16)) * (random.nextBoolean() ? 1 : -1);
         }
         q.aim(point, off, random);
-        if (adversarial && random.nextInt(4) == 0) {
+        if (adversarial && random.nextInt(6) == 0) {
             graze(point, random);
         }
     }

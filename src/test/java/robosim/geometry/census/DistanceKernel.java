@@ -93,15 +93,15 @@ final class DistanceKernel implements Kernel {
     /** As a share of the sizes; plain gaps and depths are those of robots, adversarial ones leave little to doubles. */
     static double gap(SplittableRandom random, int state, boolean adversarial) {
         if (state < 22) {
-            return Math.pow(10, random.nextDouble(-2, 0));
+            return StrictMath.pow(10, random.nextDouble(-2, 0));
         }
         if (state < 85) {
-            return Math.pow(10, adversarial ? random.nextDouble(-13, -6) : random.nextDouble(-6, -3.2));
+            return StrictMath.pow(10, adversarial ? random.nextDouble(-13, -6) : random.nextDouble(-6, -3.2));
         }
         if (state < 91) {
             return 0;
         }
-        return -Math.pow(10, adversarial ? random.nextDouble(-8, -4) : random.nextDouble(-4, -1));
+        return -StrictMath.pow(10, adversarial ? random.nextDouble(-8, -4) : random.nextDouble(-4, -1));
     }
 
     private Visit compare(Body a, Body b) {

@@ -10,8 +10,16 @@ final class Kernels {
 
     static List<Kernel> all() {
         List<Kernel> all = new ArrayList<>();
+        all.addAll(OverlapKernel.all());
+        all.add(new RayKernel());
         all.add(new CylinderCone());
+        all.add(new SphereCone());
+        for (PolytopeCone.Shape shape : PolytopeCone.Shape.values()) {
+            all.add(new PolytopeCone(shape));
+        }
         all.addAll(DistanceKernel.all());
+        all.add(new SpatialTurn());
+        all.add(new SpatialWay());
         all.add(new StandingMoves(Dimension.PLANAR));
         all.add(new StandingMoves(Dimension.SPATIAL));
         return all;

@@ -12,7 +12,7 @@ import robosim.geometry.narrow.OwnLeaves;
 /** The least distance of a mesh and anything in space, a mesh too: the least of its triangles', whatever limit is given. */
 final class MeshDistanceKernel implements Kernel {
     private static final List<String> OTHERS = List.of("box", "cylinder", "triangle", "sphere", "mesh");
-    private static final int[][] FACES = {{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    private static final int[][] FACES = {{0, 1, 2}, {1, 0, 3}};
 
     /** A gap below this share of the size is near contact. */
     private static final double NEAR = 1e-3;
@@ -76,7 +76,7 @@ final class MeshDistanceKernel implements Kernel {
                 () -> String.format(Locale.ROOT, "%s, %s", a, b));
     }
 
-    /** Four triangles on three corners and a fourth one, which is farther back. */
+    /** Two triangles on three corners and a fourth one, which is farther back. */
     private static List<Body> surface(Body triangle, SplittableRandom random, int back, double[] n) {
         double[][] corners = new double[4][];
         System.arraycopy(triangle.corners, 0, corners, 0, 3);

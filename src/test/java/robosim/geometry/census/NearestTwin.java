@@ -218,7 +218,7 @@ final class NearestTwin {
     }
 
     private static double[] onRim(double[] centre, double[] u, double[] v, double radius, double angle) {
-        return Vec.plus(Vec.plus(centre, radius * Math.cos(angle), u), radius * Math.sin(angle), v);
+        return Vec.plus(Vec.plus(centre, radius * StrictMath.cos(angle), u), radius * StrictMath.sin(angle), v);
     }
 
     private static double away(double[] p, Body q) {

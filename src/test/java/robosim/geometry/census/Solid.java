@@ -24,6 +24,13 @@ final class Solid {
     final double radius;
     final double half;
 
+    /** Of each edge and each side a point and how far they reach from it. */
+    final double[][] edgeMiddles;
+
+    final double[] edgeReaches;
+    final double[][] sideMiddles;
+    final double[] sideReaches;
+
     private Solid(int kind, double[][] corners, double[] centre, double[] axis, double radius, double half) {
         this.kind = kind;
         this.corners = corners;
@@ -33,6 +40,29 @@ final class Solid {
         this.axis = axis;
         this.radius = radius;
         this.half = half;
+        edgeMiddles = new double[edges.length][];
+        edgeReaches = new double[edges.length];
+        sideMiddles = new double[sides.length][];
+        sideReaches = new double[sides.length];
+        for (int k = 0; k < edges.length; k++) {
+            edgeMiddles[k] = middle(edges[k][0], edges[k][1]);
+            edgeReaches[k] = Space.between(edgeMiddles[k], corners[edges[k][0]]);
+        }
+        for (int k = 0; k < sides.length; k++) {
+            // Of a triangle the middle of one edge reaches no further than the longest.
+            sideMiddles[k] = middle(sides[k][1], sides[k][2]);
+            sideReaches[k] = Math.max(
+                    Space.between(sideMiddles[k], corners[sides[k][0]]),
+                    Space.between(sideMiddles[k], corners[sides[k][1]]));
+        }
+    }
+
+    private double[] middle(int p, int q) {
+        return new double[] {
+            0.5 * (corners[p][0] + corners[q][0]),
+            0.5 * (corners[p][1] + corners[q][1]),
+            0.5 * (corners[p][2] + corners[q][2])
+        };
     }
 
     /** A row's solid, seen from an origin. */

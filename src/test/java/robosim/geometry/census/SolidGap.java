@@ -35,11 +35,7 @@ final class SolidGap {
         } else if (a.isPolytope() && b.isPolytope()) {
             sides(a, b, Meeting.CORNER_ON_SIDE);
             sides(b, a, Meeting.SIDE_ON_CORNER);
-            for (int[] e : a.edges) {
-                for (int[] f : b.edges) {
-                    take(segments(a.corners[e[0]], a.corners[e[1]], b.corners[f[0]], b.corners[f[1]]), Meeting.EDGES);
-                }
-            }
+            edges(a, b);
         } else if (a.isPolytope()) {
             roundAndFlat(b, a);
         } else if (b.isPolytope()) {
@@ -60,9 +56,24 @@ final class SolidGap {
     }
 
     private void sides(Solid of, Solid on, Meeting how) {
-        for (int[] side : on.sides) {
+        for (int k = 0; k < on.sides.length; k++) {
             for (double[] corner : of.corners) {
-                take(aboveSide(corner, on, side), how);
+                if (Space.between(corner, on.sideMiddles[k]) - on.sideReaches[k] < distance) {
+                    take(aboveSide(corner, on, on.sides[k]), how);
+                }
+            }
+        }
+    }
+
+    private void edges(Solid a, Solid b) {
+        for (int k = 0; k < a.edges.length; k++) {
+            int[] e = a.edges[k];
+            for (int m = 0; m < b.edges.length; m++) {
+                int[] f = b.edges[m];
+                double reaches = a.edgeReaches[k] + b.edgeReaches[m];
+                if (Space.between(a.edgeMiddles[k], b.edgeMiddles[m]) - reaches < distance) {
+                    take(segments(a.corners[e[0]], a.corners[e[1]], b.corners[f[0]], b.corners[f[1]]), Meeting.EDGES);
+                }
             }
         }
     }
@@ -124,7 +135,8 @@ final class SolidGap {
         for (int k = 0; k < 3 && inside; k++) {
             double[] e = Space.sum(to.corners[1 << k], to.corners[0], -1);
             double along = Space.dot(Space.sum(p, to.corners[0], -1), e);
-            inside = along >= 0 && along <= Space.dot(e, e);
+            double square = Space.dot(e, e);
+            inside = square > 0 && along >= 0 && along <= square;
         }
         if (inside) {
             return 0;

@@ -14,6 +14,13 @@ final class Space {
         return Math.sqrt(dot(p, p));
     }
 
+    static double between(double[] p, double[] q) {
+        double x = p[0] - q[0];
+        double y = p[1] - q[1];
+        double z = p[2] - q[2];
+        return Math.sqrt(x * x + y * y + z * z);
+    }
+
     static double[] cross(double[] p, double[] q) {
         return new double[] {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
     }

@@ -52,13 +52,18 @@ final class SpacePairs {
         b = b.movedBy(Vec.plus(Vec.minus(from, to), gap * (a.size() + b.size()), n));
     }
 
+    /** One body near the origin with such a feature in front along n. */
+    Body showing(Body.Type type, int feature, double[] n) {
+        return turned(type, feature, n);
+    }
+
     private static boolean canStand(Body.Type type) {
         return type == Body.Type.BOX || type == Body.Type.CYLINDER;
     }
 
     private double[] level() {
         double angle = random.nextDouble(0, 2 * Math.PI);
-        return new double[] {Math.cos(angle), 0, Math.sin(angle)};
+        return new double[] {StrictMath.cos(angle), 0, StrictMath.sin(angle)};
     }
 
     /** A direction in which something upright has such a feature in front. */
@@ -132,6 +137,8 @@ final class SpacePairs {
     }
 
     private double length() {
-        return thin && random.nextInt(4) == 0 ? Math.pow(10, random.nextDouble(-5, 0)) : random.nextDouble(0.2, 1.2);
+        return thin && random.nextInt(4) == 0
+                ? StrictMath.pow(10, random.nextDouble(-5, 0))
+                : random.nextDouble(0.2, 1.2);
     }
 }

@@ -8,6 +8,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.collision.Meshes.Family;
 import robosim.geometry.collision.Verdict.Answer;
+import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
@@ -83,6 +84,29 @@ class VerdictTest {
         assertThat(end.answer()).isEqualTo(Answer.NO);
         assertThat(end.certainty()).isEqualTo(Certainty.EXACT);
         assertThat(ContactQuery.distance(a, b, Budget.UNLIMITED).high()).isBetween(1.0, 1 + 1e-12);
+    }
+
+    /** A box and a rim, of which a plane proves that they are apart by 1.241e-11. */
+    @Test
+    void nothingIsNearerThanAPlaneProves() {
+        CylinderObject rim = new CylinderObject(new Point(), 0.025487967607358098, 1.7310606365122398)
+                .oriented(new double[] {
+                    -0.9308172262620389,
+                    0.3322955917586398,
+                    0.15218058677643362,
+                    -1.2617556417204183E-17,
+                    -0.41637983315172866,
+                    0.9091907580615515,
+                    0.3654850083024532,
+                    0.8462904195619338,
+                    0.38757352136574263
+                });
+        Point place = new Point(0.6715335308773012, -0.8242896182683084, -0.821061556196542);
+        BoxObject box = new BoxObject(place, 1.25, 1.5, 1.830765944560399);
+        Verdict verdict = ContactQuery.distance(rim, box, Budget.UNLIMITED);
+        assertThat(verdict.answer()).isEqualTo(Answer.NO);
+        assertThat(verdict.low()).isBetween(1.23e-11, 1.2425e-11);
+        assertThat(verdict.high()).isBetween(1.24e-11, 1.25e-11);
     }
 
     /** Two cylinders askew that touch side to side as nearly as doubles say. */

@@ -2,6 +2,7 @@ package robosim.geometry.contract;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -50,6 +51,44 @@ class CoarseMovesTest {
         }
         assertThat(refused).isGreaterThan(40);
         assertThat(allowed).isGreaterThan(100);
+    }
+
+    /**
+     * What turns away from its middle, with little things about it: they stand beside the enclosure, but within the box of
+     * the bounds about it.
+     */
+    @ParameterizedTest
+    @EnumSource(Accuracy.class)
+    void noLevelTurnsThroughLittleThings(Accuracy accuracy) {
+        SplittableRandom random = new SplittableRandom(5);
+        int refused = 0;
+        int allowed = 0;
+        for (int k = 0; k < 4000; k++) {
+            Dimension dimension = DIMENSIONS[k % 2];
+            WorldLayout layout = k % 4 < 2 ? WorldLayout.GROUPS : WorldLayout.MESHES;
+            GeometryObject mover =
+                    layout.next(random, List.of()).movedTo(new Point()).moveable("mover");
+            Point near =
+                    new Point(random.nextDouble(-1.2, 1.2), random.nextDouble(-0.5, 0.5), random.nextDouble(-1.2, 1.2));
+            GeometryObject thing =
+                    WorldLayout.HUGE_AMONG_TINY.next(random, List.of()).movedTo(near);
+            Move move = new Move(0, 0, 0, k % 3 == 0 ? random.nextDouble(-180, 180) : 0, random.nextDouble(-180, 180));
+            Geometry coarse = new Geometry(64, 64, 64, dimension, accuracy);
+            Geometry exact = new Geometry(64, 64, 64, dimension, Accuracy.EXACT);
+            if (!coarse.addObject(thing) || !coarse.addObject(mover)) {
+                continue;
+            }
+            assertThat(exact.addObject(thing) && exact.addObject(mover)).isTrue();
+            boolean isFree = exact.move("mover", move).allowed();
+            boolean made = coarse.move("mover", move).allowed();
+            assertThat(!made || isFree)
+                    .as("%s %s: %s by %s beside %s", accuracy, dimension, Paste.of(mover), move, Paste.of(thing))
+                    .isTrue();
+            refused += isFree ? 0 : 1;
+            allowed += made ? 1 : 0;
+        }
+        assertThat(refused).isGreaterThan(75);
+        assertThat(allowed).isGreaterThan(1000);
     }
 
     private static GeometryObject thing(SplittableRandom random, int k) {

@@ -25,7 +25,7 @@ class HitNormalsTest {
     void aPlateThinnerThanAnUlpOfTheDistanceShowsItsNearSide() {
         int hits = 0;
         for (int k = 0; k < 4_000; k++) {
-            double thick = Math.pow(10, random.nextDouble(-13, k % 2 == 0 ? -10 : 0));
+            double thick = StrictMath.pow(10, random.nextDouble(-13, k % 2 == 0 ? -10 : 0));
             GeometryObject plate = new BoxObject(place(), 2, thick, 2)
                     .turned(random.nextDouble(-180, 180), random.nextDouble(-180, 180));
             RayHit hit = hit(Dimension.SPATIAL, plate, 1e6);
@@ -48,8 +48,8 @@ class HitNormalsTest {
     void whatIsSmallBesideTheDistanceFacesTheRay() {
         int hits = 0;
         for (int k = 0; k < 20_000; k++) {
-            double p = Math.pow(10, random.nextDouble(-13, 1));
-            double q = Math.pow(10, random.nextDouble(-13, 1));
+            double p = StrictMath.pow(10, random.nextDouble(-13, 1));
+            double q = StrictMath.pow(10, random.nextDouble(-13, 1));
             double turn = random.nextInt(3) == 0 ? 0 : random.nextDouble(-180, 180);
             GeometryObject shape = switch (k % 3) {
                 case 0 -> new SphereObject(place(), p);
@@ -57,7 +57,7 @@ class HitNormalsTest {
                 default -> new BoxObject(place(), p, q, p).turned(turn, random.nextInt(4) * 45);
             };
             Dimension dimension = Dimension.values()[random.nextInt(2)];
-            if (hit(dimension, shape, Math.pow(10, random.nextDouble(2, 8))) != null) {
+            if (hit(dimension, shape, StrictMath.pow(10, random.nextDouble(2, 8))) != null) {
                 hits++;
             }
         }

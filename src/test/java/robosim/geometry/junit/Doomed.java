@@ -12,6 +12,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.random.RandomGenerator;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
@@ -127,6 +128,24 @@ final class Doomed {
             Point start = robot.center();
             robot.triesToTurn(random.nextDouble() * 360);
             throw new AssertionError(world.robots().size() + " robots, " + start + ", " + robot.heading());
+        }
+    }
+
+    /** Asks for a server and nothing else. */
+    @World
+    static class Served {
+        @Test
+        void served(GeometryServer server) throws IOException {
+            new Socket(InetAddress.getLoopbackAddress(), server.port()).close();
+        }
+    }
+
+    /** The same by the extension itself. */
+    @ExtendWith(WorldExtension.class)
+    static class Extended {
+        @Test
+        void served(GeometryServer server) throws IOException {
+            new Socket(InetAddress.getLoopbackAddress(), server.port()).close();
         }
     }
 

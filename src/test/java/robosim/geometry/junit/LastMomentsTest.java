@@ -46,8 +46,8 @@ class LastMomentsTest {
         Path file = run(Doomed.Failing.class, "blocked", folder).resolve("last-moments.svg");
         Document picture = parse(file);
         assertThat(picture.getDocumentElement().getTagName()).isEqualTo("svg");
-        assertThat(groups(picture, "robot", "r1")).hasSize(1);
-        assertThat(groups(picture, "robot", "r2")).hasSize(1);
+        assertThat(groups(picture, "moveable", "r1")).hasSize(1);
+        assertThat(groups(picture, "moveable", "r2")).hasSize(1);
         assertThat(groups(picture, "object", "wall")).hasSize(1);
 
         // It went by 0.5 to 1, along X.
@@ -96,14 +96,14 @@ class LastMomentsTest {
     @Test
     void whatATestDidToTheWorldItselfIsSeen(@TempDir Path folder) throws Exception {
         Path file = run(Doomed.Failing.class, "broken", folder).resolve("last-moments.svg");
-        assertThat(groups(parse(file), "robot", "")).hasSize(2);
+        assertThat(groups(parse(file), "moveable", "")).hasSize(2);
         assertThat(groups(parse(file), "block", "")).isEmpty();
     }
 
     @Test
     void aConversationWithAServerHasOneToo(@TempDir Path folder) throws Exception {
         Path file = run(Doomed.Talking.class, "talks", folder).resolve("connection-1.svg");
-        assertThat(groups(parse(file), "robot", "r1")).hasSize(1);
+        assertThat(groups(parse(file), "moveable", "r1")).hasSize(1);
         assertThat(groups(parse(file), "ping", "")).hasSize(1);
     }
 

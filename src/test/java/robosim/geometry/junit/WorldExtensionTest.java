@@ -168,6 +168,15 @@ class WorldExtensionTest {
     }
 
     @Test
+    void aServerNeedsNoWorld() {
+        for (Class<?> tests : List.of(Doomed.Served.class, Doomed.Extended.class)) {
+            assertThat(Launched.run(tests, Map.of()).get("served").getStatus())
+                    .as(tests.getSimpleName())
+                    .isEqualTo(TestExecutionResult.Status.SUCCESSFUL);
+        }
+    }
+
+    @Test
     void aServerForAClientIsThereUntilTheTestHasEnded(@TempDir Path folder) throws IOException {
         Map<String, TestExecutionResult> results =
                 Launched.run(Doomed.Talking.class, Map.of("robosim.evidence", folder.toString()));

@@ -160,6 +160,41 @@ class HeldTurnTest {
         assertThat(most).isLessThan(FEW);
     }
 
+    /** The cap's normal is the cylinder's axis to rounding: how fast its rim rises means nothing. */
+    @Test
+    void aSphereThatTouchesACapDoesNotTurnIntoIt() {
+        double[] sphere =
+                SweepRows.disc(-0.05837435919179524, 0.1083799971012655, 0.06536207446435689, 0.8509156130571618, 0);
+        double[] cylinder = {
+            -0.25505953392790837,
+            1.4674325477449421,
+            -0.04694441228822171,
+            0.12412468652957352,
+            0.525167050443683,
+            0.16435416845111883,
+            0.9670515158083892,
+            -0.18078670067690478,
+            0.1792415538625347,
+            0.15576846587547777,
+            0.9770793259332206,
+            0.14509367964416459,
+            -0.20136422425916878,
+            -0.11239288096780235,
+            0.9730469102238908,
+            0
+        };
+        double share = turn(
+                Leaf.SPHERE,
+                sphere,
+                0.26691504496058993,
+                -0.8844885351469147,
+                -0.3826700797911318,
+                30.94734570503472,
+                Leaf.CYLINDER,
+                cylinder);
+        assertThat(share).isLessThan(1e-13);
+    }
+
     private double turn(int kindA, double[] a, double wx, double wy, double wz, double degrees, int kindB, double[] b) {
         return SpatialSweep.turn(kindA, a, 0, 0, 0, 0, wx, wy, wz, degrees, kindB, b, 0, scratch);
     }

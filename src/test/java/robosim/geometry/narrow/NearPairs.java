@@ -56,7 +56,7 @@ public final class NearPairs {
 
     /** A gap as a share of the size, from 1e-13 to 1e-1; one in ten is none, or as deep. */
     public double gap() {
-        double share = Math.pow(10, random.nextDouble(-13, -1));
+        double share = StrictMath.pow(10, random.nextDouble(-13, -1));
         return random.nextInt(10) > 0 ? share : random.nextInt(-1, 1) * share;
     }
 
@@ -77,7 +77,7 @@ public final class NearPairs {
             return r.clone();
         }
         if (way == 1) {
-            double angle = Math.pow(10, random.nextDouble(-12, -2));
+            double angle = StrictMath.pow(10, random.nextDouble(-12, -2));
             return times(r, about(random.nextInt(3), StrictMath.cos(angle), StrictMath.sin(angle)));
         }
         if (way == 2) {
@@ -111,7 +111,7 @@ public final class NearPairs {
     }
 
     private double length() {
-        return random.nextInt(5) == 0 ? Math.pow(10, random.nextDouble(-6, 1)) : random.nextDouble(0.2, 1.5);
+        return random.nextInt(5) == 0 ? StrictMath.pow(10, random.nextDouble(-6, 1)) : random.nextDouble(0.2, 1.5);
     }
 
     private double[] leaf(int kind, double[] r) {

@@ -215,4 +215,57 @@ class PlanarOverlapTest {
         row[3] = r;
         return row;
     }
+
+    /** A pair that a world told apart by its bounds and together without a look at them: octagons are in no doubt. */
+    @Test
+    void octagonsAreApartWhereOneOfTheirDirectionsPartsThem() {
+        double[] still = {
+            -2.0000000000001705,
+            1.7053025658242404E-13,
+            -3.0000000000001705,
+            -0.9999999999998295,
+            -4.414213562373277,
+            -1.5857864376267226,
+            -0.41421356237327744,
+            2.4142135623732774,
+            -3.0000000000001705,
+            -0.9999999999998295,
+            0,
+            0,
+            0,
+            0,
+            0,
+            0
+        };
+        double[] other = {
+            2.48694250966913E-13,
+            1.000000000000584,
+            -5.085786437626606,
+            -2.0857864376262136,
+            -5.085786437626203,
+            -1.0857864376257826,
+            2.085786437626616,
+            6.0857864376270365,
+            -2.8125000000001354,
+            0.18750000000025646,
+            0,
+            0,
+            0,
+            0,
+            0,
+            0
+        };
+        Scratch s = new Scratch();
+        assertThat(PlanarOverlap.test(Leaf.PRISM, still, 0, Leaf.PRISM, other, 0, s))
+                .isFalse();
+        assertThat(PlanarOverlap.test(Leaf.PRISM, other, 0, Leaf.PRISM, still, 0, s))
+                .isFalse();
+        assertThat(PlanarDistance.between(Leaf.PRISM, other, 0, Leaf.PRISM, still, 0, s))
+                .isBetween(0.0, 1e-12);
+        still[1] = other[0];
+        assertThat(PlanarOverlap.test(Leaf.PRISM, still, 0, Leaf.PRISM, other, 0, s))
+                .isTrue();
+        assertThat(PlanarDistance.between(Leaf.PRISM, other, 0, Leaf.PRISM, still, 0, s))
+                .isZero();
+    }
 }

@@ -8,14 +8,14 @@ import java.math.MathContext;
  * The slow twin of the spatial rays, in decimals of any length: a box is its twelve triangles and its inside, a
  * cylinder the roots of its quadratic to 120 digits. Shares no code and no formula with the kernels.
  */
-final class RayOracle {
+public final class RayOracle {
     static final MathContext DIGITS = new MathContext(120);
     private static final BigDecimal TIE = new BigDecimal(BigInteger.ONE, 90);
 
     private RayOracle() {}
 
     /** The distance, or null on a miss. */
-    static BigDecimal distance(double[] o, double[] d, int kind, double[] row) {
+    public static BigDecimal distance(double[] o, double[] d, int kind, double[] row) {
         BigDecimal t = switch (kind) {
             case Leaf.SPHERE -> sphere(o, d, row);
             case Leaf.UPRIGHT_BOX, Leaf.BOX -> box(o, d, row);

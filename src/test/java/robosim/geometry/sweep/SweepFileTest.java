@@ -9,12 +9,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.Stream;
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -22,6 +24,7 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.Geometry;
 
 /** A file of results is nobody else's at the same time, and what is none is left alone. */
 @Timeout(120)
@@ -174,6 +177,87 @@ class SweepFileTest {
         try (Stream<Path> files = Files.list(folder)) {
             assertThat(files).isEmpty();
         }
+    }
+
+    /** Nothing to run is no sweep that is done. */
+    @Test
+    void aSweepWithoutAWorldIsAnError() throws IOException {
+        Sweep none = Sweep.of("none", replicate -> Result.of("x", 1)).vary("p", "1", "2");
+        String message = "a sweep must have at least one world; add it by over(world) (got: none)";
+        Path file = folder.resolve("none.jsonl");
+        for (ThrowingCallable call : List.<ThrowingCallable>of(
+                none::size,
+                none::cells,
+                () -> none.run(0),
+                () -> none.isOf(Shard.ALL, 0),
+                () -> SweepRun.of(none, file).run(),
+                () -> SweepRun.of(none, file).size())) {
+            assertThatThrownBy(call).isInstanceOf(IllegalStateException.class).hasMessage(message);
+        }
+        assertThat(file).doesNotExist();
+    }
+
+    /** A line with a right check sum may still be of another place of the sweep. */
+    @Test
+    void resultsThatDoNotBelongTogetherAreRefused() throws Exception {
+        Path whole = folder.resolve("whole.jsonl");
+        SweepRun.of(Sweeps.wander(0), whole).run();
+        List<String> lines = Files.readAllLines(whole);
+        Outcome good = Outcome.of(String.valueOf(Sealed.open(lines.get(11))));
+        Path file = folder.resolve("one.jsonl");
+        for (Outcome bad : List.of(
+                new Outcome(11, good.world(), good.parameters(), good.replicate(), good.seed(), good.values(), null),
+                new Outcome(10, "maze", good.parameters(), good.replicate(), good.seed(), good.values(), null),
+                new Outcome(10, good.world(), Map.of("step", "2"), good.replicate(), good.seed(), good.values(), null),
+                new Outcome(10, good.world(), good.parameters(), 2, good.seed(), good.values(), null),
+                new Outcome(10, good.world(), good.parameters(), good.replicate(), 3, good.values(), null))) {
+            Files.writeString(file, lines.get(0) + "\n" + bad.sealed() + "\n");
+            assertThatThrownBy(() -> SweepResults.read(List.of(file)))
+                    .isInstanceOf(SweepException.class)
+                    .hasMessageMatching(
+                            ".* line 2: (world|parameters|replicate|seed) of the result with index 1[01] must"
+                                    + " be .* in this sweep \\(got: .*\\)");
+            assertThatThrownBy(
+                            () -> SweepRun.of(Sweeps.wander(0), file).resume().run())
+                    .hasMessageContaining("in this sweep");
+        }
+        Files.writeString(file, lines.get(0) + "\n" + good.sealed() + "\n");
+        assertThat(SweepResults.read(List.of(file)).size()).isEqualTo(1);
+    }
+
+    /** Who merges files of two sweeps is told in what they differ, and not how a record prints itself. */
+    @Test
+    void anotherSweepIsToldByWhatDiffers() throws Exception {
+        Sweep one = Sweep.of("one", replicate -> Result.of("x", 1))
+                .over(world("w", 10))
+                .vary("p", "1", "2");
+        Path mine = folder.resolve("mine.jsonl");
+        SweepRun.of(one, mine).run();
+        Map<Sweep, String> others = Map.of(
+                one.seed(3), "the seed 0x0000000000000003 and not 0x0000000000000000",
+                one.vary("p", "1", "3"), "the parameters {p=1,3} and not {p=1,2}",
+                one.over(world("v", 10)), "the worlds [w, v] and not [w]",
+                Sweep.of("one", replicate -> Result.of("x", 1))
+                                .over(world("w", 11))
+                                .vary("p", "1", "2"),
+                        "another world of the name w",
+                Sweep.of("two", replicate -> Result.of("x", 1))
+                                .over(world("w", 10))
+                                .vary("p", "1", "2"),
+                        "the scenario two and not one");
+        for (Map.Entry<Sweep, String> other : others.entrySet()) {
+            Path file = folder.resolve("other.jsonl");
+            Files.deleteIfExists(file);
+            SweepRun.of(other.getKey(), file).run();
+            assertThatThrownBy(() -> SweepResults.read(List.of(mine, file)))
+                    .hasMessage(file + ": it must be of the same sweep as the others; it has " + other.getValue());
+            assertThatThrownBy(() -> SweepRun.of(one, file).resume().run())
+                    .hasMessage(file + ": it must be of the same sweep to be resumed; it has " + other.getValue());
+        }
+    }
+
+    private static SweepWorld world(String name, double size) {
+        return new SweepWorld(name, new Geometry(size, size, size).snapshot());
     }
 
     /** What a full disk says has no name in it. */

@@ -186,7 +186,7 @@ class SweepTest {
                         .resume()
                         .run())
                 .isInstanceOf(SweepException.class)
-                .hasMessageContaining("more replicates than asked for");
+                .hasMessageEndingWith("it has more replicates than asked for (got: 160 of 40)");
     }
 
     @Test

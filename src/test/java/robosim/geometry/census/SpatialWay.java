@@ -1,0 +1,67 @@
+package robosim.geometry.census;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import robosim.geometry.narrow.SpatialSweep;
+
+/** Straight translations. */
+final class SpatialWay extends SpatialMotion {
+    private double[] way = {1, 0, 0};
+
+    @Override
+    public String name() {
+        return "translation of a box, triangle, cylinder or sphere against another, in space";
+    }
+
+    @Override
+    void draw(SplittableRandom random, boolean aimed, double contact) {
+        double[] d = Space.direction(random);
+        if (aimed && contact > 0 && random.nextBoolean()) {
+            d = Space.unit(Space.sum(d, normal, -Space.dot(d, normal))); // tangent
+        }
+        double along = Space.dot(d, normal);
+        boolean against = contact >= 0;
+        if (along > 0 == against && (contact <= 0 || random.nextInt(5) > 0)) {
+            d = Space.sum(new double[3], d, -1);
+        }
+        if (contact <= 0 && Math.abs(along) < 1e-3) {
+            d = Space.sum(new double[3], normal, against ? -1 : 1);
+        }
+        way = Space.sum(new double[3], d, StrictMath.pow(10, random.nextDouble(-1, 1)));
+    }
+
+    @Override
+    double[] turn(double share) {
+        return new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    }
+
+    @Override
+    double[] shift(double share) {
+        return Space.sum(new double[3], way, share);
+    }
+
+    @Override
+    double speed(double reach) {
+        return Space.length(way);
+    }
+
+    @Override
+    double free() {
+        return SpatialSweep.translation(kindA, a, 0, way[0], way[1], way[2], kindB, b, 0, scratch);
+    }
+
+    @Override
+    double before() {
+        return 1 - 1e-9;
+    }
+
+    @Override
+    double bound(double reach, double sizes) {
+        return 0x1p-42 * (sizes + Space.length(way));
+    }
+
+    @Override
+    String paste() {
+        return "by " + Arrays.toString(way);
+    }
+}

@@ -1,0 +1,217 @@
+package robosim.geometry.contract;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.catchThrowable;
+
+import java.io.ByteArrayInputStream;
+import java.io.InputStream;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import robosim.geometry.Geometry;
+import robosim.geometry.junit.Goal;
+import robosim.geometry.junit.Robot;
+import robosim.geometry.junit.RobotWorld;
+import robosim.geometry.junit.Scenarios;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.SphereObject;
+import robosim.geometry.sweep.Outcome;
+import robosim.geometry.sweep.Result;
+import robosim.geometry.sweep.ScenarioSweep;
+import robosim.geometry.sweep.Seeds;
+import robosim.geometry.sweep.Shard;
+import robosim.geometry.sweep.Sweep;
+import robosim.geometry.sweep.SweepDigest;
+import robosim.geometry.sweep.SweepPlot;
+import robosim.geometry.sweep.SweepResults;
+import robosim.geometry.sweep.SweepRun;
+import robosim.geometry.sweep.SweepSummary;
+import robosim.geometry.sweep.SweepWorld;
+import robosim.geometry.viewer.Painter;
+import robosim.geometry.viewer.Pictures;
+import robosim.geometry.viewer.Scene;
+import robosim.geometry.viewer.Theme;
+import robosim.geometry.viewer.Viewer;
+import robosim.geometry.world.Extents;
+import robosim.geometry.world.ImportOptions;
+import robosim.geometry.world.ObjReader;
+import robosim.geometry.world.ObjWriter;
+import robosim.geometry.world.RosMapReader;
+import robosim.geometry.world.SdfReader;
+import robosim.geometry.world.StlReader;
+import robosim.geometry.world.Unit;
+import robosim.geometry.world.WholeFile;
+import robosim.geometry.world.World;
+import robosim.geometry.world.WorldCheck;
+import robosim.geometry.world.WorldImport;
+import robosim.geometry.world.WorldObject;
+import robosim.geometry.world.WorldReader;
+import robosim.geometry.world.WorldWriter;
+
+/** Where a value must be given, null is refused as every other bad argument: by its name, and not by the JVM. */
+@SuppressWarnings("NullAway")
+class NullsTest {
+    private final Map<String, ThrowingCallable> calls = new LinkedHashMap<>();
+
+    @TempDir
+    Path folder;
+
+    /** @param argument what the message must begin with, and anything that tells the call from others behind a space */
+    private void call(String argument, ThrowingCallable call) {
+        calls.put(argument + " #" + calls.size(), call);
+    }
+
+    private static <T> List<T> holding(T one) {
+        return new ArrayList<>(Arrays.asList(one, null));
+    }
+
+    private void check() {
+        List<String> wrong = new ArrayList<>();
+        calls.forEach((name, call) -> {
+            String argument = name.substring(0, name.lastIndexOf(' '));
+            Throwable thrown = catchThrowable(call);
+            boolean right = thrown instanceof IllegalArgumentException
+                    && String.valueOf(thrown.getMessage()).startsWith(argument)
+                    && thrown.getMessage().endsWith("(got: null)");
+            if (!right) {
+                wrong.add(name + ": " + thrown);
+            }
+        });
+        assertThat(wrong).isEmpty();
+    }
+
+    @Test
+    void ofWorlds() {
+        InputStream in = new ByteArrayInputStream(new byte[0]);
+        Path file = folder.resolve("none.xml");
+        World world = new World(1, 1, 1, List.of());
+        call("objects", () -> Extents.of(null));
+        call("models", () -> ImportOptions.DEFAULT.withModels(null));
+        call("models[1]", () -> ImportOptions.DEFAULT.withModels(holding(file)));
+        call("file", () -> ObjReader.read(null));
+        call("file", () -> ObjReader.read(null, 1));
+        call("in", () -> ObjReader.read(null, "t", 1));
+        call("source", () -> ObjReader.read(in, null, 1));
+        call("file", () -> StlReader.read(null));
+        call("in", () -> StlReader.read(null, "t", 1));
+        call("source", () -> StlReader.read(in, null, 1));
+        call("world", () -> ObjWriter.write(null, file, done -> {}));
+        call("file", () -> ObjWriter.write(world, null, done -> {}));
+        call("progress", () -> ObjWriter.write(world, file, null));
+        call("yaml", () -> RosMapReader.read(null));
+        call("file", () -> SdfReader.read(null, List.of()));
+        call("models", () -> SdfReader.read(file, null));
+        call("models[1]", () -> SdfReader.read(file, holding(folder)));
+        call("file", () -> WholeFile.write(null, out -> {}));
+        call("content", () -> WholeFile.write(file, null));
+        call("dimension", () -> new World(1, 1, 1, Unit.METRE, null, Accuracy.EXACT, List.of()));
+        call("accuracy", () -> new World(1, 1, 1, Unit.METRE, Dimension.PLANAR, null, List.of()));
+        call("objects", () -> new World(1, 1, 1, null));
+        call("objects[0]", () -> new World(1, 1, 1, Arrays.asList((WorldObject) null)));
+        call("refused", () -> world.toGeometry(null));
+        call("world", () -> WorldCheck.of(null));
+        call("watch", () -> WorldCheck.of(world, null));
+        call("file", () -> WorldImport.read(null, ImportOptions.DEFAULT));
+        call("options", () -> WorldImport.read(file, null));
+        call("object", () -> new WorldObject(null));
+        call("file", () -> WorldReader.read(null));
+        call("in", () -> WorldReader.read(null, "t", null));
+        call("source", () -> WorldReader.read(in, null, null));
+        call("file", () -> WorldReader.problems(null));
+        call("options", () -> WorldReader.problems(file, null));
+        call("world", () -> WorldWriter.write(null, file));
+        call("file", () -> WorldWriter.write(world, null));
+        call("world", () -> WorldWriter.toXml(null));
+        check();
+    }
+
+    @Test
+    void ofSweeps() throws Exception {
+        Path file = folder.resolve("none.jsonl");
+        Sweep sweep =
+                Sweep.of("a", replicate -> Result.of("x", 1)).over(new SweepWorld("w", new Geometry().snapshot()));
+        SweepResults results = SweepRun.of(sweep, folder.resolve("some.jsonl")).run();
+        call("scenario", () -> Sweep.of(null));
+        call("scenario", () -> Sweep.of("a", null));
+        call("name of a scenario", () -> Sweep.of(null, replicate -> Result.of("x", 1)));
+        call("world", () -> sweep.over(null));
+        call("name of a parameter", () -> sweep.vary(null, "1"));
+        call("values", () -> sweep.vary("p", (String[]) null));
+        call("value of p", () -> sweep.vary("p", (String) null));
+        call("shard", () -> sweep.isOf(null, 0));
+        call("sweep", () -> SweepRun.of(null, file));
+        call("file", () -> SweepRun.of(sweep, null));
+        call("shard", () -> SweepRun.of(sweep, file).shard(null));
+        call("progress", () -> SweepRun.of(sweep, file).progress(null));
+        call("files", () -> SweepResults.read(null));
+        call("files[1]", () -> SweepResults.read(holding(folder.resolve("some.jsonl"))));
+        call("consumer", () -> results.forEach(null));
+        call("file", () -> results.write(null));
+        call("name of a world", () -> new SweepWorld(null, new Geometry().snapshot()));
+        call("snapshot", () -> new SweepWorld("w", null));
+        call("file", () -> SweepWorld.read(null));
+        call("file", () -> ScenarioSweep.read(null));
+        call("text", () -> Shard.parse(null));
+        call("scenario", () -> Seeds.of(0, null, "w", new TreeMap<>(), 0));
+        call("world", () -> Seeds.of(0, "s", null, new TreeMap<>(), 0));
+        call("parameters", () -> Seeds.of(0, "s", "w", null, 0));
+        call("scenario", () -> Seeds.paired(0, null, 0));
+        call("name", () -> Result.of(null, 1));
+        call("line", () -> Outcome.of(null));
+        call("header", () -> new SweepDigest(null));
+        call("outcome", () -> new SweepDigest(results.header()).add(null));
+        call("header", () -> SweepPlot.svg(null, new SweepSummary()));
+        call("summary", () -> SweepPlot.svg(results.header(), null));
+        call("outcome", () -> new SweepSummary().accept(null));
+        call("other", () -> results.header().isOfSame(null));
+        check();
+    }
+
+    @Test
+    void ofTestsAndPictures() {
+        Path file = folder.resolve("a.svg");
+        Scene scene = Scene.of("t", Scene.View.world(1, 1), List.of());
+        call("object", () -> Goal.near(null, 1));
+        call("folder", () -> Scenarios.in(null));
+        call("root", () -> Scenarios.in(folder, null));
+        Geometry geometry = new Geometry();
+        geometry.addObject(new SphereObject(new Point(), 1).moveable("r"));
+        RobotWorld robots = RobotWorld.of(geometry);
+        Robot robot = robots.robot("r");
+        call("geometry", () -> RobotWorld.of(null));
+        call("name", () -> robots.robot(null));
+        call("title", () -> robots.scenario(null));
+        call("move", () -> robot.moves(null));
+        call("move", () -> robot.tries(null));
+        call("obstacle", () -> robot.isBlockedBy(null, 1));
+        call("other", () -> robot.neverTouches(null));
+        call("other", () -> robot.rangeTo(null));
+        call("behaviour", () -> robot.follows(null));
+        call("goal", () -> robot.reaches(null));
+        call("world", () -> Viewer.world(null, "t", Theme.LIGHT));
+        call("recording", () -> Viewer.recording(null, "t", null, Theme.LIGHT));
+        call("session", () -> Viewer.live(null, "t", null, Theme.LIGHT));
+        call("scene", () -> Painter.svg(null));
+        call("scene", () -> Painter.image(null, Theme.LIGHT));
+        call("theme", () -> Painter.image(scene, null));
+        call("scene", () -> Painter.write(null, Theme.LIGHT, file));
+        call("theme", () -> Painter.write(scene, null, folder.resolve("a.png")));
+        call("file", () -> Painter.write(scene, Theme.LIGHT, null));
+        call("world", () -> Pictures.of(null, "t"));
+        call("title", () -> Pictures.of(new World(1, 1, 1, List.of()), null));
+        call("view", () -> Scene.of("t", null, List.of()));
+        call("title", () -> Scene.of(null, Scene.View.world(1, 1), List.of()));
+        call("things", () -> Scene.of("t", Scene.View.world(1, 1), null));
+        call("object", () -> new Scene.Thing(null, null));
+        check();
+    }
+}
