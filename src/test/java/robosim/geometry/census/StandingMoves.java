@@ -65,14 +65,14 @@ final class StandingMoves implements Kernel {
         int kind = random.nextInt(21);
         Box mover = box(random, up, 0, 1, adversarial);
         Box piece = piece(random, mover, up, kind, adversarial);
-        int aim = random.nextInt(6);
+        int aim = random.nextInt(7);
         long[] way = way(random, up, kind, adversarial);
-        if (aim == 0) {
+        if (aim < 2) {
             goInto(way, mover, piece, random);
-        } else if (aim < 5) {
+        } else if (aim < 6) {
             way[up] = 0;
         }
-        Box next = next(random, mover, up, way, aim == 1 || aim == 2, adversarial);
+        Box next = next(random, mover, up, way, aim == 2 || aim == 3, adversarial);
         double base = adversarial ? 0x1p40 : 0;
         double unit = adversarial ? UNIT : 0x1p-3;
 
