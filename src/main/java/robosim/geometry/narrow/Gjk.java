@@ -52,7 +52,7 @@ final class Gjk {
      * The origin is certainly in a tetrahedron of which it cuts off volumes beyond this share of the cubed extents: each
      * is a sum of six products of three coordinates off by 17u of the extents, so off by less than 6 * 60u = 2^-44.
      */
-    private static final double DEEP = 0x1p-43;
+    static final double DEEP = 0x1p-43;
 
     final Support first = new Support();
     final Support second = new Support();

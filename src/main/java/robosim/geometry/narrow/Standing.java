@@ -23,6 +23,7 @@ public final class Standing {
     private final PiecePairs pairs;
     private final MeshWalk elsewhere = new MeshWalk();
     private final double[] there = new double[Leaf.STRIDE];
+    private final HullOverlap hulls = new HullOverlap();
     private final PiecePairs.Visitor contact = this::gather;
     private final PiecePairs.Visitor anew = this::isAnew;
 
@@ -65,7 +66,7 @@ public final class Standing {
         levelCount = 0;
     }
 
-    /** Whether nothing is touched at the start, of what was added. */
+    /** Whether nothing that was added is touched at the start, but what is overlapped so deeply that no plane is between. */
     public boolean isEmpty() {
         return count == 0;
     }
@@ -79,8 +80,8 @@ public final class Standing {
     }
 
     private boolean gather(int kindA, double[] a, int i, int t, int kindB, double[] b, int j, int u) {
-        if (!touch(kindA, a, i, kindB, b, j)) {
-            return false;
+        if (!touch(kindA, a, i, kindB, b, j) || isDeep(kindA, a, i, kindB, b, j)) {
+            return false; // no plane is between what overlaps deeply
         }
         if (count == planes.length) {
             planes = Arrays.copyOf(planes, 2 * count);
@@ -173,13 +174,35 @@ public final class Standing {
             }
         }
         for (int k = 0; k < count; k++) {
+            int row = k * ROWS;
+            if (dimension == Dimension.SPATIAL) {
+                hulls.clear();
+                hulls.above(kinds[3 * k], rows, row);
+                hulls.above(kinds[3 * k + 1], rows, row + Leaf.STRIDE);
+                hulls.above(kind, from, at);
+                hulls.above(kindTo, to, atTo);
+                hulls.below(kinds[3 * k + 2], rows, row + 2 * Leaf.STRIDE);
+                hulls.below(kindB, b, j);
+                if (hulls.areDeep()) {
+                    continue; // what is gone into: nearly all that blocks
+                }
+            }
             if (planes[k].part(
-                    dimension, motion, rows, k * ROWS, kinds, 3 * k, kind, from, at, kindTo, to, atTo, kindB, b, j,
-                    s)) {
+                    dimension, motion, rows, row, kinds, 3 * k, kind, from, at, kindTo, to, atTo, kindB, b, j, s)) {
                 return true;
             }
         }
         return false;
+    }
+
+    /** Whether two pieces certainly overlap by more than rounding. */
+    private boolean isDeep(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        if (dimension == Dimension.PLANAR) {
+            s.gjk.planar(kindA, a, i, kindB, b, j);
+        } else {
+            s.gjk.spatial(kindA, a, i, kindB, b, j);
+        }
+        return s.gjk.isDeep();
     }
 
     /** The same for a leaf of the mover, or the triangle of a mesh at a place, on its way to the end. */

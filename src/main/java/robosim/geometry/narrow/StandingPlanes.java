@@ -178,7 +178,7 @@ final class StandingPlanes {
         }
         boolean hasCorners = !mover.isRound && !other.isRound;
         isSpanned = hasCorners && mover.isProper() && other.isProper();
-        isComplete = !hasCorners || (isSpanned && found.size() == 1);
+        isComplete = !hasCorners || (isSpanned && found.size() <= 1);
         return found;
     }
 }

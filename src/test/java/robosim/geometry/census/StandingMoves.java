@@ -147,7 +147,7 @@ final class StandingMoves implements Kernel {
     private Box piece(SplittableRandom random, Box mover, int up, int kind, boolean adversarial) {
         long least = kind < 2 ? random.nextInt(1, 30) : kind < 3 ? -random.nextInt(1, 30) : 0;
         Box piece = box(random, up, least, -1, adversarial);
-        int flush = kind < 11 ? 0 : kind < 16 ? 1 : 2;
+        int flush = kind < (axes.length == 2 ? 13 : 11) ? 0 : kind < 16 ? 1 : 2;
         for (int axis : axes) {
             if (axis == up) {
                 continue;

@@ -228,7 +228,7 @@ class JsonLinesTest {
     void groupsNestAsDeepAsPromisedAndNoDeeper() throws ProtocolException {
         InitBundle deep = new InitBundle(List.of(nested(28)));
         assertThat(JsonLines.readRequest(JsonLines.write(deep))).isEqualTo(deep);
-        for (int levels : new int[] {32, 400}) {
+        for (int levels : new int[] {32, ObjectGroup.MAX_DEPTH}) {
             assertThatThrownBy(() -> JsonLines.readRequest(JsonLines.write(new InitBundle(List.of(nested(levels))))))
                     .isInstanceOf(ProtocolException.class)
                     .hasMessageContaining("nesting must be at most 64 deep");

@@ -56,7 +56,7 @@ class LimitsTest {
         InitBundle deep = new InitBundle(List.of(nested(28, 1)));
         assertThat(MessageTest.readAll(MessageTest.write(deep))).containsExactly(deep);
         refused(MessageTest.write(new InitBundle(List.of(nested(32, 1)))), "nesting");
-        refused(MessageTest.write(new InitBundle(List.of(nested(400, 1)))), "nesting");
+        refused(MessageTest.write(new InitBundle(List.of(nested(ObjectGroup.MAX_DEPTH, 1)))), "nesting");
     }
 
     /** Some 3 kB name 2^25 balls. */
