@@ -3,7 +3,8 @@ package robosim.geometry.narrow;
 /**
  * Whether the hull of some leaves certainly overlaps that of others by more than rounding, so that no plane is between them.
  *
- * <p>Simplices of the difference set as in {@link Gjk} (Gilbert, Johnson and Keerthi 1988); of what is round the cores alone.
+ * <p>Simplices of the difference set as in {@link Gjk} (Gilbert, Johnson and Keerthi 1988); of what is round the cores alone. In
+ * the plane all are taken for prisms of one height, as high as they are wide.
  */
 final class HullOverlap {
     /** More steps are seldom worth what they find. */
@@ -15,6 +16,7 @@ final class HullOverlap {
     private final Support[] upper = {new Support(), new Support(), new Support(), new Support()};
     private final Support[] lower = {new Support(), new Support()};
     private final Simplex simplex = new Simplex();
+    private boolean isFlat;
     private int above;
     private int below;
     private double ox;
@@ -24,7 +26,8 @@ final class HullOverlap {
     private double extentBelow;
 
     /** Forgets all leaves. */
-    void clear() {
+    void clear(boolean inPlane) {
+        isFlat = inPlane;
         above = 0;
         below = 0;
         extentAbove = 0;
@@ -39,15 +42,23 @@ final class HullOverlap {
             oz = Support.originZ(kind, row, at);
         }
         Support support = upper[above++];
-        support.spatial(kind, row, at, ox, oy, oz, 1);
+        load(support, kind, row, at);
         extentAbove = Math.max(extentAbove, support.extent);
     }
 
     /** Takes in one of up to two leaves on the other side. */
     void below(int kind, double[] row, int at) {
         Support support = lower[below++];
-        support.spatial(kind, row, at, ox, oy, oz, 1);
+        load(support, kind, row, at);
         extentBelow = Math.max(extentBelow, support.extent);
+    }
+
+    private void load(Support support, int kind, double[] row, int at) {
+        if (isFlat) {
+            support.planar(kind, row, at, ox, oz, 1);
+        } else {
+            support.spatial(kind, row, at, ox, oy, oz, 1);
+        }
     }
 
     /** Whether a point is certainly inside of both hulls. */
@@ -56,6 +67,7 @@ final class HullOverlap {
         if (extent < SMALL) {
             return false;
         }
+        double height = isFlat ? 0.5 * extent : 0;
         double enough = Gjk.DEEP * extent * extent * extent;
         double vx = upper[0].centreX - lower[0].centreX;
         double vy = upper[0].centreY - lower[0].centreY;
@@ -72,8 +84,8 @@ final class HullOverlap {
             double x = vx / length;
             double y = vy / length;
             double z = vz / length;
-            Support first = farthest(upper, above, -x, -y, -z);
-            Support second = farthest(lower, below, x, y, z);
+            Support first = farthest(upper, above, -x, -y, -z, height);
+            Support second = farthest(lower, below, x, y, z, height);
             double reach = x * (first.x - second.x) + y * (first.y - second.y) + z * (first.z - second.z);
             if (reach >= 0 || !simplex.add(first, second) || !simplex.reduce()) {
                 return false;
@@ -88,12 +100,15 @@ final class HullOverlap {
         return false;
     }
 
-    private static Support farthest(Support[] leaves, int count, double x, double y, double z) {
+    private static Support farthest(Support[] leaves, int count, double x, double y, double z, double height) {
         Support best = leaves[0];
         double most = Double.NEGATIVE_INFINITY;
         for (int k = 0; k < count; k++) {
             Support leaf = leaves[k];
             leaf.find(x, y, z);
+            if (height > 0) {
+                leaf.y = y >= 0 ? height : -height;
+            }
             double reach = x * leaf.x + y * leaf.y + z * leaf.z;
             if (reach > most) {
                 most = reach;

@@ -175,17 +175,15 @@ public final class Standing {
         }
         for (int k = 0; k < count; k++) {
             int row = k * ROWS;
-            if (dimension == Dimension.SPATIAL) {
-                hulls.clear();
-                hulls.above(kinds[3 * k], rows, row);
-                hulls.above(kinds[3 * k + 1], rows, row + Leaf.STRIDE);
-                hulls.above(kind, from, at);
-                hulls.above(kindTo, to, atTo);
-                hulls.below(kinds[3 * k + 2], rows, row + 2 * Leaf.STRIDE);
-                hulls.below(kindB, b, j);
-                if (hulls.areDeep()) {
-                    continue; // what is gone into: nearly all that blocks
-                }
+            hulls.clear(dimension == Dimension.PLANAR);
+            hulls.above(kinds[3 * k], rows, row);
+            hulls.above(kinds[3 * k + 1], rows, row + Leaf.STRIDE);
+            hulls.above(kind, from, at);
+            hulls.above(kindTo, to, atTo);
+            hulls.below(kinds[3 * k + 2], rows, row + 2 * Leaf.STRIDE);
+            hulls.below(kindB, b, j);
+            if (hulls.areDeep()) {
+                continue; // what is gone into: nearly all that blocks
             }
             if (planes[k].part(
                     dimension, motion, rows, row, kinds, 3 * k, kind, from, at, kindTo, to, atTo, kindB, b, j, s)) {
@@ -197,12 +195,10 @@ public final class Standing {
 
     /** Whether two pieces certainly overlap by more than rounding. */
     private boolean isDeep(int kindA, double[] a, int i, int kindB, double[] b, int j) {
-        if (dimension == Dimension.PLANAR) {
-            s.gjk.planar(kindA, a, i, kindB, b, j);
-        } else {
-            s.gjk.spatial(kindA, a, i, kindB, b, j);
-        }
-        return s.gjk.isDeep();
+        hulls.clear(dimension == Dimension.PLANAR);
+        hulls.above(kindA, a, i);
+        hulls.below(kindB, b, j);
+        return hulls.areDeep();
     }
 
     /** The same for a leaf of the mover, or the triangle of a mesh at a place, on its way to the end. */
