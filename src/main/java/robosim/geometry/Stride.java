@@ -200,9 +200,13 @@ final class Stride {
         ownX = places[at];
         ownZ = places[at + 2];
         double[] b = level.bounds();
+        ownIsDisc = level.isDisc(id);
+        if (ownIsDisc) { // it may be the only member of a group, off its centre
+            ownX = 0.5 * b[6 * id] + 0.5 * b[6 * id + 3];
+            ownZ = 0.5 * b[6 * id + 2] + 0.5 * b[6 * id + 5];
+        }
         double halfX = Math.max(b[6 * id + 3] - ownX, ownX - b[6 * id]);
         double halfZ = Math.max(b[6 * id + 5] - ownZ, ownZ - b[6 * id + 2]);
-        ownIsDisc = level.isDisc(id);
         ownRadius = ownIsDisc ? Math.max(halfX, halfZ) : Math.sqrt(halfX * halfX + halfZ * halfZ);
         ownSlack = 0x1p-50 * (Math.abs(ownX) + Math.abs(ownZ) + ownRadius) + LEAST;
     }

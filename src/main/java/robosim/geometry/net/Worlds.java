@@ -7,8 +7,8 @@ final class Worlds {
     /** Bytes of memory for each byte of a message: a box of 50 bytes takes some 400, a triangle of 34 some 240. */
     static final int MEMORY_FOR_A_BYTE = 8;
 
-    /** Worlds from messages below that are not counted: 256 of them take half a gigabyte. */
-    static final int SMALL_BYTES = 1 << 18;
+    /** Worlds from messages below that are not counted: 256 of them take 32 MiB. */
+    static final int SMALL_BYTES = 1 << 14;
 
     private final long most;
     private long taken;

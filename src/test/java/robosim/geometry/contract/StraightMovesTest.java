@@ -7,7 +7,9 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.Geometry;
+import robosim.geometry.Snapshot;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
@@ -27,7 +29,7 @@ class StraightMovesTest {
     private static final double WORLD = 24;
 
     private static GeometryObject thing(SplittableRandom random, int k, Point at) {
-        GeometryObject thing = switch (k % 9) {
+        GeometryObject thing = switch (k % 10) {
             case 0, 1, 2, 3 -> new CylinderObject(at, 0.5, 1);
             case 4 -> new BoxObject(at, 0.8, 1, 0.5);
             case 5 -> new SphereObject(at, 0.4);
@@ -37,6 +39,8 @@ class StraightMovesTest {
                                 new BoxObject(new Point(-0.3, 0, 0), 0.4, 1, 0.4)))
                         .movedTo(at);
             case 7 -> new CylinderObject(at, 0.3, 1).turned(30, 20);
+            case 8 -> // a disc off its centre
+                new ObjectGroup(List.of(new SphereObject(new Point(-0.7, 0, 0.2), 0.3))).movedTo(at);
             default ->
                 new MeshObject(
                                 List.of(new Point(), new Point(1, 0, 0), new Point(0, 0, 1), new Point(0, 1, 0)),
@@ -119,5 +123,29 @@ class StraightMovesTest {
             after = pair.getObject(name);
         }
         return after;
+    }
+
+    /** A group of a single disc that is not about its centre: the way of the disc counts, not that of the centre. */
+    @ParameterizedTest
+    @EnumSource(Dimension.class)
+    void aDiscOffTheCentreOfItsGroup(Dimension dimension) {
+        int free = 0;
+        for (int k = 0; k < 72; k++) {
+            double heading = Math.toRadians(5 * k);
+            Geometry world = new Geometry(WORLD, WORLD, WORLD, dimension, Accuracy.EXACT);
+            world.addObject(new CylinderObject(new Point(2, 0, 1), 0.1, 1).named("post"));
+            world.addObject(new ObjectGroup(List.of(new SphereObject(new Point(-1, 0, 0), 0.3))).moveable("robot"));
+            double x = 5 * Math.cos(heading);
+            double z = 5 * Math.sin(heading);
+            Snapshot before = world.snapshot();
+            boolean isFree = world.simpleMove("robot", x, 0, z);
+            assertThat(isFree)
+                    .as("%s, %s degrees", dimension, 5 * k)
+                    .isEqualTo(before.geometry()
+                            .move("robot", new Move(x, 0, z, 0, 0))
+                            .allowed());
+            free += isFree ? 1 : 0;
+        }
+        assertThat(free).isBetween(60, 71);
     }
 }
