@@ -141,7 +141,7 @@ class StraightMovesTest {
             boolean isFree = world.simpleMove("robot", x, 0, z);
             assertThat(isFree)
                     .as("%s, %s degrees", dimension, 5 * k)
-                    .isEqualTo(before.geometry()
+                    .isEqualTo(before.toGeometry()
                             .move("robot", new Move(x, 0, z, 0, 0))
                             .allowed());
             free += isFree ? 1 : 0;
