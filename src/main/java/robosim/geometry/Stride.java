@@ -37,7 +37,6 @@ final class Stride {
 
     private final Bodies bodies;
     private final SpaceKeys keys = new SpaceKeys();
-    private final Near near;
     private final Border border;
     private final Scratch s;
     private final Sweep sweep;
@@ -63,7 +62,6 @@ final class Stride {
     @SuppressWarnings("NullAway.Init") // a question sets its level
     Stride(Bodies bodies, Border border, Scratch scratch) {
         this.bodies = bodies;
-        near = new Near(bodies);
         this.border = border;
         s = scratch;
         sweep = new Sweep(scratch);
@@ -104,20 +102,53 @@ final class Stride {
         return isUnsure || touches() ? UNKNOWN : BLOCKED;
     }
 
-    /** Whether the object touches another one where it is. */
+    /** Whether the object touches another one where it is, and does not overlap it so deeply that it has no say. */
     private boolean touches() {
+        System.arraycopy(level.bounds(), 6 * id, box, 0, 6);
+        Level shared = level.shared();
+        if (touchesIn(level) || (shared != null && touchesIn(shared))) {
+            return true;
+        }
+        for (int k = 0; k < level.moversBesideTree(); k++) {
+            int other = bodies.mover(k);
+            if (other != id && level.meets(other, box) && touches(level, other)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean touchesIn(Level of) {
+        QuadCursor cursor = of.cursor;
+        int near = cursor.gather(
+                box[0], box[2], box[3], box[5], id ^ of.mark, of.leaves().outlines());
+        for (int k = 0; k < near; k++) {
+            int other = cursor.gathered(k);
+            if (of.meets(other, box) && touches(of, other)) {
+                return true;
+            }
+        }
+        OctTree.@Nullable Cursor stacked = of.stacks.cursor();
+        if (stacked != null) {
+            keys.startBox(box);
+            stacked.start(of.bounds(), keys);
+            for (int other = stacked.next(0); other >= 0; other = stacked.next(0)) {
+                if (touches(of, other)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private boolean touches(Level of, int other) {
         LeafColumn leaves = level.leaves();
         int own = level.first(id);
-        System.arraycopy(level.bounds(), 6 * id, box, 0, 6);
-        near.find(level, box, id);
-        for (int k = 0; k < near.count(); k++) {
-            Level of = level.of(near.id(k));
-            int other = Bodies.bare(near.id(k));
-            for (int j = of.first(other); j < of.first(other) + of.count(other); j++) {
-                for (int i = own; i < own + level.count(id); i++) {
-                    if (Overlap.test(level.dimension, leaves, i, of.leaves(), j, s)) {
-                        return true;
-                    }
+        for (int j = of.first(other); j < of.first(other) + of.count(other); j++) {
+            for (int i = own; i < own + level.count(id); i++) {
+                if (Overlap.test(level.dimension, leaves, i, of.leaves(), j, s)
+                        && !Overlap.isDeep(level.dimension, leaves, i, of.leaves(), j, s)) {
+                    return true;
                 }
             }
         }

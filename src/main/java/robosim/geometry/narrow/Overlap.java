@@ -99,4 +99,20 @@ public final class Overlap {
             box[4] = Double.POSITIVE_INFINITY;
         }
     }
+
+    /** Whether two leaves, neither of them a mesh, certainly overlap by more than rounding; false where that is not told. */
+    public static boolean isDeep(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, Scratch s) {
+        return !Leaf.isMesh(a.kind(i))
+                && !Leaf.isMesh(b.kind(j))
+                && isDeep(dimension, a.kind(i), a.rows(i), a.at(i), b.kind(j), b.rows(j), b.at(j), s);
+    }
+
+    static boolean isDeep(Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+        if (dimension == Dimension.PLANAR) {
+            s.gjk.planar(kindA, a, i, kindB, b, j);
+        } else {
+            s.gjk.spatial(kindA, a, i, kindB, b, j);
+        }
+        return s.gjk.isDeep();
+    }
 }

@@ -195,6 +195,9 @@ public final class Standing {
 
     /** Whether two pieces certainly overlap by more than rounding. */
     private boolean isDeep(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        if (Overlap.isDeep(dimension, kindA, a, i, kindB, b, j, s)) {
+            return true;
+        }
         hulls.clear(dimension == Dimension.PLANAR);
         hulls.above(kindA, a, i);
         hulls.below(kindB, b, j);
