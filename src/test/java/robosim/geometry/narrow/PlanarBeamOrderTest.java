@@ -33,7 +33,9 @@ class PlanarBeamOrderTest {
         Ray ray = new Ray(new Point(0, 0, 0), way);
         double line = world.getRayDistance(ray, 0, FAR, 0);
         assertThat(line).isFinite();
-        assertThat(world.getRayDistance(ray, 0, FAR, width)).as("width " + width).isLessThanOrEqualTo(line);
+        assertThat(world.getRayDistance(ray, 0, FAR, width))
+                .as("width " + width)
+                .isLessThanOrEqualTo(line);
     }
 
     /** The margin of the line reached past the bounds of the object, which the search for sectors took for the whole. */
@@ -42,8 +44,7 @@ class PlanarBeamOrderTest {
         GeometryObject cylinder = new CylinderObject(
                         new Point(-0.500000000283789, 0.0, -1.2552014193626597), 1.2552014194410621, 1.0)
                 .oriented(new double[] {0.0, 1.0, 0.0, 0.0, 0.0, -1.0, -1.0, 0.0, 0.0});
-        Ray ray =
-                new Ray(new Point(0, 0, 0), new Point(-0.2569357817305271, -0.8303942109223825, 0.07098788330043071));
+        Ray ray = new Ray(new Point(0, 0, 0), new Point(-0.2569357817305271, -0.8303942109223825, 0.07098788330043071));
         Geometry world = world(cylinder);
         double line = world.getRayDistance(ray, 0, FAR, 0);
         assertThat(line).isFinite();
@@ -54,12 +55,17 @@ class PlanarBeamOrderTest {
     void aTippedCylinderThatTheLineHitsIsHeard() {
         check(
                 new CylinderObject(
-                                new Point(-0.011124607997657734, 0.0, 1.7848859117588334E-17),
-                                0.0,
-                                0.03146514301274349)
+                                new Point(-0.011124607997657734, 0.0, 1.7848859117588334E-17), 0.0, 0.03146514301274349)
                         .oriented(new double[] {
-                            0.0, 0.7071067811865475, 0.7071067811865475, 0.0, 0.7071067811865475, -0.7071067811865475,
-                            -1.0, 0.0, 0.0
+                            0.0,
+                            0.7071067811865475,
+                            0.7071067811865475,
+                            0.0,
+                            0.7071067811865475,
+                            -0.7071067811865475,
+                            -1.0,
+                            0.0,
+                            0.0
                         }),
                 new Point(3.0, -3.0, 2.5),
                 30);
@@ -82,7 +88,14 @@ class PlanarBeamOrderTest {
                                 0.13447314660174128,
                                 1.3827784459196557)
                         .oriented(new double[] {
-                            0.9999999999999893, 0.0, 1.4621635420907098E-7, 0.0, 1.0, 0.0, -1.4621635420907098E-7, 0.0,
+                            0.9999999999999893,
+                            0.0,
+                            1.4621635420907098E-7,
+                            0.0,
+                            1.0,
+                            0.0,
+                            -1.4621635420907098E-7,
+                            0.0,
                             0.9999999999999893
                         }),
                 new Point(1, 0, 0),
@@ -92,11 +105,17 @@ class PlanarBeamOrderTest {
                 new Point(-2.0, 3.0, 3.5),
                 0.0022372982195203767);
         check(
-                new BoxObject(
-                                new Point(-25.340367123718465, 0.0, 34.79249568214085), 1.0, 23.24762188633049, 0.0)
+                new BoxObject(new Point(-25.340367123718465, 0.0, 34.79249568214085), 1.0, 23.24762188633049, 0.0)
                         .oriented(new double[] {
-                            0.9999999997527484, 1.1118713825122444E-5, 1.9258177294571586E-5, 0.0, 0.8660254037844387,
-                            -0.5, -2.2237427690244888E-5, 0.4999999998763742, 0.8660254035703125
+                            0.9999999997527484,
+                            1.1118713825122444E-5,
+                            1.9258177294571586E-5,
+                            0.0,
+                            0.8660254037844387,
+                            -0.5,
+                            -2.2237427690244888E-5,
+                            0.4999999998763742,
+                            0.8660254035703125
                         }),
                 new Point(-3.0, 2.0, 3.5),
                 120);
