@@ -344,7 +344,9 @@ final class Ranging {
     private boolean isBeyond(double[] b, int k, double nx, double nz) {
         double x = nx > 0 ? b[k] - ox : b[k + 3] - ox;
         double z = nz > 0 ? b[k + 2] - oz : b[k + 5] - oz;
-        double slack = 0x1p-40 * (Math.abs(x) + Math.abs(z) + Math.abs(ox) + Math.abs(oz));
+        // What a certified shape is taken larger by goes with its size, not with how near its box is.
+        double size = Math.abs(b[k]) + Math.abs(b[k + 2]) + Math.abs(b[k + 3]) + Math.abs(b[k + 5]);
+        double slack = 0x1p-40 * (size + Math.abs(ox) + Math.abs(oz));
         return nx * x + nz * z > slack;
     }
 

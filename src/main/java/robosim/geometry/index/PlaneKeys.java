@@ -43,8 +43,14 @@ final class PlaneKeys {
     private boolean isBeyond(double[] boxes, int at, double nx, double nz) {
         double x = boxes[nx > 0 ? at : at + 2] - fromX;
         double z = boxes[nz > 0 ? at + 1 : at + 3] - fromZ;
-        double slack = 0x1p-40 * (Math.abs(x) + Math.abs(z) + Math.abs(fromX) + Math.abs(fromZ));
-        return nx * x + nz * z > slack;
+        double past = nx * x + nz * z;
+        if (!(past > 0)) {
+            return false;
+        }
+        // What a certified shape is taken larger by goes with its size, not with how near its box is.
+        double size = Math.abs(boxes[at]) + Math.abs(boxes[at + 1]) + Math.abs(boxes[at + 2]) + Math.abs(boxes[at + 3]);
+        double slack = 0x1p-40 * (size + Math.abs(fromX) + Math.abs(fromZ));
+        return past > slack;
     }
 
     /** The caller's parameter as a key, rounded up. */

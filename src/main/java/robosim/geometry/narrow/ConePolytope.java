@@ -156,20 +156,14 @@ final class ConePolytope {
      * The distance at which the segment enters the cone between a share outside and one inside. Seen from the latter,
      * {@code (x.u)^2 - cos^2 x^2} is {@code a t^2 + 2 b t + c} with c at least 0, and the first root is wanted.
      */
-    private double entry(Cone cone, int from, int to, double outside, double inside) {
+    private double entry(Cone cone, int from, int to, double outside, double deepest) {
         Pairs p = cone.pairs;
-        corners.load(p, POINT, from);
-        corners.load(p, OTHER, to);
-        p.subtractVector(EDGE, OTHER, POINT);
-        p.set(SHARE, inside);
-        p.advance(POINT, POINT, SHARE, EDGE, TEMPORARY);
-        // NORMAL: x.u, e.u, cos^2
-        p.dot(NORMAL, POINT, Cone.AXIS, TEMPORARY);
-        p.dot(NORMAL + 1, EDGE, Cone.AXIS, TEMPORARY);
-        p.product(NORMAL + 2, cone.cos, cone.cos);
-        quadratic(p, A, EDGE, EDGE, NORMAL + 1, NORMAL + 1);
-        quadratic(p, B, POINT, EDGE, NORMAL, NORMAL + 1);
-        quadratic(p, C, POINT, POINT, NORMAL, NORMAL);
+        double inside = deepest;
+        seen(cone, from, to, inside);
+        if (p.get(C) < 0) {
+            inside = certain(cone, from, to, deepest);
+            seen(cone, from, to, inside);
+        }
         double way = outside < inside ? -1 : 1;
         if (way < 0) {
             p.negate(B);
@@ -204,6 +198,50 @@ final class ConePolytope {
         p.dot(D, POINT, POINT, TEMPORARY);
         p.root(D, D);
         return p.get(D);
+    }
+
+    /** The quadratic as seen from a share of the segment, which is left in {@code POINT}. */
+    private void seen(Cone cone, int from, int to, double share) {
+        Pairs p = cone.pairs;
+        corners.load(p, POINT, from);
+        corners.load(p, OTHER, to);
+        p.subtractVector(EDGE, OTHER, POINT);
+        p.set(SHARE, share);
+        p.advance(POINT, POINT, SHARE, EDGE, TEMPORARY);
+        // NORMAL: x.u, e.u, cos^2
+        p.dot(NORMAL, POINT, Cone.AXIS, TEMPORARY);
+        p.dot(NORMAL + 1, EDGE, Cone.AXIS, TEMPORARY);
+        p.product(NORMAL + 2, cone.cos, cone.cos);
+        quadratic(p, A, EDGE, EDGE, NORMAL + 1, NORMAL + 1);
+        quadratic(p, B, POINT, EDGE, NORMAL, NORMAL + 1);
+        quadratic(p, C, POINT, POINT, NORMAL, NORMAL);
+    }
+
+    /**
+     * The share that pairs of doubles tell to be deepest, where doubles took one for it that is outside: a short edge along
+     * the border is as deep everywhere as they can tell.
+     */
+    private double certain(Cone cone, int from, int to, double deepest) {
+        double best = deepest;
+        double most = angle(cone, from, to, deepest);
+        double vertex = -cone.pairs.get(B) / cone.pairs.get(A) + deepest;
+        for (int k = 0; k < 3; k++) {
+            double share = k == 2 ? vertex : k;
+            double angle = share >= 0 && share <= 1 ? angle(cone, from, to, share) : Double.NEGATIVE_INFINITY;
+            if (angle > most) {
+                most = angle;
+                best = share;
+            }
+        }
+        return best;
+    }
+
+    // How far a share is within the cone: cos^2 of its own angle less that of the cone's; -1 behind the apex.
+    private double angle(Cone cone, int from, int to, double share) {
+        seen(cone, from, to, share);
+        Pairs p = cone.pairs;
+        p.dot(D, POINT, POINT, TEMPORARY);
+        return p.get(NORMAL) < 0 ? -1 : p.get(C) / p.get(D);
     }
 
     // out = ahead1 ahead2 - cos^2 (x.y)

@@ -23,7 +23,8 @@ public final class PlanarCone {
      * Distance from (ox, oz) to the nearest point of the leaf's projection within the sector of the given half angle
      * about (ux, uz).
      *
-     * <p>Whether anything is within is exact for the stored cosine, but for a turned cylinder. Distances of boxes,
+     * <p>Never more than what {@link PlanarRay} answers for the axis, bit for bit, and just that where the cosine is 1.
+     * Whether anything is within is exact for the stored cosine, but for a turned cylinder. Distances of boxes,
      * triangles, octagons and discs are within 8 ulp of the largest of the distance and the coordinates and sizes that it
      * was computed from.
      *
@@ -51,6 +52,23 @@ public final class PlanarCone {
         if (halfCos >= 1) { // narrower than a cosine tells: its axis
             return PlanarRay.scaled(ox, oz, ux, uz, kind, b, j, s);
         }
+        double within = within(ox, oz, ux, uz, halfCos, halfSin, kind, b, j, s);
+        // Silence of the exact shapes is the axis's too; of a turned cylinder either is certified in its own way.
+        boolean isCertain = within == 0 || (within == Double.POSITIVE_INFINITY && kind != Leaf.CYLINDER);
+        return isCertain ? within : Math.min(within, PlanarRay.scaled(ox, oz, ux, uz, kind, b, j, s));
+    }
+
+    private static double within(
+            double ox,
+            double oz,
+            double ux,
+            double uz,
+            double halfCos,
+            double halfSin,
+            int kind,
+            double[] b,
+            int j,
+            Scratch s) {
         PlanarSector sector = s.sector;
         sector.set(ux, uz, halfCos, halfSin);
         return switch (kind) {

@@ -5,8 +5,9 @@ import robosim.geometry.exact.DoubleDouble;
 /**
  * A ray and the oval that a turned cylinder throws on the plane: two ellipses and the rectangle between them.
  *
- * <p>Certified: the oval is taken larger by its rounding error, so that no touch is missed; a hit may be a miss by less
- * than 2^-48 of the coordinates.
+ * <p>The oval's half axes are taken larger by its rounding error, so that no touch is missed; a hit may be a miss by less
+ * than 2^-48 of the coordinates. Not certified for a cap that is all but edge on: a thin ellipse is not larger by as much
+ * between its ends, see docs/numerics.md.
  */
 final class RayOval {
     private RayOval() {}
