@@ -120,6 +120,9 @@ final class ConeCylinder {
             }
         }
         bracket.rim(isFar, cap.p - frame.away, cap.q);
+        if (!bracket.isDone()) {
+            bracket.grazedRim(isFar, cap.p - frame.away, cap.q);
+        }
     }
 
     // The direction that points most against the cone of those between the cap's and the mantle's, and a little
