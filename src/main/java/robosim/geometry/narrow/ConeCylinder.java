@@ -94,6 +94,9 @@ final class ConeCylinder {
         if (mantle.isMissed) {
             bracket.edge(mantle.edgeA, mantle.edgeP, mantle.edgeQ);
             if (!bracket.isDone()) {
+                bracket.across(mantle.betweenP, mantle.betweenQ);
+            }
+            if (!bracket.isDone()) {
                 bracket.away();
             }
         } else {

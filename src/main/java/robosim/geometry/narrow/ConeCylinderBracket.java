@@ -105,6 +105,15 @@ final class ConeCylinderBracket {
         direction();
     }
 
+    /** A direction across the axis: where the apex is all but on the mantle, no other proves that a cone misses it. */
+    void across(double p0, double q0) {
+        f.put(NORMAL, 0, p0, q0);
+        p.dot(PART, NORMAL, ConeCylinderFrame.BODY, TEMPORARY);
+        p.negate(PART);
+        p.advance(NORMAL, NORMAL, PART, ConeCylinderFrame.BODY, TEMPORARY);
+        direction();
+    }
+
     /**
      * Along the axis and away from it by so much: where both are positive, and the cone is behind both the lower cap's plane
      * and the mantle's nearest, or all but, such a direction proves it.

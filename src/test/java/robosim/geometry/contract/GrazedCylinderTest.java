@@ -75,6 +75,30 @@ class GrazedCylinderTest {
         assertThat(heard).isGreaterThan(5_000);
     }
 
+    /** Radius 0, the apex beside the segment by 10^-9 of its length or less, and a narrow cone that looks away from it. */
+    @Test
+    void aSegmentBesideTheApexIsNotHeardByAConeThatPassesIt() {
+        assertThat(heard(
+                        new CylinderObject(
+                                new Point(2.5138658625464494, -2.6508832998246863, -2.6768071617310722),
+                                0.0,
+                                0.9210860253780406),
+                        new Point(2.5138658625487977, -2.190340287135666, -2.6768071617322464),
+                        new Point(-0.1966189213954792, -0.6919462872002065, 0.36394162219877746),
+                        1e-5))
+                .isInfinite();
+        SplittableRandom random = new SplittableRandom(44);
+        for (int k = 0; k < 5_000; k++) {
+            double beside = StrictMath.pow(10, random.nextDouble(-12, -8));
+            CylinderObject segment = new CylinderObject(new Point(-beside, random.nextDouble(-0.4, 0.4), 0), 0, 1);
+            double width = StrictMath.pow(10, random.nextDouble(-5, 1));
+            Point way = new Point(random.nextDouble(-0.4, 1), random.nextDouble(-1, 1), random.nextDouble(0.5, 1));
+            assertThat(heard(segment, new Point(), way, width))
+                    .as("%s towards %s, width %s", segment, way, width)
+                    .isInfinite();
+        }
+    }
+
     // The greatest cosine, with a direction, of a rim's places seen from the origin.
     private static double mostAhead(double[] row, double[] u, double side) {
         double length = Math.sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
