@@ -94,6 +94,9 @@ final class ConeCylinder {
         if (mantle.isMissed) {
             bracket.edge(mantle.edgeA, mantle.edgeP, mantle.edgeQ);
             if (!bracket.isDone()) {
+                bracket.across(mantle.betweenP, mantle.betweenQ);
+            }
+            if (!bracket.isDone()) {
                 bracket.away();
             }
         } else {
@@ -120,6 +123,9 @@ final class ConeCylinder {
             }
         }
         bracket.rim(isFar, cap.p - frame.away, cap.q);
+        if (!bracket.isDone()) {
+            bracket.grazedRim(isFar, cap.p - frame.away, cap.q);
+        }
     }
 
     // The direction that points most against the cone of those between the cap's and the mantle's, and a little

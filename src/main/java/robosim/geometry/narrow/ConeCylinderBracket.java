@@ -105,6 +105,15 @@ final class ConeCylinderBracket {
         direction();
     }
 
+    /** A direction across the axis: where the apex is all but on the mantle, no other proves that a cone misses it. */
+    void across(double p0, double q0) {
+        f.put(NORMAL, 0, p0, q0);
+        p.dot(PART, NORMAL, ConeCylinderFrame.BODY, TEMPORARY);
+        p.negate(PART);
+        p.advance(NORMAL, NORMAL, PART, ConeCylinderFrame.BODY, TEMPORARY);
+        direction();
+    }
+
     /**
      * Along the axis and away from it by so much: where both are positive, and the cone is behind both the lower cap's plane
      * and the mantle's nearest, or all but, such a direction proves it.
@@ -221,7 +230,50 @@ final class ConeCylinderBracket {
         int height = isFar ? ConeCylinderFrame.FAR : ConeCylinderFrame.NEAR;
         p.set(HEIGHT, p.get(height), p.rest(height));
         radial(p0, q0);
+        toBorder(STEPS);
+    }
+
+    /**
+     * The same where the rim just grazes the cone: doubles do not tell where it enters from where it leaves. It is led to where
+     * it is deepest first, and from there to the border on the side of the apex, which is reached from outside.
+     */
+    void grazedRim(boolean isFar, double p0, double q0) {
+        int height = isFar ? ConeCylinderFrame.FAR : ConeCylinderFrame.NEAR;
+        p.set(HEIGHT, p.get(height), p.rest(height));
+        radial(p0, q0);
+        double bend = 0;
+        double last = Double.NaN;
+        double way = 0x1p-30;
         for (int i = 0; i < STEPS; i++) {
+            onMantle();
+            p.dot(PART, OUTWARD, AROUND, TEMPORARY);
+            p.multiply(PART, PART, f.radius);
+            double rate = p.get(PART);
+            if (i > 0) {
+                double bent = (rate - last) / way;
+                bend = bent > 0 ? bent : bend;
+                way = -rate / bend;
+                if (!(Math.abs(way) < 0.5) || Math.abs(way) < 0x1p-90) {
+                    break;
+                }
+            }
+            last = rate;
+            p.set(PART, way);
+            turn();
+        }
+        onMantle();
+        p.dot(PART, POINT, AROUND, TEMPORARY);
+        double depth = -p.get(LATERAL);
+        double aside = 2 * Math.sqrt(2 * depth / bend);
+        if (depth > 0 && aside < 0.5) {
+            p.set(PART, Math.copySign(aside, -p.get(PART)));
+            turn();
+            toBorder(2 * STEPS);
+        }
+    }
+
+    private void toBorder(int steps) {
+        for (int i = 0; i < steps; i++) {
             onMantle();
             // n = v + t w across the rim
             lean(AROUND);

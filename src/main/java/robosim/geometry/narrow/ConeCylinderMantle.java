@@ -33,6 +33,11 @@ final class ConeCylinderMantle {
     double edgeP;
     double edgeQ;
 
+    /** Where the cone is missed, the normal, away and across, of a plane along the axis halfway between the cone and the mantle. */
+    double betweenP;
+
+    double betweenQ;
+
     // Of the line last looked at.
     private double slope;
     private double noise;
@@ -77,6 +82,10 @@ final class ConeCylinderMantle {
         edgeA = c > 0 ? f.ua / cosine : 0;
         edgeP = c > 0 ? (f.up + sine * s) / cosine : 0;
         edgeQ = c > 0 ? (f.uq - sine * c) / cosine : 0;
+        // Seen along the axis, the mantle ends at this angle, and the cone begins at that of c and s.
+        double grazing = Math.sqrt(f.gap * (f.away + f.radius)) / f.away;
+        betweenP = f.radius / f.away + s;
+        betweenQ = -(grazing + c);
     }
 
     private void search(double firstCos, double firstSin, double lastCos, double lastSin) {
