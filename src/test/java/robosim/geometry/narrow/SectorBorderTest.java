@@ -15,7 +15,7 @@ import robosim.geometry.model.Ray;
 
 /**
  * The border of a sector enters a short edge, which doubles take to be as deep everywhere: the corner outside, up to 280,000
- * ulp too near, was answered for it. What is expected is the place of the entry, to 60 digits, rounded.
+ * ulp too near, was answered for it. What is expected is the place of the entry, computed elsewhere in rational numbers.
  */
 class SectorBorderTest {
     private static double heard(GeometryObject object, Point start, Point way, double width) {
