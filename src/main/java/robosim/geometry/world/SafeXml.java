@@ -1,5 +1,6 @@
 package robosim.geometry.world;
 
+import java.util.List;
 import java.util.Locale;
 import javax.xml.XMLConstants;
 import javax.xml.parsers.ParserConfigurationException;
@@ -12,6 +13,10 @@ import org.xml.sax.XMLReader;
 final class SafeXml {
     /** Parser and validator are made to speak English, their root language: it is what {@link SchemaErrors} reads. */
     static final String LOCALE = "http://apache.org/xml/properties/locale";
+
+    /** Limits of the JDK's that differ from one to the next, and are {@link XmlGuard}'s here; without entities they guard no more. */
+    private static final List<String> OWN_LIMITS =
+            List.of("jdk.xml.maxElementDepth", "jdk.xml.maxGeneralEntitySizeLimit", "jdk.xml.totalEntitySizeLimit");
 
     private SafeXml() {}
 
@@ -27,6 +32,9 @@ final class SafeXml {
             factory.setXIncludeAware(false);
             XMLReader reader = factory.newSAXParser().getXMLReader();
             reader.setProperty(LOCALE, Locale.ROOT);
+            for (String own : OWN_LIMITS) {
+                reader.setProperty(own, "0");
+            }
             return reader;
         } catch (ParserConfigurationException e) {
             throw new IllegalStateException("the JDK's XML parser refuses to be hardened", e);
