@@ -309,8 +309,8 @@ public final class Geometry {
     }
 
     /**
-     * Goes as far as a move is free and stops short of what blocks it: of everything that the whole move would meet, the
-     * object stays at least the clearance away. What is passed by without being met is no obstacle, however near.
+     * Goes as far as a move is free and stops short of what blocks it: of every piece that the whole move would meet, all
+     * parts of the object stay at least the clearance away. What is passed by without being met is no obstacle, however near.
      *
      * @param clearance world units; at least 0
      * @return {@code allowed} where the whole move was made; else the shares that were made

@@ -1,14 +1,29 @@
 package robosim.geometry;
 
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.LeafColumn;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.Sweep;
 
-/** How far a leg of a motion may go so that a piece of the mover and one that it would meet stay a clearance apart. */
+/**
+ * How far a leg of a motion may go so that the mover stays a clearance apart from a piece that it would meet: the part of it
+ * that would meet the piece, and all others, which may pass by.
+ */
 final class StandOff implements Sweep.Stop {
+    /** Steps are shorter by so much, so that their rounding does not take them past where the clearance ends. */
+    private static final double SHORTER = 1 - 0x1p-40;
+
+    /** Most steps of a part that passes by at nearly the clearance; then it stops where it is, which is far enough away. */
+    private static final int STEPS = 1000;
+
     private final Phase phase;
     private final Distance distance;
+
+    /** With a scratch of its own, as it walks meshes while the sweep does. */
+    private @Nullable Distance wholeDistance;
+
     private final double[] box = new double[6];
     private final LeafColumn own = new LeafColumn(1);
     private final LeafColumn other = new LeafColumn(1);
@@ -40,7 +55,37 @@ final class StandOff implements Sweep.Stop {
         if (gap(0, t) < clearance) {
             return 0;
         }
-        return phase.turns() ? ofTurn(t, contact) : ofTranslation(t, contact, least);
+        double free = phase.turns() ? ofTurn(t, contact) : ofTranslation(t, contact, least);
+        for (int part = 0; part < phase.atStart.size() && free > 0; part++) {
+            if (part != leaf || t >= 0) {
+                free = ofPassing(part, free);
+            }
+        }
+        return free;
+    }
+
+    /**
+     * Conservative advancement (Mirtich 1996, 2.3): up to a share by steps in none of which the gap can be used up. Where the
+     * other parts of a mover come nearer than the clearance first, they end it.
+     */
+    private double ofPassing(int part, double contact) {
+        double way = way();
+        double free = 0;
+        double gap = wholeGap(0, part);
+        for (int step = 0; step < STEPS && gap >= clearance; step++) {
+            double next = free + SHORTER * (gap - clearance) / way;
+            if (!(next > free)) {
+                return free;
+            }
+            if (next >= contact) {
+                return contact;
+            }
+            gap = wholeGap(next, part);
+            if (gap >= clearance) {
+                free = next;
+            }
+        }
+        return free;
     }
 
     /** The gap of convex pieces is a convex function of the way, so it falls all the way to contact. */
@@ -66,15 +111,9 @@ final class StandOff implements Sweep.Stop {
 
     /** Back from contact, each time by as little as the missing gap could be made up in. */
     private double ofTurn(int t, double contact) {
-        level.boundsOf(phase.atStart, 0, phase.atStart.size(), box);
-        double reach = 0;
-        for (int k = 0; k < 3; k++) {
-            double far = Math.max(Math.abs(box[k] - phase.start[k]), Math.abs(box[3 + k] - phase.start[k]));
-            reach += far * far;
-        }
-        double way = Math.sqrt(reach) * phase.angle() * (Math.PI / 180);
+        double way = way();
         double free = contact;
-        for (int step = 0; step < 1000 && free > 0; step++) {
+        for (int step = 0; step < STEPS && free > 0; step++) {
             double missing = clearance - gap(free, t);
             if (missing <= 0) {
                 return free;
@@ -82,6 +121,32 @@ final class StandOff implements Sweep.Stop {
             free -= Math.max(missing / way, 0x1p-52);
         }
         return 0;
+    }
+
+    /** The length of the way of every point of the mover, or more. */
+    private double way() {
+        if (!phase.turns()) {
+            double dx = phase.displacement(0);
+            double dy = level.dimension == Dimension.PLANAR ? 0 : phase.displacement(1);
+            double dz = phase.displacement(2);
+            return Math.sqrt(dx * dx + dy * dy + dz * dz);
+        }
+        level.boundsOf(phase.atStart, 0, phase.atStart.size(), box);
+        double reach = 0;
+        for (int k = 0; k < 3; k++) {
+            double far = Math.max(Math.abs(box[k] - phase.start[k]), Math.abs(box[3 + k] - phase.start[k]));
+            reach += far * far;
+        }
+        return Math.sqrt(reach) * phase.angle() * (Math.PI / 180);
+    }
+
+    private double wholeGap(double share, int part) {
+        Distance all = wholeDistance;
+        if (all == null) {
+            all = new Distance(new Scratch());
+            wholeDistance = all;
+        }
+        return all.between(level.dimension, phase.after(share), part, other, 0, Double.POSITIVE_INFINITY);
     }
 
     private double gap(double share, int t) {

@@ -14,7 +14,6 @@ import robosim.geometry.narrow.LeafColumn;
 import robosim.geometry.narrow.Overlap;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.Sweep;
-import robosim.geometry.narrow.SweptBounds;
 
 /**
  * A straight move answered with yes or no and nothing else, as {@link Motion} would: most moves meet nothing, and who only
@@ -51,12 +50,17 @@ final class Stride {
     private double dz;
     private boolean hasProbe;
     private boolean isUnsure;
+    private boolean isCertain;
 
     // The disc around the object, and by how much it may be off.
     private double ownX;
     private double ownZ;
     private double ownRadius;
     private double ownSlack;
+
+    /** The sum of the coordinates of its bounds, unsigned, without the heights. */
+    private double ownSize;
+
     private boolean ownIsDisc;
 
     @SuppressWarnings("NullAway.Init") // a question sets its level
@@ -89,17 +93,17 @@ final class Stride {
         }
         hasProbe = false;
         isUnsure = false;
+        isCertain = false;
         enclose();
-        SweptBounds.moved(level.bounds(), 6 * mover, dx, dy, dz, box);
+        takeSweptBox(places, at);
         if (!border.clearlyHolds(box) && !endsInside()) {
             return BLOCKED;
         }
-        widen(places, at);
         if (passesAll()) {
             return FREE;
         }
-        // What it stands on may have a say: see Standing.
-        return isUnsure || touches() ? UNKNOWN : BLOCKED;
+        // What it stands on may have a say, if not where the insides meet: see Standing.
+        return !isCertain && (isUnsure || touches()) ? UNKNOWN : BLOCKED;
     }
 
     /** Whether the object touches another one where it is, and does not overlap it so deeply that it has no say. */
@@ -166,17 +170,20 @@ final class Stride {
         return sum - from;
     }
 
-    /** Makes the box hold the end however its parts are rounded when they are placed. */
-    private void widen(double[] places, int at) {
-        double size = Math.abs(places[at]) + Math.abs(places[at + 1]) + Math.abs(places[at + 2]);
-        for (int k = 0; k < 6; k++) {
-            size += Math.abs(box[k]);
-        }
-        double slack = STORED * size + Double.MIN_NORMAL;
-        for (int k = 0; k < 3; k++) {
-            box[k] -= slack;
-            box[3 + k] += slack;
-        }
+    /** Makes the box hold the object all the way, and its end however its parts are rounded when they are placed. */
+    private void takeSweptBox(double[] places, int at) {
+        double[] b = level.bounds();
+        int own = 6 * id;
+        double place = Math.abs(places[at]) + Math.abs(places[at + 1]) + Math.abs(places[at + 2]);
+        double way = Math.abs(dx) + Math.abs(dy) + Math.abs(dz);
+        double heights = Math.abs(b[own + 1]) + Math.abs(b[own + 4]);
+        double slack = STORED * ((ownSize + heights) + (place + (way + way))) + Double.MIN_NORMAL;
+        box[0] = b[own] + Math.min(0, dx) - slack;
+        box[1] = b[own + 1] + Math.min(0, dy) - slack;
+        box[2] = b[own + 2] + Math.min(0, dz) - slack;
+        box[3] = b[own + 3] + Math.max(0, dx) + slack;
+        box[4] = b[own + 4] + Math.max(0, dy) + slack;
+        box[5] = b[own + 5] + Math.max(0, dz) + slack;
     }
 
     private boolean passesAll() {
@@ -221,25 +228,28 @@ final class Stride {
     }
 
     private boolean passes(Level of, int other, int quick) {
-        return quick == DiscWay.UNSURE ? !of.meets(other, box) || passesExactly(of, other) : quick == DiscWay.CLEAR;
+        if (quick == DiscWay.UNSURE) {
+            return !of.meets(other, box) || passesExactly(of, other);
+        }
+        isCertain = quick == DiscWay.MET;
+        return !isCertain;
     }
 
-    /** The disc around the object, as seen from above. */
+    /** The disc around the object, as seen from above: its own where it is one, or that through the corners of its bounds. */
     private void enclose() {
-        double[] places = bodies.places();
-        int at = bodies.place(id);
-        ownX = places[at];
-        ownZ = places[at + 2];
         double[] b = level.bounds();
+        double minX = b[6 * id];
+        double minZ = b[6 * id + 2];
+        double maxX = b[6 * id + 3];
+        double maxZ = b[6 * id + 5];
         ownIsDisc = level.isDisc(id);
-        if (ownIsDisc) { // it may be the only member of a group, off its centre
-            ownX = 0.5 * b[6 * id] + 0.5 * b[6 * id + 3];
-            ownZ = 0.5 * b[6 * id + 2] + 0.5 * b[6 * id + 5];
-        }
-        double halfX = Math.max(b[6 * id + 3] - ownX, ownX - b[6 * id]);
-        double halfZ = Math.max(b[6 * id + 5] - ownZ, ownZ - b[6 * id + 2]);
+        ownX = 0.5 * minX + 0.5 * maxX; // not its centre, which may be off it where it is a group
+        ownZ = 0.5 * minZ + 0.5 * maxZ;
+        double halfX = 0.5 * maxX - 0.5 * minX;
+        double halfZ = 0.5 * maxZ - 0.5 * minZ;
         ownRadius = ownIsDisc ? Math.max(halfX, halfZ) : Math.sqrt(halfX * halfX + halfZ * halfZ);
-        ownSlack = 0x1p-50 * (Math.abs(ownX) + Math.abs(ownZ) + ownRadius) + LEAST;
+        ownSize = (Math.abs(minX) + Math.abs(maxX)) + (Math.abs(minZ) + Math.abs(maxZ));
+        ownSlack = 0x1p-50 * ownSize + LEAST;
     }
 
     /**

@@ -18,7 +18,7 @@ public final class SweptBounds {
      * Writes the bounds, anywhere on a straight way, of what has these bounds at its start. Rounding outward keeps an
      * order, so the bounds of many leaves may be moved, or those of each be taken together: the same bits.
      */
-    public static void moved(double[] bounds, int at, double dx, double dy, double dz, double[] out6) {
+    private static void moved(double[] bounds, int at, double dx, double dy, double dz, double[] out6) {
         for (int k = 0; k < 3; k++) {
             double d = k == 0 ? dx : k == 1 ? dy : dz;
             out6[k] = -Upright.sumUp(-bounds[at + k], Math.max(0, -d));

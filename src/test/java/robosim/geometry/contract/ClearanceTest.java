@@ -1,0 +1,133 @@
+package robosim.geometry.contract;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.Geometry;
+import robosim.geometry.MoveResult;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.Move;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.SphereObject;
+
+/** Moves to contact of robots of several parts: all of them stay away from what one of them would meet. */
+class ClearanceTest {
+    private static final int DRIVES = 1_500;
+
+    @Test
+    void aPartThatWouldPassByStaysAwayToo() {
+        Geometry world = new Geometry(20, 20, 20);
+        world.addObject(new ObjectGroup(List.of(
+                        new BoxObject(new Point(0, 0, 0), 1, 1, 1), new BoxObject(new Point(-0.1, 0, 1.05), 1, 1, 1)))
+                .moveable("robot"));
+        world.addObject(new SphereObject(new Point(3, 0, 0.55), 0));
+
+        MoveResult result = world.moveToContact("robot", new Move(5, 0, 0, 0, 0), 0.2);
+
+        assertThat(result.allowed()).isFalse();
+        assertThat(world.getProximity("robot", 10)).isGreaterThanOrEqualTo(0.2 * (1 - 1e-12));
+    }
+
+    /** Against the gap at two hundred places of the way, each asked of a world of its own. */
+    @ParameterizedTest
+    @EnumSource(Dimension.class)
+    void theWayEndsWhereTheFirstPartComesNearerThanTheClearance(Dimension dimension) {
+        SplittableRandom random = new SplittableRandom(20261122);
+        int stopped = 0;
+        int byAnother = 0;
+        for (int drive = 0; drive < DRIVES; drive++) {
+            GeometryObject robot = robot(random, drive);
+            GeometryObject post = drive % 3 == 0
+                    ? new SphereObject(new Point(3, 0, random.nextDouble(-2, 2)), random.nextDouble(0.3))
+                    : new BoxObject(new Point(3, 0, random.nextDouble(-2, 2)), 0.3, 3, 0.3)
+                            .turned(0, random.nextDouble(90));
+            double clearance = random.nextDouble(0.05, 0.4);
+            Move move = drive % 4 == 3
+                    ? new Move(0, 0, 0, 0, random.nextDouble(20, 120))
+                    : new Move(random.nextDouble(2, 6), 0, 0, 0, 0);
+            if (drive % 4 == 3) {
+                robot = robot.movedTo(new Point(1.4, 0, 0));
+            }
+            Geometry world = world(dimension, robot, post);
+            if (world.getProximity("robot", 10) < clearance
+                    || world(dimension, robot, post).move("robot", move).allowed()) {
+                continue;
+            }
+            String what = "drive %d: %s by %s, %s clear of %s".formatted(drive, robot, move, clearance, post);
+            MoveResult result = world.moveToContact("robot", move, clearance);
+            double gap = world.getProximity("robot", 10);
+            double share = move.ry() == 0 ? result.fraction() : result.turnFraction();
+            stopped++;
+            assertThat(result.allowed()).as(what).isFalse();
+            assertThat(gap).as(what).isBetween(clearance * (1 - 1e-9), clearance + 1e-3);
+            byAnother += share < leastOfParts(dimension, robot, post, move, clearance) - 1e-6 ? 1 : 0;
+            for (int k = 0; k < 200 && move.ry() == 0; k++) {
+                Geometry there = world(dimension, robot, post);
+                there.move("robot", new Move(share * k / 200 * move.x(), 0, 0, 0, 0));
+                assertThat(there.getProximity("robot", 10)).as(what).isGreaterThanOrEqualTo(clearance * (1 - 1e-9));
+            }
+        }
+        assertThat(stopped).isGreaterThan(DRIVES / 4);
+        assertThat(byAnother).isGreaterThan(DRIVES / 50);
+    }
+
+    /** How far the parts of a group would go, each on its own. */
+    private static double leastOfParts(
+            Dimension dimension, GeometryObject robot, GeometryObject post, Move move, double clearance) {
+        if (!(robot instanceof ObjectGroup group)) {
+            return 0;
+        }
+        double least = 1;
+        for (GeometryObject part : group.members()) {
+            GeometryObject alone = new ObjectGroup(List.of(part)).moveable("robot").movedTo(robot.center());
+            MoveResult result = world(dimension, alone, post).moveToContact("robot", move, clearance);
+            least = Math.min(least, move.ry() == 0 ? result.fraction() : result.turnFraction());
+        }
+        return least;
+    }
+
+    private static Geometry world(Dimension dimension, GeometryObject robot, GeometryObject post) {
+        Geometry world = new Geometry(20, 20, 20, dimension, Accuracy.EXACT);
+        assertThat(world.addObjectUnchecked(robot)).isTrue();
+        assertThat(world.addObjectUnchecked(post)).isTrue();
+        return world;
+    }
+
+    /** A group of up to four parts beside each other, or a mesh of a prow with two horns. */
+    private static GeometryObject robot(SplittableRandom random, int drive) {
+        if (drive % 5 == 4) {
+            double prow = random.nextDouble(0.2, 1);
+            return new MeshObject(
+                            List.of(
+                                    new Point(prow, 0, 0),
+                                    new Point(-1, -0.5, -1),
+                                    new Point(-1, -0.5, 1),
+                                    new Point(random.nextDouble(), 0.5, -1),
+                                    new Point(random.nextDouble(), 0.5, 1)),
+                            new int[][] {{0, 1, 2}, {0, 1, 3}, {0, 2, 4}})
+                    .moveable("robot");
+        }
+        List<GeometryObject> parts = new ArrayList<>();
+        for (int k = 0; k < 2 + drive % 3; k++) {
+            Point at = new Point(random.nextDouble(-0.3, 0.3), 0, 1.1 * k - 1);
+            parts.add(
+                    switch (random.nextInt(3)) {
+                        case 0 -> new BoxObject(at, 1, 1, 1);
+                        case 1 -> new CylinderObject(at, 0.5, 1);
+                        default -> new SphereObject(at, 0.5);
+                    });
+        }
+        return new ObjectGroup(parts).moveable("robot");
+    }
+}
