@@ -4,6 +4,7 @@ import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Border;
 import robosim.geometry.narrow.Distance;
+import robosim.geometry.narrow.Leaf;
 import robosim.geometry.narrow.LeafColumn;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.Standing;
@@ -242,8 +243,12 @@ final class Motion {
         double least = Double.POSITIVE_INFINITY;
         for (int j = first; j < first + of.count(Bodies.bare(other)); j++) {
             for (int i = 0; i < atStart.size(); i++) {
-                double free = phase.sweep.free(atStart, i, of.leaves(), j);
-                if (free != Double.POSITIVE_INFINITY && (clearance > 0 || (free <= least && stands()))) {
+                boolean isOnFloor = isOnMesh(of, other, i, j) && stands(); // whose levels spare most of a sweep
+                double free = isOnFloor
+                        ? phase.sweep.free(atStart, i, of.leaves(), j, standing, null)
+                        : phase.sweep.free(atStart, i, of.leaves(), j);
+                boolean isDone = isOnFloor && clearance == 0;
+                if (free != Double.POSITIVE_INFINITY && !isDone && (clearance > 0 || (free <= least && stands()))) {
                     StandOff stop = clearance > 0 ? standOff.of(of, i, j, clearance) : null;
                     stands();
                     free = phase.sweep.free(atStart, i, of.leaves(), j, standing, stop);
@@ -255,6 +260,15 @@ final class Motion {
             }
         }
         return least;
+    }
+
+    /** Whether one of the leaves is a mesh, and the object may touch the other at the start. */
+    private boolean isOnMesh(Level of, int other, int i, int j) {
+        if (!Leaf.isMesh(phase.atStart.kind(i)) && !Leaf.isMesh(of.leaves().kind(j))) {
+            return false;
+        }
+        level.boundsOf(phase.atStart, 0, phase.atStart.size(), part);
+        return of.meets(Bodies.bare(other), part);
     }
 
     private void meet(int i, int t, int j, int u) {

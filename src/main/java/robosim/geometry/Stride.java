@@ -283,7 +283,9 @@ final class Stride {
         sweep.translation(level.dimension, dx, dy, dz);
         for (int j = others; j < othersEnd; j++) {
             for (int i = own; i < ownEnd; i++) {
-                if (sweep.free(leaves, i, theirs, j) != Double.POSITIVE_INFINITY) {
+                // Who drives on a mesh may be stopped by its next triangle only where the contacts say so.
+                isUnsure = Leaf.isMesh(theirs.kind(j)) && Overlap.test(level.dimension, leaves, i, theirs, j, s);
+                if (isUnsure || sweep.free(leaves, i, theirs, j) != Double.POSITIVE_INFINITY) {
                     return false;
                 }
             }

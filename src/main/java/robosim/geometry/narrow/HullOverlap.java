@@ -3,8 +3,8 @@ package robosim.geometry.narrow;
 /**
  * Whether the hull of some leaves certainly overlaps that of others by more than rounding, so that no plane is between them.
  *
- * <p>Simplices of the difference set as in {@link Gjk} (Gilbert, Johnson and Keerthi 1988); of what is round the cores alone. In
- * the plane all are taken for prisms of one height, as high as they are wide.
+ * <p>Simplices of the difference set as in {@link Gjk} (Gilbert, Johnson and Keerthi 1988). In the plane all are taken for
+ * prisms of one height, as high as they are wide.
  */
 final class HullOverlap {
     /** More steps are seldom worth what they find. */
@@ -12,6 +12,10 @@ final class HullOverlap {
 
     /** Below this size cubes may underflow: nothing is certain. */
     private static final double SMALL = 0x1p-240;
+
+    private static final double SKEW_X = 0.0625;
+    private static final double SKEW_Y = 0.109375;
+    private static final double SKEW_Z = 0.0859375;
 
     private final Support[] upper = {new Support(), new Support(), new Support(), new Support()};
     private final Support[] lower = {new Support(), new Support()};
@@ -69,12 +73,10 @@ final class HullOverlap {
         }
         double height = isFlat ? 0.5 * extent : 0;
         double enough = Gjk.DEEP * extent * extent * extent;
-        double vx = upper[0].centreX - lower[0].centreX;
-        double vy = upper[0].centreY - lower[0].centreY;
-        double vz = upper[0].centreZ - lower[0].centreZ;
-        if (vx == 0 && vy == 0 && vz == 0) {
-            vx = 1;
-        }
+        // Askew, as things of one height or one attitude have simplices that hold the origin in a side, and not within.
+        double vx = upper[0].centreX - lower[0].centreX + SKEW_X * extent;
+        double vy = upper[0].centreY - lower[0].centreY + SKEW_Y * extent;
+        double vz = upper[0].centreZ - lower[0].centreZ + SKEW_Z * extent;
         simplex.clear();
         for (int step = 0; step < MOST_STEPS; step++) {
             double length = Math.sqrt(vx * vx + vy * vy + vz * vz);
@@ -96,6 +98,12 @@ final class HullOverlap {
             vx = simplex.vx;
             vy = simplex.vy;
             vz = simplex.vz;
+            if (step == 0) { // askew once more, or balls would never leave the plane of their centres and the first way
+                double size = Math.sqrt(vx * vx + vy * vy + vz * vz);
+                vx -= SKEW_Z * size;
+                vy += SKEW_X * size;
+                vz += SKEW_Y * size;
+            }
         }
         return false;
     }
@@ -106,6 +114,13 @@ final class HullOverlap {
         for (int k = 0; k < count; k++) {
             Support leaf = leaves[k];
             leaf.find(x, y, z);
+            if (leaf.margin > 0) {
+                double length = height > 0 ? Math.sqrt(x * x + z * z) : 1;
+                double outward = length > 0 ? leaf.margin / length : 0;
+                leaf.x += outward * x;
+                leaf.y += outward * y;
+                leaf.z += outward * z;
+            }
             if (height > 0) {
                 leaf.y = y >= 0 ? height : -height;
             }

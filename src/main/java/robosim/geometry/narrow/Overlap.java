@@ -108,11 +108,10 @@ public final class Overlap {
     }
 
     static boolean isDeep(Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
-        if (dimension == Dimension.PLANAR) {
-            s.gjk.planar(kindA, a, i, kindB, b, j);
-        } else {
-            s.gjk.spatial(kindA, a, i, kindB, b, j);
-        }
-        return s.gjk.isDeep();
+        HullOverlap hulls = s.hulls();
+        hulls.clear(dimension == Dimension.PLANAR);
+        hulls.above(kindA, a, i);
+        hulls.below(kindB, b, j);
+        return hulls.areDeep();
     }
 }

@@ -82,6 +82,7 @@ public final class Scratch {
     private @Nullable ContactPairs pairs;
     private @Nullable SweepScratch sweep;
     private @Nullable Penetration penetration;
+    private @Nullable HullOverlap hulls;
     private @Nullable ConeScratch cones;
     private @Nullable SectorOval sectorOval;
 
@@ -113,6 +114,13 @@ public final class Scratch {
             penetration = new Penetration();
         }
         return penetration;
+    }
+
+    HullOverlap hulls() {
+        if (hulls == null) {
+            hulls = new HullOverlap();
+        }
+        return hulls;
     }
 
     SectorOval sectorOval() {

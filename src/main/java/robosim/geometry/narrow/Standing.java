@@ -23,7 +23,6 @@ public final class Standing {
     private final PiecePairs pairs;
     private final MeshWalk elsewhere = new MeshWalk();
     private final double[] there = new double[Leaf.STRIDE];
-    private final HullOverlap hulls = new HullOverlap();
     private final PiecePairs.Visitor contact = this::gather;
     private final PiecePairs.Visitor anew = this::isAnew;
 
@@ -80,7 +79,7 @@ public final class Standing {
     }
 
     private boolean gather(int kindA, double[] a, int i, int t, int kindB, double[] b, int j, int u) {
-        if (!touch(kindA, a, i, kindB, b, j) || isDeep(kindA, a, i, kindB, b, j)) {
+        if (!touch(kindA, a, i, kindB, b, j) || Overlap.isDeep(dimension, kindA, a, i, kindB, b, j, s)) {
             return false; // no plane is between what overlaps deeply
         }
         if (count == planes.length) {
@@ -158,6 +157,42 @@ public final class Standing {
      * @param kindTo the mover's piece where it goes to, which is the end or a place before it
      */
     boolean isBehind(int kind, double[] from, int at, int kindTo, double[] to, int atTo, int kindB, double[] b, int j) {
+        if (isBehindLevel(kind, from, at, kindTo, to, atTo, kindB, b, j)) {
+            return true;
+        }
+        if (count == 0) {
+            return false;
+        }
+        HullOverlap hulls = s.hulls();
+        hulls.clear(dimension == Dimension.PLANAR);
+        hulls.above(kind, from, at);
+        hulls.above(kindTo, to, atTo);
+        hulls.below(kindB, b, j);
+        if (hulls.areDeep()) {
+            return false; // what is gone into: nearly all that blocks
+        }
+        for (int k = 0; k < count; k++) {
+            int row = k * ROWS;
+            hulls.clear(dimension == Dimension.PLANAR);
+            hulls.above(kinds[3 * k], rows, row);
+            hulls.above(kinds[3 * k + 1], rows, row + Leaf.STRIDE);
+            hulls.above(kind, from, at);
+            hulls.above(kindTo, to, atTo);
+            hulls.below(kinds[3 * k + 2], rows, row + 2 * Leaf.STRIDE);
+            hulls.below(kindB, b, j);
+            if (hulls.areDeep()) {
+                continue;
+            }
+            if (planes[k].part(
+                    dimension, motion, rows, row, kinds, 3 * k, kind, from, at, kindTo, to, atTo, kindB, b, j, s)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean isBehindLevel(
+            int kind, double[] from, int at, int kindTo, double[] to, int atTo, int kindB, double[] b, int j) {
         if (levelCount > 0
                 && Levels.has(kind)
                 && Levels.has(kindTo)
@@ -173,35 +208,20 @@ public final class Standing {
                 }
             }
         }
-        for (int k = 0; k < count; k++) {
-            int row = k * ROWS;
-            hulls.clear(dimension == Dimension.PLANAR);
-            hulls.above(kinds[3 * k], rows, row);
-            hulls.above(kinds[3 * k + 1], rows, row + Leaf.STRIDE);
-            hulls.above(kind, from, at);
-            hulls.above(kindTo, to, atTo);
-            hulls.below(kinds[3 * k + 2], rows, row + 2 * Leaf.STRIDE);
-            hulls.below(kindB, b, j);
-            if (hulls.areDeep()) {
-                continue; // what is gone into: nearly all that blocks
-            }
-            if (planes[k].part(
-                    dimension, motion, rows, row, kinds, 3 * k, kind, from, at, kindTo, to, atTo, kindB, b, j, s)) {
-                return true;
-            }
-        }
         return false;
     }
 
-    /** Whether two pieces certainly overlap by more than rounding. */
-    private boolean isDeep(int kindA, double[] a, int i, int kindB, double[] b, int j) {
-        if (Overlap.isDeep(dimension, kindA, a, i, kindB, b, j, s)) {
-            return true;
+    /** Whether it is behind a level that is stood on: what needs no exact numbers of {@link #isBehind}, and answers most. */
+    boolean isBehindLevel(int i, int kind, double[] from, int at, int t, int kindB, double[] b, int j) {
+        if (levelCount == 0) {
+            return false;
         }
-        hulls.clear(dimension == Dimension.PLANAR);
-        hulls.above(kindA, a, i);
-        hulls.below(kindB, b, j);
-        return hulls.areDeep();
+        if (t < 0) {
+            return isBehindLevel(kind, from, at, end.kind(i), end.rows(i), end.at(i), kindB, b, j);
+        }
+        elsewhere.open(end, i);
+        elsewhere.corners(t, there, 0);
+        return isBehindLevel(kind, from, at, kind, there, 0, kindB, b, j);
     }
 
     /** The same for a leaf of the mover, or the triangle of a mesh at a place, on its way to the end. */

@@ -342,6 +342,9 @@ public final class Sweep {
      * @param before the share above which the answer does not matter
      */
     private double piece(int kindA, double[] a, int i, int kindB, double[] b, int j, int u, double before) {
+        if (standing != null && standing.isBehindLevel(leaf, kindA, a, i, own, kindB, b, j)) {
+            return Double.POSITIVE_INFINITY;
+        }
         double share = convex(kindA, a, i, kindB, b, j);
         if (standing == null || share == Double.POSITIVE_INFINITY || (stop == null && share > before)) {
             return share;
