@@ -192,7 +192,7 @@ final class Level {
         tree.keep(id, box);
         longest = Math.max(longest, Distance.sides(box));
         leaves.outline(id, box[0], box[2], box[3], box[5]);
-        shapes[id] = placed.size() == 1 && DiscWay.isDisc(leaves.kind(leaf)) ? DISC : 0;
+        shapes[id] = placed.size() == 1 && Leaf.isDisc(leaves.kind(leaf)) ? DISC : 0;
         if (object.isMoveable()) {
             shapes[id] = (byte) (shapes[id] | MOVER | shape(id, object));
             movers++;
@@ -301,7 +301,7 @@ final class Level {
             } else {
                 leaves.bounds(first(id), box);
             }
-            shapes[id] = (byte) (DiscWay.isDisc(leaves.kind(first(id))) ? shapes[id] | DISC : shapes[id] & ~DISC);
+            shapes[id] = (byte) (Leaf.isDisc(leaves.kind(first(id))) ? shapes[id] | DISC : shapes[id] & ~DISC);
         }
         if (hasMoversInTree) {
             leaves.outline(id, box[0], box[2], box[3], box[5]);

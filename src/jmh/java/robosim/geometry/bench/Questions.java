@@ -208,8 +208,8 @@ public final class Questions {
     private double turn(int kindA, double[] a, int kindB, double[] b) {
         double degrees = 720 * angle - 360;
         return family.planar()
-                ? PlanarSweep.turn(kindA, a, 0, a[0], a[1], a[2], 0, 1, 0, degrees, kindB, b, 0, scratch)
-                : SpatialSweep.turn(kindA, a, 0, a[0], a[1], a[2], 0, 1, 0, degrees, kindB, b, 0, scratch);
+                ? PlanarTurn.free(kindA, a, 0, a[0], a[1], a[2], 0, 1, 0, degrees, kindB, b, 0, scratch)
+                : SpatialTurn.free(kindA, a, 0, a[0], a[1], a[2], 0, 1, 0, degrees, kindB, b, 0, scratch);
     }
 
     /** The largest of the numbers that a distance is computed from. */

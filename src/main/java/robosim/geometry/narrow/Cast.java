@@ -55,7 +55,7 @@ public final class Cast {
         // A power of two near the greatest takes away what could overflow; where nothing could, a coordinate that is
         // all
         // but zero keeps its bits.
-        double scale = sum >= 0x1p-98 && sum <= 0x1p100 ? 1 : scale(RayMath.largest(ax, level, az));
+        double scale = sum >= 0x1p-98 && sum <= 0x1p100 ? 1 : scale(VectorMath.largest(ax, level, az));
         dx = ax * scale;
         dy = level * scale;
         dz = az * scale;
@@ -116,7 +116,7 @@ public final class Cast {
             return convex(kind, column.rows(leaf), column.at(leaf));
         }
         takeUnit();
-        if (Overlap.hasInside(dimension, column, leaf) && Inside.holds(column, leaf, ox, oy, oz, s)) {
+        if (Inside.counts(dimension, column, leaf) && Inside.holds(column, leaf, ox, oy, oz, s)) {
             return 0;
         }
         nearest = Double.POSITIVE_INFINITY;
@@ -177,7 +177,7 @@ public final class Cast {
         // Only a small distance may have been spoiled by what underflowed.
         if (distance > Magnified.SMALL
                 || isFarFromOrigin
-                || !s.magnified.take(RayMath.largest(ox, oy, oz), kind, row, at)) {
+                || !s.magnified.take(VectorMath.largest(ox, oy, oz), kind, row, at)) {
             return distance;
         }
         Magnified m = s.magnified;

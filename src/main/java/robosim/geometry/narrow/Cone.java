@@ -4,7 +4,7 @@ import robosim.geometry.exact.Dyadic;
 
 /**
  * A closed cone {@code x.d >= cos |x| |d|} about an axis d from an apex, and what all kernels ask of it; one in each
- * {@link Scratch}. The cosine is the stored one; the sine follows from it.
+ * {@link ConeScratch}. The cosine is the stored one; the sine follows from it.
  */
 final class Cone {
     /** Where the unit axis, the cosine and the sine stand in {@link #pairs}. */
@@ -65,7 +65,7 @@ final class Cone {
      * points' depths differ by more than twice their distance.
      */
     double depth(double x, double y, double z) {
-        return x * ux + y * uy + z * uz - cos * RayMath.length(x, y, z);
+        return x * ux + y * uy + z * uz - cos * VectorMath.length(x, y, z);
     }
 
     /** Whether a point seen from the apex is in the cone about d, exactly. */

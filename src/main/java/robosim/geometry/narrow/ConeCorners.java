@@ -111,7 +111,7 @@ final class ConeCorners {
     }
 
     private void box(Cone cone, double[] row, int j) {
-        extent = Math.max(RayMath.largest(row[j], row[j + 1], row[j + 2]), row[j + 3] + row[j + 4] + row[j + 5]);
+        extent = Math.max(VectorMath.largest(row[j], row[j + 1], row[j + 2]), row[j + 3] + row[j + 4] + row[j + 5]);
         // Corner by corner the same sums would be taken many times over.
         for (int axis = 0; axis < 3; axis++) {
             double apex = axis == 0 ? cone.ox : axis == 1 ? cone.oy : cone.oz;

@@ -1,6 +1,6 @@
 package robosim.geometry.narrow;
 
-import static robosim.geometry.narrow.RayMath.U;
+import static robosim.geometry.narrow.VectorMath.U;
 
 /**
  * The least distance from a cone's apex to a solid cylinder inside the cone, between two ends that are proved.
@@ -46,7 +46,7 @@ final class ConeCylinder {
     private boolean isAlone() {
         double y = Math.max(0, frame.near);
         double x = Math.max(0, frame.gap);
-        double size = RayMath.legs(y, x);
+        double size = VectorMath.legs(y, x);
         double outside = frame.outside(y, x, 0);
         double ahead = y * frame.ua + x * frame.up;
         double doubt = DOUBT * size;
@@ -133,7 +133,7 @@ final class ConeCylinder {
     private void corner() {
         double along = Math.max(0, -frame.ua);
         double away = Math.max(0, -frame.up);
-        double size = RayMath.legs(along, away);
+        double size = VectorMath.legs(along, away);
         double slack = size - frame.cone.sin;
         if (slack > 0) {
             bracket.corner(along / size + slack / 4, away / size + slack / 4);

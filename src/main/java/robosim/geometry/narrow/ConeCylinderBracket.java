@@ -313,7 +313,7 @@ final class ConeCylinderBracket {
             enter(isUpwards);
             lean(isUpwards ? ConeCylinderFrame.BODY : AROUND);
             p.dot(PART, NORMAL, isUpwards ? AROUND : ConeCylinderFrame.BODY, TEMPORARY);
-            double slope = p.get(PART) / RayMath.length(p.get(NORMAL), p.get(NORMAL + 1), p.get(NORMAL + 2));
+            double slope = p.get(PART) / VectorMath.length(p.get(NORMAL), p.get(NORMAL + 1), p.get(NORMAL + 2));
             p.dot(PART, NORMAL, ConeCylinderFrame.BODY, TEMPORARY);
             p.negate(PART);
             p.advance(NORMAL, NORMAL, PART, ConeCylinderFrame.BODY, TEMPORARY);
@@ -472,7 +472,7 @@ final class ConeCylinderBracket {
     // The same direction across the axis, where it is so but for rounding.
     private void flatten() {
         p.dot(PART, NORMAL, ConeCylinderFrame.BODY, TEMPORARY);
-        double size = RayMath.largest(p.get(NORMAL), p.get(NORMAL + 1), p.get(NORMAL + 2));
+        double size = VectorMath.largest(p.get(NORMAL), p.get(NORMAL + 1), p.get(NORMAL + 2));
         if (Math.abs(p.get(PART)) < 0x1p-40 * size) {
             p.negate(PART);
             p.advance(NORMAL, NORMAL, PART, ConeCylinderFrame.BODY, TEMPORARY);
@@ -497,7 +497,7 @@ final class ConeCylinderBracket {
 
     /** Takes the bound into account that NORMAL tells, of any length but 0. */
     private void direction() {
-        double size = RayMath.length(p.get(NORMAL), p.get(NORMAL + 1), p.get(NORMAL + 2));
+        double size = VectorMath.length(p.get(NORMAL), p.get(NORMAL + 1), p.get(NORMAL + 2));
         if (!(size > 0)) {
             return;
         }

@@ -165,7 +165,7 @@ final class ConeCylinderCap {
                 break;
             }
             look(at);
-            if (Math.abs(gap) <= 2 * RayMath.U * (chord + Math.abs(aside))) {
+            if (Math.abs(gap) <= 2 * VectorMath.U * (chord + Math.abs(aside))) {
                 return at;
             }
             if (gap > 0) {

@@ -102,7 +102,7 @@ final class ConeCylinderFrame {
         double mx = p.get(CENTER);
         double my = p.get(CENTER + 1);
         double mz = p.get(CENTER + 2);
-        extent = RayMath.largest(mx, my, mz) + radius + p.get(HALF);
+        extent = VectorMath.largest(mx, my, mz) + radius + p.get(HALF);
         farthest = 2 * (Math.abs(mx) + Math.abs(my) + Math.abs(mz) + radius + p.get(HALF));
         ax = p.get(BODY);
         ay = p.get(BODY + 1);
@@ -127,7 +127,7 @@ final class ConeCylinderFrame {
         px -= askew * ax;
         py -= askew * ay;
         pz -= askew * az;
-        double size = RayMath.length(px, py, pz);
+        double size = VectorMath.length(px, py, pz);
         px /= size;
         py /= size;
         pz /= size;
@@ -143,7 +143,7 @@ final class ConeCylinderFrame {
             qy = -qy;
             qz = -qz;
         }
-        across = RayMath.length(0, up, uq);
+        across = VectorMath.length(0, up, uq);
     }
 
     /** A vector of this frame in the world's, into the cone's pairs. */
@@ -157,7 +157,7 @@ final class ConeCylinderFrame {
     /** How far a point of this frame, seen from the apex, is outside the plane that touches the cone nearest to it. */
     double outside(double along, double p, double q) {
         double ahead = along * ua + p * up + q * uq;
-        double aside = RayMath.length(p * uq - q * up, q * ua - along * uq, along * up - p * ua);
+        double aside = VectorMath.length(p * uq - q * up, q * ua - along * uq, along * up - p * ua);
         return cone.cos * aside - cone.sin * ahead;
     }
 }

@@ -144,7 +144,7 @@ final class ConeCylinderMantle {
         sin = s;
         double p = f.gap + f.radius * (s * s / (1 + c));
         double q = f.radius * s;
-        double base = RayMath.length(0, p, q);
+        double base = VectorMath.length(0, p, q);
         double b = (p * f.up + q * f.uq) / base;
         double radial = p * s + q * c;
         double turned = f.up * s + f.uq * c;
@@ -178,6 +178,6 @@ final class ConeCylinderMantle {
             bestCos = c;
             bestSin = s;
         }
-        noise = 2 * RayMath.U * (steep * radial + rise * Math.abs(turned));
+        noise = 2 * VectorMath.U * (steep * radial + rise * Math.abs(turned));
     }
 }

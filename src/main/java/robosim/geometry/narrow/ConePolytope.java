@@ -1,6 +1,6 @@
 package robosim.geometry.narrow;
 
-import static robosim.geometry.narrow.RayMath.U;
+import static robosim.geometry.narrow.VectorMath.U;
 
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.Filter;
@@ -66,7 +66,7 @@ final class ConePolytope {
     }
 
     private double edges(Cone cone, int[] edges, double axis, int kind, double[] row, int j) {
-        extent = Math.max(corners.extent, RayMath.largest(cone.ox, cone.oy, cone.oz));
+        extent = Math.max(corners.extent, VectorMath.largest(cone.ox, cone.oy, cone.oz));
         double best = axis;
         for (int i = 0; i < edges.length; i += 2) {
             if (corners.isThere(edges[i])) {
@@ -88,7 +88,7 @@ final class ConePolytope {
         double foot = ee > 0 ? -(px * ex + py * ey + pz * ez) / ee : 0;
         double deepest = ee > 0 ? deepest(cone, px, py, pz, ex, ey, ez, foot, Math.sqrt(ee)) : 0;
         double depth = depth(cone, px, py, pz, ex, ey, ez, deepest);
-        double farther = Math.max(RayMath.length(px, py, pz), RayMath.length(v[3 * to], v[3 * to + 1], v[3 * to + 2]));
+        double farther = Math.max(VectorMath.length(px, py, pz), VectorMath.length(v[3 * to], v[3 * to + 1], v[3 * to + 2]));
         double error = FILTER * farther + UNDERFLOW;
         if (depth < -error) {
             return Double.POSITIVE_INFINITY;
@@ -104,7 +104,7 @@ final class ConePolytope {
                 ? isExactlyHeld(cone, nearest == 0 ? from : to, kind, row, j)
                 : there >= 0;
         if (isIn) {
-            return RayMath.length(px + nearest * ex, py + nearest * ey, pz + nearest * ez);
+            return VectorMath.length(px + nearest * ex, py + nearest * ey, pz + nearest * ez);
         }
         return entry(cone, from, to, nearest, deepest);
     }
@@ -119,7 +119,7 @@ final class ConePolytope {
         double across = (cone.cos - k) * (cone.cos + k);
         double place;
         if (across > 0) {
-            double h = RayMath.length(px + foot * ex, py + foot * ey, pz + foot * ez);
+            double h = VectorMath.length(px + foot * ex, py + foot * ey, pz + foot * ez);
             place = foot + h * k / Math.sqrt(across) / length;
         } else {
             place = k;
@@ -276,8 +276,8 @@ final class ConePolytope {
                 double x = ey * fz - ez * fy;
                 double y = ez * fx - ex * fz;
                 double z = ex * fy - ey * fx;
-                double size = RayMath.length(x, y, z);
-                double noise = 64 * U * extent * (RayMath.length(ex, ey, ez) + RayMath.length(fx, fy, fz));
+                double size = VectorMath.length(x, y, z);
+                double noise = 64 * U * extent * (VectorMath.length(ex, ey, ez) + VectorMath.length(fx, fy, fz));
                 if (size > largest && size > noise) {
                     largest = size;
                     nx = x / size;
@@ -298,7 +298,7 @@ final class ConePolytope {
         double sx = sign * nx - ahead * cone.ux;
         double sy = sign * ny - ahead * cone.uy;
         double sz = sign * nz - ahead * cone.uz;
-        double aside = RayMath.length(sx, sy, sz);
+        double aside = VectorMath.length(sx, sy, sz);
         boolean isSquare = ahead >= cone.cos;
         double rate = isSquare ? 1 : cone.cos * ahead + cone.sin * aside;
         if (!(rate > 0)) {

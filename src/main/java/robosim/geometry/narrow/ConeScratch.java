@@ -1,8 +1,25 @@
 package robosim.geometry.narrow;
 
-/** Working memory of the questions about cones. */
-final class ConeScratch {
-    final Cone cone = new Cone();
-    final ConePolytope polytope = new ConePolytope();
-    final ConeCylinder cylinder = new ConeCylinder();
+import org.jspecify.annotations.Nullable;
+
+/** The working memory of cones and sectors. */
+public class ConeScratch extends MeshScratch {
+    public final PlanarSector sector = new PlanarSector();
+
+    private @Nullable ConeKernels cones;
+    private @Nullable SectorOval sectorOval;
+
+    public SectorOval sectorOval() {
+        if (sectorOval == null) {
+            sectorOval = new SectorOval();
+        }
+        return sectorOval;
+    }
+
+    public ConeKernels cones() {
+        if (cones == null) {
+            cones = new ConeKernels();
+        }
+        return cones;
+    }
 }

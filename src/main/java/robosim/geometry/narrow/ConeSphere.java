@@ -55,7 +55,7 @@ final class ConeSphere {
         p.multiply(TEMPORARY, ASIDE, Cone.SIN);
         p.add(ALONG, ALONG, TEMPORARY);
         double extent =
-                RayMath.largest(cone.ox, cone.oy, cone.oz) + RayMath.largest(b[j], b[j + 1], b[j + 2]) + b[j + 3];
+                VectorMath.largest(cone.ox, cone.oy, cone.oz) + VectorMath.largest(b[j], b[j + 1], b[j + 2]) + b[j + 3];
         p.subtract(TEMPORARY, RADIUS, PAST);
         double doubt = FILTER * extent;
         if (p.get(ALONG) < -doubt || p.get(TEMPORARY) < -doubt) {

@@ -14,7 +14,7 @@ public final class ContactPairs {
     private static final int FIRST_HOLDS = 1;
     private static final int SECOND_HOLDS = 2;
 
-    private final Scratch s;
+    private final MeshScratch s;
     private final Branches first = new Branches();
     private final Branches second = new Branches();
     private final double[] boxA = new double[6];
@@ -34,7 +34,7 @@ public final class ContactPairs {
     private boolean[] certain = new boolean[16];
     private int count;
 
-    public ContactPairs(Scratch scratch) {
+    public ContactPairs(MeshScratch scratch) {
         s = scratch;
     }
 
@@ -188,7 +188,7 @@ public final class ContactPairs {
         first.load(a);
         second.load(b);
         s.uncertain = false;
-        if (Overlap.convex(dimension, first.kind, first.row, first.at, second.kind, second.row, second.at, s)) {
+        if (ConvexOverlap.test(dimension, first.kind, first.row, first.at, second.kind, second.row, second.at, s)) {
             add(Branches.part(a), first.triangle(a), Branches.part(b), second.triangle(b), NO_SIDE, !s.uncertain);
         }
     }

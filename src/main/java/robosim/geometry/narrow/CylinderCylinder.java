@@ -35,10 +35,10 @@ final class CylinderCylinder {
      *
      * <p>Exact where the stored axes are parallel. Else certified: apart only with a slab between the two (by more than the
      * roundoff of doubles, or with exact numbers), touching with a common point (so deep that no rounding matters, or
-     * exactly one), and where neither is found touching, and {@link Scratch#uncertain} set. That happens only where the
+     * exactly one), and where neither is found touching, and {@link OverlapScratch#uncertain} set. That happens only where the
      * gap is below 2^-40 of the sizes, or the depth.
      */
-    static boolean touch(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+    static boolean touch(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
         double ax = kindA == Leaf.CYLINDER ? a[i + 7] : 0;
         double ay = kindA == Leaf.CYLINDER ? a[i + 10] : 1;
         double az = kindA == Leaf.CYLINDER ? a[i + 13] : 0;

@@ -59,8 +59,8 @@ final class DiscDisc {
         double dx = ax - bx;
         double dz = az - bz;
         double r = ar + br;
-        if (Math.abs(dx) + Math.abs(dz) < RayMath.TINY) { // else the squares would vanish
-            double k = RayMath.ENLARGED;
+        if (Math.abs(dx) + Math.abs(dz) < VectorMath.TINY) { // else the squares would vanish
+            double k = VectorMath.ENLARGED;
             return distance(ax * k, az * k, ar * k, bx * k, bz * k, br * k) / k;
         }
         // (d - r)(d + r) with the tails of the differences and squares: what is left of two large circles that nearly

@@ -21,7 +21,7 @@ final class DiscPolygon {
     private DiscPolygon() {}
 
     /** Whether they touch or overlap; exact, but for octagons, which touch where it is in doubt. */
-    static boolean touch(double px, double pz, double r, int kind, double[] b, int j, Scratch s) {
+    static boolean touch(double px, double pz, double r, int kind, double[] b, int j, PlanarScratch s) {
         PlanarShape q = s.planarB;
         q.set(kind, b, j, px, pz);
         if (q.isTiny()) {
@@ -51,14 +51,14 @@ final class DiscPolygon {
     }
 
     /** The least distance, 0 in contact. */
-    static double distance(double px, double pz, double r, int kind, double[] b, int j, Scratch s) {
+    static double distance(double px, double pz, double r, int kind, double[] b, int j, PlanarScratch s) {
         if (touch(px, pz, r, kind, b, j, s)) {
             return 0;
         }
         PlanarShape q = s.planarB;
         if (q.isTiny()) { // else the squares would vanish
-            q.enlarge(RayMath.ENLARGED);
-            return Math.max(0, Math.sqrt(PointPolygon.squareToOutline(0, 0, q)) / RayMath.ENLARGED - r);
+            q.enlarge(VectorMath.ENLARGED);
+            return Math.max(0, Math.sqrt(PointPolygon.squareToOutline(0, 0, q)) / VectorMath.ENLARGED - r);
         }
         return Math.max(0, Math.sqrt(PointPolygon.squareToOutline(0, 0, q)) - r);
     }

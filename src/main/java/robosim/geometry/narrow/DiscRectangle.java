@@ -1,6 +1,7 @@
 package robosim.geometry.narrow;
 
 import robosim.geometry.exact.Dyadic;
+import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.Stages;
 
@@ -112,17 +113,17 @@ final class DiscRectangle {
     }
 
     /** The least distance, 0 in contact; within three ulp of itself and 2^-98 of the offset and the sizes. */
-    static double distance(double px, double pz, double r, double[] row, int at, Scratch scratch) {
+    static double distance(double px, double pz, double r, double[] row, int at, PlanarScratch scratch) {
         if (touch(px, pz, r, row, at, scratch.fine)) {
             return 0;
         }
         double c = row[at + 6];
         double s = row[at + 8];
-        double beyondX = Math.max(0, RayRectangle.gap(px, pz, row, at, c, -s, row[at + 3]));
-        double beyondZ = Math.max(0, RayRectangle.gap(px, pz, row, at, s, c, row[at + 5]));
+        double beyondX = Math.max(0, gap(px, pz, row, at, c, -s, row[at + 3]));
+        double beyondZ = Math.max(0, gap(px, pz, row, at, s, c, row[at + 5]));
         double square = c * c + s * s;
-        if (beyondX + beyondZ < RayMath.TINY) {
-            return Math.max(0, RayMath.legs(beyondX, beyondZ) / Math.sqrt(square) - r);
+        if (beyondX + beyondZ < VectorMath.TINY) {
+            return Math.max(0, VectorMath.legs(beyondX, beyondZ) / Math.sqrt(square) - r);
         }
         double toCenter = Math.sqrt((beyondX * beyondX + beyondZ * beyondZ) / square);
         // Beside a radius that is not small, what is left is only as good as the radius.
@@ -163,5 +164,39 @@ final class DiscRectangle {
             p.set(out, 0);
         }
         p.multiply(out, out, out);
+    }
+
+    /**
+     * How far (px, pz) is beyond a side whose normal is (nx, nz) and whose half size is h, times the normal's length:
+     * {@code |(p - c) . n| - h n . n}, within an ulp or two however much cancels.
+     */
+    static double gap(double px, double pz, double[] row, int at, double nx, double nz, double h) {
+        return gap(px, pz, row[at], row[at + 2], nx, nz, h);
+    }
+
+    static double gap(double px, double pz, double cx, double cz, double nx, double nz, double h) {
+        double dx = px - cx;
+        double dxTail = DoubleDouble.differenceTail(px, cx, dx);
+        double dz = pz - cz;
+        double dzTail = DoubleDouble.differenceTail(pz, cz, dz);
+        double p = dx * nx;
+        double q = dz * nz;
+        double offset = p + q;
+        double offsetTail = DoubleDouble.sumTail(p, q, offset)
+                + DoubleDouble.productTail(dx, nx, p)
+                + DoubleDouble.productTail(dz, nz, q)
+                + (dxTail * nx + dzTail * nz);
+        double xx = nx * nx;
+        double zz = nz * nz;
+        double square = xx + zz;
+        double squareTail = DoubleDouble.sumTail(xx, zz, square)
+                + DoubleDouble.productTail(nx, nx, xx)
+                + DoubleDouble.productTail(nz, nz, zz);
+        double reach = h * square;
+        double reachTail = DoubleDouble.productTail(h, square, reach) + h * squareTail;
+        double far = Math.abs(offset);
+        double farTail = VectorMath.signed(offsetTail, offset + 0.0);
+        double gap = far - reach;
+        return gap + (DoubleDouble.differenceTail(far, reach, gap) + (farTail - reachTail));
     }
 }

@@ -30,11 +30,6 @@ public final class DiscWay {
 
     private DiscWay() {}
 
-    /** Whether the kind is a disc as seen from above. */
-    public static boolean isDisc(int kind) {
-        return kind == Leaf.UPRIGHT_CYLINDER || kind == Leaf.SPHERE;
-    }
-
     /**
      * Whether what a disc encloses may move on by (dx, dz) for what another disc encloses, whose centre is off by
      * (qx, qz).

@@ -66,7 +66,7 @@ public final class Distance {
     }
 
     private double mesh(Dimension dimension, LeafColumn mesh, int leaf, int kind, double[] row, int at, double limit) {
-        if (Overlap.hasInside(dimension, mesh, leaf) && Inside.holdsLeaf(mesh, leaf, kind, row, at, s)) {
+        if (Inside.counts(dimension, mesh, leaf) && Inside.holdsLeaf(mesh, leaf, kind, row, at, s)) {
             return 0;
         }
         LeafBounds.of(kind, row, at, s.box);
@@ -108,8 +108,8 @@ public final class Distance {
     }
 
     private double meshes(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, double limit) {
-        if ((Overlap.hasInside(dimension, a, i) && Inside.holdsMesh(a, i, b, j, s))
-                || (Overlap.hasInside(dimension, b, j) && Inside.holdsMesh(b, j, a, i, s))) {
+        if ((Inside.counts(dimension, a, i) && Inside.holdsMesh(a, i, b, j, s))
+                || (Inside.counts(dimension, b, j) && Inside.holdsMesh(b, j, a, i, s))) {
             return 0;
         }
         b.bounds(j, s.box);
@@ -178,30 +178,7 @@ public final class Distance {
                 return;
             }
         }
-        convexContact(dimension, kindA, rowA, atA, kindB, rowB, atB, out, s);
-    }
-
-    /** The same of two convex leaves. */
-    static void convexContact(
-            Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j, double[] out, Scratch s) {
-        Magnified m = s.magnified;
-        if (m.take(kindA, a, i, kindB, b, j)) {
-            storedContact(dimension, kindA, m.a, 0, kindB, m.b, 0, out, s);
-            for (int axis = 0; axis < 3; axis++) {
-                out[axis] = m.down(out[axis]);
-            }
-        } else {
-            storedContact(dimension, kindA, a, i, kindB, b, j, out, s);
-        }
-    }
-
-    private static void storedContact(
-            Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j, double[] out, Scratch s) {
-        if (dimension == Dimension.PLANAR) {
-            PlanarContact.between(kindA, a, i, kindB, b, j, out, s);
-        } else {
-            SpatialContact.between(kindA, a, i, kindB, b, j, out, s);
-        }
+        ConvexContact.between(dimension, kindA, rowA, atA, kindB, rowB, atB, out, s);
     }
 
     /** One leaf wholly inside the other: no surface is near; the contact is where the first one stands. */

@@ -20,7 +20,7 @@ final class ExactRay {
 
     /** A ray that meets things no larger, and no farther from the origin, than {@code extent}. */
     ExactRay(double ox, double oy, double oz, double dx, double dy, double dz, double extent) {
-        double size = Math.max(extent, RayMath.largest(ox, oy, oz));
+        double size = Math.max(extent, VectorMath.largest(ox, oy, oz));
         power = size == 0 ? 0 : -Math.getExponent(size);
         this.dx = dx;
         this.dy = dy;
@@ -67,9 +67,9 @@ final class ExactRay {
     private double along(double t, double tail, int scale) {
         int exponent = scale - power;
         if (Math.abs(exponent) < 400) {
-            return RayMath.along(Math.scalb(t, exponent), Math.scalb(tail, exponent), dx, dy, dz);
+            return VectorMath.along(Math.scalb(t, exponent), Math.scalb(tail, exponent), dx, dy, dz);
         }
-        return Math.scalb(RayMath.along(t, tail, dx, dy, dz), exponent);
+        return Math.scalb(VectorMath.along(t, tail, dx, dy, dz), exponent);
     }
 
     private static void pair(Dyadic value, double[] out, int at) {

@@ -251,7 +251,7 @@ final class Gjk {
         double vx = first.centreX - second.centreX;
         double vy = first.centreY - second.centreY;
         double vz = first.centreZ - second.centreZ;
-        if (RayMath.largest(vx, vy, vz) <= error) {
+        if (VectorMath.largest(vx, vy, vz) <= error) {
             // Any direction will do to begin with; the square of this one may underflow.
             vx = 1;
             vy = 0;

@@ -56,7 +56,7 @@ final class HeldMove {
             int kindB,
             double[] b,
             int j,
-            Scratch s) {
+            SweepScratch s) {
         Gjk gjk = s.gjk;
         double vy = planar ? 0 : dy;
         contact = false;
@@ -107,7 +107,7 @@ final class HeldMove {
             int kindB,
             double[] b,
             int j,
-            Scratch s) {
+            SweepScratch s) {
         contact = true;
         Penetration ways = s.penetration();
         if (planar) {

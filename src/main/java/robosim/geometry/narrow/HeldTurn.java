@@ -52,7 +52,7 @@ final class HeldTurn {
     private double wy;
     private double wz;
 
-    /** As {@link SpatialSweep#turn} and {@link PlanarSweep#turn}. */
+    /** As {@link SpatialTurn#free} and {@link PlanarTurn#free}. */
     double free(
             boolean inPlane,
             int kindA,
@@ -68,7 +68,7 @@ final class HeldTurn {
             int kindB,
             double[] b,
             int j,
-            Scratch s) {
+            TurnScratch s) {
         Gjk gjk = s.gjk;
         Penetration ways = s.penetration();
         double way = degrees < 0 ? -1 : 1;

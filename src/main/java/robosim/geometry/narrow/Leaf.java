@@ -55,4 +55,9 @@ public final class Leaf {
     public static boolean isUpright(int kind) {
         return kind == UPRIGHT_BOX || kind == UPRIGHT_CYLINDER || kind == PRISM;
     }
+
+    /** Whether the kind is a disc as seen from above, whatever its attitude. */
+    public static boolean isDisc(int kind) {
+        return kind == UPRIGHT_CYLINDER || kind == SPHERE;
+    }
 }

@@ -31,7 +31,7 @@ public final class LeafBounds {
 
     /** Whether the bounds of two leaves are apart; in PLANAR as seen from above. */
     static boolean areApart(
-            Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+            Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j, LeafScratch s) {
         double[] p = s.boundsA;
         double[] q = s.boundsB;
         of(kindA, a, i, p);

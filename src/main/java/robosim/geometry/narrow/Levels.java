@@ -80,7 +80,7 @@ final class Levels {
      * Whether leaf a stays above or below b for as long as it goes up or down by dy, or level: it does where there is a gap
      * between them in height, and where there is none, but they touch.
      */
-    static boolean parts(int kindA, double[] a, int i, double dy, int kindB, double[] b, int j, Scratch s) {
+    static boolean parts(int kindA, double[] a, int i, double dy, int kindB, double[] b, int j, OverlapScratch s) {
         if (!has(kindA) || !has(kindB)) {
             return false;
         }
@@ -102,7 +102,7 @@ final class Levels {
     }
 
     /** Whether two leaves touch, where that is known by their heights and as seen from above: 1, -1, or 0 where it is not. */
-    static int touch(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+    static int touch(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
         if (!has(kindA) || !has(kindB)) {
             return 0;
         }

@@ -23,7 +23,7 @@ final class MeshPairs {
 
     private static final double FARTHEST = Double.MAX_VALUE;
 
-    private final Scratch s;
+    private final MeshScratch s;
 
     private int[] stackA = new int[128];
     private int[] stackB = new int[128];
@@ -81,7 +81,7 @@ final class MeshPairs {
     private final double[] planeB = new double[4];
     private double doubt;
 
-    MeshPairs(Scratch scratch) {
+    MeshPairs(MeshScratch scratch) {
         s = scratch;
     }
 

@@ -120,7 +120,7 @@ final class MeshSight {
         double ax = place[r] * dx + place[r + 3] * dy + place[r + 6] * dz;
         double ay = place[r + 1] * dx + place[r + 4] * dy + place[r + 7] * dz;
         double az = place[r + 2] * dx + place[r + 5] * dy + place[r + 8] * dz;
-        double length = RayMath.length(ax, ay, az);
+        double length = VectorMath.length(ax, ay, az);
         ux = ax / length;
         uy = ay / length;
         uz = az / length;

@@ -33,7 +33,7 @@ final class NearestFace {
 
     /** Both sides of a slab: the place is {@code offset / |n|} from its middle plane, which is half as wide as given. */
     void offerSlab(double offset, double half, double nx, double ny, double nz) {
-        double length = RayMath.length(nx, ny, nz);
+        double length = VectorMath.length(nx, ny, nz);
         if (length > 0) {
             offer((offset - half) / length, nx / length, ny / length, nz / length);
             offer((-offset - half) / length, -nx / length, -ny / length, -nz / length);
@@ -67,7 +67,7 @@ final class NearestFace {
         } else if (height >= limit && !(outside && leanBack())) {
             write(x, y, z, normal);
         } else {
-            double length = RayMath.length(ux, uy, uz);
+            double length = VectorMath.length(ux, uy, uz);
             write(-ux / length, -uy / length, -uz / length, normal);
         }
     }
@@ -82,7 +82,7 @@ final class NearestFace {
         x -= share * ux;
         y -= share * uy;
         z -= share * uz;
-        double length = RayMath.length(x, y, z);
+        double length = VectorMath.length(x, y, z);
         x /= length;
         y /= length;
         z /= length;

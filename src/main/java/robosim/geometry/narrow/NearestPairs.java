@@ -14,7 +14,7 @@ import robosim.geometry.model.Dimension;
 public final class NearestPairs {
     private static final int COMPARE = 0;
 
-    private final Scratch s;
+    private final MeshScratch s;
     private final Branches first = new Branches();
     private final Branches second = new Branches();
     private final PairQueue queue = new PairQueue();
@@ -32,7 +32,7 @@ public final class NearestPairs {
     private double high;
     private long steps;
 
-    public NearestPairs(Scratch scratch) {
+    public NearestPairs(MeshScratch scratch) {
         s = scratch;
     }
 
@@ -146,7 +146,7 @@ public final class NearestPairs {
         high = Math.min(high, BoxGap.up(gjk.upper() + gjk.error()));
         if (lower == 0 || Filter.isDoubting()) {
             s.uncertain = false;
-            if (Overlap.convex(dimension, first.kind, first.row, first.at, second.kind, second.row, second.at, s)) {
+            if (ConvexOverlap.test(dimension, first.kind, first.row, first.at, second.kind, second.row, second.at, s)) {
                 certain |= !s.uncertain;
                 uncertain |= s.uncertain;
             }

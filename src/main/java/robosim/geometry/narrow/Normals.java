@@ -1,6 +1,6 @@
 package robosim.geometry.narrow;
 
-import static robosim.geometry.narrow.RayMath.U;
+import static robosim.geometry.narrow.VectorMath.U;
 
 import robosim.geometry.model.Dimension;
 
@@ -40,17 +40,17 @@ public final class Normals {
             int j,
             double[] normal,
             Dimension dimension,
-            Scratch s) {
+            RayScratch s) {
         boolean isPlanar = dimension == Dimension.PLANAR;
         NearestFace face = s.face;
-        double size = RayMath.largest(ux, uy, uz);
+        double size = VectorMath.largest(ux, uy, uz);
         face.reset(px, isPlanar ? 0 : py, pz, ux / size, isPlanar ? 0 : uy / size, uz / size);
         if (isPlanar) {
             PlanarFaces.offer(face, kind, row, j);
         } else {
             SpatialFaces.offer(face, kind, row, j);
         }
-        double extent = RayMath.largest(px, isPlanar ? 0 : py, pz) + extent(kind, row, j) + distance;
+        double extent = VectorMath.largest(px, isPlanar ? 0 : py, pz) + extent(kind, row, j) + distance;
         face.answer(-DEPTH * extent, distance > 0, normal);
     }
 

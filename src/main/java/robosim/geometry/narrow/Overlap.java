@@ -10,7 +10,7 @@ public final class Overlap {
     public static boolean test(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, Scratch s) {
         int kindA = a.kind(i);
         int kindB = b.kind(j);
-        if (dimension == Dimension.PLANAR && LeafColumn.isUpright(j) && isDisc(kindA)) {
+        if (dimension == Dimension.PLANAR && LeafColumn.isUpright(j) && Leaf.isDisc(kindA)) {
             return disc(kindA, a.rows(i), a.at(i), kindB, b, j, s);
         }
         if (Leaf.isMesh(kindA)) {
@@ -21,11 +21,7 @@ public final class Overlap {
         if (Leaf.isMesh(kindB)) {
             return mesh(dimension, b, j, kindA, a.rows(i), a.at(i), s);
         }
-        return convex(dimension, kindA, a.rows(i), a.at(i), kindB, b.rows(j), b.at(j), s);
-    }
-
-    private static boolean isDisc(int kind) {
-        return kind == Leaf.UPRIGHT_CYLINDER || kind == Leaf.SPHERE;
+        return ConvexOverlap.test(dimension, kindA, a.rows(i), a.at(i), kindB, b.rows(j), b.at(j), s);
     }
 
     /** A disc, as seen from above, and a leaf of half a row: without a whole one where doubles can tell. */
@@ -59,14 +55,8 @@ public final class Overlap {
             return s.pairs().touch(dimension, a, i, b, j);
         }
         return s.meshPairs().touch(a, i, b, j)
-                || (hasInside(dimension, a, i) && Inside.holdsMesh(a, i, b, j, s))
-                || (hasInside(dimension, b, j) && Inside.holdsMesh(b, j, a, i, s));
-    }
-
-    static boolean convex(Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
-        return dimension == Dimension.PLANAR
-                ? PlanarOverlap.test(kindA, a, i, kindB, b, j, s)
-                : SpatialOverlap.test(kindA, a, i, kindB, b, j, s);
+                || (Inside.counts(dimension, a, i) && Inside.holdsMesh(a, i, b, j, s))
+                || (Inside.counts(dimension, b, j) && Inside.holdsMesh(b, j, a, i, s));
     }
 
     private static boolean mesh(
@@ -75,16 +65,11 @@ public final class Overlap {
         s.outer.startBox(mesh, leaf, s.box);
         for (int t = s.outer.next(0); t >= 0; t = s.outer.next(0)) {
             s.outer.corners(t, s.triangleA, 0);
-            if (convex(dimension, Leaf.TRIANGLE, s.triangleA, 0, kind, row, at, s)) {
+            if (ConvexOverlap.test(dimension, Leaf.TRIANGLE, s.triangleA, 0, kind, row, at, s)) {
                 return true;
             }
         }
-        return hasInside(dimension, mesh, leaf) && Inside.holdsLeaf(mesh, leaf, kind, row, at, s);
-    }
-
-    /** Whether the inside of the leaf adds to its surface; what lies above a point inside is seen in projection too. */
-    static boolean hasInside(Dimension dimension, LeafColumn column, int leaf) {
-        return dimension == Dimension.SPATIAL && column.kind(leaf) == Leaf.SOLID_MESH;
+        return Inside.counts(dimension, mesh, leaf) && Inside.holdsLeaf(mesh, leaf, kind, row, at, s);
     }
 
     /** The bounds of a leaf, over all heights in PLANAR. */
@@ -104,14 +89,6 @@ public final class Overlap {
     public static boolean isDeep(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, Scratch s) {
         return !Leaf.isMesh(a.kind(i))
                 && !Leaf.isMesh(b.kind(j))
-                && isDeep(dimension, a.kind(i), a.rows(i), a.at(i), b.kind(j), b.rows(j), b.at(j), s);
-    }
-
-    static boolean isDeep(Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
-        HullOverlap hulls = s.hulls();
-        hulls.clear(dimension == Dimension.PLANAR);
-        hulls.above(kindA, a, i);
-        hulls.below(kindB, b, j);
-        return hulls.areDeep();
+                && ConvexOverlap.isDeep(dimension, a.kind(i), a.rows(i), a.at(i), b.kind(j), b.rows(j), b.at(j), s);
     }
 }

@@ -22,14 +22,14 @@ final class ParallelDepth {
         double bx = kindB == Leaf.CYLINDER ? b[j + 7] : 0;
         double by = kindB == Leaf.CYLINDER ? b[j + 10] : 1;
         double bz = kindB == Leaf.CYLINDER ? b[j + 13] : 0;
-        double lengthA = RayMath.length(ax, ay, az);
-        double lengthB = RayMath.length(bx, by, bz);
-        double sine = RayMath.length(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx) / (lengthA * lengthB);
+        double lengthA = VectorMath.length(ax, ay, az);
+        double lengthB = VectorMath.length(bx, by, bz);
+        double sine = VectorMath.length(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx) / (lengthA * lengthB);
         double wx = b[j] - a[i];
         double wy = b[j + 1] - a[i + 1];
         double wz = b[j + 2] - a[i + 2];
         double along = Math.abs(wx * ax + wy * ay + wz * az) / lengthA;
-        double across = RayMath.length(wy * az - wz * ay, wz * ax - wx * az, wx * ay - wy * ax) / lengthA;
+        double across = VectorMath.length(wy * az - wz * ay, wz * ax - wx * az, wx * ay - wy * ax) / lengthA;
         double half = b[j + 4] * lengthB;
         double depth = Math.min(a[i + 3] + b[j + 3] - across, a[i + 4] * lengthA + half - along);
         // An angle below a quarter turn is less than twice its sine.

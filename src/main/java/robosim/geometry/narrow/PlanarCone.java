@@ -42,7 +42,7 @@ public final class PlanarCone {
             int kind,
             double[] b,
             int j,
-            Scratch s) {
+            ConeScratch s) {
         double size = Math.max(Math.abs(ux), Math.abs(uz));
         if (!(size >= LEAST && size <= MOST)) {
             int shift = -Math.getExponent(size);
@@ -68,7 +68,7 @@ public final class PlanarCone {
             int kind,
             double[] b,
             int j,
-            Scratch s) {
+            ConeScratch s) {
         PlanarSector sector = s.sector;
         sector.set(ux, uz, halfCos, halfSin);
         return switch (kind) {
@@ -87,7 +87,7 @@ public final class PlanarCone {
             double halfCos,
             double[] b,
             int j,
-            Scratch s) {
+            ConeScratch s) {
         double mx = b[j] - ox;
         double mz = b[j + 2] - oz;
         double r = b[j + Leaf.SIZE];
@@ -112,7 +112,7 @@ public final class PlanarCone {
             int kind,
             double[] b,
             int j,
-            Scratch s) {
+            ConeScratch s) {
         PlanarShape q = s.planarB;
         q.set(kind, b, j, ox, oz);
         if (!q.isTiny()) {
@@ -196,7 +196,7 @@ public final class PlanarCone {
     }
 
     private static double oval(
-            double ox, double oz, double ux, double uz, double halfCos, double[] b, int j, Scratch s) {
+            double ox, double oz, double ux, double uz, double halfCos, double[] b, int j, ConeScratch s) {
         PlanarShape apex = s.planarA;
         PlanarShape q = s.planarB;
         apex.point();

@@ -19,7 +19,7 @@ public final class PlanarContact {
      *
      * <p>A witness in plain doubles, for two that touch or nearly do; it decides nothing.
      */
-    public static void between(int kindA, double[] a, int i, int kindB, double[] b, int j, double[] out, Scratch s) {
+    public static void between(int kindA, double[] a, int i, int kindB, double[] b, int j, double[] out, DistanceScratch s) {
         boolean reversed = Order.isReversed(kindA, a, i, kindB, b, j);
         if (reversed) {
             ordered(kindB, b, j, kindA, a, i, out, s);
@@ -32,7 +32,7 @@ public final class PlanarContact {
         out[4] = 0;
     }
 
-    private static void ordered(int kindA, double[] a, int i, int kindB, double[] b, int j, double[] out, Scratch s) {
+    private static void ordered(int kindA, double[] a, int i, int kindB, double[] b, int j, double[] out, DistanceScratch s) {
         PlanarShape p = s.planarA;
         PlanarShape q = s.planarB;
         double ox = PlanarShape.originX(kindA, a, i);
@@ -185,7 +185,7 @@ public final class PlanarContact {
         return side * end;
     }
 
-    private static double height(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+    private static double height(int kindA, double[] a, int i, int kindB, double[] b, int j, DistanceScratch s) {
         double[] bounds = s.planarBounds;
         LeafBounds.of(kindA, a, i, bounds);
         double least = bounds[1];

@@ -11,17 +11,17 @@ public final class PlanarOverlap {
      *
      * <p>Exact for the stored numbers where boxes, triangles, spheres and upright cylinders are concerned. Octagons (they
      * are enclosures; two of them are exact) and turned cylinders are certified: apart only where a line between the two is beyond the rounding
-     * error, some 2^-46 of the sizes and the offset. With a turned cylinder {@link Scratch#uncertain} is set where the two
+     * error, some 2^-46 of the sizes and the offset. With a turned cylinder {@link OverlapScratch#uncertain} is set where the two
      * touch and are not so deep in each other that no rounding could matter; octagons only have to miss nothing.
      */
-    public static boolean test(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+    public static boolean test(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
         if (Order.isReversed(kindA, a, i, kindB, b, j)) {
             return ordered(kindB, b, j, kindA, a, i, s);
         }
         return ordered(kindA, a, i, kindB, b, j, s);
     }
 
-    private static boolean ordered(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+    private static boolean ordered(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
         int familyA = PlanarShape.family(kindA);
         int familyB = PlanarShape.family(kindB);
         if (familyA == PlanarShape.OVAL || familyB == PlanarShape.OVAL) {
@@ -47,20 +47,20 @@ public final class PlanarOverlap {
         return kind == Leaf.UPRIGHT_BOX || kind == Leaf.BOX;
     }
 
-    private static boolean discPolygon(double[] disc, int i, int kind, double[] b, int j, Scratch s) {
+    private static boolean discPolygon(double[] disc, int i, int kind, double[] b, int j, OverlapScratch s) {
         return kind == Leaf.UPRIGHT_BOX
                 ? DiscRectangle.touch(disc[i], disc[i + 2], disc[i + 3], b, j, s.fine)
                 : DiscPolygon.touch(disc[i], disc[i + 2], disc[i + 3], kind, b, j, s);
     }
 
-    private static boolean oval(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+    private static boolean oval(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
         Magnified m = s.magnified;
         return m.take(kindA, a, i, kindB, b, j)
                 ? storedOval(kindA, m.a, 0, kindB, m.b, 0, s)
                 : storedOval(kindA, a, i, kindB, b, j, s);
     }
 
-    private static boolean storedOval(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+    private static boolean storedOval(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
         double ox = PlanarShape.originX(kindA, a, i);
         double oz = PlanarShape.originZ(kindA, a, i);
         s.planarA.set(kindA, a, i, ox, oz);
@@ -81,7 +81,7 @@ public final class PlanarOverlap {
     }
 
     /** Whether the two have a point in common that no rounding can have brought there. */
-    private static boolean isDeep(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+    private static boolean isDeep(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
         s.gjk.planar(kindA, a, i, kindB, b, j);
         if (s.gjk.isDeep()) {
             return true;

@@ -17,7 +17,7 @@ public final class PlanarRay {
      *
      * @return world units; 0 where the start is inside or on it, {@code +Infinity} on a miss
      */
-    public static double distance(double ox, double oz, double ux, double uz, int kind, double[] b, int j, Scratch s) {
+    public static double distance(double ox, double oz, double ux, double uz, int kind, double[] b, int j, RayScratch s) {
         double size = Math.max(Math.abs(ux), Math.abs(uz));
         if (!(size >= LEAST && size <= MOST)) {
             int shift = -Math.getExponent(size);
@@ -29,7 +29,7 @@ public final class PlanarRay {
     }
 
     /** The same for a direction of ordinary length. */
-    static double scaled(double ox, double oz, double ux, double uz, int kind, double[] b, int j, Scratch s) {
+    static double scaled(double ox, double oz, double ux, double uz, int kind, double[] b, int j, RayScratch s) {
         return switch (kind) {
             case Leaf.UPRIGHT_BOX -> RayRectangle.distance(ox, oz, ux, uz, b, j);
             case Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE ->

@@ -22,7 +22,7 @@ public final class PlanarSweep {
      *     along or away
      */
     public static double translation(
-            int kindA, double[] a, int i, double dx, double dy, double dz, int kindB, double[] b, int j, Scratch s) {
+            int kindA, double[] a, int i, double dx, double dy, double dz, int kindB, double[] b, int j, SweepScratch s) {
         if (AxisBody.isPolytope(kindA)) {
             if (AxisBody.isPolytope(kindB)) {
                 double time = s.sweep().axes.time(MovingAxes.PLANAR, kindA, a, i, dx, 0, dz, kindB, b, j);
@@ -30,55 +30,16 @@ public final class PlanarSweep {
                         ? ExactAxes.time(MovingAxes.PLANAR, kindA, a, i, dx, 0, dz, kindB, b, j)
                         : time;
             }
-            if (isDisc(kindB)) {
+            if (Leaf.isDisc(kindB)) {
                 return disc(b, j, -dx, -dz, kindA, a, i, s);
             }
-        } else if (isDisc(kindA) && (isDisc(kindB) || AxisBody.isPolytope(kindB))) {
+        } else if (Leaf.isDisc(kindA) && (Leaf.isDisc(kindB) || AxisBody.isPolytope(kindB))) {
             return disc(a, i, dx, dz, kindB, b, j, s);
         }
         return s.sweep().move.time(true, kindA, a, i, dx, 0, dz, kindB, b, j, s);
     }
 
-    /**
-     * The free share of a turn of leaf a by {@code degrees}, of any size and sign, about the axis of unit length
-     * (wx, wy, wz) through (px, py, pz).
-     *
-     * <p>What touches or overlaps at the start blocks where the depth anywhere on the arc is above that at the start.
-     *
-     * @return the share that is free, from 0 up to, not including, 1, rounded down: the turn so far is proven free, and
-     *     contact may be a gap of 2^-30 of the mover's radius away; {@code +Infinity} where all of the turn is free
-     */
-    public static double turn(
-            int kindA,
-            double[] a,
-            int i,
-            double px,
-            double py,
-            double pz,
-            double wx,
-            double wy,
-            double wz,
-            double degrees,
-            int kindB,
-            double[] b,
-            int j,
-            Scratch s) {
-        if (degrees == 0) {
-            return Double.POSITIVE_INFINITY;
-        }
-        if (wx == 0 && wz == 0 && PlanarTurn.isCovered(kindA) && PlanarTurn.isCovered(kindB)) {
-            return s.sweep()
-                    .turn
-                    .free(kindA, a, i, px, pz, wy < 0 ? -degrees : degrees, kindB, b, j, Double.POSITIVE_INFINITY);
-        }
-        return s.sweep().heldTurn.free(true, kindA, a, i, px, py, pz, wx, wy, wz, degrees, kindB, b, j, s);
-    }
-
-    static boolean isDisc(int kind) {
-        return kind == Leaf.UPRIGHT_CYLINDER || kind == Leaf.SPHERE;
-    }
-
-    private static double disc(double[] a, int i, double dx, double dz, int kindB, double[] b, int j, Scratch s) {
+    private static double disc(double[] a, int i, double dx, double dz, int kindB, double[] b, int j, SweepScratch s) {
         double time = roughly(a, i, dx, dz, kindB, b, j, s);
         if (!Double.isNaN(time)) {
             return time;
@@ -87,9 +48,9 @@ public final class PlanarSweep {
     }
 
     /** Time of contact of a disc in the plane; NaN where pairs of doubles cannot tell. */
-    static double roughly(double[] a, int i, double dx, double dz, int kindB, double[] b, int j, Scratch s) {
+    static double roughly(double[] a, int i, double dx, double dz, int kindB, double[] b, int j, SweepScratch s) {
         MovingDisc disc = s.sweep().disc;
-        return isDisc(kindB)
+        return Leaf.isDisc(kindB)
                 ? disc.discs(a, i, dx, dz, b, j, s.sweep().outline)
                 : disc.polygon(a, i, dx, dz, kindB, b, j, s.sweep().outline);
     }
@@ -118,7 +79,7 @@ public final class PlanarSweep {
             ExactDisc.@Nullable Heights heights) {
         EXACT.count();
         Dyadic radius = Dyadic.of(a[i + 3]);
-        if (isDisc(kindB)) {
+        if (Leaf.isDisc(kindB)) {
             radius = radius.add(Dyadic.of(b[j + 3]));
         }
         Dyadic[] centre = ExactOutline.pair(Dyadic.of(a[i]), Dyadic.of(a[i + 2]));

@@ -1,121 +1,41 @@
 package robosim.geometry.narrow;
 
-import robosim.geometry.exact.Degrees;
-
-/**
- * A leaf turned about a vertical line against one at rest, in the plane: chooses between polygons and discs, and judges
- * what touches at the start.
- */
-final class PlanarTurn {
-    private final Outline mover = new Outline();
-    private final Outline rest = new Outline();
-    private final Outline point = new Outline();
-    private final TurnOutline polygons = new TurnOutline();
-    private final TurnDisc disc = new TurnDisc();
-
-    // -1 where the plane is mirrored, so that the turn goes from x towards z.
-    private int sign;
-
-    static boolean isCovered(int kind) {
-        return AxisBody.isPolytope(kind) || PlanarSweep.isDisc(kind);
-    }
+/** The turn of one leaf's projection on XZ against another's at rest. */
+public final class PlanarTurn {
+    private PlanarTurn() {}
 
     /**
-     * As {@link PlanarSweep#turn}, by {@code degrees} about the upward vertical through (px, pz).
+     * The free share of a turn of leaf a by {@code degrees}, of any size and sign, about the axis of unit length
+     * (wx, wy, wz) through (px, py, pz).
      *
-     * @param heightDepth how far the heights overlap, which a turn does not change: where that is the lesser depth at the
-     *     start, nothing gets deeper; infinite where heights do not count
+     * <p>What touches or overlaps at the start blocks where the depth anywhere on the arc is above that at the start.
+     *
+     * @return the share that is free, from 0 up to, not including, 1, rounded down: the turn so far is proven free, and
+     *     contact may be a gap of 2^-30 of the mover's radius away; {@code +Infinity} where all of the turn is free
      */
-    double free(
+    public static double free(
             int kindA,
             double[] a,
             int i,
             double px,
+            double py,
             double pz,
+            double wx,
+            double wy,
+            double wz,
             double degrees,
             int kindB,
             double[] b,
             int j,
-            double heightDepth) {
-        double angle = Degrees.toRadians(Math.abs(degrees));
-        // From x towards z is clockwise as seen from above.
-        sign = degrees > 0 ? -1 : 1;
-        load(mover, kindA, a, i, px, pz);
-        load(rest, kindB, b, j, px, pz);
-        // The stored end is that angle to rounding.
-        double wanted = angle * (1 + 0x1p-50) + TurnOutline.MARGIN;
-        double free;
-        if (PlanarSweep.isDisc(kindA)) {
-            double radius = a[i + 3] + (PlanarSweep.isDisc(kindB) ? b[j + 3] : 0);
-            free = round(mover.x[0], mover.z[0], rest, radius, a, i, kindB, b, j, heightDepth);
-        } else if (PlanarSweep.isDisc(kindB)) {
-            // As the mover sees it, the disc goes round the other way.
-            mover.mirror(-1);
-            rest.mirror(-1);
-            free = round(rest.x[0], rest.z[0], mover, b[j + 3], b, j, kindA, a, i, heightDepth);
-        } else {
-            free = polygons(wanted, kindA, a, i, kindB, b, j, heightDepth);
+            TurnScratch s) {
+        if (degrees == 0) {
+            return Double.POSITIVE_INFINITY;
         }
-        return free >= wanted
-                ? Double.POSITIVE_INFINITY
-                : Math.min(Math.nextDown(1.0), Math.max(0, free / angle * (1 - 0x1p-50)));
-    }
-
-    private void load(Outline outline, int kind, double[] row, int at, double px, double pz) {
-        if (PlanarSweep.isDisc(kind)) {
-            outline.point(row[at] - px, row[at + 2] - pz);
-        } else {
-            outline.load(kind, row, at, px, pz);
+        if (wx == 0 && wz == 0 && VerticalTurn.isCovered(kindA) && VerticalTurn.isCovered(kindB)) {
+            return s.turns()
+                    .vertical
+                    .free(kindA, a, i, px, pz, wy < 0 ? -degrees : degrees, kindB, b, j, Double.POSITIVE_INFINITY);
         }
-        outline.mirror(sign);
-    }
-
-    private double polygons(
-            double wanted, int kindA, double[] a, int i, int kindB, double[] b, int j, double heightDepth) {
-        polygons.load(mover, rest);
-        if (!polygons.near) {
-            return polygons.free(wanted);
-        }
-        boolean apart =
-                polygons.gap > -polygons.error && ExactAxes.areApart(MovingAxes.PLANAR, kindA, a, i, kindB, b, j);
-        if (!apart) {
-            return -polygons.gap >= heightDepth - polygons.error ? Double.POSITIVE_INFINITY : polygons.free(wanted);
-        }
-        for (int k = 0; k < polygons.normals(); k++) {
-            if (polygons.isLeading(k)
-                    && !ExactAxes.isBeyond(kindA, a, i, polygons.unitX(k), sign * polygons.unitZ(k), kindB, b, j)) {
-                polygons.reject(k);
-            }
-        }
-        return polygons.free(wanted);
-    }
-
-    private double round(
-            double x,
-            double z,
-            Outline outline,
-            double radius,
-            double[] a,
-            int i,
-            int kindB,
-            double[] b,
-            int j,
-            double heightDepth) {
-        disc.load(x, z, outline);
-        double gap = disc.distance - radius;
-        double error = disc.error + 32 * 0x1p-53 * radius;
-        if (gap > error) {
-            return disc.free(outline, radius, false);
-        }
-        boolean apart = gap >= -error
-                && !PlanarSweep.exact(a, i, 0, 0, kindB, b, j, null).touches();
-        if (disc.distance > disc.error || outline.normals == 0) {
-            boolean shallow = !apart && -gap >= heightDepth - error;
-            return shallow ? Double.POSITIVE_INFINITY : disc.free(outline, disc.distance, true);
-        }
-        // The centre inside the polygon (or too near its edge to tell): the depth counts from the edges.
-        point.point(x, z);
-        polygons.load(point, outline);
-        return radius - polygons.gap >= heightDepth - error ? Double.POSITIVE_INFINITY : polygons.free(2 * Math.PI);
+        return s.turns().held.free(true, kindA, a, i, px, py, pz, wx, wy, wz, degrees, kindB, b, j, s);
     }
 }

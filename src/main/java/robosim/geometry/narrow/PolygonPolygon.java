@@ -21,7 +21,7 @@ final class PolygonPolygon {
      * Whether they touch or overlap; exact, but for an octagon and something else, which touch where it is in doubt. Two
      * octagons have sides in the same four directions, one of which parts them where they are apart.
      */
-    static boolean touch(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+    static boolean touch(int kindA, double[] a, int i, int kindB, double[] b, int j, PlanarScratch s) {
         return (kindA == Leaf.PRISM && kindB == Leaf.PRISM)
                 ? octagonsTouch(a, i, b, j)
                 : polygonsTouch(kindA, a, i, kindB, b, j, s);
@@ -36,7 +36,7 @@ final class PolygonPolygon {
         return true;
     }
 
-    private static boolean polygonsTouch(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+    private static boolean polygonsTouch(int kindA, double[] a, int i, int kindB, double[] b, int j, PlanarScratch s) {
         PlanarShape p = s.planarA;
         PlanarShape q = s.planarB;
         double ox = PlanarShape.originX(kindA, a, i);
@@ -96,7 +96,7 @@ final class PolygonPolygon {
     }
 
     /** The least distance, 0 in contact. */
-    static double distance(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+    static double distance(int kindA, double[] a, int i, int kindB, double[] b, int j, PlanarScratch s) {
         if (touch(kindA, a, i, kindB, b, j, s)) {
             return 0;
         }
@@ -107,9 +107,9 @@ final class PolygonPolygon {
             q.set(kindB, b, j, PlanarShape.originX(kindA, a, i), PlanarShape.originZ(kindA, a, i));
         }
         if (p.isTiny() && q.isTiny()) { // else the squares would vanish
-            p.enlarge(RayMath.ENLARGED);
-            q.enlarge(RayMath.ENLARGED);
-            return Math.sqrt(Math.min(cornersToSides(p, q), cornersToSides(q, p))) / RayMath.ENLARGED;
+            p.enlarge(VectorMath.ENLARGED);
+            q.enlarge(VectorMath.ENLARGED);
+            return Math.sqrt(Math.min(cornersToSides(p, q), cornersToSides(q, p))) / VectorMath.ENLARGED;
         }
         return Math.sqrt(Math.min(cornersToSides(p, q), cornersToSides(q, p)));
     }

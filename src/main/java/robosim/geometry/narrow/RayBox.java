@@ -1,6 +1,6 @@
 package robosim.geometry.narrow;
 
-import static robosim.geometry.narrow.RayMath.UNDERFLOW;
+import static robosim.geometry.narrow.VectorMath.UNDERFLOW;
 
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Dyadic;
@@ -17,7 +17,7 @@ import robosim.geometry.exact.Stages;
  * doubt goes to {@link ExactSlabs}, and so does a distance whose last correction is not certain to be fine.
  */
 final class RayBox {
-    private static final double U = Filter.bound(RayMath.U);
+    private static final double U = Filter.bound(VectorMath.U);
     private static final double OFFSET_ERROR = 7 * U;
     private static final double SLOPE_ERROR = 5 * U;
     private static final double REST_ERROR = 10 * U;
@@ -27,7 +27,7 @@ final class RayBox {
     private RayBox() {}
 
     static double distance(
-            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, Scratch s) {
+            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
         RayInterval in = s.ray;
         in.reset();
         int r = j + Leaf.ROTATION;
@@ -74,7 +74,7 @@ final class RayBox {
 
     /** The same where the own Y is the world's: two slabs in the plane, and an interval of heights. */
     static double upright(
-            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, Scratch s) {
+            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
         RayInterval in = s.ray;
         in.reset();
         if (!clipHeights(in, oy, b[j + 1], b[j + 4], dy)) {
@@ -149,7 +149,7 @@ final class RayBox {
         // Nothing is dropped on the way to the remainder, so the quotient is good for any slope.
         double wayTail = DoubleDouble.differenceTail(at, oy, way) + DoubleDouble.sumTail(c, face, at);
         double rest = Math.fma(-t, dy, way) + wayTail;
-        return RayMath.along(t, rest / dy, dx, dy, dz);
+        return VectorMath.along(t, rest / dy, dx, dy, dz);
     }
 
     // The normal is (zz, -zx) or (-xz, xx) in the plane; nothing cancels in it.
@@ -164,7 +164,7 @@ final class RayBox {
             int j,
             int face,
             double t,
-            Scratch s) {
+            RayScratch s) {
         double nx = face == 0 ? b[j + 14] : -b[j + 12];
         double nz = face == 0 ? -b[j + 8] : b[j + 6];
         double size = b[j + Leaf.SIZE + face];
@@ -196,7 +196,7 @@ final class RayBox {
             int j,
             int face,
             double t,
-            Scratch s) {
+            RayScratch s) {
         int i = j + Leaf.ROTATION + face;
         int k = j + Leaf.ROTATION + (face == 2 ? 0 : face + 1);
         int l = j + Leaf.ROTATION + (face == 0 ? 2 : face - 1);
@@ -243,9 +243,9 @@ final class RayBox {
             double t,
             double correction,
             double error) {
-        double distance = RayMath.along(t, correction, dx, dy, dz);
-        double largest = Math.max(RayMath.largest(ox, oy, oz), extent(b, j));
-        return RayMath.isFine(error * RayMath.length(dx, dy, dz), distance, largest) ? distance : -1;
+        double distance = VectorMath.along(t, correction, dx, dy, dz);
+        double largest = Math.max(VectorMath.largest(ox, oy, oz), extent(b, j));
+        return VectorMath.isFine(error * VectorMath.length(dx, dy, dz), distance, largest) ? distance : -1;
     }
 
     private static double inPairs(
@@ -263,7 +263,7 @@ final class RayBox {
             double slope,
             double slopeSize,
             double restSize,
-            Scratch s) {
+            RayScratch s) {
         RayRefine refine = s.refine;
         int r = j + Leaf.ROTATION;
         double half = slope > 0 ? -b[j + Leaf.SIZE + face] : b[j + Leaf.SIZE + face];
@@ -275,7 +275,7 @@ final class RayBox {
     }
 
     private static double extent(double[] b, int j) {
-        return Math.max(RayMath.largest(b[j], b[j + 1], b[j + 2]), RayMath.largest(b[j + 3], b[j + 4], b[j + 5]));
+        return Math.max(VectorMath.largest(b[j], b[j + 1], b[j + 2]), VectorMath.largest(b[j + 3], b[j + 4], b[j + 5]));
     }
 
     private static double exact(double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j) {

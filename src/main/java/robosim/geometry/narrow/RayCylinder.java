@@ -1,6 +1,6 @@
 package robosim.geometry.narrow;
 
-import static robosim.geometry.narrow.RayMath.UNDERFLOW;
+import static robosim.geometry.narrow.VectorMath.UNDERFLOW;
 
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.Stages;
@@ -15,14 +15,14 @@ import robosim.geometry.exact.Stages;
  */
 final class RayCylinder {
     private static final int SIDE = 0;
-    private static final double U = Filter.bound(RayMath.U);
+    private static final double U = Filter.bound(VectorMath.U);
     private static final Stages.Counter EXACT = Stages.counter("RayCylinder");
 
     private RayCylinder() {}
 
     /** Upright: the axis is the world's Y. */
     static double upright(
-            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, Scratch s) {
+            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
         RayInterval in = s.ray;
         in.reset();
         if (!RayBox.clipHeights(in, oy, b[j + 1], b[j + 4], dy)) {
@@ -44,7 +44,7 @@ final class RayCylinder {
 
     /** Turned: the axis is the own Y of the stored rotation. */
     static double distance(
-            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, Scratch s) {
+            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
         double ax = b[j + 7];
         double ay = b[j + 10];
         double az = b[j + 13];
@@ -168,7 +168,7 @@ final class RayCylinder {
             double ay,
             double az,
             double t,
-            Scratch s) {
+            RayScratch s) {
         double r = b[j + 3];
         double qx = RayBox.moved(ox, b[j], t, dx);
         double qy = RayBox.moved(oy, b[j + 1], t, dy);
@@ -198,10 +198,10 @@ final class RayCylinder {
                         + Math.abs(correction) * inwardError
                         + correction * correction * (px * px + py * py + pz * pz))
                 / certain;
-        double distance = RayMath.along(t, correction, dx, dy, dz);
-        double largest = Math.max(RayMath.largest(ox, oy, oz), extent(b, j));
-        double length = RayMath.length(dx, dy, dz);
-        if (certain > 0 && RayMath.isFine(error * length, distance, largest)) {
+        double distance = VectorMath.along(t, correction, dx, dy, dz);
+        double largest = Math.max(VectorMath.largest(ox, oy, oz), extent(b, j));
+        double length = VectorMath.length(dx, dy, dz);
+        if (certain > 0 && VectorMath.isFine(error * length, distance, largest)) {
             return distance;
         }
         double pp = px * px + py * py + pz * pz;
@@ -214,12 +214,12 @@ final class RayCylinder {
         double slope = 2 * (inward - correction * pp);
         double size = 4 * (ux * ux + uy * uy + uz * uz + limit) + 8 * Math.abs(t) * length * r;
         error = RayRefine.error(left, size, slope, 2 * inwardError + 8 * U * inward, pp);
-        distance = RayMath.along(t, correction + left / slope, dx, dy, dz);
-        return RayMath.isFine(error * length, distance, largest) ? distance : -1;
+        distance = VectorMath.along(t, correction + left / slope, dx, dy, dz);
+        return VectorMath.isFine(error * length, distance, largest) ? distance : -1;
     }
 
     private static double cap(
-            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, double t, Scratch s) {
+            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, double t, RayScratch s) {
         double ax = b[j + 7];
         double ay = b[j + 10];
         double az = b[j + 13];
@@ -233,10 +233,10 @@ final class RayCylinder {
         double restSize = Math.abs(qx * ax) + Math.abs(qy * ay) + Math.abs(qz * az) + half;
         double correction = -rest / slope;
         double error = U * (7 * restSize + Math.abs(correction) * 4 * slopeSize) / Math.abs(slope);
-        double distance = RayMath.along(t, correction, dx, dy, dz);
-        double largest = Math.max(RayMath.largest(ox, oy, oz), extent(b, j));
-        double length = RayMath.length(dx, dy, dz);
-        if (RayMath.isFine(error * length, distance, largest)) {
+        double distance = VectorMath.along(t, correction, dx, dy, dz);
+        double largest = Math.max(VectorMath.largest(ox, oy, oz), extent(b, j));
+        double length = VectorMath.length(dx, dy, dz);
+        if (VectorMath.isFine(error * length, distance, largest)) {
             return distance;
         }
         RayRefine refine = s.refine;
@@ -244,12 +244,12 @@ final class RayCylinder {
         double left = refine.cap(ax, ay, az, slope > 0 ? -b[j + 4] : b[j + 4]);
         double size = restSize + 2 * Math.abs(t) * slopeSize;
         error = RayRefine.error(left, size, slope, 4 * U * slopeSize, 0);
-        distance = RayMath.along(t, correction - left / slope, dx, dy, dz);
-        return RayMath.isFine(error * length, distance, largest) ? distance : -1;
+        distance = VectorMath.along(t, correction - left / slope, dx, dy, dz);
+        return VectorMath.isFine(error * length, distance, largest) ? distance : -1;
     }
 
     private static double extent(double[] b, int j) {
-        return Math.max(RayMath.largest(b[j], b[j + 1], b[j + 2]), Math.max(b[j + 3], b[j + 4]));
+        return Math.max(VectorMath.largest(b[j], b[j + 1], b[j + 2]), Math.max(b[j + 3], b[j + 4]));
     }
 
     private static double exact(

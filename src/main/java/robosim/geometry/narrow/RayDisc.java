@@ -115,7 +115,7 @@ final class RayDisc {
         double reach = r * length;
         double reachTail = DoubleDouble.productTail(r, length, reach) + r * lengthTail;
         double side = Math.abs(aside);
-        double sideTail = RayMath.signed(asideTail, aside + 0.0);
+        double sideTail = VectorMath.signed(asideTail, aside + 0.0);
         double rest = reach - side;
         rest += DoubleDouble.differenceTail(reach, side, rest) + (reachTail - sideTail);
         return rest * (reach + side);

@@ -7,7 +7,7 @@ import robosim.geometry.exact.Filter;
  * bound. Certain verdicts come out of it, or doubt.
  */
 final class RayInterval {
-    private static final double U = Filter.bound(RayMath.U);
+    private static final double U = Filter.bound(VectorMath.U);
 
     /** About where the ray enters; 0 where it starts inside. */
     double enter;

@@ -20,7 +20,7 @@ final class RayPolygon {
     private RayPolygon() {}
 
     /** Distance in world units; whether it is a hit at all is exact, but for octagons, hit where it is in doubt. */
-    static double distance(double ox, double oz, double ux, double uz, int kind, double[] b, int j, Scratch s) {
+    static double distance(double ox, double oz, double ux, double uz, int kind, double[] b, int j, RayScratch s) {
         PlanarShape q = s.planarB;
         q.set(kind, b, j, ox, oz);
         double speed = Math.abs(ux) + Math.abs(uz);

@@ -1,6 +1,6 @@
 package robosim.geometry.narrow;
 
-import static robosim.geometry.narrow.RayMath.UNDERFLOW;
+import static robosim.geometry.narrow.VectorMath.UNDERFLOW;
 
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Dyadic;
@@ -12,13 +12,13 @@ import robosim.geometry.exact.Stages;
  * slopes are off by one rounding and the ends by two.
  */
 final class RayPrism {
-    private static final double U = Filter.bound(RayMath.U);
+    private static final double U = Filter.bound(VectorMath.U);
     private static final Stages.Counter EXACT = Stages.counter("RayPrism");
 
     private RayPrism() {}
 
     static double distance(
-            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, Scratch s) {
+            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
         RayInterval in = s.ray;
         in.reset();
         clip(in, b[j], b[j + 1], ox, 0, dx, 0, 0);
@@ -65,7 +65,7 @@ final class RayPrism {
         double way = at - offset;
         double wayTail = DoubleDouble.differenceTail(at, offset, way) - DoubleDouble.sumTail(o1, o2, offset);
         double rest = Math.fma(-t, slope, way) + (wayTail - t * slopeTail);
-        return RayMath.along(t, rest / slope, dx, dy, dz);
+        return VectorMath.along(t, rest / slope, dx, dy, dz);
     }
 
     private static double exact(double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j) {

@@ -57,8 +57,8 @@ final class RayRectangle {
         double beyondZ = Math.abs(startZ) - hz * square;
         // Positive where the ray nears the rectangle, as seen along each of its axes; not asked where the start is at
         // 0.
-        double nearingX = RayMath.signed(-wayX, startX);
-        double nearingZ = RayMath.signed(-wayZ, startZ);
+        double nearingX = VectorMath.signed(-wayX, startX);
+        double nearingZ = VectorMath.signed(-wayZ, startZ);
         double past = Math.abs(dx * uz - dz * ux) - (hx * Math.abs(wayZ) + hz * Math.abs(wayX));
         double pastDoubt = doubt * speed + UNDERFLOW;
         // Comparisons by the signs of differences, all at once: one by one, half of them would be guessed wrong.
@@ -78,10 +78,10 @@ final class RayRectangle {
         if ((bits(past + pastDoubt) & meetsX & meetsZ) < 0) {
             double later = beyondX * Math.abs(wayZ) - beyondZ * Math.abs(wayX);
             // The side across the own X or the own Z: the same bits as where both are asked.
-            double nx = RayMath.pick(later, cos, sin);
-            double nz = RayMath.pick(later, -sin, cos);
+            double nx = VectorMath.pick(later, cos, sin);
+            double nz = VectorMath.pick(later, -sin, cos);
             double way = Math.abs(DoubleDouble.sumOfProducts(ux, nx, uz, nz));
-            double far = gap(ox, oz, cx, cz, nx, nz, RayMath.pick(later, hx, hz)) / way * Math.sqrt(ux * ux + uz * uz);
+            double far = DiscRectangle.gap(ox, oz, cx, cz, nx, nz, VectorMath.pick(later, hx, hz)) / way * Math.sqrt(ux * ux + uz * uz);
             // Nearer than the centre: no need to ask how far the farthest corner is.
             return Math.abs(later) > SURE * pastDoubt && far * far * (1 + 0x1p-50) + UNDERFLOW < dx * dx + dz * dz
                     ? far
@@ -118,12 +118,12 @@ final class RayRectangle {
             double cos,
             double sin) {
         double share = 0;
-        double gapX = gap(ox, oz, cx, cz, cos, -sin, hx);
+        double gapX = DiscRectangle.gap(ox, oz, cx, cz, cos, -sin, hx);
         if (gapX > 0) {
             double way = Math.abs(DoubleDouble.differenceOfProducts(ux, cos, uz, sin));
             share = way > 0 ? gapX / way : 0;
         }
-        double gapZ = gap(ox, oz, cx, cz, sin, cos, hz);
+        double gapZ = DiscRectangle.gap(ox, oz, cx, cz, sin, cos, hz);
         if (gapZ > 0) {
             double way = Math.abs(DoubleDouble.sumOfProducts(ux, sin, uz, cos));
             share = way > 0 ? Math.max(share, gapZ / way) : share;
@@ -133,39 +133,5 @@ final class RayRectangle {
         double dz = oz - cz;
         double most = Math.sqrt(dx * dx + dz * dz) + Math.sqrt(hx * hx + hz * hz) * (1 + 0x1p-29);
         return Math.min(share * Math.sqrt(ux * ux + uz * uz), most * (1 + 0x1p-50));
-    }
-
-    /**
-     * How far (px, pz) is beyond a side whose normal is (nx, nz) and whose half size is h, times the normal's length:
-     * {@code |(p - c) . n| - h n . n}, within an ulp or two however much cancels.
-     */
-    static double gap(double px, double pz, double[] row, int at, double nx, double nz, double h) {
-        return gap(px, pz, row[at], row[at + 2], nx, nz, h);
-    }
-
-    private static double gap(double px, double pz, double cx, double cz, double nx, double nz, double h) {
-        double dx = px - cx;
-        double dxTail = DoubleDouble.differenceTail(px, cx, dx);
-        double dz = pz - cz;
-        double dzTail = DoubleDouble.differenceTail(pz, cz, dz);
-        double p = dx * nx;
-        double q = dz * nz;
-        double offset = p + q;
-        double offsetTail = DoubleDouble.sumTail(p, q, offset)
-                + DoubleDouble.productTail(dx, nx, p)
-                + DoubleDouble.productTail(dz, nz, q)
-                + (dxTail * nx + dzTail * nz);
-        double xx = nx * nx;
-        double zz = nz * nz;
-        double square = xx + zz;
-        double squareTail = DoubleDouble.sumTail(xx, zz, square)
-                + DoubleDouble.productTail(nx, nx, xx)
-                + DoubleDouble.productTail(nz, nz, zz);
-        double reach = h * square;
-        double reachTail = DoubleDouble.productTail(h, square, reach) + h * squareTail;
-        double far = Math.abs(offset);
-        double farTail = RayMath.signed(offsetTail, offset + 0.0);
-        double gap = far - reach;
-        return gap + (DoubleDouble.differenceTail(far, reach, gap) + (farTail - reachTail));
     }
 }

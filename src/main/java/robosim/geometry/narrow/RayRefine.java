@@ -14,7 +14,7 @@ final class RayRefine {
      */
     static final double ERROR = Filter.bound(0x1p-94);
 
-    private static final double U = Filter.bound(RayMath.U);
+    private static final double U = Filter.bound(VectorMath.U);
 
     private static final int TIME = 0;
     private static final int TEMPORARY = 1; // and the next

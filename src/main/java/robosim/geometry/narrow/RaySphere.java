@@ -1,6 +1,6 @@
 package robosim.geometry.narrow;
 
-import static robosim.geometry.narrow.RayMath.UNDERFLOW;
+import static robosim.geometry.narrow.VectorMath.UNDERFLOW;
 
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.Filter;
@@ -11,7 +11,7 @@ import robosim.geometry.exact.Stages;
  * {@code m . d >= 0} and {@code |m x d|^2 <= r^2 |d|^2}.
  */
 final class RaySphere {
-    private static final double U = Filter.bound(RayMath.U);
+    private static final double U = Filter.bound(VectorMath.U);
 
     /** Offset 1u each way, square 1u, two sums 2u; the radius's square and the difference add 2u. */
     private static final double INSIDE_ERROR = 7 * U;
@@ -27,7 +27,7 @@ final class RaySphere {
     private RaySphere() {}
 
     static double distance(
-            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, Scratch s) {
+            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
         double mx = b[j] - ox;
         double my = b[j + 1] - oy;
         double mz = b[j + 2] - oz;
@@ -71,7 +71,7 @@ final class RaySphere {
 
     // One step of Newton's from about where the ray enters: seen from there the radius is all that can cancel.
     private static double surface(
-            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, double t, Scratch s) {
+            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, double t, RayScratch s) {
         double r = b[j + 3];
         double qx = RayBox.moved(ox, b[j], t, dx);
         double qy = RayBox.moved(oy, b[j + 1], t, dy);
@@ -85,10 +85,10 @@ final class RaySphere {
         // The square is off by 7u (its parts by 2u each way), the step by its own square's share that Newton leaves.
         double error = (5 * U * (square + r * r) + Math.abs(correction) * inwardError + correction * correction * dd)
                 / certain;
-        double distance = RayMath.along(t, correction, dx, dy, dz);
-        double largest = Math.max(Math.max(RayMath.largest(ox, oy, oz), RayMath.largest(b[j], b[j + 1], b[j + 2])), r);
+        double distance = VectorMath.along(t, correction, dx, dy, dz);
+        double largest = Math.max(Math.max(VectorMath.largest(ox, oy, oz), VectorMath.largest(b[j], b[j + 1], b[j + 2])), r);
         double length = Math.sqrt(dd);
-        if (certain > 0 && RayMath.isFine(error * length, distance, largest)) {
+        if (certain > 0 && VectorMath.isFine(error * length, distance, largest)) {
             return distance;
         }
         if (!(Math.abs(correction) * dd < 0.25 * certain)) {
@@ -100,13 +100,13 @@ final class RaySphere {
         double size = 2 * (square + r * r) + 4 * Math.abs(t) * length * r;
         double slope = 2 * (inward - correction * dd);
         error = RayRefine.error(left, size, slope, 2 * inwardError + 8 * U * inward, dd);
-        distance = RayMath.along(t, correction + left / slope, dx, dy, dz);
-        return RayMath.isFine(error * length, distance, largest) ? distance : -1;
+        distance = VectorMath.along(t, correction + left / slope, dx, dy, dz);
+        return VectorMath.isFine(error * length, distance, largest) ? distance : -1;
     }
 
     private static double exact(double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j) {
         EXACT.count();
-        double extent = Math.max(RayMath.largest(b[j], b[j + 1], b[j + 2]), b[j + 3]);
+        double extent = Math.max(VectorMath.largest(b[j], b[j + 1], b[j + 2]), b[j + 3]);
         ExactRay ray = new ExactRay(ox, oy, oz, dx, dy, dz, extent);
         ExactVector m = ray.point(b, j).minus(ray.start);
         Dyadic outside = m.square().subtract(ray.length(b[j + 3]).square());

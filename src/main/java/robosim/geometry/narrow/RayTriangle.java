@@ -1,6 +1,6 @@
 package robosim.geometry.narrow;
 
-import static robosim.geometry.narrow.RayMath.UNDERFLOW;
+import static robosim.geometry.narrow.VectorMath.UNDERFLOW;
 
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Dyadic;
@@ -17,7 +17,7 @@ import robosim.geometry.exact.Stages;
  * minus both. What that leaves in doubt is decided by {@link ExactTriangle}.
  */
 final class RayTriangle {
-    private static final double U = Filter.bound(RayMath.U);
+    private static final double U = Filter.bound(VectorMath.U);
     private static final double VOLUME_ERROR = 8 * U;
     private static final double LAST_VOLUME_ERROR = 11 * U;
     private static final double REST_ERROR = 11 * U;
@@ -27,7 +27,7 @@ final class RayTriangle {
     private RayTriangle() {}
 
     static double distance(
-            double ox, double oy, double oz, double dx, double dy, double dz, double[] t, int j, Scratch s) {
+            double ox, double oy, double oz, double dx, double dy, double dz, double[] t, int j, RayScratch s) {
         double ax = t[j] - ox;
         double ay = t[j + 1] - oy;
         double az = t[j + 2] - oz;
@@ -86,13 +86,13 @@ final class RayTriangle {
         double restSize = qx * Math.abs(hx) + qy * Math.abs(hy) + qz * Math.abs(hz);
         double correction = rest / det;
         double error = (REST_ERROR * restSize + Math.abs(correction) * VOLUME_ERROR * detSize) / Math.abs(det);
-        double distance = RayMath.along(at, correction, dx, dy, dz);
-        double inWorldUnits = error * RayMath.length(dx, dy, dz);
-        if (RayMath.isFine(inWorldUnits, distance, 0)) { // as it nearly always is: the coordinates only let more pass
+        double distance = VectorMath.along(at, correction, dx, dy, dz);
+        double inWorldUnits = error * VectorMath.length(dx, dy, dz);
+        if (VectorMath.isFine(inWorldUnits, distance, 0)) { // as it nearly always is: the coordinates only let more pass
             return distance;
         }
-        double largest = Math.max(RayMath.largest(ox, oy, oz), extent(t, j));
-        if (RayMath.isFine(inWorldUnits, distance, largest)) {
+        double largest = Math.max(VectorMath.largest(ox, oy, oz), extent(t, j));
+        if (VectorMath.isFine(inWorldUnits, distance, largest)) {
             return distance;
         }
         RayRefine refine = s.refine;
@@ -100,16 +100,16 @@ final class RayTriangle {
         double left = refine.trianglePlane(t, j);
         double size = restSize + 2 * Math.abs(at) * detSize;
         error = RayRefine.error(left, size, det, VOLUME_ERROR * detSize, 0);
-        distance = RayMath.along(at, correction - left / det, dx, dy, dz);
-        return RayMath.isFine(error * RayMath.length(dx, dy, dz), distance, largest)
+        distance = VectorMath.along(at, correction - left / det, dx, dy, dz);
+        return VectorMath.isFine(error * VectorMath.length(dx, dy, dz), distance, largest)
                 ? distance
                 : ExactTriangle.distance(ox, oy, oz, dx, dy, dz, t, j);
     }
 
     static double extent(double[] t, int j) {
         return Math.max(
-                RayMath.largest(t[j], t[j + 1], t[j + 2]),
-                Math.max(RayMath.largest(t[j + 3], t[j + 4], t[j + 5]), RayMath.largest(t[j + 6], t[j + 7], t[j + 8])));
+                VectorMath.largest(t[j], t[j + 1], t[j + 2]),
+                Math.max(VectorMath.largest(t[j + 3], t[j + 4], t[j + 5]), VectorMath.largest(t[j + 6], t[j + 7], t[j + 8])));
     }
 
     private static int sign(double value, double error) {

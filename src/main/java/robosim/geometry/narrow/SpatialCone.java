@@ -31,7 +31,7 @@ public final class SpatialCone {
             int kind,
             double[] row,
             int j,
-            Scratch s) {
+            ConeScratch s) {
         boolean isBox = kind == Leaf.UPRIGHT_BOX || kind == Leaf.BOX;
         boolean isCylinder = kind == Leaf.UPRIGHT_CYLINDER || kind == Leaf.CYLINDER;
         if ((isBox || isCylinder) && isSurelyBeyond(ox, oy, oz, ux, uy, uz, halfCos, kind, row, j)) {
@@ -42,7 +42,7 @@ public final class SpatialCone {
             return axis; // or so narrow that its stored cosine is that of a line
         }
         Cone cone = s.cones().cone;
-        double size = RayMath.largest(ux, uy, uz);
+        double size = VectorMath.largest(ux, uy, uz);
         int power = size > 0x1p100 || size < 0x1p-100 ? -Math.getExponent(size) : 0;
         cone.set(
                 ox,
@@ -67,7 +67,7 @@ public final class SpatialCone {
      * The upper end of the bracket in which the last distance to a cylinder in a cone lies whose lower end was answered;
      * of no meaning where the cone's axis itself met what is nearest.
      */
-    public static double upperEnd(Scratch s) {
+    public static double upperEnd(ConeScratch s) {
         return s.cones().cylinder.upper();
     }
 
@@ -94,7 +94,7 @@ public final class SpatialCone {
         double mz = row[j + 2] - oz;
         // a cylinder's sixth number only adds
         double size = Math.abs(mx) + Math.abs(my) + Math.abs(mz) + row[j + 3] + row[j + 4] + row[j + 5];
-        double length = RayMath.length(dx, dy, dz);
+        double length = VectorMath.length(dx, dy, dz);
         // where no square loses bits or overflows
         if (!(size < 0x1p400 && size > 0x1p-400 && length > 0x1p-100 && length < 0x1p100)) {
             return false;
@@ -106,7 +106,7 @@ public final class SpatialCone {
         double ex = mx - ahead * ux;
         double ey = my - ahead * uy;
         double ez = mz - ahead * uz;
-        double aside = RayMath.length(ex, ey, ez);
+        double aside = VectorMath.length(ex, ey, ez);
         if (!(aside > 0x1p-20 * size)) {
             return false;
         }

@@ -11,7 +11,7 @@ public final class SpatialContact {
      *
      * <p>A witness in plain doubles, for two that touch or nearly do; it decides nothing. Opposite for (b, a).
      */
-    public static void between(int kindA, double[] a, int i, int kindB, double[] b, int j, double[] out, Scratch s) {
+    public static void between(int kindA, double[] a, int i, int kindB, double[] b, int j, double[] out, DistanceScratch s) {
         Penetration penetration = s.penetration();
         penetration.spatial(kindA, a, i, kindB, b, j);
         Gjk gjk = penetration.bracket();

@@ -16,11 +16,11 @@ public final class SpatialDistance {
      * leaf: the lower end of a bracket, no more than 2^-44 of the distance and 2^-46 of the sizes and the offset below the
      * truth, never above it.
      */
-    public static double between(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+    public static double between(int kindA, double[] a, int i, int kindB, double[] b, int j, DistanceScratch s) {
         if (Leaf.isUpright(kindA) && Leaf.isUpright(kindB)) {
             double planar = PlanarDistance.between(kindA, a, i, kindB, b, j, s);
             double vertical = gap(kindA, a, i, kindB, b, j);
-            return vertical == 0 ? planar : planar == 0 ? vertical : RayMath.legs(planar, vertical);
+            return vertical == 0 ? planar : planar == 0 ? vertical : VectorMath.legs(planar, vertical);
         }
         if (kindA == Leaf.SPHERE && SphereDistance.isFor(kindB, a, i, b, j)) {
             return s.sphereDistance.between(a, i, kindB, b, j);
@@ -33,7 +33,7 @@ public final class SpatialDistance {
                 : bracketed(kindA, a, i, kindB, b, j, s);
     }
 
-    private static double bracketed(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+    private static double bracketed(int kindA, double[] a, int i, int kindB, double[] b, int j, DistanceScratch s) {
         Gjk gjk = s.gjk;
         double lower = gjk.spatial(kindA, a, i, kindB, b, j);
         if (lower == 0 && SpatialOverlap.test(kindA, a, i, kindB, b, j, s)) {

@@ -44,7 +44,7 @@ final class SpatialFaces {
     }
 
     private static void round(NearestFace face, double qx, double qy, double qz, double r) {
-        double length = RayMath.length(qx, qy, qz);
+        double length = VectorMath.length(qx, qy, qz);
         if (length > 0) {
             face.offer(length - r, qx / length, qy / length, qz / length);
         }
@@ -61,7 +61,7 @@ final class SpatialFaces {
         double nx = ey * fz - ez * fy;
         double ny = ez * fx - ex * fz;
         double nz = ex * fy - ey * fx;
-        double length = RayMath.length(nx, ny, nz);
+        double length = VectorMath.length(nx, ny, nz);
         if (length > 0) {
             double sign = nx * face.ux + ny * face.uy + nz * face.uz > 0 ? -1 / length : 1 / length;
             face.offer(0, nx * sign, ny * sign, nz * sign);
@@ -77,7 +77,7 @@ final class SpatialFaces {
         double nx = share * ex - face.ux;
         double ny = share * ey - face.uy;
         double nz = share * ez - face.uz;
-        double length = RayMath.length(nx, ny, nz);
+        double length = VectorMath.length(nx, ny, nz);
         if (length > 0) {
             face.offer(0, nx / length, ny / length, nz / length);
         }
@@ -92,7 +92,7 @@ final class SpatialFaces {
     }
 
     static void slab(NearestFace face, double at, double low, double high, double nx, double ny, double nz) {
-        double length = RayMath.length(nx, ny, nz);
+        double length = VectorMath.length(nx, ny, nz);
         face.offer((at - high) / length, nx / length, ny / length, nz / length);
         face.offer((low - at) / length, -nx / length, -ny / length, -nz / length);
     }

@@ -25,7 +25,7 @@ public final class SpatialOverlap {
      * and prisms, which are enclosures and only have to miss nothing, are apart from what is round only where a slab
      * between the two is wider than its rounding error, some 2^-48 of the sizes and the offset.
      */
-    public static boolean test(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+    public static boolean test(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
         if (Leaf.isUpright(kindA) && Leaf.isUpright(kindB)) {
             return Upright.heightsTouch(kindA, a, i, kindB, b, j) && PlanarOverlap.test(kindA, a, i, kindB, b, j, s);
         }
@@ -34,7 +34,7 @@ public final class SpatialOverlap {
                 : ordered(kindA, a, i, kindB, b, j, s);
     }
 
-    private static boolean ordered(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+    private static boolean ordered(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
         if (isPolytope(kindA) && isPolytope(kindB)) {
             return s.polytopes.touch(kindA, a, i, kindB, b, j);
         }
@@ -61,7 +61,7 @@ public final class SpatialOverlap {
     }
 
     /** What neither a slab nor a common point could decide. */
-    private static boolean exactly(int kindA, double[] a, int i, int kindB, double[] b, int j, Scratch s) {
+    private static boolean exactly(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
         EXACT.count();
         if (kindA == Leaf.SPHERE && kindB != Leaf.PRISM) {
             return sphere(new ExactSphere(a, i), kindB, b, j);

@@ -26,8 +26,8 @@ public final class SpatialRay {
             int kind,
             double[] row,
             int j,
-            Scratch s) {
-        double size = RayMath.largest(ux, uy, uz);
+            RayScratch s) {
+        double size = VectorMath.largest(ux, uy, uz);
         if (size > 0x1p100 || size < 0x1p-100) {
             int power = -Math.getExponent(size);
             return scaled(ox, oy, oz, scale(ux, power), scale(uy, power), scale(uz, power), kind, row, j, s);
@@ -54,7 +54,7 @@ public final class SpatialRay {
             int kind,
             double[] row,
             int j,
-            Scratch s) {
+            RayScratch s) {
         return switch (kind) {
             case Leaf.UPRIGHT_BOX -> RayBox.upright(ox, oy, oz, ux, uy, uz, row, j, s);
             case Leaf.UPRIGHT_CYLINDER -> RayCylinder.upright(ox, oy, oz, ux, uy, uz, row, j, s);

@@ -17,7 +17,7 @@ public final class SpatialSweep {
      *     along or away
      */
     public static double translation(
-            int kindA, double[] a, int i, double dx, double dy, double dz, int kindB, double[] b, int j, Scratch s) {
+            int kindA, double[] a, int i, double dx, double dy, double dz, int kindB, double[] b, int j, SweepScratch s) {
         if (Levels.parts(kindA, a, i, dy, kindB, b, j, s)) {
             return Double.POSITIVE_INFINITY;
         }
@@ -43,7 +43,7 @@ public final class SpatialSweep {
 
     /** A sphere against anything: what held axes do not prove free is found in closed form, but on a rim. */
     private static double sphere(
-            double[] a, int i, double dx, double dy, double dz, int kindB, double[] b, int j, Scratch s) {
+            double[] a, int i, double dx, double dy, double dz, int kindB, double[] b, int j, SweepScratch s) {
         boolean exact =
                 kindB == Leaf.SPHERE || kindB == Leaf.TRIANGLE || kindB == Leaf.BOX || kindB == Leaf.UPRIGHT_BOX;
         if (kindB == Leaf.UPRIGHT_BOX && MovingBall.isAbove(a, i, dy, b, j)) {
@@ -64,69 +64,12 @@ public final class SpatialSweep {
         return exact ? ExactBall.time(a, i, dx, dy, dz, kindB, b, j) : time;
     }
 
-    /**
-     * The free share of a turn of leaf a by {@code degrees}, of any size and sign, about the axis of unit length
-     * (wx, wy, wz) through (px, py, pz).
-     *
-     * <p>What touches or overlaps at the start blocks where the depth anywhere on the arc is above that at the start.
-     *
-     * @return the share that is free, from 0 up to, not including, 1, rounded down: the turn so far is proven free, and
-     *     contact may be a gap of 2^-30 of the mover's radius and 2^-43 of both leaves' distances from the pivot away; {@code +Infinity} where all of the turn is free
-     */
-    public static double turn(
-            int kindA,
-            double[] a,
-            int i,
-            double px,
-            double py,
-            double pz,
-            double wx,
-            double wy,
-            double wz,
-            double degrees,
-            int kindB,
-            double[] b,
-            int j,
-            Scratch s) {
-        if (degrees == 0) {
-            return Double.POSITIVE_INFINITY;
-        }
-        if (wx == 0 && wz == 0 && Leaf.isUpright(kindA) && Leaf.isUpright(kindB)) {
-            double mid = middle(kindA, a, i);
-            double half = halfHeight(kindA, a, i);
-            double top = top(kindA, a, i);
-            double otherMid = middle(kindB, b, j);
-            double otherHalf = halfHeight(kindB, b, j);
-            double otherTop = top(kindB, b, j);
-            if (Dyadic.signOfSum(mid, -half, -otherTop, -otherHalf) > 0
-                    || Dyadic.signOfSum(otherMid, -otherHalf, -top, -half) > 0) {
-                return Double.POSITIVE_INFINITY;
-            }
-            double depth = Math.min(otherTop + otherHalf - mid + half, top + half - otherMid + otherHalf);
-            return s.sweep().turn.free(kindA, a, i, px, pz, wy < 0 ? -degrees : degrees, kindB, b, j, depth);
-        }
-        return s.sweep().heldTurn.free(false, kindA, a, i, px, py, pz, wx, wy, wz, degrees, kindB, b, j, s);
-    }
-
-    // A box or cylinder reaches from middle - half to middle + half; a prism, of half 0, from middle to top.
-    private static double middle(int kind, double[] row, int at) {
-        return kind == Leaf.PRISM ? row[at + 8] : row[at + 1];
-    }
-
-    private static double top(int kind, double[] row, int at) {
-        return kind == Leaf.PRISM ? row[at + 9] : row[at + 1];
-    }
-
-    private static double halfHeight(int kind, double[] row, int at) {
-        return kind == Leaf.PRISM ? 0 : row[at + 4];
-    }
-
     /** An upright cylinder against anything upright: a disc in the plane, while the heights touch. */
     private static double cylinder(
-            double[] a, int i, double dx, double dy, double dz, int kindB, double[] b, int j, Scratch s) {
-        double middle = middle(kindB, b, j);
-        double top = top(kindB, b, j);
-        double high = halfHeight(kindB, b, j);
+            double[] a, int i, double dx, double dy, double dz, int kindB, double[] b, int j, SweepScratch s) {
+        double middle = Upright.middle(kindB, b, j);
+        double top = Upright.top(kindB, b, j);
+        double high = Upright.halfHeight(kindB, b, j);
         int above = Dyadic.signOfSum(a[i + 1], -a[i + 4], -top, -high);
         int below = Dyadic.signOfSum(middle, -high, -a[i + 1], -a[i + 4]);
         if ((above > 0 && dy >= 0) || (below > 0 && dy <= 0)) {

@@ -42,12 +42,12 @@ final class SphereDistance {
     }
 
     private static double size(int kind, double[] sphere, int i, double[] row, int j) {
-        double size = RayMath.largest(row[j] - sphere[i], row[j + 1] - sphere[i + 1], row[j + 2] - sphere[i + 2]);
+        double size = VectorMath.largest(row[j] - sphere[i], row[j + 1] - sphere[i + 1], row[j + 2] - sphere[i + 2]);
         if (kind == Leaf.TRIANGLE) {
             for (int k = j + 3; k < j + 9; k += 3) {
                 size = Math.max(
                         size,
-                        RayMath.largest(row[k] - sphere[i], row[k + 1] - sphere[i + 1], row[k + 2] - sphere[i + 2]));
+                        VectorMath.largest(row[k] - sphere[i], row[k + 1] - sphere[i + 1], row[k + 2] - sphere[i + 2]));
             }
         } else {
             int sizes = kind == Leaf.SPHERE ? 1 : kind == Leaf.BOX || kind == Leaf.UPRIGHT_BOX ? 3 : 2;
@@ -196,7 +196,7 @@ final class SphereDistance {
     }
 
     private double length(int vector) {
-        return RayMath.length(p.get(vector), p.get(vector + 1), p.get(vector + 2));
+        return VectorMath.length(p.get(vector), p.get(vector + 1), p.get(vector + 2));
     }
 
     private void edge(double[] row, int j, int k) {

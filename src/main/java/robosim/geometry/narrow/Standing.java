@@ -79,7 +79,7 @@ public final class Standing {
     }
 
     private boolean gather(int kindA, double[] a, int i, int t, int kindB, double[] b, int j, int u) {
-        if (!touch(kindA, a, i, kindB, b, j) || Overlap.isDeep(dimension, kindA, a, i, kindB, b, j, s)) {
+        if (!touch(kindA, a, i, kindB, b, j) || ConvexOverlap.isDeep(dimension, kindA, a, i, kindB, b, j, s)) {
             return false; // no plane is between what overlaps deeply
         }
         if (count == planes.length) {
@@ -289,6 +289,6 @@ public final class Standing {
 
     private boolean touch(int kindA, double[] a, int i, int kindB, double[] b, int j) {
         int known = dimension == Dimension.PLANAR ? 0 : Levels.touch(kindA, a, i, kindB, b, j, s);
-        return known == 0 ? Overlap.convex(dimension, kindA, a, i, kindB, b, j, s) : known > 0;
+        return known == 0 ? ConvexOverlap.test(dimension, kindA, a, i, kindB, b, j, s) : known > 0;
     }
 }

@@ -359,7 +359,7 @@ public final class Sweep {
         double x = turns ? px : dx;
         double y = isLevel() ? 0 : turns ? py : dy;
         double z = turns ? pz : dz;
-        double largest = RayMath.largest(x, y, z);
+        double largest = VectorMath.largest(x, y, z);
         return largest < Magnified.SMALL && isTakenUp(largest, kindA, a, i, kindB, b, j)
                 ? magnified(x, y, z, kindA, kindB)
                 : convex(x, y, z, kindA, a, i, kindB, b, j);
@@ -385,11 +385,11 @@ public final class Sweep {
     private double convex(double x, double y, double z, int kindA, double[] a, int i, int kindB, double[] b, int j) {
         if (dimension == Dimension.PLANAR) {
             return turns
-                    ? PlanarSweep.turn(kindA, a, i, x, y, z, wx, wy, wz, degrees, kindB, b, j, s)
+                    ? PlanarTurn.free(kindA, a, i, x, y, z, wx, wy, wz, degrees, kindB, b, j, s)
                     : PlanarSweep.translation(kindA, a, i, x, y, z, kindB, b, j, s);
         }
         return turns
-                ? SpatialSweep.turn(kindA, a, i, x, y, z, wx, wy, wz, degrees, kindB, b, j, s)
+                ? SpatialTurn.free(kindA, a, i, x, y, z, wx, wy, wz, degrees, kindB, b, j, s)
                 : SpatialSweep.translation(kindA, a, i, x, y, z, kindB, b, j, s);
     }
 }

@@ -45,12 +45,12 @@ public final class SweptBounds {
             double wz,
             double degrees,
             double[] out6,
-            Scratch s) {
+            TurnScratch s) {
         LeafBounds.of(kind, row, at, out6);
         if (degrees == 0) {
             return;
         }
-        TurnBody body = s.sweep().body;
+        TurnBody body = s.turns().body;
         double sign = degrees < 0 ? -1 : 1;
         body.load(kind, row, at, px, py, pz, wx, wy, wz);
         // The stored end is that angle to rounding.
@@ -83,11 +83,11 @@ public final class SweptBounds {
             double wz,
             double degrees,
             double[] out4,
-            Scratch s) {
+            TurnScratch s) {
         if (degrees == 0) {
             return;
         }
-        TurnBody body = s.sweep().body;
+        TurnBody body = s.turns().body;
         double sign = degrees < 0 ? -1 : 1;
         body.load(kind, row, at, px, py, pz, wx, wy, wz);
         double angle = Degrees.toRadians(Math.abs(degrees)) * (1 + 0x1p-50) + TurnOutline.MARGIN;

@@ -20,10 +20,10 @@ public final class Upright {
 
     // The least height of a is at most the greatest of b.
     private static boolean isNotAbove(int kindA, double[] a, int i, int kindB, double[] b, int j) {
-        double base = middle(kindA, a, i, 8);
-        double down = half(kindA, a, i);
-        double top = middle(kindB, b, j, 9);
-        double up = half(kindB, b, j);
+        double base = middle(kindA, a, i);
+        double down = halfHeight(kindA, a, i);
+        double top = top(kindB, b, j);
+        double up = halfHeight(kindB, b, j);
         double apart = base - top;
         double halves = down + up;
         if (apart != halves && !IS_DOUBTING) {
@@ -33,12 +33,18 @@ public final class Upright {
         return Dyadic.signOfSum(base, -top, -down, -up) <= 0;
     }
 
-    // An octagon has its heights as they are: no middle, and no half height beside it.
-    private static double middle(int kind, double[] row, int at, int prism) {
-        return kind == Leaf.PRISM ? row[at + prism] : row[at + 1];
+    /** The height of the middle of a box or cylinder, the least of an octagon, which has no half height beside it. */
+    public static double middle(int kind, double[] row, int at) {
+        return kind == Leaf.PRISM ? row[at + 8] : row[at + 1];
     }
 
-    private static double half(int kind, double[] row, int at) {
+    /** The height of the middle of a box or cylinder, the greatest of an octagon. */
+    public static double top(int kind, double[] row, int at) {
+        return kind == Leaf.PRISM ? row[at + 9] : row[at + 1];
+    }
+
+    /** How far a box or cylinder reaches above and below its middle; 0 of an octagon. */
+    public static double halfHeight(int kind, double[] row, int at) {
         return kind == Leaf.PRISM ? 0 : row[at + 4];
     }
 

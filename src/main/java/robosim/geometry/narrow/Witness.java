@@ -19,9 +19,9 @@ final class Witness {
      * @param out seven numbers
      */
     static void of(
-            Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j, double[] out, Scratch s) {
+            Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j, double[] out, DistanceScratch s) {
         boolean flat = dimension == Dimension.PLANAR;
-        Distance.convexContact(dimension, kindA, a, i, kindB, b, j, out, s);
+        ConvexContact.between(dimension, kindA, a, i, kindB, b, j, out, s);
         double rounding = bound(flat, kindA, a, i, kindB, b, j, out, s);
         if (flat && out[6] > FAR * rounding) {
             // Deep in each other the middle of the way out need not be in either.
@@ -46,7 +46,7 @@ final class Witness {
 
     /** Bounds the point's distances and answers how much of that is rounding, whatever the point. */
     private static double bound(
-            boolean flat, int kindA, double[] a, int i, int kindB, double[] b, int j, double[] out, Scratch s) {
+            boolean flat, int kindA, double[] a, int i, int kindB, double[] b, int j, double[] out, DistanceScratch s) {
         for (int axis = 0; axis < 3; axis++) {
             out[axis] = Math.max(-MOST, Math.min(MOST, out[axis]));
         }
@@ -58,7 +58,7 @@ final class Witness {
     }
 
     /** How far the point at the beginning of an array is from a leaf at most. */
-    private static double off(boolean flat, int kind, double[] row, int at, double[] point, Scratch s) {
+    private static double off(boolean flat, int kind, double[] row, int at, double[] point, DistanceScratch s) {
         double[] sphere = s.witness;
         System.arraycopy(point, 0, sphere, 0, 3);
         sphere[Leaf.SIZE] = 0;

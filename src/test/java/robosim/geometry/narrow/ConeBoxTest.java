@@ -102,13 +102,13 @@ class ConeBoxTest {
             u[k] = (way == 0 ? (p[k] + q[k]) / 2 : p[k]) - apex[k];
             w[k] = random.nextDouble(-1, 1);
         }
-        double length = RayMath.length(u[0], u[1], u[2]);
+        double length = VectorMath.length(u[0], u[1], u[2]);
         if (way == 3 || length == 0) {
             return w;
         }
         if (way == 2) {
             double[] across = {u[1] * w[2] - u[2] * w[1], u[2] * w[0] - u[0] * w[2], u[0] * w[1] - u[1] * w[0]};
-            double share = length / RayMath.length(across[0], across[1], across[2]) * StrictMath.tan(half);
+            double share = length / VectorMath.length(across[0], across[1], across[2]) * StrictMath.tan(half);
             for (int k = 0; k < 3; k++) {
                 u[k] += share * across[k];
             }

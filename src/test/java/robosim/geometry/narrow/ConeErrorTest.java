@@ -66,7 +66,7 @@ class ConeErrorTest {
     }
 
     private static double largest(double[] o, int kind, double[] row) {
-        double largest = RayMath.largest(o[0], o[1], o[2]);
+        double largest = VectorMath.largest(o[0], o[1], o[2]);
         for (int k = 0; k < (kind == Leaf.TRIANGLE ? 9 : 6); k++) {
             largest = Math.max(largest, Math.abs(row[k]));
         }

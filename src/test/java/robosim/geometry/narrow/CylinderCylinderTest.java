@@ -254,7 +254,7 @@ class CylinderCylinderTest {
             }
             double[] axis = {a[7], a[10], a[13]};
             double[] aside = cross(axis, new double[] {random.nextDouble(-1, 1), random.nextDouble(-1, 1), 1});
-            double length = RayMath.length(aside[0], aside[1], aside[2]);
+            double length = VectorMath.length(aside[0], aside[1], aside[2]);
             boolean level = n % 2 == 0;
             double reach = level ? a[3] + b[3] : a[4] + b[4];
             for (int k = 0; k < 3; k++) {

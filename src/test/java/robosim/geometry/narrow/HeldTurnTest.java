@@ -127,7 +127,7 @@ class HeldTurnTest {
                 continue;
             }
             double degrees = random.nextDouble(-180, 180);
-            double share = SpatialSweep.turn(
+            double share = SpatialTurn.free(
                     kindA, a, 0, 0.1, 0.2, 0.3, about[6], about[9], about[12], degrees, kindB, b, 0, scratch);
             most = Math.max(most, scratch.sweep().heldTurn.steps());
             if (share > 1) {
@@ -196,7 +196,7 @@ class HeldTurnTest {
     }
 
     private double turn(int kindA, double[] a, double wx, double wy, double wz, double degrees, int kindB, double[] b) {
-        return SpatialSweep.turn(kindA, a, 0, 0, 0, 0, wx, wy, wz, degrees, kindB, b, 0, scratch);
+        return SpatialTurn.free(kindA, a, 0, 0, 0, 0, wx, wy, wz, degrees, kindB, b, 0, scratch);
     }
 
     private static double[] turned(double degrees, int kind, double[] row) {

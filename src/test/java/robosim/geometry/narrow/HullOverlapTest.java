@@ -31,11 +31,11 @@ class HullOverlapTest {
                         level(kindB, b);
                     }
                     String pair = kindA + " " + Arrays.toString(a) + " with " + kindB + " " + Arrays.toString(b);
-                    boolean isDeep = Overlap.isDeep(dimension, kindA, a, 0, kindB, b, 0, s);
-                    boolean overlap = Overlap.convex(dimension, kindA, a, 0, kindB, b, 0, s);
+                    boolean isDeep = ConvexOverlap.isDeep(dimension, kindA, a, 0, kindB, b, 0, s);
+                    boolean overlap = ConvexOverlap.test(dimension, kindA, a, 0, kindB, b, 0, s);
                     assertThat(overlap || !isDeep).as(pair).isTrue();
                     if (isDeep) {
-                        assertThat(Overlap.convex(dimension, kindA, apart(kindA, a, b), 0, kindB, b, 0, s))
+                        assertThat(ConvexOverlap.test(dimension, kindA, apart(kindA, a, b), 0, kindB, b, 0, s))
                                 .as(pair)
                                 .isTrue();
                     }
@@ -63,8 +63,8 @@ class HullOverlapTest {
             } else {
                 b[0] = a[3] + b[3];
             }
-            assertThat(Overlap.convex(dimension, kind, a, 0, kind, b, 0, s)).isTrue();
-            assertThat(Overlap.isDeep(dimension, kind, a, 0, kind, b, 0, s))
+            assertThat(ConvexOverlap.test(dimension, kind, a, 0, kind, b, 0, s)).isTrue();
+            assertThat(ConvexOverlap.isDeep(dimension, kind, a, 0, kind, b, 0, s))
                     .as(Arrays.toString(a) + Arrays.toString(b))
                     .isFalse();
         }

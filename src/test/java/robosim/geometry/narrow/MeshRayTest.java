@@ -140,7 +140,7 @@ class MeshRayTest {
         double distance =
                 SpatialRay.distance(ray[0], ray[1], ray[2], ray[3], ray[4], ray[5], Leaf.TRIANGLE, row, 0, scratch);
         Magnified m = new Magnified();
-        if (distance > Magnified.SMALL || !m.take(RayMath.largest(ray[0], ray[1], ray[2]), Leaf.TRIANGLE, row, 0)) {
+        if (distance > Magnified.SMALL || !m.take(VectorMath.largest(ray[0], ray[1], ray[2]), Leaf.TRIANGLE, row, 0)) {
             return distance;
         }
         return m.down(SpatialRay.distance(

@@ -127,7 +127,7 @@ class MeshSightTest {
     private double alone(double[] row, double[] ray, Dimension dimension, boolean isCone, double half) {
         double distance = kernel(row, ray[0], ray[1], ray[2], dimension, isCone, half);
         Magnified m = new Magnified();
-        if (distance > Magnified.SMALL || !m.take(RayMath.largest(ray[0], ray[1], ray[2]), Leaf.TRIANGLE, row, 0)) {
+        if (distance > Magnified.SMALL || !m.take(VectorMath.largest(ray[0], ray[1], ray[2]), Leaf.TRIANGLE, row, 0)) {
             return distance;
         }
         return m.down(kernel(m.a, m.up(ray[0]), m.up(ray[1]), m.up(ray[2]), dimension, isCone, half));

@@ -51,7 +51,7 @@ public final class NearPairs {
             double[] n = {gjk.nx(), gjk.ny(), gjk.nz()};
             shift(kindB, b, gjk.reach() - gap * apart, n);
         }
-        size = extent(kindA, a) + extent(kindB, b) + RayMath.length(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+        size = extent(kindA, a) + extent(kindB, b) + VectorMath.length(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
     }
 
     /** A gap as a share of the size, from 1e-13 to 1e-1; one in ten is none, or as deep. */
@@ -143,8 +143,8 @@ public final class NearPairs {
     private static double extent(int kind, double[] row) {
         if (kind == Leaf.TRIANGLE) {
             return Math.max(
-                    RayMath.length(row[3] - row[0], row[4] - row[1], row[5] - row[2]),
-                    RayMath.length(row[6] - row[0], row[7] - row[1], row[8] - row[2]));
+                    VectorMath.length(row[3] - row[0], row[4] - row[1], row[5] - row[2]),
+                    VectorMath.length(row[6] - row[0], row[7] - row[1], row[8] - row[2]));
         }
         return switch (kind) {
             case Leaf.SPHERE -> row[3];

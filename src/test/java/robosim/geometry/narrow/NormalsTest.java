@@ -90,7 +90,7 @@ class NormalsTest {
             // Coming in a little aside, as at a corner only the face that is met has a normal.
             double[] aim = new double[] {-n[0] + random.nextDouble(-0.3, 0.3), 0, -n[2] + random.nextDouble(-0.3, 0.3)};
             at(p, aim, kind, row, Dimension.PLANAR);
-            assertThat(RayMath.length(normal[0], normal[1], normal[2])).isCloseTo(1, within(1e-14));
+            assertThat(VectorMath.length(normal[0], normal[1], normal[2])).isCloseTo(1, within(1e-14));
             assertThat(normal[1]).isZero();
             double[] farthest = extreme(kind, row, normal);
             double beyond = (farthest[0] - p[0]) * normal[0] + (farthest[2] - p[2]) * normal[2];

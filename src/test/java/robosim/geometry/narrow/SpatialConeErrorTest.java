@@ -53,7 +53,7 @@ class SpatialConeErrorTest {
                 continue;
             }
             heard++;
-            double largest = RayMath.largest(o[0], o[1], o[2]);
+            double largest = VectorMath.largest(o[0], o[1], o[2]);
             for (int k = 0; k < (kind == Leaf.TRIANGLE ? 9 : 6); k++) {
                 largest = Math.max(largest, Math.abs(row[k]));
             }
@@ -120,7 +120,7 @@ class SpatialConeErrorTest {
             double answer = SpatialCone.distance(
                     o[0], o[1], o[2], d[0], d[1], d[2], cos, StrictMath.sin(half), kind, row, 0, scratch);
             double[] near = nearest(kind, o, row);
-            double length = RayMath.length(near[0], near[1], near[2]);
+            double length = VectorMath.length(near[0], near[1], near[2]);
             double[] other = border(d, across, 1.5707963267948966);
             double truth = near[0] * d[0] + near[1] * d[1] + near[2] * d[2] >= cos * length
                     ? length
@@ -147,7 +147,7 @@ class SpatialConeErrorTest {
         double[] w = {o[0] - row[0], o[1] - row[1], o[2] - row[2]};
         double along = w[0] * a[0] + w[1] * a[1] + w[2] * a[2];
         double[] side = {w[0] - along * a[0], w[1] - along * a[1], w[2] - along * a[2]};
-        double away = RayMath.length(side[0], side[1], side[2]);
+        double away = VectorMath.length(side[0], side[1], side[2]);
         double kept = Math.max(-row[4], Math.min(row[4], along));
         double share = away > row[3] ? row[3] / away : 1;
         double[] out = new double[3];

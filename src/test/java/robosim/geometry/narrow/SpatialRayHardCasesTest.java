@@ -43,7 +43,7 @@ class SpatialRayHardCasesTest {
         double nearest = Math.min(
                 ray(o, d, Leaf.TRIANGLE, triangle(-5, -5, 0, 5, -5, 0, 5, 5, 0)),
                 ray(o, d, Leaf.TRIANGLE, triangle(-5, -5, 0, 5, 5, 0, -5, 5, 0)));
-        assertThat(nearest / RayMath.length(d[0], d[1], d[2])).isCloseTo(10 / .9024725, within(1e-14));
+        assertThat(nearest / VectorMath.length(d[0], d[1], d[2])).isCloseTo(10 / .9024725, within(1e-14));
     }
 
     @Test

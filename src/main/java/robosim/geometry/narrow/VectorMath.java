@@ -3,7 +3,7 @@ package robosim.geometry.narrow;
 import robosim.geometry.exact.DoubleDouble;
 
 /** What the ray kernels share: rounding units, and the last step from a parameter to a distance. */
-final class RayMath {
+final class VectorMath {
     /** The unit of rounding: a double operation is off by at most this share of its result. */
     static final double U = 0x1p-53;
 
@@ -19,7 +19,7 @@ final class RayMath {
     /** Makes what is tiny large enough to be squared; a power of two, so that nothing is rounded. */
     static final double ENLARGED = 0x1p500;
 
-    private RayMath() {}
+    private VectorMath() {}
 
     /** The root of the sum of two squares of what is not negative, however small. */
     static double legs(double x, double z) {

@@ -1,0 +1,28 @@
+package robosim.geometry.narrow;
+
+import org.jspecify.annotations.Nullable;
+
+/** The working memory of meshes. */
+public class MeshScratch extends TurnScratch {
+    public final MeshRay meshRay = new MeshRay();
+    public final MeshSight meshSight = new MeshSight();
+
+    private @Nullable MeshPairs meshPairs;
+    private @Nullable ContactPairs pairs;
+
+    /** Two meshes in space, descended at once. */
+    public MeshPairs meshPairs() {
+        if (meshPairs == null) {
+            meshPairs = new MeshPairs(this);
+        }
+        return meshPairs;
+    }
+
+    /** Two meshes seen from above, descended at once. */
+    public ContactPairs pairs() {
+        if (pairs == null) {
+            pairs = new ContactPairs(this);
+        }
+        return pairs;
+    }
+}
