@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.SplittableRandom;
 import robosim.geometry.exact.Orientation;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.SpatialTurnSweep;
+import robosim.geometry.narrow.PlanarTurnSweep;
 import robosim.geometry.narrow.Border;
 import robosim.geometry.narrow.Leaf;
 import robosim.geometry.narrow.LeafColumn;
@@ -208,8 +210,8 @@ public final class Questions {
     private double turn(int kindA, double[] a, int kindB, double[] b) {
         double degrees = 720 * angle - 360;
         return family.planar()
-                ? PlanarTurn.free(kindA, a, 0, a[0], a[1], a[2], 0, 1, 0, degrees, kindB, b, 0, scratch)
-                : SpatialTurn.free(kindA, a, 0, a[0], a[1], a[2], 0, 1, 0, degrees, kindB, b, 0, scratch);
+                ? PlanarTurnSweep.free(kindA, a, 0, a[0], a[1], a[2], 0, 1, 0, degrees, kindB, b, 0, scratch)
+                : SpatialTurnSweep.free(kindA, a, 0, a[0], a[1], a[2], 0, 1, 0, degrees, kindB, b, 0, scratch);
     }
 
     /** The largest of the numbers that a distance is computed from. */

@@ -52,7 +52,7 @@ final class HeldTurn {
     private double wy;
     private double wz;
 
-    /** As {@link SpatialTurn#free} and {@link PlanarTurn#free}. */
+    /** As {@link SpatialTurnSweep#free} and {@link PlanarTurnSweep#free}. */
     double free(
             boolean inPlane,
             int kindA,

@@ -385,11 +385,11 @@ public final class Sweep {
     private double convex(double x, double y, double z, int kindA, double[] a, int i, int kindB, double[] b, int j) {
         if (dimension == Dimension.PLANAR) {
             return turns
-                    ? PlanarTurn.free(kindA, a, i, x, y, z, wx, wy, wz, degrees, kindB, b, j, s)
+                    ? PlanarTurnSweep.free(kindA, a, i, x, y, z, wx, wy, wz, degrees, kindB, b, j, s)
                     : PlanarSweep.translation(kindA, a, i, x, y, z, kindB, b, j, s);
         }
         return turns
-                ? SpatialTurn.free(kindA, a, i, x, y, z, wx, wy, wz, degrees, kindB, b, j, s)
+                ? SpatialTurnSweep.free(kindA, a, i, x, y, z, wx, wy, wz, degrees, kindB, b, j, s)
                 : SpatialSweep.translation(kindA, a, i, x, y, z, kindB, b, j, s);
     }
 }

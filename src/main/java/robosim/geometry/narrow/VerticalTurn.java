@@ -21,7 +21,7 @@ final class VerticalTurn {
     }
 
     /**
-     * As {@link PlanarTurn#free}, by {@code degrees} about the upward vertical through (px, pz).
+     * As {@link PlanarTurnSweep#free}, by {@code degrees} about the upward vertical through (px, pz).
      *
      * @param heightDepth how far the heights overlap, which a turn does not change: where that is the lesser depth at the
      *     start, nothing gets deeper; infinite where heights do not count

@@ -2,6 +2,7 @@ package robosim.geometry.census;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import robosim.geometry.narrow.SpatialTurnSweep;
 import robosim.geometry.narrow.SpatialSweep;
 
 /** Turns about any axis through the origin. */
@@ -52,7 +53,7 @@ final class SpatialTurn extends SpatialMotion {
 
     @Override
     double free() {
-        return SpatialTurn.free(
+        return SpatialTurnSweep.free(
                 kindA, a, 0, origin[0], origin[1], origin[2], axis[0], axis[1], axis[2], degrees, kindB, b, 0, scratch);
     }
 

@@ -25,7 +25,7 @@ class HardMovesTest {
     }
 
     private double turn(int kindA, double[] a, double px, double pz, double degrees, int kindB, double[] b) {
-        return PlanarTurn.free(kindA, a, 0, px, 0, pz, 0, 1, 0, degrees, kindB, b, 0, scratch);
+        return PlanarTurnSweep.free(kindA, a, 0, px, 0, pz, 0, 1, 0, degrees, kindB, b, 0, scratch);
     }
 
     @Test
@@ -99,7 +99,7 @@ class HardMovesTest {
             assertThat(spatial(1, robot, dx, 0.1, dz, 0, floor)).isEqualTo(FREE);
             assertThat(spatial(0, cart, dx, -0.1, dz, 0, floor)).isEqualTo(0);
             assertThat(spatial(1, robot, dx, -1e-9, dz, 0, floor)).isEqualTo(0);
-            assertThat(SpatialTurn.free(0, cart, 0, 3, 0.5, 4, 0, 1, 0, degrees, 0, floor, 0, scratch))
+            assertThat(SpatialTurnSweep.free(0, cart, 0, 3, 0.5, 4, 0, 1, 0, degrees, 0, floor, 0, scratch))
                     .isEqualTo(FREE);
         }
     }

@@ -34,7 +34,7 @@ class HeldTurnTest {
                 assertThat(turn(Leaf.TRIANGLE, mover, 0, 1, 0, 120, Leaf.TRIANGLE, still))
                         .as(what)
                         .isInfinite();
-                assertThat(scratch.sweep().heldTurn.steps()).as(what).isLessThan(FEW);
+                assertThat(scratch.turns().held.steps()).as(what).isLessThan(FEW);
                 // Through the waist, where the edges cross, and no further.
                 double[] cut = SweepRows.triangle(1 - gap, -1, slope, 1 - gap, 1, -slope, 3, 0, 0);
                 assertThat(turn(Leaf.TRIANGLE, mover, 0, 1, 0, 120, Leaf.TRIANGLE, cut))
@@ -75,7 +75,7 @@ class HeldTurnTest {
                 if (radius < gap) {
                     assertThat(share).as(what).isInfinite();
                 }
-                assertThat(scratch.sweep().heldTurn.steps()).as(what).isLessThan(FEW);
+                assertThat(scratch.turns().held.steps()).as(what).isLessThan(FEW);
             }
         }
     }
@@ -127,9 +127,9 @@ class HeldTurnTest {
                 continue;
             }
             double degrees = random.nextDouble(-180, 180);
-            double share = SpatialTurn.free(
+            double share = SpatialTurnSweep.free(
                     kindA, a, 0, 0.1, 0.2, 0.3, about[6], about[9], about[12], degrees, kindB, b, 0, scratch);
-            most = Math.max(most, scratch.sweep().heldTurn.steps());
+            most = Math.max(most, scratch.turns().held.steps());
             if (share > 1) {
                 continue;
             }
@@ -196,7 +196,7 @@ class HeldTurnTest {
     }
 
     private double turn(int kindA, double[] a, double wx, double wy, double wz, double degrees, int kindB, double[] b) {
-        return SpatialTurn.free(kindA, a, 0, 0, 0, 0, wx, wy, wz, degrees, kindB, b, 0, scratch);
+        return SpatialTurnSweep.free(kindA, a, 0, 0, 0, 0, wx, wy, wz, degrees, kindB, b, 0, scratch);
     }
 
     private static double[] turned(double degrees, int kind, double[] row) {

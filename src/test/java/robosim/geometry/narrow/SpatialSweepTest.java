@@ -177,7 +177,7 @@ class SpatialSweepTest {
                         degrees,
                         kindB,
                         Arrays.toString(b));
-        double share = SpatialTurn.free(
+        double share = SpatialTurnSweep.free(
                 kindA, a, 0, pivot[0], pivot[1], pivot[2], axis[0], axis[1], axis[2], degrees, kindB, b, 0, scratch);
         double start = gap(kindA, a, kindB, b);
         double limit = Math.min(0, start);

@@ -7,7 +7,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 /** Turns in the plane, against sampled poses: no contact before the answer, and contact right after it. */
-class PlanarTurnTest {
+class PlanarTurnSweepTest {
     private static final int[] KINDS = {
         Leaf.UPRIGHT_BOX, Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE, Leaf.BOX, Leaf.TRIANGLE, Leaf.PRISM
     };
@@ -47,7 +47,7 @@ class PlanarTurnTest {
     private void check(int kindA, double[] a, double px, double pz, double degrees, int kindB, double[] b) {
         String what = "kind %d %s about (%s, %s) by %s, kind %d %s"
                 .formatted(kindA, Arrays.toString(a), px, pz, degrees, kindB, Arrays.toString(b));
-        double share = PlanarTurn.free(kindA, a, 0, px, 0, pz, 0, 1, 0, degrees, kindB, b, 0, scratch);
+        double share = PlanarTurnSweep.free(kindA, a, 0, px, 0, pz, 0, 1, 0, degrees, kindB, b, 0, scratch);
         FlatPair pair = new FlatPair(kindA, a, px, pz, kindB, b);
         double start = pair.gap(0);
         double limit = Math.min(start, 0);

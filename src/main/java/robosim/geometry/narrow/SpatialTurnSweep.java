@@ -3,8 +3,8 @@ package robosim.geometry.narrow;
 import robosim.geometry.exact.Dyadic;
 
 /** The turn of one leaf against another at rest, in space. */
-public final class SpatialTurn {
-    private SpatialTurn() {}
+public final class SpatialTurnSweep {
+    private SpatialTurnSweep() {}
 
     /**
      * The free share of a turn of leaf a by {@code degrees}, of any size and sign, about the axis of unit length

@@ -1,8 +1,8 @@
 package robosim.geometry.narrow;
 
 /** The turn of one leaf's projection on XZ against another's at rest. */
-public final class PlanarTurn {
-    private PlanarTurn() {}
+public final class PlanarTurnSweep {
+    private PlanarTurnSweep() {}
 
     /**
      * The free share of a turn of leaf a by {@code degrees}, of any size and sign, about the axis of unit length
