@@ -1,6 +1,5 @@
 package robosim.geometry;
 
-import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
@@ -111,9 +110,12 @@ final class Beams {
         }
     }
 
-    /** What a ray meets first within a range; null where it meets nothing. */
-    @Nullable
-    RayHit cast(Level seen, Ray ray, double max) {
+    /**
+     * How far a ray goes until it meets anything within a range, +Infinity where it meets nothing.
+     *
+     * @param normal three numbers, of the face that is met
+     */
+    double cast(Level seen, Ray ray, double max, double[] normal) {
         Point from = Arguments.present("ray", ray).start();
         Point to = ray.direction();
         Arguments.range(0, max);
@@ -121,13 +123,19 @@ final class Beams {
         ranging.beam(dimension, from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), 0);
         double distance = ranging.nearest(seen, max, -1);
         if (ranging.hit() < 0) {
-            return null;
+            return Double.POSITIVE_INFINITY;
         }
-        ranging.normal(seen, distance, vector);
-        return new RayHit(
-                distance,
-                new Point(ranging.point(0, distance), ranging.point(1, distance), ranging.point(2, distance)),
-                new Point(vector[0], vector[1], vector[2]),
-                bodies.present(ranging.hit()));
+        ranging.normal(seen, distance, normal);
+        return distance;
+    }
+
+    /** What the last ray that was cast met. */
+    int hit() {
+        return ranging.hit();
+    }
+
+    /** A coordinate of the last ray's point at a distance. */
+    double point(int axis, double distance) {
+        return ranging.point(axis, distance);
     }
 }

@@ -16,14 +16,14 @@ final class Bodies {
     /** Doubles a place, laid out by {@link Pose}. */
     static final int PLACE = Pose.PLACE;
 
-    /** The bit in the id of an object that this world shares with others: see {@link Statics}. */
+    /** The bit in the id of an object that this world shares with others: see {@link SharedObjects}. */
     static final int SHARED = 1 << 29;
 
     private final Names names = new Names();
     private @Nullable GeometryObject[] values = new GeometryObject[Growth.FIRST];
 
     /** The static objects that this world shares with others; null where all are its own. */
-    private @Nullable Statics shared;
+    private @Nullable SharedObjects shared;
 
     /** Which came when; none until an id is used again, as ids are in that order so long. */
     private long[] order = new long[0];
@@ -53,8 +53,8 @@ final class Bodies {
     Bodies() {}
 
     /** The objects of a world that shares some. */
-    Bodies(Statics statics) {
-        shared = statics;
+    Bodies(SharedObjects objects) {
+        shared = objects;
         isOrdered = true;
         order = new long[values.length];
     }
@@ -71,7 +71,7 @@ final class Bodies {
 
     /** The static objects that are shared; null where there are none. */
     @Nullable
-    Statics shared() {
+    SharedObjects shared() {
         return shared;
     }
 

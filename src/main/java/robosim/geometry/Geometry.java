@@ -223,7 +223,7 @@ public final class Geometry {
      * snapshot and its static objects are still the same.
      */
     public Snapshot snapshot() {
-        return Snapshot.of(this, bodies);
+        return Snapshot.of(this, bodies, population.statics());
     }
 
     /** Puts an object of a snapshot back where it was; for a world that is being made of it. */
@@ -409,7 +409,14 @@ public final class Geometry {
      * distance 0. In PLANAR the point keeps the height of the ray's start.
      */
     public @Nullable RayHit castRay(Ray ray, double max) {
-        return beams.cast(level, ray, max);
+        double distance = beams.cast(level, ray, max, vector);
+        return distance == Double.POSITIVE_INFINITY
+                ? null
+                : new RayHit(
+                        distance,
+                        new Point(beams.point(0, distance), beams.point(1, distance), beams.point(2, distance)),
+                        new Point(vector[0], vector[1], vector[2]),
+                        bodies.present(beams.hit()));
     }
 
     /**

@@ -52,6 +52,9 @@ final class Population {
     private double discRadius;
     private boolean isDoubtful;
     private final NearTarget meetDisc = this::meetDisc;
+    /** The static objects that are shared with other worlds; null where there are none. */
+    private @Nullable Statics statics;
+
     private final NearTarget meetCandidate = this::meetCandidate;
 
     Population(
@@ -62,6 +65,7 @@ final class Population {
             Accuracy accuracy,
             @Nullable Statics shared,
             Scratch scratch) {
+        statics = shared;
         this.width = width;
         this.length = length;
         this.dimension = dimension;
@@ -74,10 +78,15 @@ final class Population {
         near = new Near(bodies);
     }
 
+    /** The static objects that are shared with other worlds; null where there are none. */
+    @Nullable
+    Statics statics() {
+        return statics;
+    }
+
     /** What is shared as it is seen at an accuracy. */
     private @Nullable Level view(Accuracy accuracy) {
-        Statics shared = bodies.shared();
-        return shared == null ? null : shared.view(accuracy);
+        return statics == null ? null : statics.view(accuracy);
     }
 
     /** The world as it is seen at an accuracy, made when it is first asked. */
@@ -122,14 +131,15 @@ final class Population {
     }
 
     /** Makes static objects that are shared with other worlds this world's own, so that they can be taken out. */
-    private void unshare(Statics statics) {
+    private void unshare(SharedObjects shared) {
+        statics = null;
         bodies.unshare();
         for (Level each : levels) {
             each.unshare();
         }
         long arrivals = bodies.arrivals();
-        for (int id = 0; id < statics.bodies.limit(); id++) {
-            restore(statics.bodies.value(id), statics.arrival(id));
+        for (int id = 0; id < shared.bodies.limit(); id++) {
+            restore(shared.bodies.value(id), shared.arrival(id));
         }
         bodies.arriveAt(arrivals);
     }
@@ -182,7 +192,7 @@ final class Population {
         if (id < 0) {
             return false;
         }
-        Statics shared = bodies.shared();
+        Statics shared = statics;
         if (id >= Bodies.SHARED && shared != null) {
             unshare(shared);
             id = bodies.find(name);

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
@@ -70,10 +71,10 @@ public final class Snapshot implements Serializable {
         }
     }
 
-    static Snapshot of(Geometry world, Bodies bodies) {
+    static Snapshot of(Geometry world, Bodies bodies, @Nullable Statics statics) {
         Settings settings =
                 new Settings(world.width(), world.height(), world.length(), world.dimension(), world.accuracy());
-        Statics shared = bodies.shared();
+        Statics shared = statics;
         if (shared == null || bodies.ownStatics() > 0) {
             int[] ids = bodies.ids().filter(id -> !bodies.isMoveable(id)).toArray();
             shared = settings.statics(present(bodies, ids), times(bodies, ids));
