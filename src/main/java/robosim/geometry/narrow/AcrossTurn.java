@@ -56,7 +56,7 @@ final class AcrossTurn {
         reach.aim(fx, fy, fz, mx, my, mz, wx, wy, wz, 1);
         radius = mover.radius + rest.radius;
         double most = Math.abs(c1) * bb + Math.abs(c2) * aa + aa * bb;
-        limit = ROUNDOFF * most * (mover.extent + rest.extent) + MovingAxes.TINY;
+        limit = ROUNDOFF * most * (mover.extent + rest.extent) + AxisBody.TINY;
 
         // The mover's points: c1 (w x d2).p + d1.R(e2 x p).
         double sx = way * c1 * (wy * bz - wz * by);

@@ -1,5 +1,7 @@
 package robosim.geometry.narrow;
 
+import robosim.geometry.exact.Filter;
+
 /**
  * A polytope as the method of separating axes sees it: how far it reaches along an axis, and which axes it brings.
  *
@@ -7,6 +9,15 @@ package robosim.geometry.narrow;
  * most 8 units of roundoff (2^-53) of {@link #mx}, {@link #my}, {@link #mz}, the sums of the magnitudes that it is made of.
  */
 final class AxisBody {
+    static final int PLANAR = 0;
+    static final int UPRIGHT = 1;
+    static final int SPATIAL = 2;
+
+    static final double ROUNDOFF = Filter.bound(32 * 0x1p-53);
+
+    /** More than any product of doubles in here loses by underflow. */
+    static final double TINY = 0x1p-1040;
+
     private static final int MOST_POINTS = 16;
     private static final int MOST_AXES = 8;
 
@@ -272,7 +283,7 @@ final class AxisBody {
     private boolean isDoubtful(int axis) {
         int k = 3 * axis;
         for (int m = k; m < k + 3; m++) {
-            if (Math.abs(normal[m]) > MovingAxes.ROUNDOFF * normalSize[m] + MovingAxes.TINY) {
+            if (Math.abs(normal[m]) > AxisBody.ROUNDOFF * normalSize[m] + AxisBody.TINY) {
                 return false;
             }
         }

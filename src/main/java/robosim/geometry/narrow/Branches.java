@@ -143,7 +143,7 @@ final class Branches {
     }
 
     /** Whether a solid mesh holds a point of a part: a vertex of a mesh, or else (the vertex is 0) what it is placed by. */
-    boolean holds(int solid, Branches other, int part, int vertex, MeshScratch s) {
+    boolean holds(int solid, Branches other, int part, int vertex, LeafScratch s) {
         double[] point = other.triangle;
         if (Leaf.isMesh(other.kindOf(part))) {
             other.vertex(part, vertex, point, 0);
@@ -154,7 +154,7 @@ final class Branches {
     }
 
     /** The vertex (0 where there are none) by which {@link #holds} finds a part inside; -1 where it finds none. */
-    int heldVertex(int solid, Branches other, int part, MeshScratch s) {
+    int heldVertex(int solid, Branches other, int part, LeafScratch s) {
         if (!Leaf.isMesh(other.kindOf(part))) {
             return holds(solid, other, part, 0, s) ? 0 : -1;
         }

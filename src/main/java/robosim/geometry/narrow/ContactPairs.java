@@ -14,7 +14,7 @@ public final class ContactPairs {
     private static final int FIRST_HOLDS = 1;
     private static final int SECOND_HOLDS = 2;
 
-    private final MeshScratch s;
+    private final DistanceScratch s;
     private final Branches first = new Branches();
     private final Branches second = new Branches();
     private final double[] boxA = new double[6];
@@ -34,7 +34,7 @@ public final class ContactPairs {
     private boolean[] certain = new boolean[16];
     private int count;
 
-    public ContactPairs(MeshScratch scratch) {
+    public ContactPairs(DistanceScratch scratch) {
         s = scratch;
     }
 

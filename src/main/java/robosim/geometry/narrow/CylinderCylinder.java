@@ -79,7 +79,7 @@ final class CylinderCylinder {
             return true;
         }
         // Trees go by bounds: what these prove apart is, or an answer would depend on which tree was asked.
-        if (LeafBounds.areApart(Dimension.SPATIAL, kindA, a, i, kindB, b, j, s)) {
+        if (LeafBounds.areApart(Dimension.SPATIAL, kindA, a, i, kindB, b, j, s.boundsA, s.boundsB)) {
             return false;
         }
         s.uncertain = true;

@@ -34,9 +34,9 @@ final class ExactAxes {
 
     private static ExactAxes of(
             int mode, int kindA, double[] a, int i, double dx, double dy, double dz, int kindB, double[] b, int j) {
-        Dyadic[] move = ExactBody.vector(dx, mode == MovingAxes.PLANAR ? 0 : dy, dz);
+        Dyadic[] move = ExactBody.vector(dx, mode == AxisBody.PLANAR ? 0 : dy, dz);
         ExactAxes axes = new ExactAxes(ExactBody.of(mode, kindA, a, i), ExactBody.of(mode, kindB, b, j), move);
-        axes.collect(mode == MovingAxes.SPATIAL && kindA == Leaf.TRIANGLE && kindB == Leaf.TRIANGLE);
+        axes.collect(mode == AxisBody.SPATIAL && kindA == Leaf.TRIANGLE && kindB == Leaf.TRIANGLE);
         return axes;
     }
 
@@ -49,8 +49,8 @@ final class ExactAxes {
     /** Whether a lies wholly beyond b in a direction of the plane; (nx, nz) is taken as it is, of any length. */
     static boolean isBeyond(int kindA, double[] a, int i, double nx, double nz, int kindB, double[] b, int j) {
         Dyadic[] axis = ExactBody.vector(nx, 0, nz);
-        Dyadic[] p = ExactBody.of(MovingAxes.PLANAR, kindA, a, i).project(axis);
-        Dyadic[] q = ExactBody.of(MovingAxes.PLANAR, kindB, b, j).project(axis);
+        Dyadic[] p = ExactBody.of(AxisBody.PLANAR, kindA, a, i).project(axis);
+        Dyadic[] q = ExactBody.of(AxisBody.PLANAR, kindB, b, j).project(axis);
         return p[0].compareTo(q[1]) > 0;
     }
 

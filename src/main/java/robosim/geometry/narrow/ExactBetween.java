@@ -127,7 +127,7 @@ final class ExactBetween {
                             * (sx * (Math.abs(rough[3 * k]) + Math.abs(rough[3 * p]))
                                     + sy * (Math.abs(rough[3 * k + 1]) + Math.abs(rough[3 * p + 1]))
                                     + sz * (Math.abs(rough[3 * k + 2]) + Math.abs(rough[3 * p + 2])))
-                    + MovingAxes.TINY;
+                    + AxisBody.TINY;
             if (Math.abs(value) > error) {
                 double upper = k < above ? Math.signum(value) : -Math.signum(value);
                 if (upper * side < 0) {

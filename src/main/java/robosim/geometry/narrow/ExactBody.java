@@ -18,7 +18,7 @@ final class ExactBody {
 
     static ExactBody of(int mode, int kind, double[] row, int at) {
         ExactBody body = new ExactBody();
-        boolean flat = mode == MovingAxes.PLANAR;
+        boolean flat = mode == AxisBody.PLANAR;
         switch (kind) {
             case Leaf.TRIANGLE -> body.triangle(row, at, flat);
             case Leaf.PRISM -> body.prism(row, at, mode);
@@ -67,8 +67,8 @@ final class ExactBody {
     }
 
     private void box(double[] row, int at, int mode) {
-        boolean spatial = mode == MovingAxes.SPATIAL;
-        points.add(vector(row[at], mode == MovingAxes.PLANAR ? 0 : row[at + 1], row[at + 2]));
+        boolean spatial = mode == AxisBody.SPATIAL;
+        points.add(vector(row[at], mode == AxisBody.PLANAR ? 0 : row[at + 1], row[at + 2]));
         for (int k = 0; k < 3; k++) {
             Dyadic[] column = vector(row[at + 6 + k], spatial ? row[at + 9 + k] : 0, row[at + 12 + k]);
             halves.add(scale(column, Dyadic.of(row[at + 3 + k])));
@@ -84,7 +84,7 @@ final class ExactBody {
             normals.add(new Dyadic[] {column[2].negate(), Dyadic.ZERO, column[0]});
         }
         edges.clear();
-        if (mode == MovingAxes.UPRIGHT) {
+        if (mode == AxisBody.UPRIGHT) {
             halves.add(vector(0, row[at + 4], 0));
             normals.add(vector(0, 1, 0));
         }
@@ -96,15 +96,15 @@ final class ExactBody {
         for (int k = 0; k < 4; k++) {
             normals.add(vector(x[k], 0, z[k]));
         }
-        if (mode != MovingAxes.PLANAR) {
+        if (mode != AxisBody.PLANAR) {
             normals.add(vector(0, 1, 0));
         }
-        if (mode == MovingAxes.SPATIAL) {
+        if (mode == AxisBody.SPATIAL) {
             edges.add(vector(0, 1, 0));
             edges.addAll(normals.subList(0, 4));
         }
-        Dyadic low = mode == MovingAxes.PLANAR ? Dyadic.ZERO : Dyadic.of(row[at + 8]);
-        Dyadic high = mode == MovingAxes.PLANAR ? Dyadic.ZERO : Dyadic.of(row[at + 9]);
+        Dyadic low = mode == AxisBody.PLANAR ? Dyadic.ZERO : Dyadic.of(row[at + 8]);
+        Dyadic high = mode == AxisBody.PLANAR ? Dyadic.ZERO : Dyadic.of(row[at + 9]);
         for (Dyadic[] corner : octagon(row, at)) {
             points.add(new Dyadic[] {corner[0], low, corner[1]});
             points.add(new Dyadic[] {corner[0], high, corner[1]});

@@ -2,6 +2,7 @@ package robosim.geometry.narrow;
 
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Dyadic;
+import robosim.geometry.exact.Stages;
 
 /**
  * A disc, or an upright cylinder, moved straight on against an upright disc or polygon at rest: decided without rounding,
@@ -10,6 +11,8 @@ import robosim.geometry.exact.Dyadic;
  * <p>All coordinates are relative to the disc's centre at the start.
  */
 final class ExactDisc {
+    private static final Stages.Counter EXACT = Stages.counter("MovingDisc");
+
     private final ExactOutline outline;
     private final Dyadic radius;
     private final Dyadic[] move;
@@ -24,11 +27,29 @@ final class ExactDisc {
         }
     }
 
-    ExactDisc(ExactOutline outline, Dyadic radius, Dyadic[] move, @Nullable Heights heights) {
+    private ExactDisc(ExactOutline outline, Dyadic radius, Dyadic[] move, @Nullable Heights heights) {
         this.outline = outline;
         this.radius = radius;
         this.move = move;
         this.heights = heights;
+    }
+
+    /**
+     * A disc that goes straight on by (dx, dz), and what it may meet.
+     *
+     * @param heights null where they do not count
+     */
+    static ExactDisc of(
+            double[] a, int i, double dx, double dz, int kindB, double[] b, int j, @Nullable Heights heights) {
+        EXACT.count();
+        Dyadic radius = Dyadic.of(a[i + 3]);
+        if (Leaf.isDisc(kindB)) {
+            radius = radius.add(Dyadic.of(b[j + 3]));
+        }
+        Dyadic[] centre = ExactOutline.pair(Dyadic.of(a[i]), Dyadic.of(a[i + 2]));
+        ExactOutline outline = ExactOutline.of(kindB, b, j).relative(centre, Dyadic.ONE);
+        Dyadic[] move = ExactOutline.pair(Dyadic.of(dx), Dyadic.of(dz));
+        return new ExactDisc(outline, radius, move, heights);
     }
 
     /** The answer of {@code translation} for this pair. */

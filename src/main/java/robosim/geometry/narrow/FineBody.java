@@ -33,7 +33,7 @@ final class FineBody {
         points = 0;
         halves = 0;
         edges = 0;
-        boolean flat = mode == MovingAxes.PLANAR;
+        boolean flat = mode == AxisBody.PLANAR;
         switch (kind) {
             case Leaf.TRIANGLE -> triangle(row, at, flat, ox, oy, oz);
             case Leaf.PRISM -> prism(row, at, flat, ox, oy, oz);
@@ -75,15 +75,15 @@ final class FineBody {
     }
 
     private void box(double[] row, int at, int mode, double ox, double oy, double oz) {
-        boolean spatial = mode == MovingAxes.SPATIAL;
-        boolean flat = mode == MovingAxes.PLANAR;
+        boolean spatial = mode == AxisBody.SPATIAL;
+        boolean flat = mode == AxisBody.PLANAR;
         addPoint(row[at], ox, flat ? 0 : row[at + 1], flat ? 0 : oy, row[at + 2], oz);
         for (int k = 0; k < 3; k++) {
             double y = spatial ? row[at + 9 + k] : 0;
             addHalf(row[at + 3 + k], row[at + 6 + k], y, row[at + 12 + k]);
             addEdge(row[at + 6 + k], y, row[at + 12 + k]);
         }
-        if (mode == MovingAxes.UPRIGHT) {
+        if (mode == AxisBody.UPRIGHT) {
             addHalf(row[at + 4], 0, 1, 0);
         }
     }

@@ -56,7 +56,7 @@ final class HeldMove {
             int kindB,
             double[] b,
             int j,
-            SweepScratch s) {
+            GjkScratch s) {
         Gjk gjk = s.gjk;
         double vy = planar ? 0 : dy;
         contact = false;
@@ -64,7 +64,7 @@ final class HeldMove {
             return Double.POSITIVE_INFINITY;
         }
         load(planar, kindA, a, i, kindB, b, j);
-        error = Gjk.ROUNDOFF * (mover.extent + rest.extent) + MovingAxes.TINY;
+        error = Gjk.ROUNDOFF * (mover.extent + rest.extent) + AxisBody.TINY;
         double t = 0;
         for (int step = 0; step < MOST_STEPS; step++) {
             if (t > 1) {
@@ -107,7 +107,7 @@ final class HeldMove {
             int kindB,
             double[] b,
             int j,
-            SweepScratch s) {
+            GjkScratch s) {
         contact = true;
         Penetration ways = s.penetration();
         if (planar) {
@@ -128,7 +128,7 @@ final class HeldMove {
                 - mover.margin
                 - rest.margin
                 - error;
-        double slack = Gjk.ROUNDOFF * (Math.abs(dx) + Math.abs(dy) + Math.abs(dz)) + MovingAxes.TINY;
+        double slack = Gjk.ROUNDOFF * (Math.abs(dx) + Math.abs(dy) + Math.abs(dz)) + AxisBody.TINY;
         double closing = -(nx * dx + ny * dy + nz * dz) + slack;
         if (closing <= 0 && gap - closing * t > 0) {
             return Double.POSITIVE_INFINITY;

@@ -68,7 +68,7 @@ final class HeldTurn {
             int kindB,
             double[] b,
             int j,
-            TurnScratch s) {
+            GjkScratch s) {
         Gjk gjk = s.gjk;
         Penetration ways = s.penetration();
         double way = degrees < 0 ? -1 : 1;

@@ -21,7 +21,7 @@ final class Inside {
     }
 
     /** Whether some point of the leaf, which does not meet the surface, lies inside the mesh. */
-    static boolean holdsLeaf(LeafColumn mesh, int leaf, int kind, double[] row, int at, MeshScratch s) {
+    static boolean holdsLeaf(LeafColumn mesh, int leaf, int kind, double[] row, int at, LeafScratch s) {
         // The first three numbers are the centre, or a corner: a point of the leaf; of a prism they are bounds.
         if (kind == Leaf.PRISM) {
             double x = row[at] / 2 + row[at + 1] / 2;
@@ -33,7 +33,7 @@ final class Inside {
     }
 
     /** Whether some connected part of another mesh, whose surface does not meet this one's, lies inside. */
-    static boolean holdsMesh(LeafColumn mesh, int leaf, LeafColumn other, int otherLeaf, MeshScratch s) {
+    static boolean holdsMesh(LeafColumn mesh, int leaf, LeafColumn other, int otherLeaf, LeafScratch s) {
         TriangleMesh parts = other.mesh(otherLeaf);
         double[] place = other.rows();
         int at = otherLeaf * Leaf.STRIDE;
@@ -52,7 +52,7 @@ final class Inside {
     }
 
     /** Whether a point that is not on the surface lies inside. */
-    static boolean holds(LeafColumn mesh, int leaf, double px, double py, double pz, MeshScratch s) {
+    static boolean holds(LeafColumn mesh, int leaf, double px, double py, double pz, LeafScratch s) {
         double[] box = s.meshBox;
         mesh.bounds(leaf, box);
         boolean out = px < box[0] || px > box[3] || py < box[1] || py > box[4] || pz < box[2] || pz > box[5];

@@ -29,11 +29,22 @@ public final class LeafBounds {
         }
     }
 
-    /** Whether the bounds of two leaves are apart; in PLANAR as seen from above. */
+    /**
+     * Whether the bounds of two leaves are apart; in PLANAR as seen from above.
+     *
+     * @param p six numbers, for the bounds of a
+     * @param q six numbers, for those of b
+     */
     static boolean areApart(
-            Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j, LeafScratch s) {
-        double[] p = s.boundsA;
-        double[] q = s.boundsB;
+            Dimension dimension,
+            int kindA,
+            double[] a,
+            int i,
+            int kindB,
+            double[] b,
+            int j,
+            double[] p,
+            double[] q) {
         of(kindA, a, i, p);
         of(kindB, b, j, q);
         for (int k = 0; k < 3; k += dimension == Dimension.PLANAR ? 2 : 1) {

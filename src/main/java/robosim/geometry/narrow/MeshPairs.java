@@ -23,7 +23,7 @@ final class MeshPairs {
 
     private static final double FARTHEST = Double.MAX_VALUE;
 
-    private final MeshScratch s;
+    private final OverlapScratch s;
 
     private int[] stackA = new int[128];
     private int[] stackB = new int[128];
@@ -81,7 +81,7 @@ final class MeshPairs {
     private final double[] planeB = new double[4];
     private double doubt;
 
-    MeshPairs(MeshScratch scratch) {
+    MeshPairs(OverlapScratch scratch) {
         s = scratch;
     }
 

@@ -16,15 +16,6 @@ import robosim.geometry.exact.Filter;
  * time that is believed is told from pairs of doubles in any case, so that the bound costs only calls of the next stage.
  */
 final class MovingAxes {
-    static final int PLANAR = 0;
-    static final int UPRIGHT = 1;
-    static final int SPATIAL = 2;
-
-    static final double ROUNDOFF = Filter.bound(32 * 0x1p-53);
-
-    /** More than any product of doubles in here loses by underflow. */
-    static final double TINY = 0x1p-1040;
-
     private static final double SMALL = 0x1p-900;
     private static final int MOST = 96;
 
@@ -70,12 +61,12 @@ final class MovingAxes {
         double oy = kindA == Leaf.PRISM ? 0.5 * a[i + 8] + 0.5 * a[i + 9] : a[i + 1];
         double oz = kindA == Leaf.PRISM ? 0.5 * a[i + 2] + 0.5 * a[i + 3] : a[i + 2];
         dx = moveX;
-        dy = mode == PLANAR ? 0 : moveY;
+        dy = mode == AxisBody.PLANAR ? 0 : moveY;
         dz = moveZ;
         load(first, mode, kindA, a, i, ox, oy, oz);
         load(second, mode, kindB, b, j, ox, oy, oz);
         mx = first.mx + second.mx;
-        my = mode == PLANAR ? 0 : first.my + second.my;
+        my = mode == AxisBody.PLANAR ? 0 : first.my + second.my;
         mz = first.mz + second.mz;
         count = 0;
         if (mx + my + mz < MINUTE) {
@@ -84,7 +75,7 @@ final class MovingAxes {
         if (separatesByNormal(first, FineAxes.FIRST) || separatesByNormal(second, FineAxes.SECOND)) {
             return Double.POSITIVE_INFINITY;
         }
-        if (mode == SPATIAL) {
+        if (mode == AxisBody.SPATIAL) {
             if (first.doubtful || second.doubtful) {
                 return Double.NaN;
             }
@@ -102,8 +93,8 @@ final class MovingAxes {
 
     private static void load(AxisBody body, int mode, int kind, double[] row, int at, double ox, double oy, double oz) {
         switch (mode) {
-            case PLANAR -> body.planar(kind, row, at, ox, oz);
-            case UPRIGHT -> body.upright(kind, row, at, ox, oy, oz);
+            case AxisBody.PLANAR -> body.planar(kind, row, at, ox, oz);
+            case AxisBody.UPRIGHT -> body.upright(kind, row, at, ox, oy, oz);
             default -> body.spatial(kind, row, at, ox, oy, oz);
         }
     }
@@ -174,10 +165,10 @@ final class MovingAxes {
         double v = nx * dx + ny * dy + nz * dz;
         double size = sizeX * mx + sizeY * my + sizeZ * mz;
         double speedSize = sizeX * Math.abs(dx) + sizeY * Math.abs(dy) + sizeZ * Math.abs(dz);
-        double e = ROUNDOFF * size + TINY;
-        double ev = ROUNDOFF * speedSize;
+        double e = AxisBody.ROUNDOFF * size + AxisBody.TINY;
+        double ev = AxisBody.ROUNDOFF * speedSize;
         if (speedSize < SMALL && !(isNone(sizeX, dx) && isNone(sizeY, dy) && isNone(sizeZ, dz))) {
-            ev += TINY;
+            ev += AxisBody.TINY;
         }
         double ahead = first.lo - second.hi;
         double behind = second.lo - first.hi;
@@ -186,8 +177,8 @@ final class MovingAxes {
         }
         double sizes = sizeX + sizeY + sizeZ;
         double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
-        note(ahead, e, v, ev, length, ROUNDOFF * sizes);
-        note(behind, e, -v, ev, length, ROUNDOFF * sizes);
+        note(ahead, e, v, ev, length, AxisBody.ROUNDOFF * sizes);
+        note(behind, e, -v, ev, length, AxisBody.ROUNDOFF * sizes);
         return false;
     }
 
@@ -279,7 +270,7 @@ final class MovingAxes {
         boolean away = false;
         for (int k = 0; k < count; k++) {
             double depth = (-gap[k] - gapError[k]) / (length[k] + lengthError[k]);
-            if (depth <= least * (1 + ROUNDOFF)) {
+            if (depth <= least * (1 + AxisBody.ROUNDOFF)) {
                 if (speed[k] < -speedError[k]) {
                     into = true;
                 } else if (speed[k] >= speedError[k]) {

@@ -12,7 +12,7 @@ import robosim.geometry.exact.Dyadic;
  * {@link MovingDisc}. What cannot be proven goes to {@link ExactBall}.
  */
 final class MovingBall {
-    private static final double ROUNDOFF = MovingAxes.ROUNDOFF;
+    private static final double ROUNDOFF = AxisBody.ROUNDOFF;
 
     /** Most of the magnitude of a box's columns, of length 1 to 1e-9. */
     private static final double UNIT = 1.01;
@@ -83,7 +83,7 @@ final class MovingBall {
         }
         double x = a[i] - b[j];
         double z = a[i + 2] - b[j + 2];
-        double e = ROUNDOFF * (Math.abs(x) + Math.abs(z)) + MovingAxes.TINY;
+        double e = ROUNDOFF * (Math.abs(x) + Math.abs(z)) + AxisBody.TINY;
         double alongX = Math.abs(x * b[j + 6] + z * b[j + 12]);
         double alongZ = Math.abs(x * b[j + 8] + z * b[j + 14]);
         return alongX + e < b[j + 3] / UNIT && alongZ + e < b[j + 5] / UNIT;
@@ -106,7 +106,7 @@ final class MovingBall {
             ball.size = Math.abs(row[at] - ox) + Math.abs(row[at + 2] - oz);
             double time = ball.corner();
             if (Double.isNaN(time)) {
-                time = PlanarSweep.exactDisc(a, i, dx, dz, kind, row, at, null);
+                time = ExactDisc.of(a, i, dx, dz, kind, row, at, null).time();
             }
             if (time > 1) {
                 return time; // not even a cylinder without ends is met

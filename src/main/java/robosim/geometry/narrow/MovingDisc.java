@@ -10,8 +10,8 @@ package robosim.geometry.narrow;
  * pairs of doubles by {@link FineBall}. What the two leave open goes to {@link ExactDisc}.
  */
 final class MovingDisc {
-    private static final double ROUNDOFF = MovingAxes.ROUNDOFF;
-    private static final double TINY = MovingAxes.TINY;
+    private static final double ROUNDOFF = AxisBody.ROUNDOFF;
+    private static final double TINY = AxisBody.TINY;
 
     // Where a disc comes to the line of an edge, as the edge sees it.
     private static final int BEFORE = -1;

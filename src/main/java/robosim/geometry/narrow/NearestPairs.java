@@ -14,7 +14,7 @@ import robosim.geometry.model.Dimension;
 public final class NearestPairs {
     private static final int COMPARE = 0;
 
-    private final MeshScratch s;
+    private final OverlapScratch s;
     private final Branches first = new Branches();
     private final Branches second = new Branches();
     private final PairQueue queue = new PairQueue();
@@ -32,7 +32,7 @@ public final class NearestPairs {
     private double high;
     private long steps;
 
-    public NearestPairs(MeshScratch scratch) {
+    public NearestPairs(OverlapScratch scratch) {
         s = scratch;
     }
 

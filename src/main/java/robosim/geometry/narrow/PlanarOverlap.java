@@ -73,7 +73,7 @@ public final class PlanarOverlap {
             return true;
         }
         // Trees go by bounds: what these prove apart is, or an answer would depend on which tree was asked.
-        if (LeafBounds.areApart(Dimension.PLANAR, kindA, a, i, kindB, b, j, s)) {
+        if (LeafBounds.areApart(Dimension.PLANAR, kindA, a, i, kindB, b, j, s.boundsA, s.boundsB)) {
             return false;
         }
         s.uncertain = true;

@@ -1,13 +1,8 @@
 package robosim.geometry.narrow;
 
-import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Dyadic;
-import robosim.geometry.exact.Stages;
 
 /** The motion of one leaf's projection on XZ against another's at rest. */
 public final class PlanarSweep {
-    private static final Stages.Counter EXACT = Stages.counter("MovingDisc");
-
     private PlanarSweep() {}
 
     /**
@@ -25,9 +20,9 @@ public final class PlanarSweep {
             int kindA, double[] a, int i, double dx, double dy, double dz, int kindB, double[] b, int j, SweepScratch s) {
         if (AxisBody.isPolytope(kindA)) {
             if (AxisBody.isPolytope(kindB)) {
-                double time = s.sweep().axes.time(MovingAxes.PLANAR, kindA, a, i, dx, 0, dz, kindB, b, j);
+                double time = s.sweep().axes.time(AxisBody.PLANAR, kindA, a, i, dx, 0, dz, kindB, b, j);
                 return Double.isNaN(time)
-                        ? ExactAxes.time(MovingAxes.PLANAR, kindA, a, i, dx, 0, dz, kindB, b, j)
+                        ? ExactAxes.time(AxisBody.PLANAR, kindA, a, i, dx, 0, dz, kindB, b, j)
                         : time;
             }
             if (Leaf.isDisc(kindB)) {
@@ -44,7 +39,7 @@ public final class PlanarSweep {
         if (!Double.isNaN(time)) {
             return time;
         }
-        return exactDisc(a, i, dx, dz, kindB, b, j, null);
+        return ExactDisc.of(a, i, dx, dz, kindB, b, j, null).time();
     }
 
     /** Time of contact of a disc in the plane; NaN where pairs of doubles cannot tell. */
@@ -53,38 +48,5 @@ public final class PlanarSweep {
         return Leaf.isDisc(kindB)
                 ? disc.discs(a, i, dx, dz, b, j, s.sweep().outline)
                 : disc.polygon(a, i, dx, dz, kindB, b, j, s.sweep().outline);
-    }
-
-    static double exactDisc(
-            double[] a,
-            int i,
-            double dx,
-            double dz,
-            int kindB,
-            double[] b,
-            int j,
-            ExactDisc.@Nullable Heights heights) {
-        return exact(a, i, dx, dz, kindB, b, j, heights).time();
-    }
-
-    /** A disc and what it may meet, without rounding. */
-    static ExactDisc exact(
-            double[] a,
-            int i,
-            double dx,
-            double dz,
-            int kindB,
-            double[] b,
-            int j,
-            ExactDisc.@Nullable Heights heights) {
-        EXACT.count();
-        Dyadic radius = Dyadic.of(a[i + 3]);
-        if (Leaf.isDisc(kindB)) {
-            radius = radius.add(Dyadic.of(b[j + 3]));
-        }
-        Dyadic[] centre = ExactOutline.pair(Dyadic.of(a[i]), Dyadic.of(a[i + 2]));
-        ExactOutline outline = ExactOutline.of(kindB, b, j).relative(centre, Dyadic.ONE);
-        Dyadic[] move = ExactOutline.pair(Dyadic.of(dx), Dyadic.of(dz));
-        return new ExactDisc(outline, radius, move, heights);
     }
 }

@@ -76,7 +76,7 @@ public final class SpatialOverlap {
             return new ExactCylinder(kindA, a, i).touchesPolytope(new ExactPolytope(kindB, b, j));
         }
         if (isPolytope(kindA) || isPolytope(kindB)) {
-            return !ExactAxes.areApart(MovingAxes.SPATIAL, kindA, a, i, kindB, b, j); // one is a prism
+            return !ExactAxes.areApart(AxisBody.SPATIAL, kindA, a, i, kindB, b, j); // one is a prism
         }
         s.uncertain = true; // a prism and something round: no slab was wide enough
         return true;

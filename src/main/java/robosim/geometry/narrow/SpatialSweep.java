@@ -23,7 +23,7 @@ public final class SpatialSweep {
         }
         if (AxisBody.isPolytope(kindA) && AxisBody.isPolytope(kindB)) {
             boolean upright = Leaf.isUpright(kindA) && Leaf.isUpright(kindB);
-            int mode = upright ? MovingAxes.UPRIGHT : MovingAxes.SPATIAL;
+            int mode = upright ? AxisBody.UPRIGHT : AxisBody.SPATIAL;
             double time = s.sweep().axes.time(mode, kindA, a, i, dx, dy, dz, kindB, b, j);
             return Double.isNaN(time) ? ExactAxes.time(mode, kindA, a, i, dx, dy, dz, kindB, b, j) : time;
         }
@@ -82,7 +82,7 @@ public final class SpatialSweep {
         }
         double up = a[i + 1] - a[i + 4] - top - high;
         double down = middle - high - a[i + 1] - a[i + 4];
-        double error = MovingAxes.ROUNDOFF
+        double error = AxisBody.ROUNDOFF
                 * (Math.abs(a[i + 1]) + a[i + 4] + Math.abs(top) + Math.abs(middle) + high + Math.abs(dy));
         boolean level = above <= 0
                 && below <= 0
@@ -103,6 +103,6 @@ public final class SpatialSweep {
                 mine.subtract(half).subtract(Dyadic.of(top)).subtract(Dyadic.of(high)),
                 Dyadic.of(middle).subtract(Dyadic.of(high)).subtract(mine).subtract(half),
                 Dyadic.of(dy));
-        return PlanarSweep.exactDisc(a, i, dx, dz, kindB, b, j, heights);
+        return ExactDisc.of(a, i, dx, dz, kindB, b, j, heights).time();
     }
 }

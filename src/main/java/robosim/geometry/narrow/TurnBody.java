@@ -139,7 +139,7 @@ final class TurnBody {
 
     /** How wrong a place along a unit direction may be. */
     double error() {
-        return ROUNDOFF * extent + MovingAxes.TINY;
+        return ROUNDOFF * extent + AxisBody.TINY;
     }
 
     /** Takes a unit direction; the turn goes by the right hand about the axis, or (sign -1) against it. */

@@ -34,7 +34,7 @@ final class TurnDisc {
         px = x;
         pz = z;
         rho = TurnOutline.length(x, z);
-        error = ROUNDOFF * (rho + o.size) + MovingAxes.TINY;
+        error = ROUNDOFF * (rho + o.size) + AxisBody.TINY;
         double least = Double.POSITIVE_INFINITY;
         outside = o.normals == 0;
         for (int k = 0; k < o.corners; k++) {

@@ -47,7 +47,7 @@ final class TurnOutline {
     /** Loads the mover and the polygon at rest, relative to the pivot, and finds {@link #gap} and {@link #near}. */
     void load(Outline mover, Outline rest) {
         normals = 0;
-        error = ROUNDOFF * (mover.size + rest.size) + MovingAxes.TINY;
+        error = ROUNDOFF * (mover.size + rest.size) + AxisBody.TINY;
         gap = Double.NEGATIVE_INFINITY;
         for (int k = 0; k < rest.normals; k++) {
             add(rest, k, mover, 1);

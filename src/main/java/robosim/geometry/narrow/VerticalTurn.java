@@ -77,7 +77,7 @@ final class VerticalTurn {
             return polygons.free(wanted);
         }
         boolean apart =
-                polygons.gap > -polygons.error && ExactAxes.areApart(MovingAxes.PLANAR, kindA, a, i, kindB, b, j);
+                polygons.gap > -polygons.error && ExactAxes.areApart(AxisBody.PLANAR, kindA, a, i, kindB, b, j);
         if (!apart) {
             return -polygons.gap >= heightDepth - polygons.error ? Double.POSITIVE_INFINITY : polygons.free(wanted);
         }
@@ -108,7 +108,7 @@ final class VerticalTurn {
             return disc.free(outline, radius, false);
         }
         boolean apart = gap >= -error
-                && !PlanarSweep.exact(a, i, 0, 0, kindB, b, j, null).touches();
+                && !ExactDisc.of(a, i, 0, 0, kindB, b, j, null).touches();
         if (disc.distance > disc.error || outline.normals == 0) {
             boolean shallow = !apart && -gap >= heightDepth - error;
             return shallow ? Double.POSITIVE_INFINITY : disc.free(outline, disc.distance, true);
