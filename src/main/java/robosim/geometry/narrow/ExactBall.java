@@ -11,12 +11,12 @@ final class ExactBall {
     private static final Stages.Counter EXACT = Stages.counter("MovingBall");
     private static final double NEVER = Double.POSITIVE_INFINITY;
 
-    private final Vector centre;
-    private final Vector move;
+    private final ExactVector centre;
+    private final ExactVector move;
     private final Dyadic radius;
     private final Dyadic radiusSquare;
 
-    private ExactBall(Vector centre, Dyadic radius, Vector move) {
+    private ExactBall(ExactVector centre, Dyadic radius, ExactVector move) {
         this.centre = centre;
         this.radius = radius;
         this.move = move;
@@ -26,15 +26,15 @@ final class ExactBall {
     /** As {@link SpatialSweep#translation}, for a sphere against a sphere, box or triangle. */
     static double time(double[] a, int i, double dx, double dy, double dz, int kindB, double[] b, int j) {
         EXACT.count();
-        Vector move = Vector.of(dx, dy, dz);
+        ExactVector move = ExactVector.of(dx, dy, dz);
         Dyadic radius = Dyadic.of(a[i + Leaf.SIZE]);
         if (kindB == Leaf.SPHERE) {
-            ExactBall ball = new ExactBall(Vector.at(a, i), radius.add(Dyadic.of(b[j + Leaf.SIZE])), move);
-            Vector way = Vector.at(b, j).minus(ball.centre);
+            ExactBall ball = new ExactBall(ExactVector.at(a, i), radius.add(Dyadic.of(b[j + Leaf.SIZE])), move);
+            ExactVector way = ExactVector.at(b, j).minus(ball.centre);
             boolean contact = way.square().compareTo(ball.radiusSquare) <= 0;
-            return contact ? way.dot(move).signum() > 0 ? 0 : NEVER : ball.cornerTime(Vector.at(b, j));
+            return contact ? way.dot(move).signum() > 0 ? 0 : NEVER : ball.cornerTime(ExactVector.at(b, j));
         }
-        ExactBall ball = new ExactBall(Vector.at(a, i), radius, move);
+        ExactBall ball = new ExactBall(ExactVector.at(a, i), radius, move);
         ExactPolytope polytope = new ExactPolytope(kindB, b, j);
         if (new ExactSphere(a, i).touchesPolytope(polytope)) {
             boolean blocked = polytope.contains(ball.centre) ? ball.deeperInside(polytope) : ball.deeper(polytope);
@@ -52,8 +52,8 @@ final class ExactBall {
         return first;
     }
 
-    private double cornerTime(Vector corner) {
-        Vector v = corner.minus(centre);
+    private double cornerTime(ExactVector corner) {
+        ExactVector v = corner.minus(centre);
         Dyadic ahead = v.dot(move);
         Dyadic square = move.square();
         Dyadic chord = radiusSquare.multiply(square).subtract(v.cross(move).square());
@@ -62,10 +62,10 @@ final class ExactBall {
 
     /** The infinite cylinder around the edge, where its foot lies on the edge; the ends are corners. */
     private double edgeTime(ExactPolytope.Edge edge) {
-        Vector e = edge.along();
-        Vector v = edge.from().minus(centre);
-        Vector away = v.cross(e);
-        Vector way = move.cross(e);
+        ExactVector e = edge.along();
+        ExactVector v = edge.from().minus(centre);
+        ExactVector away = v.cross(e);
+        ExactVector way = move.cross(e);
         Dyadic length = e.square();
         Dyadic square = way.square();
         Dyadic beyond = away.square().subtract(radiusSquare.multiply(length));
@@ -101,8 +101,8 @@ final class ExactBall {
 
     /** The plane of a side, moved out by the radius, where the foot lies in the side. */
     private double sideTime(ExactPolytope.Side side) {
-        Vector w = centre.minus(side.corner());
-        Vector n = w.dot(side.normal()).signum() < 0 ? side.normal().negate() : side.normal();
+        ExactVector w = centre.minus(side.corner());
+        ExactVector n = w.dot(side.normal()).signum() < 0 ? side.normal().negate() : side.normal();
         Dyadic height = w.dot(n);
         Dyadic speed = n.dot(move).negate();
         Dyadic square = n.square();
@@ -121,8 +121,8 @@ final class ExactBall {
 
     // At the time (height - r |n|) / speed the foot's shares of the side's edges, times n.n and the speed, are a - b
     // |n|.
-    private boolean isFootOn(ExactPolytope.Side side, Vector w, Dyadic height, Dyadic speed) {
-        Vector n = side.normal();
+    private boolean isFootOn(ExactPolytope.Side side, ExactVector w, Dyadic height, Dyadic speed) {
+        ExactVector n = side.normal();
         Dyadic square = n.square();
         Dyadic p = move.cross(side.q()).dot(n);
         Dyadic q = side.p().cross(move).dot(n);
@@ -147,7 +147,7 @@ final class ExactBall {
         Dyadic den = Dyadic.ZERO;
         boolean blocked = false;
         for (ExactPolytope.Side side : box.sides()) {
-            Vector n = side.normal();
+            ExactVector n = side.normal();
             int out = n.dot(side.corner().minus(box.centre)).signum();
             if (out == 0) {
                 return false; // flat: out on either side
@@ -172,11 +172,11 @@ final class ExactBall {
         Dyadic den = Dyadic.ZERO;
         boolean blocked = false;
         for (ExactPolytope.Edge edge : polytope.outline()) {
-            Vector e = edge.along();
-            Vector v = edge.from().minus(centre);
+            ExactVector e = edge.along();
+            ExactVector v = edge.from().minus(centre);
             Dyadic length = e.square();
             Dyadic share = v.dot(e).negate();
-            Vector inward;
+            ExactVector inward;
             Dyadic scale = Dyadic.ONE;
             if (share.signum() <= 0) {
                 inward = v;

@@ -40,7 +40,7 @@ final class ExactCommon {
     }
 
     private static boolean corner(ExactPolytope of, ExactPolytope in, double[] out) {
-        for (Vector corner : corners(of)) {
+        for (ExactVector corner : corners(of)) {
             if (holds(in, corner)) {
                 return write(corner, Dyadic.ONE, out);
             }
@@ -48,15 +48,15 @@ final class ExactCommon {
         return false;
     }
 
-    private static List<Vector> corners(ExactPolytope of) {
+    private static List<ExactVector> corners(ExactPolytope of) {
         if (!of.isBox) {
             return of.spans;
         }
-        List<Vector> corners = new ArrayList<>();
+        List<ExactVector> corners = new ArrayList<>();
         for (int k = 0; k < 8; k++) {
-            Vector corner = of.centre;
+            ExactVector corner = of.centre;
             for (int axis = 0; axis < 3; axis++) {
-                Vector half = of.spans.get(axis);
+                ExactVector half = of.spans.get(axis);
                 corner = (k >> axis & 1) == 0 ? corner.minus(half) : corner.plus(half);
             }
             corners.add(corner);
@@ -64,7 +64,7 @@ final class ExactCommon {
         return corners;
     }
 
-    private static boolean holds(ExactPolytope in, Vector point) {
+    private static boolean holds(ExactPolytope in, ExactVector point) {
         if (in.contains(point)) {
             return true;
         }
@@ -74,7 +74,7 @@ final class ExactCommon {
             }
         }
         for (ExactPolytope.Edge edge : in.outline()) {
-            Vector w = point.minus(edge.from());
+            ExactVector w = point.minus(edge.from());
             Dyadic ahead = w.dot(edge.along());
             if (w.cross(edge.along()).isZero()
                     && ahead.signum() >= 0
@@ -99,7 +99,7 @@ final class ExactCommon {
                 if (whole.signum() == 0 || !isShare(share, whole)) {
                     continue;
                 }
-                Vector point = along(edge, share, whole);
+                ExactVector point = along(edge, share, whole);
                 if (side.coversFootOf(point, whole)) {
                     return write(point, whole, out);
                 }
@@ -112,8 +112,8 @@ final class ExactCommon {
         List<ExactPolytope.Edge> others = second.outline();
         for (ExactPolytope.Edge p : first.outline()) {
             for (ExactPolytope.Edge q : others) {
-                Vector across = p.along().cross(q.along());
-                Vector w = q.from().minus(p.from());
+                ExactVector across = p.along().cross(q.along());
+                ExactVector w = q.from().minus(p.from());
                 Dyadic whole = across.square();
                 if (whole.signum() == 0 || w.dot(across).signum() != 0) {
                     continue; // parallel, or they pass each other
@@ -132,11 +132,11 @@ final class ExactCommon {
     }
 
     /** The point of an edge at a share of its length, times the whole. */
-    private static Vector along(ExactPolytope.Edge edge, Dyadic share, Dyadic whole) {
+    private static ExactVector along(ExactPolytope.Edge edge, Dyadic share, Dyadic whole) {
         return edge.from().times(whole).plus(edge.along().times(share));
     }
 
-    private static boolean write(Vector point, Dyadic denominator, double[] out) {
+    private static boolean write(ExactVector point, Dyadic denominator, double[] out) {
         out[0] = ratio(point.x(), denominator);
         out[1] = ratio(point.y(), denominator);
         out[2] = ratio(point.z(), denominator);

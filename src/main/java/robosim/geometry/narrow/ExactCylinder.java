@@ -10,8 +10,8 @@ import robosim.geometry.exact.Dyadic;
  * middle of the chord that the plane cuts from a cap. Or the cylinder is inside the box altogether.
  */
 final class ExactCylinder {
-    final Vector centre;
-    final Vector axis;
+    final ExactVector centre;
+    final ExactVector axis;
     final Dyadic radius;
 
     /** The half height times a.a: what (x - c).a is compared with. */
@@ -22,8 +22,8 @@ final class ExactCylinder {
     private final Dyadic reach;
 
     ExactCylinder(int kind, double[] row, int at) {
-        centre = Vector.at(row, at);
-        axis = kind == Leaf.CYLINDER ? Vector.column(row, at + Leaf.ROTATION + 1) : Vector.of(0, 1, 0);
+        centre = ExactVector.at(row, at);
+        axis = kind == Leaf.CYLINDER ? ExactVector.column(row, at + Leaf.ROTATION + 1) : ExactVector.of(0, 1, 0);
         radius = Dyadic.of(row[at + 3]);
         halfHeight = Dyadic.of(row[at + 4]);
         axisSquare = axis.square();
@@ -31,8 +31,8 @@ final class ExactCylinder {
         reach = radius.square().multiply(axisSquare);
     }
 
-    boolean contains(Vector point) {
-        Vector w = point.minus(centre);
+    boolean contains(ExactVector point) {
+        ExactVector w = point.minus(centre);
         return w.dot(axis).abs().compareTo(half) <= 0 && w.cross(axis).square().compareTo(reach) <= 0;
     }
 
@@ -57,7 +57,7 @@ final class ExactCylinder {
 
     /** Whether {@code q(t) <= 0} for a t in [0, 1] between the caps, where q is the squared distance from the axis less r^2. */
     private boolean touchesEdge(ExactPolytope.Edge edge) {
-        Vector w = edge.from().minus(centre);
+        ExactVector w = edge.from().minus(centre);
         Dyadic start = w.dot(axis);
         Dyadic slope = edge.along().dot(axis);
         // The share of the edge between the caps, as fractions with positive denominators.
@@ -86,8 +86,8 @@ final class ExactCylinder {
                 return false;
             }
         }
-        Vector u = w.cross(axis);
-        Vector v = edge.along().cross(axis);
+        ExactVector u = w.cross(axis);
+        ExactVector v = edge.along().cross(axis);
         Dyadic a = v.square();
         Dyadic b = u.dot(v);
         Dyadic c = u.square().subtract(reach);
@@ -125,14 +125,14 @@ final class ExactCylinder {
     }
 
     /** The middle of the chord that the side's plane cuts from a cap: from the cap's centre along the plane's slope. */
-    private boolean capMeets(ExactPolytope.Side side, Vector cap) {
-        Vector normal = side.normal();
-        Vector slope = normal.times(axisSquare).minus(axis.times(normal.dot(axis)));
+    private boolean capMeets(ExactPolytope.Side side, ExactVector cap) {
+        ExactVector normal = side.normal();
+        ExactVector slope = normal.times(axisSquare).minus(axis.times(normal.dot(axis)));
         Dyadic denominator = normal.dot(slope);
         if (denominator.signum() <= 0) {
             return false; // the plane is parallel to the cap
         }
-        Vector offset = slope.times(normal.dot(side.corner().minus(cap)));
+        ExactVector offset = slope.times(normal.dot(side.corner().minus(cap)));
         return offset.square().compareTo(radius.square().multiply(denominator.square())) <= 0
                 && side.coversFootOf(cap.times(denominator).plus(offset), denominator);
     }

@@ -6,7 +6,7 @@ import robosim.geometry.exact.Dyadic;
 final class ExactCylinders {
     private final ExactCylinder first;
     private final ExactCylinder second;
-    private final Vector between;
+    private final ExactVector between;
 
     ExactCylinders(int kindA, double[] a, int i, int kindB, double[] b, int j) {
         first = new ExactCylinder(kindA, a, i);
@@ -20,7 +20,7 @@ final class ExactCylinders {
      * {@code |w x a|^2 <= (r + R)^2 a.a}.
      */
     boolean parallelTouch() {
-        Vector a = first.axis;
+        ExactVector a = first.axis;
         Dyadic heights =
                 first.half.add(second.halfHeight.multiply(a.dot(second.axis).abs()));
         Dyadic reach = first.radius.add(second.radius);
@@ -37,23 +37,23 @@ final class ExactCylinders {
         return separates(first.axis)
                 || separates(second.axis)
                 || separates(first.axis.cross(second.axis))
-                || separates(Vector.of(px, py, pz))
-                || separates(Vector.of(qx, qy, qz));
+                || separates(ExactVector.of(px, py, pz))
+                || separates(ExactVector.of(qx, qy, qz));
     }
 
     /** Whether both hold a point, one of the centres, or the middle of a cap. */
     boolean haveInCommon(double x, double y, double z) {
-        return bothHold(Vector.of(x, y, z)) || holdsMiddle(first, second) || holdsMiddle(second, first);
+        return bothHold(ExactVector.of(x, y, z)) || holdsMiddle(first, second) || holdsMiddle(second, first);
     }
 
     private static boolean holdsMiddle(ExactCylinder holder, ExactCylinder held) {
-        Vector cap = held.axis.times(held.halfHeight);
+        ExactVector cap = held.axis.times(held.halfHeight);
         return holder.contains(held.centre)
                 || holder.contains(held.centre.plus(cap))
                 || holder.contains(held.centre.minus(cap));
     }
 
-    private boolean bothHold(Vector point) {
+    private boolean bothHold(ExactVector point) {
         return first.contains(point) && second.contains(point);
     }
 
@@ -62,7 +62,7 @@ final class ExactCylinders {
      * are brought to one side and everything is multiplied by (a.a)(b.b), so that it reads D > sqrt(X) + sqrt(Y), which is
      * {@code D^2 - X - Y > 2 sqrt(X Y)}.
      */
-    private boolean separates(Vector n) {
+    private boolean separates(ExactVector n) {
         Dyadic gap = n.dot(between)
                 .abs()
                 .subtract(first.halfHeight.multiply(n.dot(first.axis).abs()))

@@ -12,20 +12,20 @@ import robosim.geometry.exact.Dyadic;
  * bounded) the flat ones too whenever these are apart.
  */
 final class ExactPolytope {
-    private static final Vector UNIT_X = Vector.of(1, 0, 0);
-    private static final Vector UNIT_Y = Vector.of(0, 1, 0);
-    private static final Vector UNIT_Z = Vector.of(0, 0, 1);
+    private static final ExactVector UNIT_X = ExactVector.of(1, 0, 0);
+    private static final ExactVector UNIT_Y = ExactVector.of(0, 1, 0);
+    private static final ExactVector UNIT_Z = ExactVector.of(0, 0, 1);
 
     final boolean isBox;
 
     /** A box's half vectors, or a triangle's corners. */
-    final List<Vector> spans = new ArrayList<>();
+    final List<ExactVector> spans = new ArrayList<>();
 
     /** A box's centre, or a triangle's first corner. */
-    final Vector centre;
+    final ExactVector centre;
 
-    private final List<Vector> faces = new ArrayList<>();
-    private final List<Vector> edges = new ArrayList<>();
+    private final List<ExactVector> faces = new ArrayList<>();
+    private final List<ExactVector> edges = new ArrayList<>();
 
     /** Whether a kind of leaf is a box or a triangle. */
     static boolean isKnown(int kind) {
@@ -34,17 +34,17 @@ final class ExactPolytope {
 
     ExactPolytope(int kind, double[] row, int at) {
         isBox = kind != Leaf.TRIANGLE;
-        centre = Vector.at(row, at);
+        centre = ExactVector.at(row, at);
         if (isBox) {
             for (int k = 0; k < 3; k++) {
-                Vector column = Vector.column(row, at + Leaf.ROTATION + k);
+                ExactVector column = ExactVector.column(row, at + Leaf.ROTATION + k);
                 edges.add(column);
                 spans.add(column.times(Dyadic.of(row[at + Leaf.SIZE + k])));
             }
             thicken();
         } else {
             for (int k = 0; k < 9; k += 3) {
-                spans.add(Vector.at(row, at + k));
+                spans.add(ExactVector.at(row, at + k));
             }
             triangle();
         }
@@ -58,9 +58,9 @@ final class ExactPolytope {
     }
 
     private void triangle() {
-        Vector longest = null;
+        ExactVector longest = null;
         for (int k = 0; k < 3; k++) {
-            Vector edge = spans.get((k + 1) % 3).minus(spans.get(k));
+            ExactVector edge = spans.get((k + 1) % 3).minus(spans.get(k));
             if (!edge.isZero()) {
                 longest = edge;
                 edges.add(edge);
@@ -73,21 +73,21 @@ final class ExactPolytope {
             thicken();
             return;
         }
-        Vector normal = edges.get(0).cross(edges.get(1));
+        ExactVector normal = edges.get(0).cross(edges.get(1));
         if (normal.isZero()) {
             chooseAcross(longest);
             thicken();
             return;
         }
         faces.add(normal);
-        for (Vector edge : edges) {
+        for (ExactVector edge : edges) {
             faces.add(edge.cross(normal));
         }
         edges.add(normal);
     }
 
     /** Two unit directions that span space together with a segment's. */
-    private void chooseAcross(Vector along) {
+    private void chooseAcross(ExactVector along) {
         edges.clear();
         edges.add(along);
         if (along.x().signum() == 0) {
@@ -107,10 +107,10 @@ final class ExactPolytope {
     static boolean apart(int kindA, double[] a, int i, int kindB, double[] b, int j, int doubts) {
         ExactPolytope p = new ExactPolytope(kindA, a, i);
         ExactPolytope q = new ExactPolytope(kindB, b, j);
-        List<Vector> axes = new ArrayList<>(p.faces);
+        List<ExactVector> axes = new ArrayList<>(p.faces);
         axes.addAll(q.faces);
-        for (Vector e : p.edges) {
-            for (Vector f : q.edges) {
+        for (ExactVector e : p.edges) {
+            for (ExactVector f : q.edges) {
                 axes.add(e.cross(f));
             }
         }
@@ -123,14 +123,14 @@ final class ExactPolytope {
         return false;
     }
 
-    private static boolean separates(Vector axis, ExactPolytope p, ExactPolytope q) {
+    private static boolean separates(ExactVector axis, ExactPolytope p, ExactPolytope q) {
         return p.least(axis).compareTo(q.greatest(axis)) > 0 || q.least(axis).compareTo(p.greatest(axis)) > 0;
     }
 
-    private Dyadic greatest(Vector axis) {
+    private Dyadic greatest(ExactVector axis) {
         if (isBox) {
             Dyadic sum = centre.dot(axis);
-            for (Vector half : spans) {
+            for (ExactVector half : spans) {
                 sum = sum.add(half.dot(axis).abs());
             }
             return sum;
@@ -141,7 +141,7 @@ final class ExactPolytope {
                 .max(spans.get(2).dot(axis));
     }
 
-    private Dyadic least(Vector axis) {
+    private Dyadic least(ExactVector axis) {
         return greatest(axis.negate()).negate();
     }
 
@@ -156,10 +156,10 @@ final class ExactPolytope {
         }
         Dyadic two = Dyadic.of(2);
         for (int k = 0; k < 3; k++) {
-            Vector along = spans.get(k).times(two);
-            Vector p = spans.get((k + 1) % 3);
-            Vector q = spans.get((k + 2) % 3);
-            Vector base = centre.minus(spans.get(k));
+            ExactVector along = spans.get(k).times(two);
+            ExactVector p = spans.get((k + 1) % 3);
+            ExactVector q = spans.get((k + 2) % 3);
+            ExactVector base = centre.minus(spans.get(k));
             outline.add(new Edge(base.plus(p).plus(q), along));
             outline.add(new Edge(base.plus(p).minus(q), along));
             outline.add(new Edge(base.minus(p).plus(q), along));
@@ -181,30 +181,30 @@ final class ExactPolytope {
         }
         Dyadic two = Dyadic.of(2);
         for (int k = 0; k < 3; k++) {
-            Vector p = spans.get((k + 1) % 3);
-            Vector q = spans.get((k + 2) % 3);
-            Vector corner = centre.minus(p).minus(q);
+            ExactVector p = spans.get((k + 1) % 3);
+            ExactVector q = spans.get((k + 2) % 3);
+            ExactVector corner = centre.minus(p).minus(q);
             addSide(sides, corner.plus(spans.get(k)), p.times(two), q.times(two));
             addSide(sides, corner.minus(spans.get(k)), p.times(two), q.times(two));
         }
         return sides;
     }
 
-    private void addSide(List<Side> sides, Vector corner, Vector p, Vector q) {
-        Vector normal = p.cross(q);
+    private void addSide(List<Side> sides, ExactVector corner, ExactVector p, ExactVector q) {
+        ExactVector normal = p.cross(q);
         if (!normal.isZero()) {
             sides.add(new Side(corner, p, q, normal, isBox));
         }
     }
 
     /** Whether a point lies in a box; always false for a triangle. */
-    boolean contains(Vector point) {
+    boolean contains(ExactVector point) {
         if (!isBox) {
             return false;
         }
-        Vector w = point.minus(centre);
+        ExactVector w = point.minus(centre);
         for (int k = 0; k < 3; k++) {
-            Vector normal = faces.get(k);
+            ExactVector normal = faces.get(k);
             if (w.dot(normal).abs().compareTo(spans.get(k).dot(normal).abs()) > 0) {
                 return false;
             }
@@ -213,13 +213,13 @@ final class ExactPolytope {
     }
 
     /** A straight edge from a point along a vector. */
-    record Edge(Vector from, Vector along) {}
+    record Edge(ExactVector from, ExactVector along) {}
 
     /** A triangle or parallelogram at a corner. */
-    record Side(Vector corner, Vector p, Vector q, Vector normal, boolean isParallelogram) {
+    record Side(ExactVector corner, ExactVector p, ExactVector q, ExactVector normal, boolean isParallelogram) {
         /** Whether the foot of a point {@code numerator / denominator} (above 0) on the side's plane lies in the side. */
-        boolean coversFootOf(Vector numerator, Dyadic denominator) {
-            Vector w = numerator.minus(corner.times(denominator));
+        boolean coversFootOf(ExactVector numerator, Dyadic denominator) {
+            ExactVector w = numerator.minus(corner.times(denominator));
             Dyadic alongP = w.cross(q).dot(normal);
             Dyadic alongQ = p.cross(w).dot(normal);
             if (alongP.signum() < 0 || alongQ.signum() < 0) {

@@ -4,19 +4,19 @@ import robosim.geometry.exact.Dyadic;
 
 /** A sphere against the other shapes with exact numbers: squares compared, no root taken. Slow. */
 final class ExactSphere {
-    private final Vector centre;
+    private final ExactVector centre;
     private final Dyadic radius;
     private final Dyadic square;
 
     ExactSphere(double[] row, int at) {
-        centre = Vector.at(row, at);
+        centre = ExactVector.at(row, at);
         radius = Dyadic.of(row[at + Leaf.SIZE]);
         square = radius.square();
     }
 
     boolean touchesSphere(double[] row, int at) {
         Dyadic reach = radius.add(Dyadic.of(row[at + Leaf.SIZE]));
-        return Vector.at(row, at).minus(centre).square().compareTo(reach.square()) <= 0;
+        return ExactVector.at(row, at).minus(centre).square().compareTo(reach.square()) <= 0;
     }
 
     /** The centre is inside, or no further than the radius from an end or inner point of an edge, or from a side. */
@@ -40,7 +40,7 @@ final class ExactSphere {
     }
 
     private boolean touchesEdge(ExactPolytope.Edge edge) {
-        Vector w = centre.minus(edge.from());
+        ExactVector w = centre.minus(edge.from());
         if (w.square().compareTo(square) <= 0 || w.minus(edge.along()).square().compareTo(square) <= 0) {
             return true;
         }
@@ -58,7 +58,7 @@ final class ExactSphere {
      * where the one root, 2 r sqrt(q), is removed by squaring.
      */
     boolean touchesCylinder(ExactCylinder cylinder) {
-        Vector w = centre.minus(cylinder.centre);
+        ExactVector w = centre.minus(cylinder.centre);
         Dyadic s = w.dot(cylinder.axis).abs();
         Dyadic beyond = s.subtract(cylinder.half);
         Dyadic q = w.cross(cylinder.axis).square();

@@ -2,12 +2,22 @@ package robosim.geometry.narrow;
 
 import robosim.geometry.exact.Dyadic;
 
-/** Three exact numbers; the kernels' slow path. */
+/** An exact vector of three numbers, for the decisions that doubles could not make. */
 record ExactVector(Dyadic x, Dyadic y, Dyadic z) {
     static final ExactVector ZERO = new ExactVector(Dyadic.ZERO, Dyadic.ZERO, Dyadic.ZERO);
 
     static ExactVector of(double x, double y, double z) {
         return new ExactVector(Dyadic.of(x), Dyadic.of(y), Dyadic.of(z));
+    }
+
+    /** Three numbers of a row, one after the other. */
+    static ExactVector at(double[] row, int at) {
+        return of(row, at, 1);
+    }
+
+    /** An own axis: a column of the rotation that begins at an index. */
+    static ExactVector column(double[] row, int at) {
+        return of(row, at, 3);
     }
 
     /** The three numbers from {@code at} on, each {@code step} apart. */
@@ -25,6 +35,10 @@ record ExactVector(Dyadic x, Dyadic y, Dyadic z) {
 
     ExactVector times(Dyadic factor) {
         return new ExactVector(x.multiply(factor), y.multiply(factor), z.multiply(factor));
+    }
+
+    ExactVector negate() {
+        return new ExactVector(x.negate(), y.negate(), z.negate());
     }
 
     ExactVector scale(int power) {
