@@ -1,5 +1,6 @@
 package robosim.geometry;
 
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
@@ -25,7 +26,7 @@ final class Beams {
 
     /** Distance of the nearest echo of any object but one; of any with -1. */
     double distance(Level seen, Ray ray, double min, double max, double width, int but) {
-        Point from = Arguments.present("ray", ray).start();
+        Point from = Checks.present("ray", ray).start();
         Point to = ray.direction();
         return distance(seen, from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), min, max, width, but);
     }
@@ -42,8 +43,8 @@ final class Beams {
             double max,
             double width,
             int but) {
-        Arguments.range(min, max);
-        Arguments.width(width);
+        Checks.range(min, max);
+        Checks.width(width);
         checkLevel(dx, dy, dz);
         ranging.beam(dimension, x, y, z, dx, dy, dz, width);
         double nearest = ranging.nearest(seen, max, but);
@@ -98,10 +99,10 @@ final class Beams {
             double min,
             double max,
             double[] out) {
-        Arguments.angle("firstDegrees", firstDegrees);
-        Arguments.angle("stepDegrees", stepDegrees);
-        Arguments.range(min, max);
-        Arguments.present("out", out);
+        Checks.angle("firstDegrees", firstDegrees);
+        Checks.angle("stepDegrees", stepDegrees);
+        Checks.range(min, max);
+        Checks.present("out", out);
         mount(id, x, y, z);
         for (int k = 0; k < out.length; k++) {
             fan.aim(firstDegrees, stepDegrees, k);
@@ -116,9 +117,9 @@ final class Beams {
      * @param normal three numbers, of the face that is met
      */
     double cast(Level seen, Ray ray, double max, double[] normal) {
-        Point from = Arguments.present("ray", ray).start();
+        Point from = Checks.present("ray", ray).start();
         Point to = ray.direction();
-        Arguments.range(0, max);
+        Checks.range(0, max);
         checkLevel(to.x(), to.y(), to.z());
         ranging.beam(dimension, from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), 0);
         double distance = ranging.nearest(seen, max, -1);

@@ -1,5 +1,6 @@
 package robosim.geometry;
 
+import robosim.geometry.exact.Checks;
 import java.util.Arrays;
 import robosim.geometry.exact.Degrees;
 
@@ -33,7 +34,7 @@ final class Fan {
             z = ways[2 * ray + 1];
             return;
         }
-        double degrees = Arguments.angle("angle of the last ray", first + ray * step);
+        double degrees = Checks.angle("angle of the last ray", first + ray * step);
         x = Degrees.cos(degrees);
         z = -Degrees.sin(degrees);
         if (ray == count && count < MOST) {

@@ -1,5 +1,6 @@
 package robosim.geometry;
 
+import robosim.geometry.exact.Checks;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.Accuracy;
@@ -97,11 +98,11 @@ public final class Geometry {
      */
     public Geometry(double width, double height, double length, Dimension dimension, Accuracy accuracy) {
         this(
-                Arguments.worldSize("width", width),
-                Arguments.worldSize("height", height),
-                Arguments.worldSize("length", length),
-                Arguments.present("dimension", dimension),
-                Arguments.present("accuracy", accuracy),
+                Checks.worldSize("width", width),
+                Checks.worldSize("height", height),
+                Checks.worldSize("length", length),
+                Checks.present("dimension", dimension),
+                Checks.present("accuracy", accuracy),
                 null,
                 new Scratch());
     }
@@ -209,7 +210,7 @@ public final class Geometry {
 
     /** Whether there is an object of that name. */
     public boolean hasObject(String name) {
-        return bodies.find(Arguments.present("name", name)) >= 0;
+        return bodies.find(Checks.present("name", name)) >= 0;
     }
 
     /** All objects at their present places, in the order in which they were added. */
@@ -245,7 +246,7 @@ public final class Geometry {
     public boolean simpleMove(String name, double x, double y, double z) {
         int id = population.mover(name);
         bodies.toWorld(
-                id, Arguments.coordinate("x", x), Arguments.coordinate("y", y), Arguments.coordinate("z", z), vector);
+                id, Checks.coordinate("x", x), Checks.coordinate("y", y), Checks.coordinate("z", z), vector);
         int verdict = stride(id, vector[0], vector[1], vector[2]);
         return verdict == Stride.UNKNOWN
                 ? commitIf(id, motion.allows(level, id, vector[0], vector[1], vector[2]))
@@ -269,7 +270,7 @@ public final class Geometry {
      */
     public boolean simpleTurn(String name, double degrees) {
         int id = population.mover(name);
-        Arguments.angle("degrees", degrees);
+        Checks.angle("degrees", degrees);
         return commitIf(id, motion.allowsTurn(level, id, degrees));
     }
 
@@ -291,7 +292,7 @@ public final class Geometry {
      */
     public MoveResult move(String name, Move move) {
         int id = population.mover(name);
-        Move asked = Arguments.present("move", move);
+        Move asked = Checks.present("move", move);
         bodies.toWorld(id, asked.x(), asked.y(), asked.z(), vector);
         return result(carryOut(id, vector[0], vector[1], vector[2], asked.rx(), asked.ry(), false));
     }
@@ -303,7 +304,7 @@ public final class Geometry {
      */
     public MoveResult moveGlobal(String name, Move move) {
         int id = population.mover(name);
-        Move asked = Arguments.present("move", move);
+        Move asked = Checks.present("move", move);
         double rx = dimension == Dimension.PLANAR ? 0 : asked.rx();
         return result(carryOut(id, asked.x(), asked.y(), asked.z(), rx, asked.ry(), true));
     }
@@ -317,8 +318,8 @@ public final class Geometry {
      */
     public MoveResult moveToContact(String name, Move move, double clearance) {
         int id = population.mover(name);
-        Move asked = Arguments.present("move", move);
-        Arguments.clearance(clearance);
+        Move asked = Checks.present("move", move);
+        Checks.clearance(clearance);
         bodies.toWorld(id, asked.x(), asked.y(), asked.z(), vector);
         boolean all =
                 motion.attempt(level, id, vector[0], vector[1], vector[2], asked.rx(), asked.ry(), false, clearance);
@@ -375,8 +376,8 @@ public final class Geometry {
      */
     public double getSonarDistance(String name, double x, double z, double min, double max, double width) {
         int id = population.mover(name);
-        Arguments.coordinate("x", x);
-        Arguments.coordinate("z", z);
+        Checks.coordinate("x", x);
+        Checks.coordinate("z", z);
         if (x == 0 && z == 0) {
             throw new IllegalArgumentException("direction must not be zero (got: x " + x + ", z " + z + ")");
         }
@@ -386,7 +387,7 @@ public final class Geometry {
     /** Distance that a sonar hears along a ray given in a moveable object's own frame; the object itself is silent. */
     public double getSonarDistance(String name, Ray mount, double min, double max, double width) {
         int id = population.mover(name);
-        Point from = Arguments.present("mount", mount).start();
+        Point from = Checks.present("mount", mount).start();
         Point to = mount.direction();
         return beams.sonar(level, id, from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), min, max, width);
     }
@@ -400,7 +401,7 @@ public final class Geometry {
      */
     public double getProximity(String name, double max) {
         int id = population.known(name);
-        Arguments.range(0, max);
+        Checks.range(0, max);
         return proximity.of(level, id, max);
     }
 
@@ -427,7 +428,7 @@ public final class Geometry {
      * @return a distance each, as {@link #getRayDistance} answers it with a width of 0
      */
     public double[] scan(String name, double firstDegrees, double stepDegrees, int count, double min, double max) {
-        double[] distances = new double[Arguments.count(count)];
+        double[] distances = new double[Checks.count(count)];
         scan(name, firstDegrees, stepDegrees, min, max, distances);
         return distances;
     }
@@ -444,7 +445,7 @@ public final class Geometry {
      */
     public void scan(
             String name, Point mount, double firstDegrees, double stepDegrees, double min, double max, double[] out) {
-        Arguments.present("mount", mount);
+        Checks.present("mount", mount);
         beams.scan(
                 level,
                 population.mover(name),

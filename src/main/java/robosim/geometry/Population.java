@@ -1,5 +1,6 @@
 package robosim.geometry;
 
+import robosim.geometry.exact.Checks;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -91,7 +92,7 @@ final class Population {
 
     /** The world as it is seen at an accuracy, made when it is first asked. */
     Level at(Accuracy asked) {
-        Arguments.present("accuracy", asked);
+        Checks.present("accuracy", asked);
         for (Level each : levels) {
             if (each.accuracy == asked) {
                 return each;
@@ -106,7 +107,7 @@ final class Population {
 
     /** Adds an object; a checked one only where it touches nothing. */
     boolean add(GeometryObject object, boolean checked) {
-        String name = Arguments.present("object", object).name();
+        String name = Checks.present("object", object).name();
         if (name != null && bodies.find(name) >= 0) {
             throw new IllegalArgumentException("name must be unique in its world (got: \"" + name + "\" again)");
         }
@@ -188,7 +189,7 @@ final class Population {
     }
 
     boolean remove(String name) {
-        int id = bodies.find(Arguments.present("name", name));
+        int id = bodies.find(Checks.present("name", name));
         if (id < 0) {
             return false;
         }
@@ -207,7 +208,7 @@ final class Population {
     /** Puts a moveable object upright at a place where it touches nothing. */
     boolean place(int id, Point center, double heading) {
         GeometryObject placed =
-                bodies.value(id).at(Pose.of(Arguments.present("center", center), Arguments.angle("heading", heading)));
+                bodies.value(id).at(Pose.of(Checks.present("center", center), Checks.angle("heading", heading)));
         if (!fits(placed) || collides(level, placed, id)) {
             return false;
         }
@@ -247,14 +248,14 @@ final class Population {
         Level shared = at.shared();
         if (at.isFlat
                 && shared == null
-                && Arguments.present("object", object) instanceof CylinderObject cylinder
+                && Checks.present("object", object) instanceof CylinderObject cylinder
                 && cylinder.pose().isUpright()) {
             int near = quickly(at, cylinder);
             if (near == QuadCursor.ENOUGH || (near == QuadCursor.ALL && at.moversBesideTree() == 0)) {
                 return near == QuadCursor.ENOUGH;
             }
         }
-        at.placed(Arguments.present("object", object), candidate);
+        at.placed(Checks.present("object", object), candidate);
         if (candidate.size() == 1) {
             candidate.roughBounds(0, box);
         } else {
@@ -342,7 +343,7 @@ final class Population {
 
     /** The id of an object that must be there. */
     int known(String name) {
-        int id = bodies.find(Arguments.present("name", name));
+        int id = bodies.find(Checks.present("name", name));
         if (id < 0) {
             throw new IllegalArgumentException("name must be that of an object in the world (got: \"" + name + "\")");
         }

@@ -1,5 +1,6 @@
 package robosim.geometry;
 
+import robosim.geometry.exact.Checks;
 import java.io.InvalidObjectException;
 import java.io.ObjectInputStream;
 import java.io.Serial;
@@ -145,7 +146,7 @@ public final class Snapshot implements Serializable {
      * @param count how many; at least 0
      */
     public List<Geometry> toGeometries(int count) {
-        Arguments.count(count);
+        Checks.count(count);
         Scratch scratch = new Scratch();
         List<Geometry> worlds = new ArrayList<>(count);
         for (int k = 0; k < count; k++) {
@@ -183,12 +184,12 @@ public final class Snapshot implements Serializable {
 
         private Snapshot snapshot() {
             Settings settings = new Settings(
-                    Arguments.worldSize("width", width),
-                    Arguments.worldSize("height", height),
-                    Arguments.worldSize("length", length),
-                    Arguments.present("dimension", dimension),
-                    Arguments.present("accuracy", accuracy));
-            List<GeometryObject> all = Arguments.present("objects", objects).objects();
+                    Checks.worldSize("width", width),
+                    Checks.worldSize("height", height),
+                    Checks.worldSize("length", length),
+                    Checks.present("dimension", dimension),
+                    Checks.present("accuracy", accuracy));
+            List<GeometryObject> all = Checks.present("objects", objects).objects();
             check(all);
             int[] fixed = ids(all, false);
             int[] moving = ids(all, true);

@@ -1,5 +1,6 @@
 package robosim.geometry.collision;
 
+import robosim.geometry.exact.Checks;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Comparator;
@@ -131,9 +132,7 @@ public final class ContactQuery {
             GeometryObject a, GeometryObject b, Dimension dimension, Budget budget, boolean measures) {
         long start = System.nanoTime();
         check(a, b, dimension);
-        if (budget == null) {
-            throw new IllegalArgumentException("budget must be given (got: null)");
-        }
+        Checks.present("budget", budget);
         NearestPairs nearest = MEMORY.get().nearest;
         nearest.start(dimension, OwnLeaves.placed(a), OwnLeaves.placed(b));
         long nanos = budget.nanos();
@@ -161,10 +160,9 @@ public final class ContactQuery {
     }
 
     private static void check(GeometryObject a, GeometryObject b, Dimension dimension) {
-        if (a == null || b == null || dimension == null) {
-            String missing = a == null ? "a" : b == null ? "b" : "dimension";
-            throw new IllegalArgumentException(missing + " must be given (got: null)");
-        }
+        Checks.present("a", a);
+        Checks.present("b", b);
+        Checks.present("dimension", dimension);
     }
 
     private List<Contact> find(LeafColumn a, LeafColumn b, Dimension dimension, int limit) {

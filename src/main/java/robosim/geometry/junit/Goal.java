@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import robosim.geometry.Geometry;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
@@ -47,7 +47,7 @@ public final class Goal {
      * @param distance how near the robot's surface must come to the object's
      */
     public static Goal near(String object, double distance) {
-        Given.present("object", object);
+        Checks.present("object", object);
         Robot.check("distance", distance);
         return new Goal(
                 Text.quoted(object) + " to within " + Words.number(distance),

@@ -4,7 +4,7 @@ import java.util.function.Consumer;
 import org.opentest4j.AssertionFailedError;
 import robosim.geometry.MoveResult;
 import robosim.geometry.exact.Degrees;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
@@ -55,7 +55,7 @@ public final class Robot {
 
     /** Moves along its own axes; fails where anything blocks it. */
     public Robot moves(Move move) {
-        Given.present("move", move);
+        Checks.present("move", move);
         MoveResult result = world.move(name, move);
         if (!result.allowed()) {
             throw failure(" was to " + Words.move(move) + world.moment() + ", but is " + Words.blocked(move, result)
@@ -76,13 +76,13 @@ public final class Robot {
 
     /** Makes a move if nothing blocks it; to be refused is no failure. */
     public boolean tries(Move move) {
-        Given.present("move", move);
+        Checks.present("move", move);
         return world.move(name, move).allowed();
     }
 
     /** Fails where it can go so far; the way must be blocked by that object. It stays where it is. */
     public Robot isBlockedBy(String obstacle, double distance) {
-        Given.present("obstacle", obstacle);
+        Checks.present("obstacle", obstacle);
         world.known(obstacle);
         Move move = new Move(distance, 0, 0, 0, 0);
         MoveResult result = world.move(name, move);
@@ -151,27 +151,27 @@ public final class Robot {
      * test. As nothing moves into anything, to run into it is to be stopped by it.
      */
     public Robot neverTouches(String other) {
-        Given.present("other", other);
+        Checks.present("other", other);
         world.watch(name, other);
         return this;
     }
 
     /** The distance between its surface and another object's, for a sentence about it. */
     public Range rangeTo(String other) {
-        Given.present("other", other);
+        Checks.present("other", other);
         return new Range(this, other, world.distance(name, other));
     }
 
     /** What it does in each step of the clock. */
     public Robot follows(Consumer<Robot> behaviour) {
-        Given.present("behaviour", behaviour);
+        Checks.present("behaviour", behaviour);
         world.clock().each(() -> behaviour.accept(this));
         return this;
     }
 
     /** A sentence about where it comes to, which the steps end that are granted. */
     public Arrival reaches(Goal goal) {
-        Given.present("goal", goal);
+        Checks.present("goal", goal);
         return new Arrival(world, this, goal);
     }
 

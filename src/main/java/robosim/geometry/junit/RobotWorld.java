@@ -14,7 +14,7 @@ import robosim.geometry.collision.Budget;
 import robosim.geometry.collision.ContactQuery;
 import robosim.geometry.collision.Verdict;
 import robosim.geometry.exact.Degrees;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.protocol.MoveRequest;
@@ -63,7 +63,7 @@ public final class RobotWorld {
 
     /** For tests without the extension; a step of its clock is a tenth of a second. */
     public static RobotWorld of(Geometry geometry) {
-        Given.present("geometry", geometry);
+        Checks.present("geometry", geometry);
         return new RobotWorld(geometry, new VirtualClock(Duration.ofMillis(100)));
     }
 
@@ -83,7 +83,7 @@ public final class RobotWorld {
      * @throws IllegalArgumentException where there is no moveable object of that name; it tells which there are
      */
     public Robot robot(String name) {
-        Given.present("name", name);
+        Checks.present("name", name);
         if (!geometry.hasObject(name) || !geometry.getObject(name).isMoveable()) {
             throw new IllegalArgumentException("name must be that of a moveable object, one of " + names(true)
                     + " (got: " + Text.quoted(name) + ")");
@@ -105,7 +105,7 @@ public final class RobotWorld {
 
     /** What was done so far, as a scenario that ends with the world as it is. */
     public Scenario scenario(String title) {
-        Given.present("title", title);
+        Checks.present("title", title);
         return transcript.scenario(title);
     }
 

@@ -10,7 +10,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicTest;
 import org.opentest4j.AssertionFailedError;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.protocol.Text;
 import robosim.geometry.scenario.Mismatch;
 import robosim.geometry.scenario.Replay;
@@ -43,7 +43,7 @@ public final class Scenarios {
      * @throws UncheckedIOException     where the folder cannot be read
      */
     public static Stream<DynamicTest> in(Path folder) {
-        Given.present("folder", folder);
+        Checks.present("folder", folder);
         Path above = folder.toAbsolutePath().normalize().getParent();
         return in(folder, above == null ? folder : above);
     }
@@ -54,8 +54,8 @@ public final class Scenarios {
      * @param root the folder outside of which no world is read that a file names
      */
     public static Stream<DynamicTest> in(Path folder, Path root) {
-        Given.present("folder", folder);
-        Given.present("root", root);
+        Checks.present("folder", folder);
+        Checks.present("root", root);
         List<Path> files;
         try (Stream<Path> all = Files.walk(folder)) {
             files = all.filter(file -> file.toString().endsWith(ScenarioReader.ENDING))

@@ -1,5 +1,6 @@
 package robosim.geometry.model;
 
+import robosim.geometry.exact.Checks;
 import java.io.Serial;
 import java.io.Serializable;
 import java.util.ArrayList;

@@ -1,5 +1,6 @@
 package robosim.geometry.model;
 
+import robosim.geometry.exact.Checks;
 import java.util.Arrays;
 import robosim.geometry.exact.Attitude;
 

@@ -1,5 +1,6 @@
 package robosim.geometry.model;
 
+import robosim.geometry.exact.Checks;
 import java.io.InvalidObjectException;
 import java.io.ObjectInputStream;
 import java.io.Serial;

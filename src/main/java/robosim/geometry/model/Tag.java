@@ -1,5 +1,6 @@
 package robosim.geometry.model;
 
+import robosim.geometry.exact.Checks;
 import org.jspecify.annotations.Nullable;
 
 /** What an object is called, and whether a world may move it; what is moveable has a name. */

@@ -1,5 +1,6 @@
 package robosim.geometry.model;
 
+import robosim.geometry.exact.Checks;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;

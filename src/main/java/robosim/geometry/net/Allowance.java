@@ -1,5 +1,6 @@
 package robosim.geometry.net;
 
+import robosim.geometry.exact.Checks;
 import robosim.geometry.protocol.Limits;
 
 /**
@@ -15,8 +16,8 @@ public record Allowance(int connections, int objects, int requests) {
 
     /** Refuses what is below 1. */
     public Allowance {
-        Arguments.atLeastOne("connections", connections);
-        Arguments.atLeastOne("objects", objects);
-        Arguments.atLeastOne("requests", requests);
+        Checks.atLeastOne("connections", connections);
+        Checks.atLeastOne("objects", objects);
+        Checks.atLeastOne("requests", requests);
     }
 }

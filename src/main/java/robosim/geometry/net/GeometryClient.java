@@ -1,5 +1,6 @@
 package robosim.geometry.net;
 
+import robosim.geometry.exact.Checks;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.InetSocketAddress;
@@ -65,9 +66,9 @@ public final class GeometryClient implements Runnable, AutoCloseable {
     }
 
     GeometryClient(String host, int port, NetOptions options, RandomGenerator random, Pause pause) {
-        this.host = Arguments.present("host", host);
-        this.port = Arguments.port(port, 1);
-        this.options = Arguments.present("options", options);
+        this.host = Checks.present("host", host);
+        this.port = Checks.port(port, 1);
+        this.options = Checks.present("options", options);
         this.random = random;
         this.pause = pause;
     }

@@ -1,5 +1,6 @@
 package robosim.geometry.net;
 
+import robosim.geometry.exact.Checks;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.InetAddress;
@@ -62,9 +63,9 @@ public final class GeometryServer implements AutoCloseable {
      * @throws IllegalArgumentException where strangers could dial in, and the options know neither TLS nor a secret
      */
     public GeometryServer(InetAddress address, int port, NetOptions options) {
-        Arguments.present("address", address);
-        Arguments.port(port, 0);
-        this.options = Arguments.present("options", options);
+        Checks.present("address", address);
+        Checks.port(port, 0);
+        this.options = Checks.present("options", options);
         options.access().check(address);
         this.listening = listen(address, port, options.allowance().connections());
         this.watchdog =

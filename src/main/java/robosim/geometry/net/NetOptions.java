@@ -1,5 +1,6 @@
 package robosim.geometry.net;
 
+import robosim.geometry.exact.Checks;
 import java.time.Duration;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
@@ -26,12 +27,12 @@ public record NetOptions(
         @Nullable Redial redial) {
     /** Refuses null, but for {@code redial}. */
     public NetOptions {
-        Arguments.present("session", session);
-        Arguments.present("listeners", listeners);
-        Arguments.present("translator", translator);
-        Arguments.present("patience", patience);
-        Arguments.present("allowance", allowance);
-        Arguments.present("access", access);
+        Checks.present("session", session);
+        Checks.present("listeners", listeners);
+        Checks.present("translator", translator);
+        Checks.present("patience", patience);
+        Checks.present("allowance", allowance);
+        Checks.present("access", access);
     }
 
     /**

@@ -1,5 +1,6 @@
 package robosim.geometry.net;
 
+import robosim.geometry.exact.Checks;
 import java.time.Duration;
 
 /**
@@ -17,9 +18,9 @@ public record Patience(Duration stall, Duration message, Duration idle) {
 
     /** Refuses null and times out of range. */
     public Patience {
-        Arguments.time("stall", stall, LONGEST);
-        Arguments.time("message", message, LONGEST);
-        Arguments.time("idle", idle, LONGEST);
+        Checks.time("stall", stall, LONGEST);
+        Checks.time("message", message, LONGEST);
+        Checks.time("idle", idle, LONGEST);
     }
 
     /** The shortest time within a message. */

@@ -1,5 +1,6 @@
 package robosim.geometry.net;
 
+import robosim.geometry.exact.Checks;
 import java.time.Duration;
 import java.util.random.RandomGenerator;
 
@@ -17,8 +18,8 @@ public record Redial(Duration first, Duration longest) {
 
     /** Refuses null and times out of range. */
     public Redial {
-        Arguments.time("first", first, Duration.ofDays(1));
-        Arguments.time("longest", longest, Duration.ofDays(1));
+        Checks.time("first", first, Duration.ofDays(1));
+        Checks.time("longest", longest, Duration.ofDays(1));
         if (longest.compareTo(first) < 0) {
             throw new IllegalArgumentException("longest must be at least first, " + first + " (got: " + longest + ")");
         }

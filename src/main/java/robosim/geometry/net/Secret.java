@@ -1,5 +1,6 @@
 package robosim.geometry.net;
 
+import robosim.geometry.exact.Checks;
 import java.nio.CharBuffer;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
@@ -23,7 +24,7 @@ public final class Secret {
      * @param letters at least 16; the caller may overwrite them afterwards
      */
     public static Secret of(char[] letters) {
-        Arguments.present("letters", letters);
+        Checks.present("letters", letters);
         if (letters.length < SHORTEST) {
             throw new IllegalArgumentException(
                     "a secret must have at least " + SHORTEST + " letters (got: " + letters.length + ")");

@@ -1,5 +1,6 @@
 package robosim.geometry.net;
 
+import robosim.geometry.exact.Checks;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -90,7 +91,7 @@ public final class Session {
      */
     public Session(Geometry world, SessionOptions options, SessionListener listener, String name, System.Logger log) {
         this(options, listener, name, log, World::of);
-        this.world = World.over(Arguments.present("world", world));
+        this.world = World.over(Checks.present("world", world));
         moveable = new HashSet<>();
         for (GeometryObject object : world.objects()) {
             String mover = object.name();
@@ -106,9 +107,9 @@ public final class Session {
 
     private Session(
             SessionOptions options, SessionListener listener, String name, System.Logger log, World.Maker maker) {
-        this.options = Arguments.present("options", options);
-        this.listener = Arguments.present("listener", listener);
-        this.complaints = new Complaints(Arguments.present("log", log), Arguments.present("name", name));
+        this.options = Checks.present("options", options);
+        this.listener = Checks.present("listener", listener);
+        this.complaints = new Complaints(Checks.present("log", log), Checks.present("name", name));
         this.maker = maker;
         listener.opened(this);
     }

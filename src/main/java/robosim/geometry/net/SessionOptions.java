@@ -1,5 +1,6 @@
 package robosim.geometry.net;
 
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.protocol.Beam;
@@ -17,8 +18,8 @@ public record SessionOptions(Dimension dimension, Accuracy accuracy, Beam beam) 
 
     /** Refuses null. */
     public SessionOptions {
-        Arguments.present("dimension", dimension);
-        Arguments.present("accuracy", accuracy);
-        Arguments.present("beam", beam);
+        Checks.present("dimension", dimension);
+        Checks.present("accuracy", accuracy);
+        Checks.present("beam", beam);
     }
 }

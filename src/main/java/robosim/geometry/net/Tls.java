@@ -1,5 +1,6 @@
 package robosim.geometry.net;
 
+import robosim.geometry.exact.Checks;
 import java.io.IOException;
 import java.net.Socket;
 import java.nio.file.Path;
@@ -24,7 +25,7 @@ public final class Tls {
 
     /** With keys and trust of its maker's own. */
     public static Tls of(SSLContext context) {
-        return new Tls(Arguments.present("context", context));
+        return new Tls(Checks.present("context", context));
     }
 
     /**
@@ -37,9 +38,9 @@ public final class Tls {
      * @throws IllegalArgumentException where a store cannot be read with its password
      */
     public static Tls load(Path keyStore, char[] keyPassword, Path trustStore, char @Nullable [] trustPassword) {
-        Arguments.present("keyStore", keyStore);
-        Arguments.present("keyPassword", keyPassword);
-        Arguments.present("trustStore", trustStore);
+        Checks.present("keyStore", keyStore);
+        Checks.present("keyPassword", keyPassword);
+        Checks.present("trustStore", trustStore);
         try {
             KeyManagerFactory keys = KeyManagerFactory.getInstance(KeyManagerFactory.getDefaultAlgorithm());
             keys.init(store("keyStore", keyStore, keyPassword), keyPassword);
@@ -56,7 +57,7 @@ public final class Tls {
     @SuppressWarnings("NullAway") // KeyStore takes null for no password
     private static KeyStore store(String argument, Path file, char @Nullable [] password) {
         try {
-            return KeyStore.getInstance(Arguments.present(argument, file).toFile(), password);
+            return KeyStore.getInstance(Checks.present(argument, file).toFile(), password);
         } catch (IOException | GeneralSecurityException | IllegalArgumentException e) {
             throw new IllegalArgumentException(
                     argument + " must be a key store that its password opens (got: " + file + ", " + e.getMessage()

@@ -1,5 +1,6 @@
 package robosim.geometry.net;
 
+import robosim.geometry.exact.Checks;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.MoveResult;
 import robosim.geometry.protocol.Bundle;
@@ -9,8 +10,8 @@ import robosim.geometry.protocol.Reply;
 /** One after the other. */
 record TwoListeners(SessionListener first, SessionListener second) implements SessionListener {
     TwoListeners {
-        Arguments.present("first", first);
-        Arguments.present("second", second);
+        Checks.present("first", first);
+        Checks.present("second", second);
     }
 
     @Override

@@ -1,5 +1,6 @@
 package robosim.geometry.net;
 
+import robosim.geometry.exact.Checks;
 import java.io.FilterInputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -20,8 +21,8 @@ public final class WatchClient {
      * @throws IOException where nobody listens there
      */
     public static InputStream dial(String host, int port) throws IOException {
-        Arguments.present("host", host);
-        Arguments.port(port, 1);
+        Checks.present("host", host);
+        Checks.port(port, 1);
         Socket socket = new Socket();
         try {
             socket.connect(new InetSocketAddress(host, port), PATIENCE_MILLIS);

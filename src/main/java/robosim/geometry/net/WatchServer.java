@@ -1,5 +1,6 @@
 package robosim.geometry.net;
 
+import robosim.geometry.exact.Checks;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
@@ -73,8 +74,8 @@ public final class WatchServer implements AutoCloseable {
      * @throws UncheckedIOException where it cannot listen there
      */
     public WatchServer(int port, Source source) {
-        Arguments.port(port, 0);
-        this.source = Arguments.present("source", source);
+        Checks.port(port, 0);
+        this.source = Checks.present("source", source);
         InetAddress loopback = InetAddress.getLoopbackAddress();
         try {
             this.listening = new ServerSocket(port, MOST_WATCHERS, loopback);

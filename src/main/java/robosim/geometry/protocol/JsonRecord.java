@@ -1,5 +1,6 @@
 package robosim.geometry.protocol;
 
+import robosim.geometry.exact.Checks;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.io.StringWriter;

@@ -1,5 +1,6 @@
 package robosim.geometry.protocol;
 
+import robosim.geometry.exact.Checks;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;

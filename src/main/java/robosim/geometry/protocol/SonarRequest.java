@@ -1,5 +1,6 @@
 package robosim.geometry.protocol;
 
+import robosim.geometry.exact.Checks;
 import java.io.Serial;
 import java.io.Serializable;
 import org.jspecify.annotations.Nullable;

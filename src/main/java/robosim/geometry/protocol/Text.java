@@ -1,5 +1,6 @@
 package robosim.geometry.protocol;
 
+import robosim.geometry.exact.Checks;
 import java.util.HexFormat;
 
 /** What a peer sent, made fit for a line of a log. */

@@ -1,5 +1,6 @@
 package robosim.geometry.scenario;
 
+import robosim.geometry.exact.Checks;
 import java.util.BitSet;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
@@ -30,9 +31,9 @@ import robosim.geometry.protocol.Text;
 public record Mismatch(long step, long line, int index, String request, String expected, String got, int others) {
     /** Refuses null. */
     public Mismatch {
-        Given.present("request", request);
-        Given.present("expected", expected);
-        Given.present("got", got);
+        Checks.present("request", request);
+        Checks.present("expected", expected);
+        Checks.present("got", got);
     }
 
     /** Compares an answer with what its step expects; null where they are the same, or nothing is expected. */

@@ -1,5 +1,6 @@
 package robosim.geometry.scenario;
 
+import robosim.geometry.exact.Checks;
 import java.io.IOException;
 import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
@@ -42,8 +43,8 @@ public final class Recorder implements SessionListener, AutoCloseable {
      *                  times
      */
     public Recorder(String name, Opening opening, @Nullable LongSupplier nanoClock) {
-        this.name = Given.present("name", name);
-        this.opening = Given.present("opening", opening);
+        this.name = Checks.present("name", name);
+        this.opening = Checks.present("opening", opening);
         this.nanoClock = nanoClock;
         this.beginning = now();
     }
@@ -70,7 +71,7 @@ public final class Recorder implements SessionListener, AutoCloseable {
 
     /** A note for people, before the next request. */
     public void note(String text) {
-        Given.present("text", text);
+        Checks.present("text", text);
         record(to -> to.note(text));
     }
 

@@ -1,5 +1,6 @@
 package robosim.geometry.scenario;
 
+import robosim.geometry.exact.Checks;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.FileAlreadyExistsException;
@@ -44,9 +45,9 @@ public final class Recordings implements Function<String, SessionListener> {
 
     private Recordings(Function<String, Path> files, SessionOptions session, long mostBytes, Clock clock, Maker maker) {
         this.files = files;
-        this.session = Given.present("session", session);
+        this.session = Checks.present("session", session);
         this.mostBytes = mostBytes;
-        this.clock = Given.present("clock", clock);
+        this.clock = Checks.present("clock", clock);
         this.maker = maker;
     }
 
@@ -57,13 +58,13 @@ public final class Recordings implements Function<String, SessionListener> {
      */
     public static Recordings inFolder(Path folder, SessionOptions session) {
         Clock clock = Clock.systemUTC();
-        Given.present("folder", folder);
+        Checks.present("folder", folder);
         return new Recordings(name -> folder.resolve(name), session, DEFAULT_BYTES, clock, RecordingFile::new);
     }
 
     /** A file of that name for the first session, and for each that follows one of that name with a number. */
     public static Recordings inFile(Path file, SessionOptions session) {
-        Given.present("file", file);
+        Checks.present("file", file);
         return new Recordings(name -> file, session, DEFAULT_BYTES, Clock.systemUTC(), RecordingFile::new);
     }
 
@@ -87,7 +88,7 @@ public final class Recordings implements Function<String, SessionListener> {
 
     @Override
     public Recorder apply(String connection) {
-        Given.present("connection", connection);
+        Checks.present("connection", connection);
         return new Recorder(connection, () -> open(connection), System::nanoTime);
     }
 

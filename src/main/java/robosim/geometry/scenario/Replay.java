@@ -1,5 +1,6 @@
 package robosim.geometry.scenario;
 
+import robosim.geometry.exact.Checks;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
@@ -45,7 +46,7 @@ public final class Replay {
 
     /** Replays a scenario and answers what is other than it expects; empty is good. */
     public static List<Mismatch> of(Scenario scenario) {
-        Replay replay = new Replay(Given.present("scenario", scenario).header().options());
+        Replay replay = new Replay(Checks.present("scenario", scenario).header().options());
         List<Mismatch> found = new ArrayList<>();
         for (Step step : scenario.steps()) {
             Mismatch mismatch = replay.step(step);
@@ -64,8 +65,8 @@ public final class Replay {
      * @throws ScenarioException where the file turns out to be no scenario; it has been replayed up to there
      */
     public static Replay of(ScenarioReader scenario, Consumer<Mismatch> found) throws ScenarioException {
-        Given.present("found", found);
-        Replay replay = new Replay(Given.present("scenario", scenario).header().options());
+        Checks.present("found", found);
+        Replay replay = new Replay(Checks.present("scenario", scenario).header().options());
         for (Step step = scenario.next(); step != null; step = scenario.next()) {
             Mismatch mismatch = replay.step(step);
             if (mismatch != null) {
@@ -82,7 +83,7 @@ public final class Replay {
      *     mismatch in any case
      */
     public @Nullable Mismatch step(Step step) {
-        Given.present("step", step);
+        Checks.present("step", step);
         steps++;
         reply = null;
         Mismatch mismatch;

@@ -1,5 +1,6 @@
 package robosim.geometry.scenario;
 
+import robosim.geometry.exact.Checks;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Path;
@@ -16,8 +17,8 @@ import java.util.List;
 public record Scenario(ScenarioHeader header, List<Step> steps, long torn) {
     /** Refuses null. */
     public Scenario {
-        Given.present("header", header);
-        steps = Given.copy("steps", steps);
+        Checks.present("header", header);
+        steps = Checks.list("steps", steps);
     }
 
     /** All of it. */
@@ -58,7 +59,7 @@ public record Scenario(ScenarioHeader header, List<Step> steps, long torn) {
 
     /** Writes it; worlds that its file named are written out. The stream is left open. */
     public void write(OutputStream out) throws IOException {
-        ScenarioWriter writer = new ScenarioWriter(Given.present("out", out), header);
+        ScenarioWriter writer = new ScenarioWriter(Checks.present("out", out), header);
         for (Step step : steps) {
             writer.write(step);
         }

@@ -1,5 +1,6 @@
 package robosim.geometry.scenario;
 
+import robosim.geometry.exact.Checks;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -47,7 +48,7 @@ public final class ScenarioReader implements StepReader {
      * @throws ScenarioException where it cannot be opened, or does not begin as a scenario
      */
     public static ScenarioReader open(Path file) throws IOException {
-        Path folder = Given.present("file", file).toAbsolutePath().normalize().getParent();
+        Path folder = Checks.present("file", file).toAbsolutePath().normalize().getParent();
         Path above = folder == null ? null : folder.getParent();
         return open(file, above != null ? above : file.toAbsolutePath().getRoot());
     }
@@ -59,10 +60,10 @@ public final class ScenarioReader implements StepReader {
      * @throws ScenarioException where it cannot be opened, or does not begin as a scenario
      */
     public static ScenarioReader open(Path file, Path root) throws IOException {
-        Given.present("root", root);
+        Checks.present("root", root);
         InputStream in;
         try {
-            in = Files.newInputStream(Given.present("file", file));
+            in = Files.newInputStream(Checks.present("file", file));
         } catch (NoSuchFileException e) {
             throw new ScenarioException(file.toString(), 0, "there is no such file; check the path", e);
         } catch (IOException e) {
@@ -83,7 +84,7 @@ public final class ScenarioReader implements StepReader {
      * @throws ScenarioException where it does not begin as a scenario
      */
     public static ScenarioReader of(InputStream in, String source) throws ScenarioException {
-        return new ScenarioReader(Given.present("in", in), Given.present("source", source), WorldFiles.none());
+        return new ScenarioReader(Checks.present("in", in), Checks.present("source", source), WorldFiles.none());
     }
 
     @Override

@@ -1,5 +1,6 @@
 package robosim.geometry.scenario;
 
+import robosim.geometry.exact.Checks;
 import java.io.ByteArrayOutputStream;
 import java.io.Closeable;
 import java.io.IOException;
@@ -40,9 +41,9 @@ public final class ScenarioWriter implements Closeable {
      * @param mostBytes of the file; a call that would write beyond that throws an IOException and writes nothing
      */
     public ScenarioWriter(OutputStream out, ScenarioHeader header, long mostBytes) throws IOException {
-        this.out = Given.present("out", out);
+        this.out = Checks.present("out", out);
         this.mostBytes = mostBytes;
-        String line = Given.present("header", header).line();
+        String line = Checks.present("header", header).line();
         JsonRecord.read(line);
         put(line);
     }
@@ -51,7 +52,7 @@ public final class ScenarioWriter implements Closeable {
     public void note(String text) throws IOException {
         Map<String, String> note = new LinkedHashMap<>();
         note.put("type", "note");
-        note.put("text", Given.present("text", text));
+        note.put("text", Checks.present("text", text));
         String line = JsonRecord.write(note);
         JsonRecord.read(line);
         put(line);
@@ -95,7 +96,7 @@ public final class ScenarioWriter implements Closeable {
 
     /** A step with its notes. */
     public void write(Step step) throws IOException {
-        for (String note : Given.present("step", step).notes()) {
+        for (String note : Checks.present("step", step).notes()) {
             note(note);
         }
         request(step.request());

@@ -1,5 +1,6 @@
 package robosim.geometry.scenario;
 
+import robosim.geometry.exact.Checks;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.protocol.Bundle;
@@ -27,7 +28,7 @@ public record Step(
 
     /** Refuses an answer that is none to such a request. */
     public Step {
-        notes = Given.copy("notes", notes);
+        notes = Checks.list("notes", notes);
         if (request == null || request instanceof DistanceBundle) {
             throw new IllegalArgumentException("request must be an InitBundle, a MoveBundle or a SonarRequestBundle"
                     + " (got: " + (request == null ? "null" : "a DistanceBundle") + ")");

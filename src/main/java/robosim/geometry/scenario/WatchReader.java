@@ -1,5 +1,6 @@
 package robosim.geometry.scenario;
 
+import robosim.geometry.exact.Checks;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PushbackInputStream;
@@ -42,7 +43,7 @@ public final class WatchReader implements StepReader {
      * @throws IOException where nobody listens there, or what is told there is no scenario
      */
     public static WatchReader dial(String host, int port) throws IOException {
-        return new WatchReader(Given.present("host", host), port, connect(host, port));
+        return new WatchReader(Checks.present("host", host), port, connect(host, port));
     }
 
     private static ScenarioReader connect(String host, int port) throws IOException {

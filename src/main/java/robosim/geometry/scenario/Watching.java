@@ -1,5 +1,6 @@
 package robosim.geometry.scenario;
 
+import robosim.geometry.exact.Checks;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -58,12 +59,12 @@ public final class Watching implements Function<String, SessionListener>, WatchS
 
     @Override
     public SessionListener apply(String connection) {
-        return new Watched(Given.present("connection", connection));
+        return new Watched(Checks.present("connection", connection));
     }
 
     @Override
     public WatchServer.Lines join(Runnable breakOff) {
-        Watcher watcher = new Watcher(Given.present("breakOff", breakOff));
+        Watcher watcher = new Watcher(Checks.present("breakOff", breakOff));
         synchronized (this) {
             watchers.add(watcher);
             attach(watcher, newest());

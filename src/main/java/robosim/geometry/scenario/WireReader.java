@@ -1,5 +1,6 @@
 package robosim.geometry.scenario;
 
+import robosim.geometry.exact.Checks;
 import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -37,8 +38,8 @@ public final class WireReader implements StepReader {
 
     /** Opens the two files of a conversation, which must be there. */
     public static WireReader open(Path toModule, Path fromModule) throws IOException {
-        Given.present("fromModule", fromModule);
-        InputStream asked = new BufferedInputStream(Files.newInputStream(Given.present("toModule", toModule)));
+        Checks.present("fromModule", fromModule);
+        InputStream asked = new BufferedInputStream(Files.newInputStream(Checks.present("toModule", toModule)));
         try {
             return new WireReader(toModule, asked, new BufferedInputStream(Files.newInputStream(fromModule)));
         } catch (IOException e) {

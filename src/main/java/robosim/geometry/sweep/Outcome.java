@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.protocol.JsonRecord;
 import robosim.geometry.protocol.ProtocolException;
 
@@ -97,7 +97,7 @@ public record Outcome(
      * @throws ProtocolException where it is none
      */
     public static Outcome of(String line) throws ProtocolException {
-        Given.present("line", line);
+        Checks.present("line", line);
         JsonRecord record = JsonRecord.read(line);
         boolean isFailed = record.text("type").equals("failure");
         if (!isFailed && !record.text("type").equals("result")) {

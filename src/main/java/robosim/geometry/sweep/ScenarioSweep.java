@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
@@ -82,7 +82,7 @@ public final class ScenarioSweep implements SweepScenario {
      * @throws ScenarioException where it cannot be read, or has not one world, at its beginning
      */
     public static ScenarioSweep read(Path file) throws IOException {
-        Given.present("file", file);
+        Checks.present("file", file);
         Scenario scenario = Scenario.read(file);
         List<Step> steps = scenario.steps();
         if (steps.isEmpty() || !(steps.get(0).request() instanceof InitBundle first)) {
@@ -150,7 +150,7 @@ public final class ScenarioSweep implements SweepScenario {
      * @throws IllegalArgumentException where one of these would leave it
      */
     public SweepWorld in(SweepWorld other) {
-        Given.present("world", other);
+        Checks.present("world", other);
         Geometry world = other.snapshot().toGeometry();
         for (GeometryObject object : init.objects()) {
             String mover = object.name();

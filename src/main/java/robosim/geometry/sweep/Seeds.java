@@ -2,7 +2,7 @@ package robosim.geometry.sweep;
 
 import java.util.Map;
 import java.util.SortedMap;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 
 /**
  * How the seed of a replicate is made: from the root seed, the scenario's name, the world's name, the parameters and the
@@ -22,9 +22,9 @@ public final class Seeds {
     /** The seed of a replicate; the parameters in the order of their names, each a name and a value. */
     public static long of(
             long root, String scenario, String world, SortedMap<String, String> parameters, long replicate) {
-        Given.present("scenario", scenario);
-        Given.present("world", world);
-        Given.present("parameters", parameters);
+        Checks.present("scenario", scenario);
+        Checks.present("world", world);
+        Checks.present("parameters", parameters);
         long h = take(take(take(0, root), scenario), world);
         for (Map.Entry<String, String> parameter : parameters.entrySet()) {
             h = take(take(h, parameter.getKey()), parameter.getValue());
@@ -34,7 +34,7 @@ public final class Seeds {
 
     /** The seed that replicates of one number have in common in all worlds and for all parameters. */
     public static long paired(long root, String scenario, long replicate) {
-        Given.present("scenario", scenario);
+        Checks.present("scenario", scenario);
         return take(take(take(0, root), scenario), replicate);
     }
 

@@ -3,7 +3,7 @@ package robosim.geometry.sweep;
 import java.io.Serializable;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 
 /**
  * A part of a sweep that one machine carries out: the shards of one count have no replicate in common and together have all.
@@ -29,7 +29,7 @@ public record Shard(int number, int count) implements Serializable {
 
     /** Reads a text such as {@code 0/4}. */
     public static Shard parse(String text) {
-        Given.present("text", text);
+        Checks.present("text", text);
         Matcher matcher = FORM.matcher(text);
         if (!matcher.matches()) {
             throw new IllegalArgumentException("shard must be a number and a count, as in 0/4 (got: " + text + ")");

@@ -13,7 +13,7 @@ import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import robosim.geometry.Snapshot;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 
@@ -64,23 +64,19 @@ public final class Sweep implements Serializable {
 
     /** A scenario, over no worlds yet; one replicate of each cell, root seed 0. */
     public static Sweep of(SweepScenario scenario) {
-        if (scenario == null) {
-            throw new IllegalArgumentException("scenario must be given (got: null)");
-        }
+        Checks.present("scenario", scenario);
         return of(scenario.name(), scenario);
     }
 
     /** The same under a name of one's own, for a lambda that has none. */
     public static Sweep of(String name, SweepScenario scenario) {
-        if (scenario == null) {
-            throw new IllegalArgumentException("scenario must be given (got: null)");
-        }
+        Checks.present("scenario", scenario);
         return new Sweep(name, scenario, List.of(), Map.of(), 1, 0);
     }
 
     /** Over one world more. */
     public Sweep over(SweepWorld world) {
-        Given.present("world", world);
+        Checks.present("world", world);
         if (worlds.stream().anyMatch(each -> each.name().equals(world.name()))) {
             throw new IllegalArgumentException("worlds must have names of their own (got twice: " + world.name() + ")");
         }
@@ -97,7 +93,7 @@ public final class Sweep implements Serializable {
      */
     public Sweep vary(String parameter, String... values) {
         Names.check("name of a parameter", parameter);
-        Given.present("values", values);
+        Checks.present("values", values);
         if (values.length == 0 || Arrays.stream(values).distinct().count() < values.length) {
             throw new IllegalArgumentException("values of " + parameter + " must be at least one, and each once (got: "
                     + Arrays.toString(values) + ")");
@@ -184,7 +180,7 @@ public final class Sweep implements Serializable {
 
     /** Whether a replicate is of a shard. */
     public boolean isOf(Shard shard, long index) {
-        Given.present("shard", shard);
+        Checks.present("shard", shard);
         return shard.has(index % cells(), index / cells());
     }
 

@@ -2,7 +2,7 @@ package robosim.geometry.sweep;
 
 import java.util.Map;
 import java.util.TreeMap;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 
 /**
  * A digest of a whole sweep's results: the same wherever and in whatever parts they were found. It takes in the header and
@@ -14,7 +14,7 @@ public final class SweepDigest {
 
     /** Of a sweep's header, and no outcome yet. */
     public SweepDigest(SweepHeader header) {
-        Given.present("header", header);
+        Checks.present("header", header);
         print.add(header.scenario()).add(header.print()).add(header.seed()).add(header.replicates());
         add(header.worlds());
         add(header.parameters());
@@ -27,7 +27,7 @@ public final class SweepDigest {
 
     /** Takes in the next outcome. */
     public void add(Outcome outcome) {
-        Given.present("outcome", outcome);
+        Checks.present("outcome", outcome);
         if (outcome.index() <= last) {
             throw new IllegalArgumentException(
                     "outcomes must come by ascending index (got: " + outcome.index() + " after " + last + ")");

@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.protocol.JsonRecord;
 import robosim.geometry.protocol.ProtocolException;
 
@@ -44,7 +44,7 @@ public record SweepHeader(
 
     /** Whether another sweep is the same but for how many replicates there are of each cell. */
     public boolean isOfSame(SweepHeader other) {
-        Given.present("other", other);
+        Checks.present("other", other);
         return line(0).equals(other.line(0));
     }
 

@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 
 /**
  * Results as a picture, SVG: a panel for each number, its mean over the values of the parameter with the most numeric ones,
@@ -48,8 +48,8 @@ public final class SweepPlot {
 
     /** The picture. */
     public static String svg(SweepHeader header, SweepSummary summary) {
-        Given.present("header", header);
-        Given.present("summary", summary);
+        Checks.present("header", header);
+        Checks.present("summary", summary);
         SweepPlot plot = new SweepPlot(header, summary);
         plot.draw();
         return plot.svg.toString();

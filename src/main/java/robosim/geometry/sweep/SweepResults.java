@@ -15,7 +15,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 
 /**
  * The results of one sweep, in one file or in those of its shards; read from there whenever they are asked for, in the order
@@ -42,7 +42,7 @@ public final class SweepResults {
      * @throws SweepException naming file and line, where one is none, is damaged, or is of another sweep
      */
     public static SweepResults read(List<Path> files) throws IOException {
-        Given.list("files", files);
+        Checks.list("files", files);
         List<Entry> all = new ArrayList<>();
         SweepHeader header = null;
         long torn = 0;
@@ -132,7 +132,7 @@ public final class SweepResults {
 
     /** Shows all outcomes by ascending index. */
     public void forEach(Consumer<Outcome> consumer) throws IOException {
-        Given.present("consumer", consumer);
+        Checks.present("consumer", consumer);
         try (Lines lines = new Lines()) {
             for (Entry entry : entries) {
                 String open = Sealed.open(lines.line(entry));
@@ -157,7 +157,7 @@ public final class SweepResults {
     }
 
     void write(Path file, SweepHeader as) throws IOException {
-        Given.present("file", file);
+        Checks.present("file", file);
         Path absolute = file.toAbsolutePath();
         Path half = absolute.resolveSibling(absolute.getFileName() + ".half");
         try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(half));

@@ -15,7 +15,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.LongConsumer;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 
 /**
  * Carries out a sweep, or a shard of it, on some threads, into a file. Each outcome is appended when it is there, as a line
@@ -38,14 +38,14 @@ public final class SweepRun {
 
     /** A sweep into a new file; all of it, on one thread. */
     public static SweepRun of(Sweep sweep, Path file) {
-        Given.present("sweep", sweep);
-        Given.present("file", file);
+        Checks.present("sweep", sweep);
+        Checks.present("file", file);
         return new SweepRun(sweep, file);
     }
 
     /** Only this part of it. */
     public SweepRun shard(Shard part) {
-        Given.present("shard", part);
+        Checks.present("shard", part);
         shard = part;
         return this;
     }
@@ -70,7 +70,7 @@ public final class SweepRun {
 
     /** Told, from any of the threads, how many replicates of the shard are done. */
     public SweepRun progress(LongConsumer listener) {
-        Given.present("progress", listener);
+        Checks.present("progress", listener);
         progress = listener;
         return this;
     }

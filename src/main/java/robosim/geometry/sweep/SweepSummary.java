@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.Consumer;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 
 /** What the replicates of each cell found out, on average: to be shown all outcomes by ascending index. */
 public final class SweepSummary implements Consumer<Outcome> {
@@ -88,7 +88,7 @@ public final class SweepSummary implements Consumer<Outcome> {
 
     @Override
     public void accept(Outcome outcome) {
-        Given.present("outcome", outcome);
+        Checks.present("outcome", outcome);
         Cell cell = new Cell(outcome.world(), Map.copyOf(outcome.parameters()));
         Map<String, Spread> spreads = cells.computeIfAbsent(cell, c -> new LinkedHashMap<>());
         failed.merge(cell, outcome.isFailed() ? 1 : 0, Integer::sum);

@@ -8,7 +8,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.Snapshot;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
@@ -25,11 +25,9 @@ public record SweepWorld(String name, Snapshot snapshot) implements Serializable
 
     /** Refuses a name that could not be told from two. */
     public SweepWorld {
-        Given.present("snapshot", snapshot);
+        Checks.present("snapshot", snapshot);
         Names.check("name of a world", name);
-        if (snapshot == null) {
-            throw new IllegalArgumentException("snapshot must be given (got: null)");
-        }
+        Checks.present("snapshot", snapshot);
     }
 
     /**
@@ -38,7 +36,7 @@ public record SweepWorld(String name, Snapshot snapshot) implements Serializable
      * @throws IOException where it cannot be read or is no world
      */
     public static SweepWorld read(Path file) throws IOException {
-        Given.present("file", file);
+        Checks.present("file", file);
         return new SweepWorld(
                 Names.of(file), WorldReader.read(file).toGeometry().snapshot());
     }

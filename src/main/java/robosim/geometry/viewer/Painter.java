@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import javax.imageio.ImageIO;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.world.WholeFile;
 
 /** Draws a {@link Scene}. The same scene gives the same picture, to the byte in SVG. */
@@ -44,7 +44,7 @@ public final class Painter {
 
     /** The scene as an SVG document that follows its reader's choice of a light or dark page. */
     public static String svg(Scene scene) {
-        Given.present("scene", scene);
+        Checks.present("scene", scene);
         MapFrame frame = new MapFrame(scene.view());
         SvgCanvas canvas = new SvgCanvas(frame.width, frame.height, scene.title());
         new Painter(scene, frame, canvas).paint();
@@ -53,8 +53,8 @@ public final class Painter {
 
     /** The scene as an image; this needs the JDK's {@code java.desktop}, but no screen. */
     public static BufferedImage image(Scene scene, Theme theme) {
-        Given.present("scene", scene);
-        Given.present("theme", theme);
+        Checks.present("scene", scene);
+        Checks.present("theme", theme);
         MapFrame frame = new MapFrame(scene.view());
         return ImageCanvas.image(frame.width, frame.height, theme, canvas -> new Painter(scene, frame, canvas).paint());
     }
@@ -66,9 +66,9 @@ public final class Painter {
      * @throws IOException where the file cannot be written
      */
     public static void write(Scene scene, Theme theme, Path file) throws IOException {
-        Given.present("scene", scene);
-        Given.present("theme", theme);
-        Given.present("file", file);
+        Checks.present("scene", scene);
+        Checks.present("theme", theme);
+        Checks.present("file", file);
         String name = file.toString().toLowerCase(Locale.ROOT);
         if (name.endsWith(".svg")) {
             byte[] document = svg(scene).getBytes(StandardCharsets.UTF_8);

@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.Step;
@@ -24,8 +24,8 @@ public final class Pictures {
 
     /** A world as its file has it. */
     public static Scene of(World world, String title) {
-        Given.present("world", world);
-        Given.present("title", title);
+        Checks.present("world", world);
+        Checks.present("title", title);
         List<Scene.Thing> things = things(world);
         String subtitle = things.size()
                 + (things.size() == 1 ? " object, " : " objects, ")

@@ -2,7 +2,7 @@ package robosim.geometry.viewer;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 
@@ -36,16 +36,16 @@ public record Scene(
 
     /** Copies the lists. */
     public Scene {
-        Given.present("title", title);
-        Given.present("subtitle", subtitle);
-        Given.present("unit", unit);
-        Given.present("view", view);
-        things = Given.list("things", things);
-        trails = Given.list("trails", trails);
-        pings = Given.list("pings", pings);
-        refusals = Given.list("refusals", refusals);
-        blocked = Given.list("blocked", blocked);
-        marks = Given.list("marks", marks);
+        Checks.present("title", title);
+        Checks.present("subtitle", subtitle);
+        Checks.present("unit", unit);
+        Checks.present("view", view);
+        things = Checks.list("things", things);
+        trails = Checks.list("trails", trails);
+        pings = Checks.list("pings", pings);
+        refusals = Checks.list("refusals", refusals);
+        blocked = Checks.list("blocked", blocked);
+        marks = Checks.list("marks", marks);
     }
 
     /** A world and what stands in it. */
@@ -139,7 +139,7 @@ public record Scene(
     public record Thing(GeometryObject object, @Nullable Integer colour) {
         /** Refuses nothing for an object. */
         public Thing {
-            Given.present("object", object);
+            Checks.present("object", object);
         }
     }
 

@@ -11,7 +11,7 @@ import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import javax.swing.WindowConstants;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.scenario.StepReader;
 import robosim.geometry.scenario.WatchReader;
 import robosim.geometry.world.World;
@@ -37,9 +37,9 @@ public final class Viewer {
 
     /** Shows a world until the window is closed. */
     public static void world(World world, String title, Theme theme) throws InterruptedException {
-        Given.present("world", world);
-        Given.present("title", title);
-        Given.present("theme", theme);
+        Checks.present("world", world);
+        Checks.present("title", title);
+        Checks.present("theme", theme);
         show(Viewing.ofWorld(world, title), theme);
     }
 
@@ -50,9 +50,9 @@ public final class Viewer {
      */
     public static void recording(StepReader recording, String title, @Nullable World world, Theme theme)
             throws InterruptedException {
-        Given.present("recording", recording);
-        Given.present("title", title);
-        Given.present("theme", theme);
+        Checks.present("recording", recording);
+        Checks.present("title", title);
+        Checks.present("theme", theme);
         try (Feed feed = new Feed(recording, colours(world), () -> "")) {
             show(Viewing.ofRecording(feed, title, unit(world)), theme);
         }
@@ -65,9 +65,9 @@ public final class Viewer {
      */
     public static void live(WatchReader session, String title, @Nullable World world, Theme theme)
             throws InterruptedException {
-        Given.present("session", session);
-        Given.present("title", title);
-        Given.present("theme", theme);
+        Checks.present("session", session);
+        Checks.present("title", title);
+        Checks.present("theme", theme);
         try (Feed feed = new Feed(session, colours(world), session::state)) {
             show(Viewing.ofLive(feed, title, unit(world)), theme);
         }

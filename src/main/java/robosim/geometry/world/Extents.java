@@ -1,7 +1,7 @@
 package robosim.geometry.world;
 
 import java.util.List;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
@@ -20,7 +20,7 @@ public final class Extents {
 
     /** Of all objects of a world. */
     public static Extents of(List<WorldObject> objects) {
-        Given.present("objects", objects);
+        Checks.present("objects", objects);
         Extents extents = new Extents();
         for (WorldObject object : objects) {
             extents.add(object.object(), Placement.NONE);

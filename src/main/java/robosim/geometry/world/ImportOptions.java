@@ -2,7 +2,7 @@ package robosim.geometry.world;
 
 import java.nio.file.Path;
 import java.util.List;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 
 /**
  * What the files of other formats do not say for themselves.
@@ -29,10 +29,8 @@ public record ImportOptions(double wallHeight, double scale, Up up, List<Path> m
                     "the walls' height must be above 0 and at most 2^100 (got: " + wallHeight + ")");
         }
         MeshFiles.checkScale(scale);
-        if (up == null) {
-            throw new IllegalArgumentException("up must be given (got: null)");
-        }
-        models = Given.list("models", models);
+        Checks.present("up", up);
+        models = Checks.list("models", models);
     }
 
     /** These with other folders of models. */

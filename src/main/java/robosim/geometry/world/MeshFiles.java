@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Path;
 import java.util.Locale;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.MeshObject;
 
 /** What the readers of meshes share: how a file is opened, what a scale may be, and which reader a file's name asks for. */
@@ -32,7 +32,7 @@ final class MeshFiles {
     }
 
     static MeshObject read(Path file, double scale, Format format) throws WorldException {
-        Given.present("file", file);
+        Checks.present("file", file);
         try (InputStream in = RegularFile.open(file)) {
             return format.read(in, file.toString(), scale);
         } catch (IOException e) {

@@ -11,7 +11,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 
@@ -85,8 +85,8 @@ public final class ObjReader {
      * @throws WorldException naming source and line, where the stream fails or holds no surface
      */
     public static MeshObject read(InputStream in, String source, double scale) throws WorldException {
-        Given.present("in", in);
-        Given.present("source", source);
+        Checks.present("in", in);
+        Checks.present("source", source);
         MeshFiles.checkScale(scale);
         ObjReader reader = new ObjReader(scale);
         try {

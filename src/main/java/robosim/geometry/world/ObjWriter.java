@@ -7,7 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.function.LongConsumer;
 import robosim.geometry.exact.Degrees;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
@@ -44,9 +44,9 @@ public final class ObjWriter {
      * @throws WorldException where the file cannot be written
      */
     public static void write(World world, Path file, LongConsumer progress) throws WorldException {
-        Given.present("world", world);
-        Given.present("file", file);
-        Given.present("progress", progress);
+        Checks.present("world", world);
+        Checks.present("file", file);
+        Checks.present("progress", progress);
         try {
             WholeFile.write(file, to -> {
                 BufferedWriter out = new BufferedWriter(new OutputStreamWriter(to, StandardCharsets.UTF_8));

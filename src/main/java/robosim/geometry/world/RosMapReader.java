@@ -8,7 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import robosim.geometry.exact.Degrees;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.Dimension;
@@ -66,7 +66,7 @@ public final class RosMapReader {
 
     /** Reads a map, with the account of it. */
     static WorldImport readImport(Path yaml, double height) throws WorldException {
-        Given.present("yaml", yaml);
+        Checks.present("yaml", yaml);
         if (!(height > 0 && height <= 0x1p100)) {
             throw new IllegalArgumentException("height must be above 0 and at most 2^100 (got: " + height + ")");
         }

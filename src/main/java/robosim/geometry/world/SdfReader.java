@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 
@@ -29,8 +29,8 @@ public final class SdfReader {
      * @throws WorldException naming file, line and remedy, where the file or one that it includes cannot be read
      */
     public static WorldImport read(Path file, List<Path> models) throws WorldException {
-        Given.present("file", file);
-        Given.list("models", models);
+        Checks.present("file", file);
+        Checks.list("models", models);
         return read(file, models, new ArrayList<>());
     }
 

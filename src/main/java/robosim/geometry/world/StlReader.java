@@ -9,7 +9,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 
@@ -62,8 +62,8 @@ public final class StlReader {
      *     surface
      */
     public static MeshObject read(InputStream in, String source, double scale) throws WorldException {
-        Given.present("in", in);
-        Given.present("source", source);
+        Checks.present("in", in);
+        Checks.present("source", source);
         MeshFiles.checkScale(scale);
         byte[] bytes;
         try {

@@ -14,7 +14,7 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.PosixFileAttributeView;
 import java.util.concurrent.ThreadLocalRandom;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 
 /** Writes a file, all of it or nothing: an earlier file of the name stays as it was until the new one is whole. */
 public final class WholeFile {
@@ -34,8 +34,8 @@ public final class WholeFile {
      * @throws IOException naming the file that was asked for
      */
     public static void write(Path file, Content content) throws IOException {
-        Given.present("file", file);
-        Given.present("content", content);
+        Checks.present("file", file);
+        Checks.present("content", content);
         Path target = Files.exists(file) ? file.toRealPath() : file.toAbsolutePath();
         if (Files.exists(target) && !Files.isRegularFile(target)) {
             try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(target))) {

@@ -7,7 +7,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 
@@ -37,9 +37,9 @@ public record World(
         width = size("width", width);
         height = size("height", height);
         length = size("length", length);
-        Given.present("dimension", dimension);
-        Given.present("accuracy", accuracy);
-        objects = Given.list("objects", objects);
+        Checks.present("dimension", dimension);
+        Checks.present("accuracy", accuracy);
+        objects = Checks.list("objects", objects);
         Set<String> names = new HashSet<>();
         for (WorldObject object : objects) {
             String name = object.object().name();
@@ -83,7 +83,7 @@ public record World(
      * @param refused told each object that reaches beyond the world's border and was left out
      */
     public Geometry toGeometry(Consumer<WorldObject> refused) {
-        Given.present("refused", refused);
+        Checks.present("refused", refused);
         Geometry geometry = new Geometry(width, height, length, dimension, accuracy);
         for (WorldObject object : objects) {
             if (!geometry.addObjectUnchecked(object.object())) {

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.IntStream;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
@@ -209,8 +209,8 @@ public record WorldCheck(
 
     /** Checks a world and tells how far that is. */
     public static WorldCheck of(World world, Watch watch) {
-        Given.present("world", world);
-        Given.present("watch", watch);
+        Checks.present("world", world);
+        Checks.present("watch", watch);
         Map<GeometryObject.Kind, Integer> counts = new EnumMap<>(GeometryObject.Kind.class);
         Pieces pieces = new Pieces();
         int sonars = 0;

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.MeshObject;
@@ -62,8 +62,8 @@ public record WorldImport(
      *     SDFormat of which nothing became an object
      */
     public static WorldImport read(Path file, ImportOptions options) throws WorldException {
-        Given.present("file", file);
-        Given.present("options", options);
+        Checks.present("file", file);
+        Checks.present("options", options);
         Path last = file.getFileName();
         String name = last == null ? "" : last.toString().toLowerCase(Locale.ROOT);
         if (Files.isDirectory(file)) {

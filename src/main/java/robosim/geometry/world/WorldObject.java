@@ -3,7 +3,7 @@ package robosim.geometry.world;
 import java.util.List;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.GeometryObject;
 
 /**
@@ -16,14 +16,14 @@ import robosim.geometry.model.GeometryObject;
 public record WorldObject(GeometryObject object, @Nullable String color, List<SonarRing> sonars) {
     /** Refuses a colour of another form, and sensors without a name to ask them by. */
     public WorldObject {
-        Given.present("object", object);
+        Checks.present("object", object);
         if (color != null) {
             if (!color.matches("#[0-9a-fA-F]{6}")) {
                 throw new IllegalArgumentException("color must be # and six hexadecimal digits (got: " + color + ")");
             }
             color = color.toLowerCase(Locale.ROOT);
         }
-        sonars = Given.list("sonars", sonars);
+        sonars = Checks.list("sonars", sonars);
         if (!sonars.isEmpty() && object.name() == null) {
             throw new IllegalArgumentException("an object with sonars must have a name (got: " + object + ")");
         }

@@ -14,7 +14,7 @@ import javax.xml.validation.SchemaFactory;
 import javax.xml.validation.ValidatorHandler;
 import org.jspecify.annotations.Nullable;
 import org.xml.sax.SAXException;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 
 /**
  * Reads a world from XML. The format is that of the schema {@code world.xsd}; docs/world-format.md explains it.
@@ -82,8 +82,8 @@ public final class WorldReader {
      * @throws WorldException naming source, line, column and remedy, where the stream fails or holds no world
      */
     public static World read(InputStream in, String source, @Nullable Path base) throws WorldException {
-        Given.present("in", in);
-        Given.present("source", source);
+        Checks.present("in", in);
+        Checks.present("source", source);
         return parse(in, source, base, null).world();
     }
 
@@ -97,8 +97,8 @@ public final class WorldReader {
 
     /** All that is wrong with a world file of any format, read as {@link WorldImport#read} does. */
     public static List<WorldException> problems(Path file, ImportOptions options) {
-        Given.present("file", file);
-        Given.present("options", options);
+        Checks.present("file", file);
+        Checks.present("options", options);
         try {
             WorldImport.read(file, options);
             return List.of();

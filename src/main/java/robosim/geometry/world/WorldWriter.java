@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Attitude;
-import robosim.geometry.exact.Given;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
@@ -52,8 +52,8 @@ public final class WorldWriter {
 
     /** @param most bytes of the file */
     static void write(World world, Path file, long most) throws WorldException {
-        Given.present("world", world);
-        Given.present("file", file);
+        Checks.present("world", world);
+        Checks.present("file", file);
         byte[] bytes = bytes(world, most);
         if (bytes.length == 0) {
             throw new WorldException(
@@ -90,7 +90,7 @@ public final class WorldWriter {
      *     more than 1000 of them, or groups more than 50 deep
      */
     public static String toXml(World world) {
-        Given.present("world", world);
+        Checks.present("world", world);
         WorldWriter writer = new WorldWriter(Long.MAX_VALUE);
         writer.world(world);
         return writer.out.toString();

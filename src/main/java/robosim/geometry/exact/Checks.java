@@ -1,0 +1,150 @@
+package robosim.geometry.exact;
+
+import java.time.Duration;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** The rules for what comes from outside; each message names the argument and its value. */
+public final class Checks {
+    /** The largest coordinate or size: products of three still have room below the overflow. */
+    public static final double LIMIT = 0x1p100;
+
+    private Checks() {}
+
+    /** A value that is there. */
+    public static <T> T present(String argument, @Nullable T value) {
+        if (value == null) {
+            throw new IllegalArgumentException(argument + " must be given (got: null)");
+        }
+        return value;
+    }
+
+    /** A copy of a list that is there, as are all its elements. */
+    public static <T> List<T> list(String argument, @Nullable List<? extends @Nullable T> values) {
+        int k = 0;
+        for (T value : present(argument, values)) {
+            present(argument + "[" + k++ + "]", value);
+        }
+        @SuppressWarnings("unchecked") // none of them is null
+        List<T> all = (List<T>) values;
+        return List.copyOf(all);
+    }
+
+    /** A coordinate, with -0.0 made +0.0. */
+    public static double coordinate(String argument, double value) {
+        if (!(Math.abs(value) <= LIMIT)) {
+            throw new IllegalArgumentException(
+                    argument + " must be a number from -2^100 to 2^100 (got: " + value + ")");
+        }
+        return value + 0.0;
+    }
+
+    /** A size: at least zero. */
+    public static double size(String argument, double value) {
+        if (!(value >= 0 && value <= LIMIT)) { // written so that NaN fails it
+            throw new IllegalArgumentException(argument + " must be a number from 0 to 2^100 (got: " + value + ")");
+        }
+        return value + 0.0;
+    }
+
+    /** An angle in degrees, of any size. */
+    public static double angle(String argument, double degrees) {
+        if (!Double.isFinite(degrees)) {
+            throw new IllegalArgumentException(argument + " must be a finite angle in degrees (got: " + degrees + ")");
+        }
+        return degrees + 0.0;
+    }
+
+    public static String name(String value) {
+        if (present("name", value).isBlank()) {
+            throw new IllegalArgumentException("name must have a visible character (got: \"" + value + "\")");
+        }
+        return value;
+    }
+
+    /**
+     * An immutable copy; a null list or item is refused by its place, and so is an item of another type, which a stream
+     * can put into a list of any.
+     */
+    public static <T> List<T> copy(String argument, List<T> items, Class<T> type) {
+        int k = 0;
+        for (Object item : present(argument, items)) {
+            if (!type.isInstance(item)) {
+                throw new IllegalArgumentException(argument + "[" + k + "] must be "
+                        + (item == null
+                                ? "given (got: null)"
+                                : "a " + type.getSimpleName() + " (got: "
+                                        + item.getClass().getName() + ")"));
+            }
+            k++;
+        }
+        return List.copyOf(items);
+    }
+
+    public static double worldSize(String argument, double value) {
+        if (!(value > 0 && value <= 2 * LIMIT)) {
+            throw new IllegalArgumentException(argument + " must be above 0 and at most 2^101 (got: " + value + ")");
+        }
+        return value;
+    }
+
+    public static double clearance(double value) {
+        if (!(value >= 0 && value <= LIMIT)) {
+            throw new IllegalArgumentException("clearance must be from 0 to 2^100 (got: " + value + ")");
+        }
+        return value;
+    }
+
+    public static int count(int value) {
+        if (value < 0) {
+            throw new IllegalArgumentException("count must be at least 0 (got: " + value + ")");
+        }
+        return value;
+    }
+
+    /** A blind range and a range; only the latter may be infinite. */
+    public static void range(double min, double max) {
+        if (!(min >= 0 && min <= LIMIT)) {
+            throw new IllegalArgumentException("min must be from 0 to 2^100 (got: " + min + ")");
+        }
+        if (!(max >= min)) {
+            throw new IllegalArgumentException("max must be at least min, " + min + " (got: " + max + ")");
+        }
+    }
+
+    /** The opening angle of a beam. */
+    public static double width(double degrees) {
+        if (!(degrees >= 0 && degrees < 180)) {
+            throw new IllegalArgumentException(
+                    "width must be from 0 up to, not including, 180 degrees (got: " + degrees + ")");
+        }
+        return degrees;
+    }
+
+    public static void radians(String argument, double value) {
+        if (!(Math.abs(value) <= LIMIT)) {
+            throw new IllegalArgumentException(
+                    argument + " must be an angle in radians from -2^100 to 2^100 (got: " + value + ")");
+        }
+    }
+
+    public static int port(int port, int least) {
+        if (port < least || port > 65535) {
+            throw new IllegalArgumentException("port must be " + least + " to 65535 (got: " + port + ")");
+        }
+        return port;
+    }
+
+    public static void time(String argument, Duration time, Duration longest) {
+        present(argument, time);
+        if (time.compareTo(Duration.ofMillis(1)) < 0 || time.compareTo(longest) > 0) {
+            throw new IllegalArgumentException(argument + " must be from a millisecond to a day (got: " + time + ")");
+        }
+    }
+
+    public static void atLeastOne(String argument, int number) {
+        if (number < 1) {
+            throw new IllegalArgumentException(argument + " must be at least 1 (got: " + number + ")");
+        }
+    }
+}
