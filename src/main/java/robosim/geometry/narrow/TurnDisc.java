@@ -87,8 +87,15 @@ final class TurnDisc {
             // The distance grows as -cos(t - phase) does.
             return TurnOutline.rising(-dot, -cross, error * Math.max(rho, v));
         }
+        return entry(vx, vz, limit + error);
+    }
+
+    /** When the point comes within a reach of a corner, at a turn that begins beyond that. */
+    private double entry(double vx, double vz, double reach) {
+        double v = TurnOutline.length(vx, vz);
+        double cross = px * vz - pz * vx;
+        double dot = px * vx + pz * vz;
         double off = Math.abs(v - rho);
-        double reach = limit + error;
         if (off > reach) {
             return Double.POSITIVE_INFINITY;
         }
@@ -132,9 +139,24 @@ final class TurnDisc {
         }
         double cos = Radians.cos(t);
         double sin = Radians.sin(t);
-        return isBeside(px * cos - pz * sin, px * sin + pz * cos, x0, z0, ex, ez, length, slack)
-                ? ahead(t)
+        double x = px * cos - pz * sin;
+        double z = px * sin + pz * cos;
+        if (isBeside(x, z, x0, z0, ex, ez, length, Math.min(slack, 8 * error))) {
+            return ahead(t);
+        }
+        return isBeside(x, z, x0, z0, ex, ez, length, slack)
+                ? pastEnd(t, x0, z0, x0 + ex, z0 + ez)
                 : Double.POSITIVE_INFINITY;
+    }
+
+    /**
+     * A point that grazes an edge's offset line is as high as the edge for a while, in which it comes past an end of it: at
+     * that end it is within reach of the corner.
+     */
+    private double pastEnd(double t, double x0, double z0, double x1, double z1) {
+        double reach = limit + 8 * error;
+        double near = Math.min(TurnOutline.length(px - x0, pz - z0), TurnOutline.length(px - x1, pz - z1));
+        return near <= reach ? ahead(t) : Math.min(entry(x0, z0, reach), entry(x1, z1, reach));
     }
 
     private static boolean isBeside(

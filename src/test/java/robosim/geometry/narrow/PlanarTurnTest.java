@@ -40,6 +40,32 @@ class PlanarTurnTest {
         assertThat(blocked).isGreaterThan(count / 20);
     }
 
+    /** It grazes the line of a side beyond the side's end: the way along that line is no part of the contact. */
+    @Test
+    void aDiscThatPassesTheEndOfASideIsNotStoppedBeforeIt() {
+        double[] disc = SweepRows.disc(0.39700994351509666, 0, 0.3582216939049856, 1.5301727349261678E-12, 1);
+        double[] box = new double[Leaf.STRIDE];
+        System.arraycopy(
+                new double[] {-0.24879647073707784, 0, 1.7267438464416869, 0.8904104402857016, 1, 0.8536647401457984},
+                0,
+                box,
+                0,
+                6);
+        System.arraycopy(
+                new double[] {0.8831513958390621, 0, 0.4690880642560801, 0, 1, 0, -0.4690880642560801, 0, 0.8831513958390621},
+                0,
+                box,
+                Leaf.ROTATION,
+                9);
+        double px = -0.3423529954203559;
+        double pz = -0.34756818533578415;
+        double degrees = -51.102608853458996;
+        double share = PlanarSweep.turn(
+                Leaf.SPHERE, disc, 0, px, 0, pz, 0, 1, 0, degrees, Leaf.UPRIGHT_BOX, box, 0, scratch);
+        double gap = new FlatPair(Leaf.SPHERE, disc, px, pz, Leaf.UPRIGHT_BOX, box).gap(degrees * Math.min(1, share));
+        assertThat(share > 1 || gap < 0x1p-30).as("share %s, gap %s", share, gap).isTrue();
+    }
+
     private static double centre(int kind, double[] row, int axis) {
         return kind == Leaf.PRISM ? 0.5 * (row[axis] + row[axis + 1]) : row[axis];
     }
