@@ -66,6 +66,37 @@ class PlanarTurnTest {
         assertThat(share > 1 || gap < 0x1p-30).as("share %s, gap %s", share, gap).isTrue();
     }
 
+    /** It starts 10^-16 from a corner, a hair past the end of a side of 8e-5, and comes over that side and into it. */
+    @Test
+    void aDiscThatComesOverTheEndOfASideIsStoppedThere() {
+        double[] disc = SweepRows.disc(0.13796715898997713, 0, -0.42254734082377676, 0.49036815246453935, 1);
+        double[] box = new double[Leaf.STRIDE];
+        double[] numbers = {
+            0.9044714254705242,
+            0.8957468915180091,
+            0.031897122313213844,
+            1.1401566519911221E-11,
+            4.6333573064585746E-5,
+            0.6074092857512731,
+            -0.31587400384114317,
+            0.6261313156859153,
+            -0.712869685997932,
+            0.5120134852191277,
+            -0.520057470334932,
+            -0.6836537270450542,
+            -0.7987902131668412,
+            -0.5809473324375075,
+            -0.15631504176699187
+        };
+        System.arraycopy(numbers, 0, box, 0, numbers.length);
+        double px = 1.5984062612296086;
+        double pz = 1.1514794349385777;
+        double share = PlanarSweep.turn(
+                Leaf.SPHERE, disc, 0, px, 0, pz, 0, 1, 0, 35.23771176608052, Leaf.BOX, box, 0, scratch);
+        double gap = new FlatPair(Leaf.SPHERE, disc, px, pz, Leaf.BOX, box).gap(35.23771176608052 * share);
+        assertThat(gap).as("share %s", share).isGreaterThan(-1e-14);
+    }
+
     private static double centre(int kind, double[] row, int axis) {
         return kind == Leaf.PRISM ? 0.5 * (row[axis] + row[axis + 1]) : row[axis];
     }
