@@ -155,9 +155,9 @@ final class PlanarMeeting {
         if (isRound) {
             feature = more ? "where a side ends" : first.isRound ? "at a corner" : "at a side";
         } else {
-            feature = elsewhere
-                    ? "side on side"
-                    : more ? "corner on corner" : first.ofMover ? "its corner on a side" : "its side on a corner";
+            feature = elsewhere || more
+                    ? "corner on corner or side on side"
+                    : first.ofMover ? "its corner on a side" : "its side on a corner";
         }
     }
 }

@@ -35,6 +35,11 @@ final class PlanarOvalWay implements Kernel {
     }
 
     @Override
+    public double effort() {
+        return 1.3;
+    }
+
+    @Override
     public List<String> regimes() {
         return List.of(
                 "met",
@@ -44,7 +49,6 @@ final class PlanarOvalWay implements Kernel {
                 PlanarWay.PASSED,
                 PlanarWay.JUST,
                 PlanarWay.SHORT,
-                PlanarWay.AWAY,
                 PlanarWay.TOUCHING + "into",
                 PlanarWay.TOUCHING + "along",
                 PlanarWay.TOUCHING + "away",
@@ -56,11 +60,11 @@ final class PlanarOvalWay implements Kernel {
     @Override
     public Visit ask(SplittableRandom random, boolean adversarial) {
         double[] way;
-        if (adversarial && random.nextInt(6) == 0) {
+        if (adversarial && random.nextInt(9) == 0) {
             places.touchOnGrid(random, 0.125);
             way = places.gridWay(random, 0);
         } else {
-            way = PlanarWay.draw(places, random, adversarial);
+            way = PlanarWay.draw(places, random, adversarial, 6);
         }
         dx = way[0];
         dz = way[1];
@@ -133,11 +137,7 @@ final class PlanarOvalWay implements Kernel {
             boolean isEnd = end > -CLOSE * size && one.swept(dx, dz, 1 - CLOSE).parted(two).head() > -CLOSE * size;
             return isEnd ? PlanarWay.END : "met";
         }
-        if (end < CLOSE * size) {
-            return PlanarWay.JUST;
-        }
-        double ahead = dx * (two.x[0].head() - one.x[0].head()) + dz * (two.z[0].head() - one.z[0].head());
-        return ahead > 0 ? PlanarWay.SHORT : PlanarWay.AWAY;
+        return end < CLOSE * size ? PlanarWay.JUST : PlanarWay.SHORT;
     }
 
     private String told() {

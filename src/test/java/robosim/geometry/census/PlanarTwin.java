@@ -299,7 +299,7 @@ final class PlanarTwin {
             }
         }
         double from = best[1];
-        for (double step = 0.1; step > 1e-15; step *= 0.03) {
+        for (double step = 0.1; step > 1e-15; step *= 1e-4) {
             climb(other, from, step, best);
         }
         Twofold slope = exactLines(other, Twofold.of(Math.cos(best[1])), Twofold.of(Math.sin(best[1])));
