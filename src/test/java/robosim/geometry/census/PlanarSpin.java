@@ -44,7 +44,7 @@ final class PlanarSpin implements Kernel {
 
     @Override
     public double effort() {
-        return first[0] != Form.SPHERE ? 1.5 : second[0] != Form.SPHERE ? 1.4 : 1;
+        return first[0] != Form.SPHERE ? 1.5 : second[0] != Form.SPHERE ? 1.4 : 1.1;
     }
 
     @Override
@@ -88,7 +88,7 @@ final class PlanarSpin implements Kernel {
 
     private void draw(SplittableRandom random, boolean adversarial) {
         degrees = (random.nextBoolean() ? 1 : -1) * random.nextDouble(5, random.nextInt(4) == 0 ? 800 : 200);
-        int state = adversarial ? random.nextInt(first[0] == Form.SPHERE ? 38 : 32) : 40;
+        int state = adversarial ? random.nextInt(second[0] == Form.SPHERE ? 37 : first[0] == Form.SPHERE ? 38 : 32) : 40;
         if (adversarial ? state < 3 : random.nextInt(5) == 0) {
             exact(random);
             return;

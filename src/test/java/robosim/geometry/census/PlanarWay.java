@@ -50,7 +50,7 @@ final class PlanarWay implements Kernel {
 
     @Override
     public double effort() {
-        return first[0] != Form.SPHERE ? 1.6 : second[0] != Form.SPHERE ? 1.4 : 1;
+        return first[0] != Form.SPHERE ? 1.5 : second[0] != Form.SPHERE ? 1.6 : 1.2;
     }
 
     @Override
