@@ -13,6 +13,8 @@ final class PeerLines {
     /** The least and the most of the medians of each JVM, and the median beside a neighbour that sweeps through memory. */
     static final List<String> SPREAD = List.of("least", "most", "beside");
 
+    private static final String NUMBER = "[0-9.eE+]+";
+
     private PeerLines() {}
 
     /**
@@ -26,7 +28,12 @@ final class PeerLines {
         List<Measure> measures = new ArrayList<>();
         for (String line : Files.readAllLines(file)) {
             String[] parts = line.strip().split("[\\s,]+");
-            if (parts.length >= 7 && parts[1].startsWith("W") && parts[3].matches("[0-9.eE+]+")) {
+            boolean isFigure = parts.length >= 7
+                    && parts[1].startsWith("W")
+                    && parts[3].matches(NUMBER)
+                    && parts[4].matches(NUMBER)
+                    && parts[6].matches(NUMBER);
+            if (isFigure) {
                 Subject subject = new Subject(parts[0], "", "", "");
                 measures.add(measure(subject, parts, Results.NANOS, 3));
                 measures.add(measure(subject, parts, "hits", 4));
