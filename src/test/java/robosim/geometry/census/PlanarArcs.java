@@ -31,8 +31,7 @@ final class PlanarArcs {
     }
 
     /** A turn of a from x towards z, or from z towards x where the sense is -1. Neither is an oval. */
-    static PlanarArcs of(
-            boolean roundA, PlanarTwin a, boolean roundB, PlanarTwin b, double px, double pz, int sense) {
+    static PlanarArcs of(boolean roundA, PlanarTwin a, boolean roundB, PlanarTwin b, double px, double pz, int sense) {
         double size = a.size() + b.size() + Math.abs(px) + Math.abs(pz);
         PlanarArcs arcs = new PlanarArcs(px, pz, size);
         arcs.isRound = roundA || roundB;
@@ -83,7 +82,8 @@ final class PlanarArcs {
         Twofold square = PlanarTwin.dot(wx, wz, wx, wz).minus(beside.times(beside));
         boolean isMissed = square.signum() < 0;
         Twofold half = isMissed ? Twofold.ZERO : square.root();
-        if (isMissed && beside.abs().minus(PlanarTwin.dot(wx, wz, wx, wz).root()).head() > CLOSE * size) {
+        if (isMissed
+                && beside.abs().minus(PlanarTwin.dot(wx, wz, wx, wz).root()).head() > CLOSE * size) {
             return;
         }
         for (int side = -1; side <= 1; side += 2) {

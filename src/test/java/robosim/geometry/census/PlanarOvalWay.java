@@ -69,7 +69,16 @@ final class PlanarOvalWay implements Kernel {
         dx = way[0];
         dz = way[1];
         time = PlanarSweep.translation(
-                PlanarCases.kind(places.formA), places.a, 0, dx, 17, dz, PlanarCases.kind(places.formB), places.b, 0, scratch);
+                PlanarCases.kind(places.formA),
+                places.a,
+                0,
+                dx,
+                17,
+                dz,
+                PlanarCases.kind(places.formB),
+                places.b,
+                0,
+                scratch);
         PlanarTwin one = PlanarTwin.of(places.formA, places.a);
         PlanarTwin two = PlanarTwin.of(places.formB, places.b);
         double size = one.size() + two.size();
@@ -134,7 +143,8 @@ final class PlanarOvalWay implements Kernel {
         }
         double end = one.moved(dx, dz, 1).parted(two).head();
         if (most <= 0) {
-            boolean isEnd = end > -CLOSE * size && one.swept(dx, dz, 1 - CLOSE).parted(two).head() > -CLOSE * size;
+            boolean isEnd = end > -CLOSE * size
+                    && one.swept(dx, dz, 1 - CLOSE).parted(two).head() > -CLOSE * size;
             return isEnd ? PlanarWay.END : "met";
         }
         return end < CLOSE * size ? PlanarWay.JUST : PlanarWay.SHORT;

@@ -88,7 +88,8 @@ final class PlanarSpin implements Kernel {
 
     private void draw(SplittableRandom random, boolean adversarial) {
         degrees = (random.nextBoolean() ? 1 : -1) * random.nextDouble(5, random.nextInt(4) == 0 ? 800 : 200);
-        int state = adversarial ? random.nextInt(second[0] == Form.SPHERE ? 37 : first[0] == Form.SPHERE ? 38 : 32) : 40;
+        int state =
+                adversarial ? random.nextInt(second[0] == Form.SPHERE ? 37 : first[0] == Form.SPHERE ? 38 : 32) : 40;
         if (adversarial ? state < 3 : random.nextInt(5) == 0) {
             exact(random);
             return;
@@ -156,8 +157,8 @@ final class PlanarSpin implements Kernel {
         if (PlanarTwin.exactly(number -> Truth.planar(number, formA, places.a, formB, places.b))) {
             return contact(one, two, size, bound);
         }
-        PlanarArcs arcs = PlanarArcs.of(
-                formA == Form.SPHERE, one, formB == Form.SPHERE, two, px, pz, degrees > 0 ? -1 : 1);
+        PlanarArcs arcs =
+                PlanarArcs.of(formA == Form.SPHERE, one, formB == Form.SPHERE, two, px, pz, degrees > 0 ? -1 : 1);
         double start = one.partedRoughly(two);
         boolean isNear = start < CLOSE * size;
         double truth = arcs.angle;
@@ -175,7 +176,8 @@ final class PlanarSpin implements Kernel {
         }
         double left = Math.max(0, at(one, share).partedRoughly(two) - 0x1p-48 * size);
         double tooLate = late;
-        return Visit.number(regime, left / bound, tooLate, 0, () -> told() + ", contact after " + truth + ", gap " + left);
+        return Visit.number(
+                regime, left / bound, tooLate, 0, () -> told() + ", contact after " + truth + ", gap " + left);
     }
 
     private String regime(PlanarArcs arcs, double size) {
@@ -218,8 +220,7 @@ final class PlanarSpin implements Kernel {
         double early = share > 1 ? 0 : Math.max(0, Math.min(left - start, Math.abs(left)) - rounding) / bound;
         String contact = start < -CLOSE * size ? PlanarWay.INSIDE : PlanarWay.TOUCHING;
         String regime = out == 0 ? ALONG : contact + (out < 0 ? "into" : "away");
-        return Visit.number(
-                regime, isOut ? early : 2, late, 0, () -> told() + ", depth " + -start + " then " + -left);
+        return Visit.number(regime, isOut ? early : 2, late, 0, () -> told() + ", depth " + -start + " then " + -left);
     }
 
     private double least(PlanarTwin one, PlanarTwin two, double end) {

@@ -62,9 +62,7 @@ final class PlanarWay implements Kernel {
             all.addAll(List.of("met at a corner", "met at a side", "met where a side ends"));
         } else {
             all.addAll(List.of(
-                    "met, its corner on a side",
-                    "met, its side on a corner",
-                    "met, corner on corner or side on side"));
+                    "met, its corner on a side", "met, its side on a corner", "met, corner on corner or side on side"));
         }
         all.addAll(List.of(GRAZED, END, CLOSELY, PASSED, JUST, SHORT, NEAR));
         all.addAll(List.of(TOUCHING + "into", TOUCHING + "along", TOUCHING + "away"));
@@ -78,7 +76,16 @@ final class PlanarWay implements Kernel {
         dx = way[0];
         dz = way[1];
         time = PlanarSweep.translation(
-                PlanarCases.kind(places.formA), places.a, 0, dx, 17, dz, PlanarCases.kind(places.formB), places.b, 0, scratch);
+                PlanarCases.kind(places.formA),
+                places.a,
+                0,
+                dx,
+                17,
+                dz,
+                PlanarCases.kind(places.formB),
+                places.b,
+                0,
+                scratch);
         return compare(PlanarTwin.of(places.formA, places.a), PlanarTwin.of(places.formB, places.b));
     }
 
@@ -94,8 +101,7 @@ final class PlanarWay implements Kernel {
         places.draw(random, false);
         places.touch(random, false, true, random.nextDouble(-0.5, 0.4));
         double angle = random.nextDouble(-3.2, 3.2);
-        return back(
-                places, StrictMath.cos(angle), StrictMath.sin(angle), length(random), random.nextDouble(-0.5, 2));
+        return back(places, StrictMath.cos(angle), StrictMath.sin(angle), length(random), random.nextDouble(-0.5, 2));
     }
 
     private static double[] adversarial(PlanarPlaces places, SplittableRandom random, int more) {

@@ -16,7 +16,8 @@ class EdgeOnCornerTest {
     @Test
     void aCornerThatLeavesTheEndOfADiscSeenEdgeOnIsRefused() {
         double[] triangle = {-1, 1, 0, -2, 0.75, -1.25, 0.25, -0.5, 1.5, 0, 0, 0, 0, 0, 0, 0};
-        double[] disc = {-2.75, -2, -1.25, 0.75, 0, 1, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0}; // from x = -3.5 to -2, at z = -1.25
+        double[] disc = {-2.75, -2, -1.25, 0.75, 0, 1, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0
+        }; // from x = -3.5 to -2, at z = -1.25
         double time = PlanarSweep.translation(
                 Leaf.TRIANGLE, triangle, 0, -1.25, 0, 0.5, Leaf.CYLINDER, disc, 0, new Scratch());
         assertThat(time).isZero(); // right is infinite

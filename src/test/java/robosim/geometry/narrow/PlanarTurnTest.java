@@ -52,7 +52,9 @@ class PlanarTurnTest {
                 0,
                 6);
         System.arraycopy(
-                new double[] {0.8831513958390621, 0, 0.4690880642560801, 0, 1, 0, -0.4690880642560801, 0, 0.8831513958390621},
+                new double[] {
+                    0.8831513958390621, 0, 0.4690880642560801, 0, 1, 0, -0.4690880642560801, 0, 0.8831513958390621
+                },
                 0,
                 box,
                 Leaf.ROTATION,
@@ -60,10 +62,12 @@ class PlanarTurnTest {
         double px = -0.3423529954203559;
         double pz = -0.34756818533578415;
         double degrees = -51.102608853458996;
-        double share = PlanarSweep.turn(
-                Leaf.SPHERE, disc, 0, px, 0, pz, 0, 1, 0, degrees, Leaf.UPRIGHT_BOX, box, 0, scratch);
+        double share =
+                PlanarSweep.turn(Leaf.SPHERE, disc, 0, px, 0, pz, 0, 1, 0, degrees, Leaf.UPRIGHT_BOX, box, 0, scratch);
         double gap = new FlatPair(Leaf.SPHERE, disc, px, pz, Leaf.UPRIGHT_BOX, box).gap(degrees * Math.min(1, share));
-        assertThat(share > 1 || gap < 0x1p-30).as("share %s, gap %s", share, gap).isTrue();
+        assertThat(share > 1 || gap < 0x1p-30)
+                .as("share %s, gap %s", share, gap)
+                .isTrue();
     }
 
     /** It starts 10^-16 from a corner, a hair past the end of a side of 8e-5, and comes over that side and into it. */
