@@ -16,7 +16,7 @@ final class PlanarSpin implements Kernel {
     private static final String FREE = "free all round";
     private static final int LOOKS = 12;
     /** What starts nearer than this share of the size may count as in contact: it gets no deeper than that. */
-    private static final double AS_CONTACT = 0x1p-45;
+    private static final double AS_CONTACT = 0x1p-44;
 
     private static final double PLAIN = 0x1p-10;
 
@@ -215,7 +215,7 @@ final class PlanarSpin implements Kernel {
         double left = at(one, end).partedRoughly(two);
         int out = out(one, two, size);
         boolean isOut = out <= 0 || share > 0;
-        double rounding = 0x1p-46 * size;
+        double rounding = AS_CONTACT * size;
         double late = (start - least) / rounding;
         double early = share > 1 ? 0 : Math.max(0, Math.min(left - start, Math.abs(left)) - rounding) / bound;
         String contact = start < -CLOSE * size ? PlanarWay.INSIDE : PlanarWay.TOUCHING;
