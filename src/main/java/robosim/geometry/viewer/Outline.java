@@ -25,7 +25,7 @@ sealed interface Outline {
             this.corners = corners;
         }
 
-        double[] corners() {
+        public double[] corners() {
             return corners;
         }
     }
