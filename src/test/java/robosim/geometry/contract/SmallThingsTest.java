@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
@@ -77,16 +78,15 @@ class SmallThingsTest {
                 .isFalse();
     }
 
-    /** The top of a rod that tips over is flat; a search for it must not take all afternoon. */
+    /** The top of a rod that tips over is flat; a search for it must not take all afternoon: the time guards against that alone. */
     @Test
-    void aRodTipsInNoTime() {
+    @Timeout(60)
+    void aRodTipsWithoutALongSearch() {
         Geometry world = planar(new CylinderObject(new Point(-9, 1.5, -2.6), 0, 0.55).moveable("rod"));
-        long before = System.nanoTime();
-        for (int k = 0; k < 100; k++) {
+        for (int k = 0; k < 10_000; k++) {
             assertThat(world.move("rod", new Move(0, 0, 0, 28.3, 17.4)).allowed())
                     .isTrue();
         }
-        assertThat(System.nanoTime() - before).isLessThan(2_000_000_000L);
     }
 
     /** All of it is more than 144 degrees from the axis, on all sides of the axis's continuation backwards. */

@@ -46,6 +46,13 @@ final class SupportTwin {
         }
     }
 
+    /** An octagonal prism's corners in doubles; of other leaves none. */
+    double[][] octagonCorners() {
+        return corners.stream()
+                .map(p -> new double[] {p[0].doubleValue(), p[1].doubleValue(), p[2].doubleValue()})
+                .toArray(double[][]::new);
+    }
+
     private BigDecimal fromCentre(BigDecimal[] n) {
         BigDecimal radius = new BigDecimal(row[3]);
         if (kind == Leaf.SPHERE) {

@@ -30,6 +30,18 @@ import robosim.geometry.model.SphereObject;
 class PainterTest {
     private static final int RED = 0xff0000;
 
+    private static final int FIRST_ROBOT = 0x0067a8;
+    private static final int GROUP = 0xa3ab88;
+    private static final int FLOOR = 0xffffff;
+    private static final int DARK_FLOOR = 0x1b1f26;
+    private static final int PAPER = 0xfbfaf7;
+
+    /** Where the page's picture has the middle of {@link #VIEW}, in pixels: 10 and 5 units beside a margin. */
+    private static final int MIDDLE_X = 806;
+
+    private static final int MIDDLE_Y = 449;
+    private static final int SCALE = 75;
+
     /** 20 by 10 units: 75 pixels a unit. */
     private static final Scene.View VIEW = Scene.View.world(20, 10);
 
@@ -117,8 +129,8 @@ class PainterTest {
                 .getElementsByTagName("circle")
                 .item(0);
         assertThat(sphere.getAttribute("r")).isEqualTo("112.5");
-        assertThat(sphere.getAttribute("cx")).isEqualTo(SvgCanvas.number(MapFrame.SIDE + 15 * 75));
-        assertThat(sphere.getAttribute("cy")).isEqualTo(SvgCanvas.number(MapFrame.TOP + 5 * 75));
+        assertThat(sphere.getAttribute("cx")).isEqualTo("1181");
+        assertThat(sphere.getAttribute("cy")).isEqualTo("449");
         Element box = (Element)
                 withClass(document, "box").get(0).getElementsByTagName("path").item(0);
         assertThat(box.getAttribute("d").replaceAll("[^MLZ]", "")).isEqualTo("MLLLZ");
@@ -188,39 +200,36 @@ class PainterTest {
         return most < 40;
     }
 
-    private static int pixels(BufferedImage image, Scene.View view, double x, double z, int around, int rgb) {
-        MapFrame frame = new MapFrame(view);
-        int scale = (int) Math.round(image.getWidth() / frame.width);
+    private static int pixels(BufferedImage image, double x, double z, int around, int rgb) {
         int found = 0;
-        for (int dx = -around * scale; dx <= around * scale; dx++) {
-            for (int dy = -around * scale; dy <= around * scale; dy++) {
-                int px = (int) (frame.x(x) * scale) + dx;
-                int py = (int) (frame.y(z) * scale) + dy;
+        for (int dx = -around; dx <= around; dx++) {
+            for (int dy = -around; dy <= around; dy++) {
+                int px = (int) (MIDDLE_X + x * SCALE) + dx;
+                int py = (int) (MIDDLE_Y + z * SCALE) + dy;
                 found += isShade(image.getRGB(px, py) & 0xffffff, rgb) ? 1 : 0;
             }
         }
-        return found / (scale * scale);
+        return found;
     }
 
     /** An arrow is seen where nothing is below it, and is no larger than the part that it stands on. */
     @Test
     void anArrowIsSeenAndNoLargerThanItsPart() {
-        int first = Palette.robot(0).light();
         GeometryObject off = new ObjectGroup(List.of(
                         new BoxObject(new Point(3, 0, 0), 1, 1, 1), new BoxObject(new Point(-3, 0, 1), 1, 1, 1)))
                 .moveable("off");
         BufferedImage image = Painter.image(above(off), Theme.LIGHT);
-        assertThat(pixels(image, VIEW, 0, 0, 10, first))
+        assertThat(pixels(image, 0, 0, 10, FIRST_ROBOT))
                 .as("an arrow on the floor")
                 .isBetween(30, 150);
-        assertThat(pixels(image, VIEW, 3, 0, 30, 0xffffff)).as("none on a part").isZero();
+        assertThat(pixels(image, 3, 0, 30, 0xffffff)).as("none on a part").isZero();
         // A plus of two bars: the arrow keeps to the bar's width of 0.4, 30 pixels.
         GeometryObject plus = new ObjectGroup(
                         List.of(new BoxObject(new Point(), 8, 1, 0.4), new BoxObject(new Point(), 0.4, 1, 8)))
                 .moveable("plus");
         image = Painter.image(above(plus), Theme.LIGHT);
-        assertThat(pixels(image, VIEW, 0, 0, 16, 0xffffff)).isGreaterThan(60);
-        assertThat(pixels(image, VIEW, 0.5, 0, 14, first))
+        assertThat(pixels(image, 0, 0, 16, 0xffffff)).isGreaterThan(60);
+        assertThat(pixels(image, 0.5, 0, 14, FIRST_ROBOT))
                 .as("the bar ahead of it")
                 .isGreaterThan(28 * 28 * 9 / 10);
     }
@@ -228,7 +237,6 @@ class PainterTest {
     /** A robot of a pixel or two is a dot of its colour and not of its edge. */
     @Test
     void smallRobotsAreSeen() {
-        int first = Palette.robot(0).light();
         for (GeometryObject small : List.of(
                 new CylinderObject(new Point(1, 0, 1), 0.01, 1).moveable("a"),
                 new CylinderObject(new Point(1, 0, 1), 0.04, 1).moveable("a"),
@@ -239,13 +247,13 @@ class PainterTest {
                         .movedTo(new Point(1, 0, 1))
                         .moveable("a"))) {
             BufferedImage image = Painter.image(above(small), Theme.LIGHT);
-            assertThat(pixels(image, VIEW, 1, 1, 4, first)).as("%s", small).isGreaterThanOrEqualTo(8);
+            assertThat(pixels(image, 1, 1, 4, FIRST_ROBOT)).as("%s", small).isGreaterThanOrEqualTo(8);
         }
         // Forward is told beside it.
         BufferedImage image = Painter.image(
                 above(new SphereObject(new Point(), 0.02).turned(0, 90).moveable("a")), Theme.LIGHT);
-        assertThat(pixels(image, VIEW, 0, -0.13, 4, first))
-                .isGreaterThan(2 * pixels(image, VIEW, 0, 0.13, 4, first))
+        assertThat(pixels(image, 0, -0.13, 4, FIRST_ROBOT))
+                .isGreaterThan(2 * pixels(image, 0, 0.13, 4, FIRST_ROBOT))
                 .isPositive();
     }
 
@@ -269,24 +277,25 @@ class PainterTest {
     @Test
     void pixelsHaveTheColourOfWhatIsThere() {
         BufferedImage image = Painter.image(scene(), Theme.LIGHT);
+        // 20 by 10 units, and the margins.
+        assertThat(image.getWidth()).isEqualTo(1612);
+        assertThat(image.getHeight()).isEqualTo(940);
         assertThat(at(image, -6.7, 0.7)).isEqualTo(RED);
-        assertThat(at(image, 0.7, 0))
-                .isEqualTo(Palette.of(GeometryObject.Kind.GROUP).light()); // drawn after the cylinder
+        assertThat(at(image, 0.7, 0)).isEqualTo(GROUP); // drawn after the cylinder
         assertThat(at(image, 5.6, 0.9)).isEqualTo(0x0000ff);
-        assertThat(at(image, 9.4, 4.6)).isEqualTo(Palette.FLOOR.light());
-        assertThat(image.getRGB(3, 3) & 0xffffff).isEqualTo(Palette.PAPER.light());
+        assertThat(at(image, 9.4, 4.6)).isEqualTo(FLOOR);
+        assertThat(image.getRGB(3, 3) & 0xffffff).isEqualTo(PAPER);
         // Within the cone that was heard after 2 units, and just beyond it.
         double x = 1.5 * StrictMath.cos(StrictMath.toRadians(30));
         double z = -3 - 1.5 * StrictMath.sin(StrictMath.toRadians(30));
-        assertThat(at(image, x, z)).isNotEqualTo(Palette.FLOOR.light());
-        assertThat(at(image, 1.6 * x, -3 + 1.6 * (z + 3))).isEqualTo(Palette.FLOOR.light());
+        assertThat(at(image, x, z)).isNotEqualTo(FLOOR);
+        assertThat(at(image, 1.6 * x, -3 + 1.6 * (z + 3))).isEqualTo(FLOOR);
         BufferedImage dark = Painter.image(scene(), Theme.DARK);
-        assertThat(at(dark, 9.4, 4.6)).isEqualTo(Palette.FLOOR.dark());
+        assertThat(at(dark, 9.4, 4.6)).isEqualTo(DARK_FLOOR);
     }
 
     private static int at(BufferedImage image, double x, double z) {
-        MapFrame frame = new MapFrame(VIEW);
-        return image.getRGB((int) frame.x(x), (int) frame.y(z)) & 0xffffff;
+        return image.getRGB((int) (MIDDLE_X + x * SCALE), (int) (MIDDLE_Y + z * SCALE)) & 0xffffff;
     }
 
     @Test
@@ -298,7 +307,7 @@ class PainterTest {
         double c = 3.5 * StrictMath.cos(StrictMath.toRadians(30));
         double s = 3.5 * StrictMath.sin(StrictMath.toRadians(30));
         assertThat(at(image, c, -s)).isEqualTo(RED);
-        assertThat(at(image, c, s)).isEqualTo(Palette.FLOOR.light());
+        assertThat(at(image, c, s)).isEqualTo(FLOOR);
     }
 
     @Test
@@ -317,7 +326,7 @@ class PainterTest {
     /** The difference of lightness (the cube root of luminance) from the floor. */
     private static double contrast(int step, Theme theme) {
         int ink = Palette.distance(step / (Palette.RAMP - 1.0)).in(theme);
-        return Math.abs(Math.cbrt(luminance(ink)) - Math.cbrt(luminance(Palette.FLOOR.in(theme))));
+        return Math.abs(Math.cbrt(luminance(ink)) - Math.cbrt(luminance(theme == Theme.LIGHT ? FLOOR : DARK_FLOOR)));
     }
 
     private static double luminance(int rgb) {
