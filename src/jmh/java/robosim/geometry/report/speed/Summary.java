@@ -36,7 +36,7 @@ final class Summary {
                         "overlap, ns",
                         "ray, ns",
                         "cone of 15\u00b0, ns",
-                        "widest gap told wrong"),
+                        "widest misclassified gap"),
                 rows);
         page.paragraph(
                 "One thread, through the public API; the gap is the widest between two objects about 1 wide about which"

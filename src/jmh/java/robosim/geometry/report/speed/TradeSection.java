@@ -73,7 +73,7 @@ final class TradeSection {
         return new Panel(
                 "Do they touch? " + Words.count(Double.parseDouble(scene)) + " objects",
                 nanos(series),
-                around("widest gap told wrong, world units", series),
+                around("widest misclassified gap, world units", series),
                 series);
     }
 
