@@ -1,8 +1,17 @@
 package robosim.geometry;
 
-import robosim.geometry.exact.Checks;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.engine.broadphase.AccuracyView;
+import robosim.geometry.engine.broadphase.ObjectRegistry;
+import robosim.geometry.engine.broadphase.SharedStatics;
+import robosim.geometry.engine.motion.Motion;
+import robosim.geometry.engine.motion.TranslationFastPath;
+import robosim.geometry.engine.objects.ObjectTable;
+import robosim.geometry.engine.sensing.BeamQuery;
+import robosim.geometry.engine.sensing.Beams;
+import robosim.geometry.engine.sensing.ProximityQuery;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
@@ -68,13 +77,13 @@ public final class Geometry {
     private final Dimension dimension;
     private final Accuracy accuracy;
 
-    private final Population population;
-    private final Bodies bodies;
-    private final Level level;
+    private final ObjectRegistry registry;
+    private final ObjectTable bodies;
+    private final AccuracyView level;
     private final Beams beams;
-    private final Proximity proximity;
+    private final ProximityQuery proximity;
     private final Motion motion;
-    private final Stride stride;
+    private final TranslationFastPath fastPath;
     private final double[] vector = new double[6];
 
     /** A world of 1000 x 1000 x 1000 world units, SPATIAL and EXACT. */
@@ -114,20 +123,20 @@ public final class Geometry {
             double length,
             Dimension dimension,
             Accuracy accuracy,
-            @Nullable Statics shared,
+            @Nullable SharedStatics shared,
             Scratch scratch) {
         this.width = width;
         this.height = height;
         this.length = length;
         this.dimension = dimension;
         this.accuracy = accuracy;
-        population = new Population(width, height, length, dimension, accuracy, shared, scratch);
-        bodies = population.bodies;
-        level = population.level;
-        beams = new Beams(dimension, bodies, new Ranging(bodies, scratch));
-        proximity = new Proximity(bodies, scratch);
-        motion = new Motion(bodies, population.border, scratch);
-        stride = new Stride(bodies, population.border, scratch);
+        registry = new ObjectRegistry(width, height, length, dimension, accuracy, shared, scratch);
+        bodies = registry.bodies;
+        level = registry.level;
+        beams = new Beams(dimension, bodies, new BeamQuery(bodies, scratch));
+        proximity = new ProximityQuery(bodies, scratch);
+        motion = new Motion(bodies, registry.border, scratch);
+        fastPath = new TranslationFastPath(bodies, registry.border, scratch);
     }
 
     /** Extent along X in world units. */
@@ -162,7 +171,7 @@ public final class Geometry {
      * @throws IllegalArgumentException where its name is taken
      */
     public boolean addObject(GeometryObject object) {
-        return population.add(object, true);
+        return registry.add(object, true);
     }
 
     /**
@@ -172,7 +181,7 @@ public final class Geometry {
      * @throws IllegalArgumentException where its name is taken
      */
     public boolean addObjectUnchecked(GeometryObject object) {
-        return population.add(object, false);
+        return registry.add(object, false);
     }
 
     /**
@@ -180,17 +189,17 @@ public final class Geometry {
      * leave the world is refused when it is added.
      */
     public boolean testObject(GeometryObject object) {
-        return population.collides(level, object, -1);
+        return registry.collides(level, object, -1);
     }
 
     /** Whether an object would touch or overlap another one, at a given accuracy. */
     public boolean testObject(GeometryObject object, Accuracy accuracy) {
-        return population.collides(population.at(accuracy), object, -1);
+        return registry.collides(registry.at(accuracy), object, -1);
     }
 
     /** Takes an object out; false where there is none of that name. */
     public boolean removeObject(String name) {
-        return population.remove(name);
+        return registry.remove(name);
     }
 
     /**
@@ -200,12 +209,12 @@ public final class Geometry {
      * @return false, and nothing changes, where it would touch or overlap another object or leave the world
      */
     public boolean placeObject(String name, Point center, double heading) {
-        return population.place(population.mover(name), center, heading);
+        return registry.place(registry.mover(name), center, heading);
     }
 
     /** The object of a name, at its present place. */
     public GeometryObject getObject(String name) {
-        return bodies.present(population.known(name));
+        return bodies.present(registry.known(name));
     }
 
     /** Whether there is an object of that name. */
@@ -215,7 +224,7 @@ public final class Geometry {
 
     /** All objects at their present places, in the order in which they were added. */
     public List<GeometryObject> objects() {
-        return population.present();
+        return registry.present();
     }
 
     /**
@@ -224,12 +233,12 @@ public final class Geometry {
      * snapshot and its static objects are still the same.
      */
     public Snapshot snapshot() {
-        return Snapshot.of(this, bodies, population.statics());
+        return Snapshot.of(this, bodies, registry.statics());
     }
 
     /** Puts an object of a snapshot back where it was; for a world that is being made of it. */
     void restore(GeometryObject object, long arrival) {
-        population.restore(object, arrival);
+        registry.restore(object, arrival);
     }
 
     /** Ends what {@link #restore} began: so many objects have come. */
@@ -244,20 +253,19 @@ public final class Geometry {
      * @return false, and it stays where it is, where anything blocks the way or the end
      */
     public boolean simpleMove(String name, double x, double y, double z) {
-        int id = population.mover(name);
-        bodies.toWorld(
-                id, Checks.coordinate("x", x), Checks.coordinate("y", y), Checks.coordinate("z", z), vector);
+        int id = registry.mover(name);
+        bodies.toWorld(id, Checks.coordinate("x", x), Checks.coordinate("y", y), Checks.coordinate("z", z), vector);
         int verdict = stride(id, vector[0], vector[1], vector[2]);
-        return verdict == Stride.UNKNOWN
+        return verdict == TranslationFastPath.UNKNOWN
                 ? commitIf(id, motion.allows(level, id, vector[0], vector[1], vector[2]))
-                : verdict == Stride.FREE;
+                : verdict == TranslationFastPath.FREE;
     }
 
     /** Makes a straight move if it is known to be free. */
     private int stride(int id, double dx, double dy, double dz) {
-        int verdict = stride.ask(level, id, dx, dy, dz);
-        if (verdict == Stride.FREE) {
-            population.shift(id, stride.end());
+        int verdict = fastPath.ask(level, id, dx, dy, dz);
+        if (verdict == TranslationFastPath.FREE) {
+            registry.shift(id, fastPath.end());
         }
         return verdict;
     }
@@ -269,19 +277,19 @@ public final class Geometry {
      * @return false, and it stays as it is, where anything blocks the turn
      */
     public boolean simpleTurn(String name, double degrees) {
-        int id = population.mover(name);
+        int id = registry.mover(name);
         Checks.angle("degrees", degrees);
         return commitIf(id, motion.allowsTurn(level, id, degrees));
     }
 
     private boolean carryOut(int id, double dx, double dy, double dz, double rx, double ry, boolean isGlobal) {
-        boolean isMade = rx == 0 && ry == 0 && stride(id, dx, dy, dz) == Stride.FREE;
+        boolean isMade = rx == 0 && ry == 0 && stride(id, dx, dy, dz) == TranslationFastPath.FREE;
         return isMade || commitIf(id, motion.attempt(level, id, dx, dy, dz, rx, ry, isGlobal, 0));
     }
 
     private boolean commitIf(int id, boolean free) {
         if (free) {
-            population.move(id, motion.end());
+            registry.move(id, motion.end());
         }
         return free;
     }
@@ -291,7 +299,7 @@ public final class Geometry {
      * object where it was, to the bit. What is free is free as stored: see {@link MoveResult} for moves of the size of an ulp.
      */
     public MoveResult move(String name, Move move) {
-        int id = population.mover(name);
+        int id = registry.mover(name);
         Move asked = Checks.present("move", move);
         bodies.toWorld(id, asked.x(), asked.y(), asked.z(), vector);
         return result(carryOut(id, vector[0], vector[1], vector[2], asked.rx(), asked.ry(), false));
@@ -303,7 +311,7 @@ public final class Geometry {
      * an object turns about the vertical only, and {@code rx} is left out.
      */
     public MoveResult moveGlobal(String name, Move move) {
-        int id = population.mover(name);
+        int id = registry.mover(name);
         Move asked = Checks.present("move", move);
         double rx = dimension == Dimension.PLANAR ? 0 : asked.rx();
         return result(carryOut(id, asked.x(), asked.y(), asked.z(), rx, asked.ry(), true));
@@ -317,14 +325,14 @@ public final class Geometry {
      * @return {@code allowed} where the whole move was made; else the shares that were made
      */
     public MoveResult moveToContact(String name, Move move, double clearance) {
-        int id = population.mover(name);
+        int id = registry.mover(name);
         Move asked = Checks.present("move", move);
         Checks.clearance(clearance);
         bodies.toWorld(id, asked.x(), asked.y(), asked.z(), vector);
         boolean all =
                 motion.attempt(level, id, vector[0], vector[1], vector[2], asked.rx(), asked.ry(), false, clearance);
         MoveResult result = result(all);
-        population.move(id, motion.end());
+        registry.move(id, motion.end());
         return result;
     }
 
@@ -360,12 +368,12 @@ public final class Geometry {
 
     /** Distance along a ray at a given accuracy. */
     public double getRayDistance(Ray ray, double min, double max, double width, Accuracy accuracy) {
-        return beams.distance(population.at(accuracy), ray, min, max, width, -1);
+        return beams.distance(registry.at(accuracy), ray, min, max, width, -1);
     }
 
     /** Distance along a ray to the nearest object but one, which does not echo. */
     public double getRayDistance(Ray ray, double min, double max, double width, String ignored) {
-        return beams.distance(level, ray, min, max, width, population.known(ignored));
+        return beams.distance(level, ray, min, max, width, registry.known(ignored));
     }
 
     /**
@@ -375,7 +383,7 @@ public final class Geometry {
      * @param z how far it goes to the right
      */
     public double getSonarDistance(String name, double x, double z, double min, double max, double width) {
-        int id = population.mover(name);
+        int id = registry.mover(name);
         Checks.coordinate("x", x);
         Checks.coordinate("z", z);
         if (x == 0 && z == 0) {
@@ -386,7 +394,7 @@ public final class Geometry {
 
     /** Distance that a sonar hears along a ray given in a moveable object's own frame; the object itself is silent. */
     public double getSonarDistance(String name, Ray mount, double min, double max, double width) {
-        int id = population.mover(name);
+        int id = registry.mover(name);
         Point from = Checks.present("mount", mount).start();
         Point to = mount.direction();
         return beams.sonar(level, id, from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), min, max, width);
@@ -400,7 +408,7 @@ public final class Geometry {
      * @return 0 in contact, {@code +Infinity} where nothing is within {@code max}
      */
     public double getProximity(String name, double max) {
-        int id = population.known(name);
+        int id = registry.known(name);
         Checks.range(0, max);
         return proximity.of(level, id, max);
     }
@@ -435,7 +443,7 @@ public final class Geometry {
 
     /** A sweep of single rays into a given array, as many as it has room for. */
     public void scan(String name, double firstDegrees, double stepDegrees, double min, double max, double[] out) {
-        beams.scan(level, population.mover(name), 0, 0, 0, firstDegrees, stepDegrees, min, max, out);
+        beams.scan(level, registry.mover(name), 0, 0, 0, firstDegrees, stepDegrees, min, max, out);
     }
 
     /**
@@ -447,15 +455,6 @@ public final class Geometry {
             String name, Point mount, double firstDegrees, double stepDegrees, double min, double max, double[] out) {
         Checks.present("mount", mount);
         beams.scan(
-                level,
-                population.mover(name),
-                mount.x(),
-                mount.y(),
-                mount.z(),
-                firstDegrees,
-                stepDegrees,
-                min,
-                max,
-                out);
+                level, registry.mover(name), mount.x(), mount.y(), mount.z(), firstDegrees, stepDegrees, min, max, out);
     }
 }

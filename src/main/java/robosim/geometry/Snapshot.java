@@ -1,6 +1,5 @@
 package robosim.geometry;
 
-import robosim.geometry.exact.Checks;
 import java.io.InvalidObjectException;
 import java.io.ObjectInputStream;
 import java.io.Serial;
@@ -14,14 +13,17 @@ import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.engine.broadphase.SharedStatics;
+import robosim.geometry.engine.objects.ObjectTable;
+import robosim.geometry.engine.objects.WorldBounds;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.ObjectRows;
-import robosim.geometry.narrow.Border;
-import robosim.geometry.narrow.LeafColumn;
-import robosim.geometry.narrow.OwnLeaves;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.OwnLeaves;
 
 /**
  * A world at one moment, for good. Its static objects and the trees over them are built once and shared by all worlds that
@@ -44,7 +46,7 @@ public final class Snapshot implements Serializable {
     private final transient double length;
     private final transient Dimension dimension;
     private final transient Accuracy accuracy;
-    private final transient Statics statics;
+    private final transient SharedStatics statics;
     private final transient GeometryObject[] movers;
 
     /** When each of the moveable objects came, in arrivals before it. */
@@ -53,7 +55,7 @@ public final class Snapshot implements Serializable {
     /** How many objects had come. */
     private final transient long time;
 
-    private Snapshot(Settings settings, Statics statics, GeometryObject[] movers, long[] arrivals, long time) {
+    private Snapshot(Settings settings, SharedStatics statics, GeometryObject[] movers, long[] arrivals, long time) {
         width = settings.width;
         height = settings.height;
         length = settings.length;
@@ -67,15 +69,15 @@ public final class Snapshot implements Serializable {
     }
 
     private record Settings(double width, double height, double length, Dimension dimension, Accuracy accuracy) {
-        Statics statics(GeometryObject[] objects, long[] arrivals) {
-            return new Statics(width, length, dimension, objects, arrivals);
+        SharedStatics statics(GeometryObject[] objects, long[] arrivals) {
+            return new SharedStatics(width, length, dimension, objects, arrivals);
         }
     }
 
-    static Snapshot of(Geometry world, Bodies bodies, @Nullable Statics statics) {
+    static Snapshot of(Geometry world, ObjectTable bodies, @Nullable SharedStatics statics) {
         Settings settings =
                 new Settings(world.width(), world.height(), world.length(), world.dimension(), world.accuracy());
-        Statics shared = statics;
+        SharedStatics shared = statics;
         if (shared == null || bodies.ownStatics() > 0) {
             int[] ids = bodies.ids().filter(id -> !bodies.isMoveable(id)).toArray();
             shared = settings.statics(present(bodies, ids), times(bodies, ids));
@@ -84,11 +86,11 @@ public final class Snapshot implements Serializable {
         return new Snapshot(settings, shared, present(bodies, ids), times(bodies, ids), bodies.arrivals());
     }
 
-    private static GeometryObject[] present(Bodies bodies, int[] ids) {
+    private static GeometryObject[] present(ObjectTable bodies, int[] ids) {
         return Arrays.stream(ids).mapToObj(bodies::present).toArray(GeometryObject[]::new);
     }
 
-    private static long[] times(Bodies bodies, int[] ids) {
+    private static long[] times(ObjectTable bodies, int[] ids) {
         return Arrays.stream(ids).mapToLong(bodies::arrival).toArray();
     }
 
@@ -193,13 +195,13 @@ public final class Snapshot implements Serializable {
             check(all);
             int[] fixed = ids(all, false);
             int[] moving = ids(all, true);
-            Statics statics = settings.statics(at(all, fixed), times(fixed));
+            SharedStatics statics = settings.statics(at(all, fixed), times(fixed));
             return new Snapshot(settings, statics, at(all, moving), times(moving), all.size());
         }
 
         /** Refuses what a world would. */
         private void check(List<GeometryObject> all) {
-            Border border = new Border(width, height, length, dimension);
+            WorldBounds border = new WorldBounds(width, height, length, dimension);
             LeafColumn leaves = new LeafColumn(1);
             Set<String> names = new HashSet<>();
             for (GeometryObject object : all) {

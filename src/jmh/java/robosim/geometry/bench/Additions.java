@@ -19,11 +19,11 @@ import robosim.geometry.Geometry;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
-import robosim.geometry.narrow.LeafBounds;
-import robosim.geometry.narrow.LeafColumn;
 import robosim.geometry.narrow.Overlap;
-import robosim.geometry.narrow.OwnLeaves;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.LeafBounds;
+import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.OwnLeaves;
 
 /**
  * Sequential checked additions, the 2005 report's own measure: each new object is tested against those that are in, and

@@ -3,9 +3,9 @@ package robosim.geometry.bench;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import robosim.geometry.exact.Rotations;
-import robosim.geometry.narrow.Leaf;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.SpatialDistance;
+import robosim.geometry.narrow.distance.SpatialDistance;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /**
  * Two leaves, or a leaf and a ray, somewhere between far apart and deep inside each other, most often within a few last

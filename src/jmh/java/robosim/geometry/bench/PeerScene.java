@@ -22,13 +22,13 @@ import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
-import robosim.geometry.narrow.Leaf;
-import robosim.geometry.narrow.LeafBounds;
-import robosim.geometry.narrow.LeafColumn;
 import robosim.geometry.narrow.Overlap;
-import robosim.geometry.narrow.OwnLeaves;
-import robosim.geometry.narrow.PlanarRay;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafBounds;
+import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.OwnLeaves;
+import robosim.geometry.narrow.ray.PlanarRay;
 
 /**
  * The objects and questions of a {@link FlatScene} for other libraries: JTS's packed tree of envelopes before the module's

@@ -4,24 +4,24 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
+import robosim.geometry.engine.objects.WorldBounds;
 import robosim.geometry.exact.Orientation;
 import robosim.geometry.model.Dimension;
-import robosim.geometry.narrow.SpatialTurnSweep;
-import robosim.geometry.narrow.PlanarTurnSweep;
-import robosim.geometry.narrow.Border;
-import robosim.geometry.narrow.Leaf;
-import robosim.geometry.narrow.LeafColumn;
-import robosim.geometry.narrow.PlanarCone;
-import robosim.geometry.narrow.PlanarDistance;
-import robosim.geometry.narrow.PlanarOverlap;
-import robosim.geometry.narrow.PlanarRay;
-import robosim.geometry.narrow.PlanarSweep;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.SpatialCone;
-import robosim.geometry.narrow.SpatialDistance;
-import robosim.geometry.narrow.SpatialOverlap;
-import robosim.geometry.narrow.SpatialRay;
-import robosim.geometry.narrow.SpatialSweep;
+import robosim.geometry.narrow.cone.PlanarCone;
+import robosim.geometry.narrow.cone.SpatialCone;
+import robosim.geometry.narrow.distance.PlanarDistance;
+import robosim.geometry.narrow.distance.SpatialDistance;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.overlap.PlanarOverlap;
+import robosim.geometry.narrow.overlap.SpatialOverlap;
+import robosim.geometry.narrow.ray.PlanarRay;
+import robosim.geometry.narrow.ray.SpatialRay;
+import robosim.geometry.narrow.sweep.PlanarSweep;
+import robosim.geometry.narrow.sweep.SpatialSweep;
+import robosim.geometry.narrow.turn.PlanarTurnSweep;
+import robosim.geometry.narrow.turn.SpatialTurnSweep;
 
 /**
  * Questions to every kernel, the same for the same seed on every machine: {@link NearContacts} at random and as near to contact
@@ -183,7 +183,7 @@ public final class Questions {
         System.arraycopy(row, 0, column.rows(), 0, Leaf.STRIDE);
         column.setKind(0, kind);
         double[] size = pairs.way;
-        return new Border(size[0], size[1], size[2], Dimension.SPATIAL).holds(column, 0, 1);
+        return new WorldBounds(size[0], size[1], size[2], Dimension.SPATIAL).holds(column, 0, 1);
     }
 
     private double ray(double[] o, double[] d, int kind, double[] row) {

@@ -15,10 +15,10 @@ import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Point;
-import robosim.geometry.narrow.LeafColumn;
-import robosim.geometry.narrow.OwnLeaves;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.Sweep;
+import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.OwnLeaves;
 
 /**
  * Attempted moves in a swarm at constant density: n discs of radius 0.5 in a square of side 3 sqrt(n), each of which tries

@@ -19,7 +19,7 @@ final class CheckText {
     /** Pairs of static objects that are told one by one. */
     private static final int STATIC_PAIRS = 10;
 
-    /** Things left out that are told one by one. */
+    /** ObjectNames left out that are told one by one. */
     private static final int SKIPPED = 20;
 
     private final WorldCheck check;
@@ -87,7 +87,7 @@ final class CheckText {
                 world.accuracy());
         String kinds = check.counts().entrySet().stream()
                 .map(kind -> String.format(
-                        Locale.ROOT, "%,d %s", kind.getValue(), Things.kinds(kind.getKey(), kind.getValue())))
+                        Locale.ROOT, "%,d %s", kind.getValue(), ObjectNames.kinds(kind.getKey(), kind.getValue())))
                 .collect(Collectors.joining(", "));
         String inside = (check.members() > 0
                         ? String.format(Locale.ROOT, "; %,d members of groups", check.members())
@@ -116,7 +116,7 @@ final class CheckText {
                 .forEach(object -> add(
                         "border",
                         "%s reaches beyond the world; move it or enlarge the world",
-                        Things.text(object.object())));
+                        ObjectNames.text(object.object())));
     }
 
     private void overlaps() {
@@ -150,7 +150,7 @@ final class CheckText {
 
     /** Who, and how it is with whom. */
     private List<String> overlap(WorldCheck.Overlap overlap) {
-        String second = Things.text(overlap.second().object());
+        String second = ObjectNames.text(overlap.second().object());
         String at = " at " + point(overlap.contact());
         String how = overlap.depth() == 0
                 ? "in touch with " + second + at
@@ -158,7 +158,7 @@ final class CheckText {
                         ? "within " + second + at
                         : "within " + second + at + ", " + length(overlap.depth()) + " deep along "
                                 + point(overlap.normal());
-        return List.of(Things.text(overlap.first().object()), how);
+        return List.of(ObjectNames.text(overlap.first().object()), how);
     }
 
     private void rooms() {

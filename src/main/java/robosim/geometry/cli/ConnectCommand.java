@@ -7,9 +7,9 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
-import robosim.geometry.net.Allowance;
 import robosim.geometry.net.GeometryClient;
 import robosim.geometry.net.NetOptions;
+import robosim.geometry.net.Quotas;
 import robosim.geometry.net.Redial;
 
 /** Dials an environment and answers it. */
@@ -63,7 +63,7 @@ final class ConnectCommand implements Callable<Integer> {
     public Integer call() {
         Ports.check(spec, port, 1);
         NetOptions options =
-                record.inFile(common.options(Allowance.DEFAULT.connections())).withRedial(once ? null : Redial.DEFAULT);
+                record.inFile(common.options(Quotas.DEFAULT.connections())).withRedial(once ? null : Redial.DEFAULT);
         WatchOptions.Watch watched = watch.begin(options);
         int seconds = common.figuresSeconds();
         GeometryClient client = new GeometryClient(host, port, watched.options());

@@ -12,10 +12,10 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
-import robosim.geometry.net.Allowance;
 import robosim.geometry.net.NetOptions;
-import robosim.geometry.net.Patience;
+import robosim.geometry.net.Quotas;
 import robosim.geometry.net.Secret;
+import robosim.geometry.net.Timeouts;
 import robosim.geometry.net.Tls;
 
 /** What {@code serve} and {@code connect} have in common. No password and no secret is ever an argument. */
@@ -47,10 +47,10 @@ final class ConnectionOptions {
     private int idle;
 
     @Option(names = "--max-objects", paramLabel = "N", description = "most objects of a world")
-    private int objects = Allowance.DEFAULT.objects();
+    private int objects = Quotas.DEFAULT.objects();
 
     @Option(names = "--max-requests", paramLabel = "N", description = "most moves or sonar requests of a bundle")
-    private int requests = Allowance.DEFAULT.requests();
+    private int requests = Quotas.DEFAULT.requests();
 
     @ArgGroup(exclusive = false)
     private @Nullable Stores stores;
@@ -106,9 +106,9 @@ final class ConnectionOptions {
     NetOptions options(int connections) {
         try {
             return NetOptions.defaults()
-                    .withPatience(new Patience(
+                    .withTimeouts(new Timeouts(
                             Duration.ofSeconds(stall), Duration.ofSeconds(messageTime), Duration.ofSeconds(idle)))
-                    .withAllowance(new Allowance(connections, objects, requests))
+                    .withQuotas(new Quotas(connections, objects, requests))
                     .withAccess(tls(), secret());
         } catch (IllegalArgumentException e) {
             throw new ParameterException(spec.commandLine(), String.valueOf(e.getMessage()), e);

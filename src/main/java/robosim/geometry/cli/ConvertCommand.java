@@ -15,7 +15,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
-import robosim.geometry.viewer.Pictures;
+import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.world.Extents;
 import robosim.geometry.world.ImportOptions;
 import robosim.geometry.world.ObjWriter;
@@ -174,9 +174,9 @@ final class ConvertCommand implements Callable<Integer> {
         line.append(String.format(
                 Locale.ROOT,
                 "; the world is %s x %s x %s%s",
-                Told.number(world.width()),
-                Told.number(world.height()),
-                Told.number(world.length()),
+                NumberText.number(world.width()),
+                NumberText.number(world.height()),
+                NumberText.number(world.length()),
                 unit.isEmpty() ? "" : " " + unit));
         Extents extents = Extents.of(world.objects());
         if (!extents.isEmpty()) {
@@ -188,8 +188,8 @@ final class ConvertCommand implements Callable<Integer> {
                         "%s %s %s to %s",
                         axis == 0 ? "" : ",",
                         axes.charAt(axis),
-                        Told.number(extents.least(axis)),
-                        Told.number(extents.most(axis))));
+                        NumberText.number(extents.least(axis)),
+                        NumberText.number(extents.most(axis))));
             }
         }
         return line.toString();

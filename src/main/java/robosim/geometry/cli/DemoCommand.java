@@ -18,10 +18,10 @@ import robosim.geometry.net.GeometryClient;
 import robosim.geometry.net.GeometryServer;
 import robosim.geometry.net.NetOptions;
 import robosim.geometry.scenario.WireReader;
-import robosim.geometry.viewer.Painter;
-import robosim.geometry.viewer.Pictures;
-import robosim.geometry.viewer.Scene;
-import robosim.geometry.viewer.Theme;
+import robosim.geometry.viewer.draw.Painter;
+import robosim.geometry.viewer.draw.Theme;
+import robosim.geometry.viewer.playback.Pictures;
+import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldReader;
 

@@ -54,13 +54,13 @@ final class Failures implements Consumer<Outcome> {
         if (all == 0) {
             return;
         }
-        out.println(Told.count(all, "replicate") + " failed:");
+        out.println(NumberText.count(all, "replicate") + " failed:");
         long rest = all;
         for (Map.Entry<String, Failure> entry : told.entrySet()) {
             Failure failure = entry.getValue();
             rest -= failure.times;
             out.println("  " + Text.line(firstLine(entry.getKey())));
-            out.println("    " + (failure.times == 1 ? "in " : Told.count(failure.times, "time") + ", first in ")
+            out.println("    " + (failure.times == 1 ? "in " : NumberText.count(failure.times, "time") + ", first in ")
                     + place(failure.first));
         }
         if (rest > 0) {

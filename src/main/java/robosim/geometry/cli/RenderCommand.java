@@ -11,9 +11,9 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
-import robosim.geometry.viewer.Painter;
-import robosim.geometry.viewer.Pictures;
-import robosim.geometry.viewer.Theme;
+import robosim.geometry.viewer.draw.Painter;
+import robosim.geometry.viewer.draw.Theme;
+import robosim.geometry.viewer.playback.Pictures;
 
 /** Draws a world file. */
 @Command(

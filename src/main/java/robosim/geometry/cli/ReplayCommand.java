@@ -83,8 +83,8 @@ final class ReplayCommand implements Callable<Integer> {
         out.printf(
                 Locale.ROOT,
                 "%s, %s, %,d moves and distances: %s%n",
-                Told.count(files.size(), "scenario"),
-                Told.count(steps, "step"),
+                NumberText.count(files.size(), "scenario"),
+                NumberText.count(steps, "step"),
                 compared,
                 different + unreadable == 0
                         ? "all the same, bit for bit"
@@ -161,7 +161,7 @@ final class ReplayCommand implements Callable<Integer> {
         PrintWriter out = spec.commandLine().getOut();
         if (replay.mismatches() > most) {
             long rest = replay.mismatches() - most;
-            out.println(file + ": and " + Told.count(rest, "more step") + (rest == 1 ? " is" : " are")
+            out.println(file + ": and " + NumberText.count(rest, "more step") + (rest == 1 ? " is" : " are")
                     + " answered otherwise");
         }
         if (reader instanceof ScenarioReader lines && lines.torn() > 0) {

@@ -39,11 +39,11 @@ final class Summary {
     String line(boolean right) {
         return format(
                 "%s, %s: %s asked, %,d refused, %s; the audit found %s wrong",
-                Told.count(count("robots"), "robot"),
-                Told.count(count("steps"), "step"),
-                Told.count(count("moves.asked"), "move"),
+                NumberText.count(count("robots"), "robot"),
+                NumberText.count(count("steps"), "step"),
+                NumberText.count(count("moves.asked"), "move"),
                 count("moves.asked") - count("moves.made"),
-                Told.count(count("distances"), "distance"),
+                NumberText.count(count("distances"), "distance"),
                 right ? "nothing" : "something");
     }
 
@@ -59,7 +59,7 @@ final class Summary {
         StringBuilder text = new StringBuilder();
         text.append(format(
                 "conversation  %s of %s, two processes over TCP%n",
-                Told.count(count("steps"), "step"), Told.count(count("robots"), "robot")));
+                NumberText.count(count("steps"), "step"), NumberText.count(count("robots"), "robot")));
         text.append(format("moves         %,d asked, %,d made, %,d refused%n", asked, made, asked - made));
         refusals(text);
         text.append(format("distances     %,d answered, %,d of them echoes%n", distances, count("echoes")));
@@ -104,7 +104,8 @@ final class Summary {
             }
         }
         if (rest > 0) {
-            text.append(format("  %,10d refused by %s%n", rest, Told.count(obstacles.size() - NAMED, "other object")));
+            text.append(format(
+                    "  %,10d refused by %s%n", rest, NumberText.count(obstacles.size() - NAMED, "other object")));
         }
     }
 

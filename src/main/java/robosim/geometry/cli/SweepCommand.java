@@ -138,8 +138,8 @@ final class SweepCommand implements Callable<Integer> {
         long earlier = Math.max(0, before.get());
         out.printf(
                 "%s on %s%s, %.1f s: %s%n",
-                Told.count(size - earlier, "replicate"),
-                Told.count(threads, "thread"),
+                NumberText.count(size - earlier, "replicate"),
+                NumberText.count(threads, "thread"),
                 earlier > 0 ? String.format(", %,d were there", earlier) : "",
                 (System.nanoTime() - start) / 1e9,
                 file);

@@ -29,7 +29,7 @@ final class Timings implements SessionListener {
         if (obstacle == null) {
             return "the world's border";
         }
-        return Things.text(obstacle);
+        return ObjectNames.text(obstacle);
     }
 
     @Override

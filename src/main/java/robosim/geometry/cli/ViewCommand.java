@@ -16,9 +16,9 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.scenario.WatchReader;
-import robosim.geometry.viewer.Pictures;
-import robosim.geometry.viewer.Theme;
-import robosim.geometry.viewer.Viewer;
+import robosim.geometry.viewer.draw.Theme;
+import robosim.geometry.viewer.playback.Pictures;
+import robosim.geometry.viewer.window.Viewer;
 import robosim.geometry.world.World;
 
 /** Shows a world, a recording or a session in a window. */

@@ -9,10 +9,10 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.Ray;
 import robosim.geometry.narrow.Cast;
-import robosim.geometry.narrow.LeafColumn;
 import robosim.geometry.narrow.Overlap;
-import robosim.geometry.narrow.OwnLeaves;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.OwnLeaves;
 
 /**
  * Two questions about objects in space as they are, whatever their shapes: do two of them collide, and how far along a

@@ -1,19 +1,19 @@
 package robosim.geometry.collision;
 
-import robosim.geometry.exact.Checks;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
-import robosim.geometry.narrow.ContactPairs;
-import robosim.geometry.narrow.LeafColumn;
-import robosim.geometry.narrow.NearestPairs;
-import robosim.geometry.narrow.OwnLeaves;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.OwnLeaves;
+import robosim.geometry.narrow.mesh.ContactPairs;
+import robosim.geometry.narrow.mesh.NearestPairs;
 
 /**
  * Where two objects touch, and whether they do and how far apart they are for as much work as one likes to spend.

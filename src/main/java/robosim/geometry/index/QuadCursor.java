@@ -1,6 +1,15 @@
 package robosim.geometry.index;
 
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.index.regions.NearestFirst;
+import robosim.geometry.index.tiles.NearGrid;
+import robosim.geometry.index.tiles.NearTarget;
+import robosim.geometry.index.tiles.TileGathering;
+import robosim.geometry.index.tiles.TileLayers;
+import robosim.geometry.index.tiles.TileProbe;
+import robosim.geometry.index.tiles.TileScan;
+import robosim.geometry.index.tiles.TileWalk;
+import robosim.geometry.index.tiles.Tiles;
 
 /**
  * One query at a time over the {@link QuadTree} it came from; reusable, nothing is allocated once its queue has grown. A change of

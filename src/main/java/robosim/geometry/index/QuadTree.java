@@ -2,6 +2,12 @@ package robosim.geometry.index;
 
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.index.regions.Cells;
+import robosim.geometry.index.regions.RegionTree;
+import robosim.geometry.index.regions.Regions;
+import robosim.geometry.index.tiles.NearGrid;
+import robosim.geometry.index.tiles.TileLayers;
+import robosim.geometry.index.tiles.Tiles;
 
 /**
  * Objects by a small id of the caller's and a box in the XZ plane.

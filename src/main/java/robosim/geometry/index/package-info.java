@@ -1,6 +1,6 @@
 /**
  * Trees over boxes: {@link robosim.geometry.index.QuadTree} for what stands still in a world,
- * {@link robosim.geometry.index.BoxTree} for the triangles of a mesh.
+ * {@link robosim.geometry.index.boxes.BoxTree} for the triangles of a mesh.
  *
  * <p>They know numbers and boxes, no shapes. Boxes are closed and given as already rounded outward, so a query never loses
  * what it touches. A tree is never changed by a query; a query's state is in a cursor that its owner keeps and reuses.

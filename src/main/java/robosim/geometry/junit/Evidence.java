@@ -10,8 +10,8 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.ScenarioReader;
-import robosim.geometry.viewer.Pictures;
-import robosim.geometry.world.WholeFile;
+import robosim.geometry.viewer.playback.Pictures;
+import robosim.geometry.world.AtomicFileWriter;
 
 /** What a failed test leaves in its folder. */
 final class Evidence {
@@ -92,7 +92,7 @@ final class Evidence {
     private String replay(Scenario scenario) throws IOException {
         Path file = folder.resolve(REPLAY);
         Files.createDirectories(folder);
-        WholeFile.write(file, scenario::write); // nothing is left of one that cannot be written
+        AtomicFileWriter.write(file, scenario::write); // nothing is left of one that cannot be written
         return file.toString();
     }
 

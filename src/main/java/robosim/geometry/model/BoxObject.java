@@ -1,11 +1,11 @@
 package robosim.geometry.model;
 
-import robosim.geometry.exact.Checks;
 import java.io.InvalidObjectException;
 import java.io.ObjectInputStream;
 import java.io.Serial;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
 
 /** A solid box, placed by its centre; width along its own X, height along Y, length along Z. */
 public final class BoxObject implements GeometryObject {

@@ -1,6 +1,5 @@
 package robosim.geometry.model;
 
-import robosim.geometry.exact.Checks;
 import java.io.InvalidObjectException;
 import java.io.ObjectInputStream;
 import java.io.Serial;
@@ -9,6 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
 
 /**
  * A surface of triangles and quads; a quad is its two triangles on the diagonal 0-2, flat or not.

@@ -1,12 +1,12 @@
 package robosim.geometry.model;
 
-import robosim.geometry.exact.Checks;
 import java.io.InvalidObjectException;
 import java.io.ObjectInputStream;
 import java.io.Serial;
 import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
 
 /**
  * The union of its members, which are given in the group's own frame; groups may hold groups.

@@ -1,6 +1,5 @@
 package robosim.geometry.model;
 
-import robosim.geometry.exact.Checks;
 import java.io.Serial;
 import java.io.Serializable;
 import java.util.ArrayList;
@@ -9,6 +8,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
 
 /**
  * Many objects as columns of plain values, for a stream: sizes, names and places to the last bit, with what a centre has

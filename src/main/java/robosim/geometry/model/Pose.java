@@ -1,8 +1,8 @@
 package robosim.geometry.model;
 
-import robosim.geometry.exact.Checks;
 import java.util.Arrays;
 import robosim.geometry.exact.Attitude;
+import robosim.geometry.exact.Checks;
 
 /**
  * Where an object stands and how it is turned: a centre and a rotation.

@@ -1,12 +1,12 @@
 package robosim.geometry.model;
 
-import robosim.geometry.exact.Checks;
 import java.io.InvalidObjectException;
 import java.io.Serial;
 import java.io.Serializable;
 import java.util.List;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
 
 /**
  * What objects are on the wire: records that make the object again through its constructor, so that none can come into

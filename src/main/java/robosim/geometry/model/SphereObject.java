@@ -1,11 +1,11 @@
 package robosim.geometry.model;
 
-import robosim.geometry.exact.Checks;
 import java.io.InvalidObjectException;
 import java.io.ObjectInputStream;
 import java.io.Serial;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
 
 /** A solid sphere, placed by its centre. It has an attitude too, which says where forward is. */
 public final class SphereObject implements GeometryObject {

@@ -1,7 +1,7 @@
 package robosim.geometry.model;
 
-import robosim.geometry.exact.Checks;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
 
 /** What an object is called, and whether a world may move it; what is moveable has a name. */
 record Tag(@Nullable String name, boolean moveable) {

@@ -1,11 +1,11 @@
 package robosim.geometry.model;
 
-import robosim.geometry.exact.Checks;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.index.BoxTree;
+import robosim.geometry.exact.Checks;
+import robosim.geometry.index.boxes.BoxTree;
 
 /**
  * The triangles of a mesh in its own frame and their tree, shared by all placements of the mesh.

@@ -1,7 +1,21 @@
 package robosim.geometry.narrow;
 
-import robosim.geometry.index.Outline;
+import robosim.geometry.exact.VectorMath;
+import robosim.geometry.index.tiles.Outline;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.cone.PlanarCone;
+import robosim.geometry.narrow.cone.SpatialCone;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.UnderflowScaling;
+import robosim.geometry.narrow.leaf.UprightRows;
+import robosim.geometry.narrow.mesh.Inside;
+import robosim.geometry.narrow.mesh.MeshRay;
+import robosim.geometry.narrow.ray.Normals;
+import robosim.geometry.narrow.ray.PlanarRay;
+import robosim.geometry.narrow.ray.RayDisc;
+import robosim.geometry.narrow.ray.RayRectangle;
+import robosim.geometry.narrow.ray.SpatialRay;
 
 /**
  * A line or a cone of sight against one placed leaf, meshes included: the one switch for beams. An instance holds the
@@ -25,7 +39,7 @@ public final class Cast {
     private double halfSin;
     private boolean cone;
 
-    /** Whether the start alone is too large for anything to be taken up, see {@link Magnified}. */
+    /** Whether the start alone is too large for anything to be taken up, see {@link UnderflowScaling}. */
     private boolean isFarFromOrigin;
 
     /** The place, in the order of the tree's leaves, of the triangle that gave the last answer of a mesh, else -1. */
@@ -61,8 +75,9 @@ public final class Cast {
         dz = az * scale;
         hasUnit = false;
         cone = false;
-        isFarFromOrigin =
-                Math.abs(x) >= Magnified.SMALL || Math.abs(z) >= Magnified.SMALL || Math.abs(y) >= Magnified.SMALL;
+        isFarFromOrigin = Math.abs(x) >= UnderflowScaling.SMALL
+                || Math.abs(z) >= UnderflowScaling.SMALL
+                || Math.abs(y) >= UnderflowScaling.SMALL;
     }
 
     private static double scale(double greatest) {
@@ -155,7 +170,7 @@ public final class Cast {
                 ? RayDisc.distance(ox, oz, dx, dz, cx, cz, halfX)
                 : RayRectangle.sure(ox, oz, dx, dz, cx, cz, halfX, outlines[at + Outline.HALF_Z], cos, sin);
         // Only a small distance may have been spoiled by what underflowed.
-        return distance > Magnified.SMALL || isFarFromOrigin ? distance : Double.NaN;
+        return distance > UnderflowScaling.SMALL || isFarFromOrigin ? distance : Double.NaN;
     }
 
     private double judge(int place) {
@@ -175,12 +190,12 @@ public final class Cast {
     private double convex(int kind, double[] row, int at) {
         double distance = convex(ox, oy, oz, kind, row, at);
         // Only a small distance may have been spoiled by what underflowed.
-        if (distance > Magnified.SMALL
+        if (distance > UnderflowScaling.SMALL
                 || isFarFromOrigin
                 || !s.magnified.take(VectorMath.largest(ox, oy, oz), kind, row, at)) {
             return distance;
         }
-        Magnified m = s.magnified;
+        UnderflowScaling m = s.magnified;
         return m.down(convex(m.up(ox), m.up(oy), m.up(oz), kind, m.a, 0));
     }
 
@@ -196,7 +211,7 @@ public final class Cast {
     }
 
     /** The triangle that gave the last answer of a mesh; -1 where none did. */
-    int triangle() {
+    public int triangle() {
         return triangle < 0 ? -1 : s.outer.triangle(triangle);
     }
 

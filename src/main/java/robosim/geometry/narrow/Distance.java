@@ -1,6 +1,14 @@
 package robosim.geometry.narrow;
 
 import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.distance.ConvexContact;
+import robosim.geometry.narrow.distance.PlanarDistance;
+import robosim.geometry.narrow.distance.SpatialDistance;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafBounds;
+import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.UnderflowScaling;
+import robosim.geometry.narrow.mesh.Inside;
 
 /**
  * The least distance of two placed leaves, meshes included, and where they are nearest: the one switch for distances.
@@ -52,10 +60,10 @@ public final class Distance {
     private double convex(Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j) {
         double distance = asStored(dimension, kindA, a, i, kindB, b, j);
         // Only a small distance may have been spoiled by what underflowed.
-        if (distance > Magnified.SMALL || !s.magnified.take(kindA, a, i, kindB, b, j)) {
+        if (distance > UnderflowScaling.SMALL || !s.magnified.take(kindA, a, i, kindB, b, j)) {
             return distance;
         }
-        Magnified m = s.magnified;
+        UnderflowScaling m = s.magnified;
         return m.down(asStored(dimension, kindA, m.a, 0, kindB, m.b, 0));
     }
 

@@ -1,6 +1,15 @@
 package robosim.geometry.narrow;
 
 import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafBounds;
+import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.UprightRows;
+import robosim.geometry.narrow.mesh.Inside;
+import robosim.geometry.narrow.overlap.ConvexOverlap;
+import robosim.geometry.narrow.overlap.PlanarOverlap;
+import robosim.geometry.narrow.planar.DiscDisc;
+import robosim.geometry.narrow.planar.DiscRectangle;
 
 /** Whether two placed leaves have a point in common, meshes included: the one switch for overlaps. */
 public final class Overlap {

@@ -1,6 +1,9 @@
 package robosim.geometry.narrow;
 
 import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafBounds;
+import robosim.geometry.narrow.leaf.LeafColumn;
 
 /** The pairs of convex pieces of two leaves that may touch: a mesh's triangles are pieces of their own. */
 final class PiecePairs {

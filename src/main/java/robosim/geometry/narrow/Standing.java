@@ -2,6 +2,13 @@ package robosim.geometry.narrow;
 
 import java.util.Arrays;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.gjk.HullOverlap;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.MeshWalk;
+import robosim.geometry.narrow.overlap.ConvexOverlap;
+import robosim.geometry.narrow.overlap.Levels;
+import robosim.geometry.narrow.sat.ExactFeatures;
 
 /**
  * What a mover stands on or leans against at the start of a motion: where such a contact has a plane between mover and piece,

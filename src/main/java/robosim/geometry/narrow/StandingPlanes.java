@@ -5,7 +5,14 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.ExactVector;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.gjk.Penetration;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.overlap.Levels;
+import robosim.geometry.narrow.sat.ExactBetween;
+import robosim.geometry.narrow.sat.ExactExtent;
+import robosim.geometry.narrow.sat.ExactFeatures;
 
 /** The planes between two pieces that touch: found when first asked for. See {@link Standing}. */
 final class StandingPlanes {

@@ -2,8 +2,20 @@ package robosim.geometry.narrow;
 
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.ExactVector;
 import robosim.geometry.exact.Rotations;
+import robosim.geometry.exact.VectorMath;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.MeshWalk;
+import robosim.geometry.narrow.leaf.UnderflowScaling;
+import robosim.geometry.narrow.sat.ExactExtent;
+import robosim.geometry.narrow.sweep.PlanarSweep;
+import robosim.geometry.narrow.sweep.SpatialSweep;
+import robosim.geometry.narrow.turn.PlanarTurnSweep;
+import robosim.geometry.narrow.turn.SpatialTurnSweep;
+import robosim.geometry.narrow.turn.SweptBounds;
 
 /**
  * A motion of one placed leaf against another at rest, meshes included: the one switch for sweeps. An instance holds the
@@ -360,7 +372,7 @@ public final class Sweep {
         double y = isLevel() ? 0 : turns ? py : dy;
         double z = turns ? pz : dz;
         double largest = VectorMath.largest(x, y, z);
-        return largest < Magnified.SMALL && isTakenUp(largest, kindA, a, i, kindB, b, j)
+        return largest < UnderflowScaling.SMALL && isTakenUp(largest, kindA, a, i, kindB, b, j)
                 ? magnified(x, y, z, kindA, kindB)
                 : convex(x, y, z, kindA, a, i, kindB, b, j);
     }
@@ -377,7 +389,7 @@ public final class Sweep {
     }
 
     private double magnified(double x, double y, double z, int kindA, int kindB) {
-        Magnified m = s.magnified;
+        UnderflowScaling m = s.magnified;
         return convex(m.up(x), m.up(y), m.up(z), kindA, m.a, 0, kindB, m.b, 0);
     }
 

@@ -31,7 +31,7 @@ final class Connection implements Runnable {
 
     private final Socket socket;
     private final String name;
-    private final Surroundings around;
+    private final ConnectionContext around;
     private final NetOptions options;
     private final @Nullable Cipher cipher;
     private final Watchdog.Guard guard;
@@ -59,7 +59,7 @@ final class Connection implements Runnable {
      *
      * @param cipher null for none
      */
-    Connection(Socket socket, String name, Surroundings around, @Nullable Cipher cipher) {
+    Connection(Socket socket, String name, ConnectionContext around, @Nullable Cipher cipher) {
         this.socket = socket;
         this.name = name;
         this.around = around;
@@ -118,15 +118,15 @@ final class Connection implements Runnable {
         }
         SSLSocket secured = shakeHands(cipher);
         converse(secured);
-        guard.begin(System.nanoTime() + options.patience().stall().toNanos());
+        guard.begin(System.nanoTime() + options.timeouts().stall().toNanos());
         secured.close(); // says so to the peer, and may wait for him
         guard.end();
     }
 
     private SSLSocket shakeHands(Cipher made) throws ProtocolException {
-        guard.begin(System.nanoTime() + options.patience().message().toNanos());
+        guard.begin(System.nanoTime() + options.timeouts().message().toNanos());
         try {
-            socket.setSoTimeout(Math.toIntExact(options.patience().stall().toMillis()));
+            socket.setSoTimeout(Math.toIntExact(options.timeouts().stall().toMillis()));
             SSLSocket secured = made.over(socket);
             secured.startHandshake();
             LOG.log(
@@ -142,11 +142,11 @@ final class Connection implements Runnable {
 
     private void converse(Socket talk) throws IOException {
         PacedInput in =
-                new PacedInput(socket, talk.getInputStream(), guard, options.patience(), turn, room, () -> stopping);
-        PacedOutput out = new PacedOutput(talk.getOutputStream(), guard, options.patience(), turn);
-        Porter porter = new Porter(options.access(), in, options.patience());
-        MessageChannel channel = new MessageChannel(in, out, options.translator(), in, porter);
-        porter.watch(channel);
+                new PacedInput(socket, talk.getInputStream(), guard, options.timeouts(), turn, room, () -> stopping);
+        PacedOutput out = new PacedOutput(talk.getOutputStream(), guard, options.timeouts(), turn);
+        Authenticator authenticator = new Authenticator(options.access(), in, options.timeouts());
+        MessageChannel channel = new MessageChannel(in, out, options.translator(), in, authenticator);
+        authenticator.watch(channel);
         SessionListener listener = options.listeners().apply(name);
         try {
             Session session = new Session(options.session(), listener, name);
@@ -198,16 +198,16 @@ final class Connection implements Runnable {
 
     /** Why this cannot be asked here; null where it can. */
     private @Nullable String refusal(Bundle request, int messageBytes) {
-        Allowance allowance = options.allowance();
+        Quotas quotas = options.quotas();
         if (request instanceof InitBundle init) {
-            String tooMany = tooMany("a world", "objects", init.objects().size(), allowance.objects());
+            String tooMany = tooMany("a world", "objects", init.objects().size(), quotas.objects());
             return tooMany == null ? plot.claim(messageBytes) : tooMany;
         }
         if (request instanceof MoveBundle moves) {
-            return tooMany("a bundle", "requests", moves.moves().size(), allowance.requests());
+            return tooMany("a bundle", "requests", moves.moves().size(), quotas.requests());
         }
         if (request instanceof SonarRequestBundle sonars) {
-            return tooMany("a bundle", "requests", sonars.requests().size(), allowance.requests());
+            return tooMany("a bundle", "requests", sonars.requests().size(), quotas.requests());
         }
         return "a request must be an InitBundle, a MoveBundle or a SonarRequestBundle (got: "
                 + request.getClass().getSimpleName() + ")";

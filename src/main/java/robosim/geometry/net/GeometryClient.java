@@ -1,6 +1,5 @@
 package robosim.geometry.net;
 
-import robosim.geometry.exact.Checks;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.InetSocketAddress;
@@ -11,6 +10,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.random.RandomGenerator;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
 
 /**
  * Dials RoboSim's environment module and answers it until it ends the connection; with {@link Redial} again and again,
@@ -96,8 +96,8 @@ public final class GeometryClient implements Runnable, AutoCloseable {
         String place = host + ":" + port;
         Management management = Management.show(figures, "GeometryClient", place);
         try (Watchdog watchdog =
-                new Watchdog("geometry-watch-" + place, options.patience().finest())) {
-            Surroundings around = new Surroundings(options, figures, watchdog);
+                new Watchdog("geometry-watch-" + place, options.timeouts().finest())) {
+            ConnectionContext around = new ConnectionContext(options, figures, watchdog);
             Redial redial = options.redial();
             if (redial == null) {
                 dialOnce(around);
@@ -110,7 +110,7 @@ public final class GeometryClient implements Runnable, AutoCloseable {
         }
     }
 
-    private void dialOnce(Surroundings around) {
+    private void dialOnce(ConnectionContext around) {
         try {
             converse(around, "client of " + host + ":" + port);
         } catch (IOException e) {
@@ -118,7 +118,7 @@ public final class GeometryClient implements Runnable, AutoCloseable {
         }
     }
 
-    private void dialAgain(Surroundings around, Redial redial) {
+    private void dialAgain(ConnectionContext around, Redial redial) {
         int failures = 0;
         for (int dialled = 1; !isClosed(); dialled++) {
             String complaint = "the connection is over";
@@ -152,7 +152,7 @@ public final class GeometryClient implements Runnable, AutoCloseable {
      * @return whether any request was answered
      * @throws IOException where nobody answers the call
      */
-    private boolean converse(Surroundings around, String name) throws IOException {
+    private boolean converse(ConnectionContext around, String name) throws IOException {
         Socket socket = new Socket();
         Tls tls = options.access().tls();
         Connection own =
@@ -177,7 +177,7 @@ public final class GeometryClient implements Runnable, AutoCloseable {
     private boolean dial(Socket socket) throws IOException {
         try {
             socket.connect(new InetSocketAddress(host, port), (int)
-                    options.patience().stall().toMillis());
+                    options.timeouts().stall().toMillis());
             return true;
         } catch (IOException e) {
             if (isClosed()) {

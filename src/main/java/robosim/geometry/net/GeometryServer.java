@@ -1,6 +1,5 @@
 package robosim.geometry.net;
 
-import robosim.geometry.exact.Checks;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.InetAddress;
@@ -11,6 +10,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.protocol.MessageChannel;
 
 /**
@@ -33,7 +33,7 @@ public final class GeometryServer implements AutoCloseable {
     private final NetOptions options;
     private final Figures figures = new Figures();
     private final Watchdog watchdog;
-    private final Surroundings around;
+    private final ConnectionContext around;
     private final Management management;
     private final Map<Connection, Thread> connections = new ConcurrentHashMap<>();
 
@@ -67,10 +67,10 @@ public final class GeometryServer implements AutoCloseable {
         Checks.port(port, 0);
         this.options = Checks.present("options", options);
         options.access().check(address);
-        this.listening = listen(address, port, options.allowance().connections());
+        this.listening = listen(address, port, options.quotas().connections());
         this.watchdog =
-                new Watchdog("geometry-watch-" + port(), options.patience().finest());
-        this.around = new Surroundings(options, figures, watchdog);
+                new Watchdog("geometry-watch-" + port(), options.timeouts().finest());
+        this.around = new ConnectionContext(options, figures, watchdog);
         this.management = Management.show(figures, "GeometryServer", address().toString());
         this.acceptor = new Thread(this::accept, "geometry-server-" + listening.getLocalPort());
         acceptor.start();
@@ -109,7 +109,7 @@ public final class GeometryServer implements AutoCloseable {
         while (!closed) {
             try {
                 Socket socket = listening.accept();
-                boolean refused = connections.size() >= options.allowance().connections();
+                boolean refused = connections.size() >= options.quotas().connections();
                 if (refused) {
                     figures.refused();
                     // Said before it is done: who sees the connection end finds the reason in the log.
@@ -136,7 +136,7 @@ public final class GeometryServer implements AutoCloseable {
     private void turnAway(Socket socket) {
         try (socket) {
             if (options.access().tls() == null) {
-                int most = options.allowance().connections();
+                int most = options.quotas().connections();
                 socket.getOutputStream()
                         .write(MessageChannel.errorLine("there must be at most " + most
                                 + " connections (got: more); close one, or dial again later"));

@@ -44,16 +44,16 @@ final class PacedInput extends InputStream implements MessagePace {
             Socket socket,
             InputStream in,
             Watchdog.Guard guard,
-            Patience patience,
+            Timeouts timeouts,
             Turn turn,
             Room.Share room,
             BooleanSupplier stopping) {
         this.socket = socket;
         this.in = in;
         this.guard = guard;
-        this.stallNanos = patience.stall().toNanos();
-        this.messageNanos = patience.message().toNanos();
-        this.idleTime = patience.idle();
+        this.stallNanos = timeouts.stall().toNanos();
+        this.messageNanos = timeouts.message().toNanos();
+        this.idleTime = timeouts.idle();
         this.turn = turn;
         this.room = room;
         this.stopping = stopping;

@@ -14,7 +14,7 @@ final class PacedOutput extends OutputStream {
 
     private final OutputStream out;
     private final Watchdog.Guard guard;
-    private final Patience patience;
+    private final Timeouts timeouts;
     private final Turn turn;
     private final byte[] gathered = new byte[STEP_BYTES];
     private int count;
@@ -23,10 +23,10 @@ final class PacedOutput extends OutputStream {
     /** What is written next begins a message; each ends with a flush. */
     private boolean between = true;
 
-    PacedOutput(OutputStream out, Watchdog.Guard guard, Patience patience, Turn turn) {
+    PacedOutput(OutputStream out, Watchdog.Guard guard, Timeouts timeouts, Turn turn) {
         this.out = out;
         this.guard = guard;
-        this.patience = patience;
+        this.timeouts = timeouts;
         this.turn = turn;
     }
 
@@ -59,9 +59,9 @@ final class PacedOutput extends OutputStream {
         turn.give();
         if (between) {
             between = false;
-            messageDue = System.nanoTime() + patience.message().toNanos();
+            messageDue = System.nanoTime() + timeouts.message().toNanos();
         }
-        long stalled = System.nanoTime() + patience.stall().toNanos();
+        long stalled = System.nanoTime() + timeouts.stall().toNanos();
         guard.begin(stalled - messageDue < 0 ? stalled : messageDue);
         try {
             out.write(gathered, 0, count);
@@ -75,8 +75,8 @@ final class PacedOutput extends OutputStream {
 
     private String complaint(long stalled) {
         return stalled - messageDue < 0
-                ? "the peer read nothing for " + patience.stall().toMillis() + " ms"
-                : "the peer did not read a message within " + patience.message().toMillis() + " ms";
+                ? "the peer read nothing for " + timeouts.stall().toMillis() + " ms"
+                : "the peer did not read a message within " + timeouts.message().toMillis() + " ms";
     }
 
     /** The end of a message, after which there is nothing to compute until another one has come. */

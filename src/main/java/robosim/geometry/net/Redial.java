@@ -1,8 +1,8 @@
 package robosim.geometry.net;
 
-import robosim.geometry.exact.Checks;
 import java.time.Duration;
 import java.util.random.RandomGenerator;
+import robosim.geometry.exact.Checks;
 
 /**
  * How a client that has lost its environment, or has not found it, dials again: the pause doubles with every attempt that

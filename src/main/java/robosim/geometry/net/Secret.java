@@ -1,11 +1,11 @@
 package robosim.geometry.net;
 
-import robosim.geometry.exact.Checks;
 import java.nio.CharBuffer;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
 
 /** A secret that peers must know. Only its digest is kept, and nothing of it is ever printed. */
 public final class Secret {

@@ -1,6 +1,5 @@
 package robosim.geometry.net;
 
-import robosim.geometry.exact.Checks;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
@@ -9,6 +8,7 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
@@ -50,7 +50,7 @@ public final class Session {
     private final SessionOptions options;
     private final SessionListener listener;
     private final World.Maker maker;
-    private final Complaints complaints;
+    private final WarningLog complaints;
 
     /** Between two parts of the work. */
     private Runnable breath = () -> {};
@@ -109,7 +109,7 @@ public final class Session {
             SessionOptions options, SessionListener listener, String name, System.Logger log, World.Maker maker) {
         this.options = Checks.present("options", options);
         this.listener = Checks.present("listener", listener);
-        this.complaints = new Complaints(Checks.present("log", log), Checks.present("name", name));
+        this.complaints = new WarningLog(Checks.present("log", log), Checks.present("name", name));
         this.maker = maker;
         listener.opened(this);
     }

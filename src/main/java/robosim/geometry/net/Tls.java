@@ -1,6 +1,5 @@
 package robosim.geometry.net;
 
-import robosim.geometry.exact.Checks;
 import java.io.IOException;
 import java.net.Socket;
 import java.nio.file.Path;
@@ -12,6 +11,7 @@ import javax.net.ssl.SSLParameters;
 import javax.net.ssl.SSLSocket;
 import javax.net.ssl.TrustManagerFactory;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
 
 /** TLS 1.3 or 1.2 in which both ends show a certificate. */
 public final class Tls {

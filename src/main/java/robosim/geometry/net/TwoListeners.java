@@ -1,8 +1,8 @@
 package robosim.geometry.net;
 
-import robosim.geometry.exact.Checks;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.MoveResult;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.Reply;

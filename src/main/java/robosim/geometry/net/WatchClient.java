@@ -1,16 +1,16 @@
 package robosim.geometry.net;
 
-import robosim.geometry.exact.Checks;
 import java.io.FilterInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.net.SocketTimeoutException;
+import robosim.geometry.exact.Checks;
 
 /** Dials a {@link WatchServer} and reads what it tells. Nothing is ever sent. */
 public final class WatchClient {
-    private static final int PATIENCE_MILLIS = 10_000;
+    private static final int TIMEOUT_MILLIS = 10_000;
 
     private WatchClient() {}
 
@@ -25,8 +25,8 @@ public final class WatchClient {
         Checks.port(port, 1);
         Socket socket = new Socket();
         try {
-            socket.connect(new InetSocketAddress(host, port), PATIENCE_MILLIS);
-            socket.setSoTimeout(PATIENCE_MILLIS);
+            socket.connect(new InetSocketAddress(host, port), TIMEOUT_MILLIS);
+            socket.setSoTimeout(TIMEOUT_MILLIS);
             socket.shutdownOutput();
             return new Hearing(socket);
         } catch (IOException | RuntimeException e) {
@@ -59,7 +59,7 @@ public final class WatchClient {
                 return super.read(bytes, at, length);
             } catch (SocketTimeoutException e) {
                 throw new IOException(
-                        "nothing was heard for " + PATIENCE_MILLIS / 1000
+                        "nothing was heard for " + TIMEOUT_MILLIS / 1000
                                 + " s; the server is gone, or this is not its port for watching",
                         e);
             }

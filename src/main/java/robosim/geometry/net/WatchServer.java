@@ -1,6 +1,5 @@
 package robosim.geometry.net;
 
-import robosim.geometry.exact.Checks;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
@@ -13,6 +12,7 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
 
 /**
  * A second port of a server, on the loopback address, on which whoever dials is told what happens. Nothing is ever read

@@ -1,8 +1,8 @@
 package robosim.geometry.protocol;
 
-import robosim.geometry.exact.Checks;
 import java.io.Serial;
 import java.util.List;
+import robosim.geometry.exact.Checks;
 
 /**
  * The answer to a {@link SonarRequestBundle}.

@@ -1,9 +1,9 @@
 package robosim.geometry.protocol;
 
-import robosim.geometry.exact.Checks;
 import java.io.Serial;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.GeometryObject;
 
 /**

@@ -1,6 +1,5 @@
 package robosim.geometry.protocol;
 
-import robosim.geometry.exact.Checks;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.io.StringWriter;
@@ -9,6 +8,7 @@ import java.nio.ByteBuffer;
 import java.nio.CharBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
+import robosim.geometry.exact.Checks;
 
 /**
  * Messages as lines of JSON, in both directions: what an environment in any language writes and reads, and what a

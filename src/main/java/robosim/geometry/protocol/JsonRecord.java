@@ -1,6 +1,5 @@
 package robosim.geometry.protocol;
 
-import robosim.geometry.exact.Checks;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.io.StringWriter;
@@ -9,6 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
 
 /**
  * A line of JSON that is no message of the wire's: an object whose fields are asked for by their names, as strictly as a

@@ -1,6 +1,5 @@
 package robosim.geometry.protocol;
 
-import robosim.geometry.exact.Checks;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -11,6 +10,7 @@ import java.io.SequenceInputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
 
 /**
  * Both directions of one connection, in the encoding that the peer chooses: the first byte that it sends tells, {@code AC}
@@ -44,7 +44,7 @@ public final class MessageChannel {
     /** Made, and our stream header with it, before the peer has said a word. */
     private @Nullable MessageWriter early;
 
-    private volatile @Nullable Speech speech;
+    private volatile @Nullable Codec speech;
     private volatile @Nullable Encoding encoding;
 
     /** Nothing is read or written yet. */
@@ -65,7 +65,7 @@ public final class MessageChannel {
      */
     public @Nullable Bundle read() throws ProtocolException {
         try {
-            Speech spoken = speech == null ? open() : speech;
+            Codec spoken = speech == null ? open() : speech;
             return spoken == null ? null : spoken.read();
         } catch (ProtocolException e) {
             refuse(String.valueOf(e.getMessage()));
@@ -80,7 +80,7 @@ public final class MessageChannel {
      */
     public void write(Reply reply) throws IOException {
         Checks.present("reply", reply);
-        Speech spoken = speech;
+        Codec spoken = speech;
         if (spoken == null) {
             throw new IllegalStateException("a request must be read before it is answered");
         }
@@ -121,18 +121,18 @@ public final class MessageChannel {
 
     /** Bytes of the message that was read last; 0 before the first. */
     public int messageBytes() {
-        Speech spoken = speech;
+        Codec spoken = speech;
         return spoken == null ? 0 : spoken.messageBytes();
     }
 
-    private @Nullable Speech open() throws ProtocolException {
+    private @Nullable Codec open() throws ProtocolException {
         try {
             int first = first();
             if (first < 0) {
                 return null;
             }
             InputStream whole = new SequenceInputStream(new ByteArrayInputStream(new byte[] {(byte) first}), in);
-            Speech opened = switch (first) {
+            Codec opened = switch (first) {
                 case JAVA -> java(whole);
                 case '{' -> json(whole);
                 default ->
@@ -161,7 +161,7 @@ public final class MessageChannel {
         }
     }
 
-    private Speech java(InputStream whole) throws IOException {
+    private Codec java(InputStream whole) throws IOException {
         encoding = Encoding.JAVA;
         if (!gate.admits(null)) {
             throw new ProtocolException("a peer must tell a secret, as JSON lines can and Java serialization cannot"
@@ -169,7 +169,7 @@ public final class MessageChannel {
         }
         MessageWriter writer = early == null ? new MessageWriter(out, translator) : early;
         MessageReader reader = new MessageReader(whole, translator, pace);
-        return new Speech() {
+        return new Codec() {
             @Override
             public @Nullable Bundle read() throws ProtocolException {
                 return reader.read();
@@ -188,14 +188,14 @@ public final class MessageChannel {
         };
     }
 
-    private Speech json(InputStream whole) throws IOException {
+    private Codec json(InputStream whole) throws IOException {
         encoding = Encoding.JSON;
         if (early != null) {
             out.write('\n'); // the header is a line of its own
             out.flush();
         }
         try {
-            return JsonSpeech.open(whole, out, pace, gate);
+            return JsonCodec.open(whole, out, pace, gate);
         } catch (LinkageError e) {
             throw new ProtocolException(
                     "JSON lines need Jackson: put com.fasterxml.jackson.core:jackson-core on the class path, or on the"

@@ -1,6 +1,5 @@
 package robosim.geometry.protocol;
 
-import robosim.geometry.exact.Checks;
 import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
@@ -8,6 +7,7 @@ import java.io.InterruptedIOException;
 import java.io.ObjectStreamConstants;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
 
 /**
  * Reads bundles from a stream, bounded by {@link Limits} and by a list of exact classes. It reads ahead; after an

@@ -1,10 +1,10 @@
 package robosim.geometry.protocol;
 
-import robosim.geometry.exact.Checks;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.ObjectOutputStream;
 import java.io.OutputStream;
+import robosim.geometry.exact.Checks;
 
 /**
  * Writes bundles to a stream, each forgotten when it is written, so that neither end keeps what has passed.

@@ -1,8 +1,8 @@
 package robosim.geometry.protocol;
 
-import robosim.geometry.exact.Checks;
 import java.io.Serial;
 import java.util.List;
+import robosim.geometry.exact.Checks;
 
 /**
  * Moves to make, in their order; and as the answer the moves that were made, in the same order.

@@ -1,8 +1,8 @@
 package robosim.geometry.protocol;
 
-import robosim.geometry.exact.Checks;
 import java.io.Serial;
 import java.io.Serializable;
+import robosim.geometry.exact.Checks;
 
 /**
  * A move of one object: a straight translation along its own axes, then in place a turn about its own Y, then about its

@@ -1,8 +1,8 @@
 package robosim.geometry.protocol;
 
-import robosim.geometry.exact.Checks;
 import java.util.Objects;
 import java.util.function.Supplier;
+import robosim.geometry.exact.Checks;
 
 /**
  * Why one request of a bundle was refused, in words for people. The words are made when they are asked for: an encoding

@@ -1,7 +1,7 @@
 package robosim.geometry.protocol;
 
-import robosim.geometry.exact.Checks;
 import java.util.List;
+import robosim.geometry.exact.Checks;
 
 /**
  * What a session answers: the bundle, and what it does not tell. Java serialization sends the bundle alone, JSON lines

@@ -1,9 +1,9 @@
 package robosim.geometry.protocol;
 
-import robosim.geometry.exact.Checks;
 import java.io.Serial;
 import java.io.Serializable;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
 
 /**
  * A distance from the centre of an object towards {@code (xOffset, 0, zOffset)} in its own frame; the object itself does

@@ -1,8 +1,8 @@
 package robosim.geometry.protocol;
 
-import robosim.geometry.exact.Checks;
 import java.io.Serial;
 import java.util.List;
+import robosim.geometry.exact.Checks;
 
 /**
  * Distances to measure; answered by a {@link DistanceBundle} with one distance for each request, in order.

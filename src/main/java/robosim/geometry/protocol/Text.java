@@ -1,7 +1,7 @@
 package robosim.geometry.protocol;
 
-import robosim.geometry.exact.Checks;
 import java.util.HexFormat;
+import robosim.geometry.exact.Checks;
 
 /** What a peer sent, made fit for a line of a log. */
 public final class Text {

@@ -1,8 +1,8 @@
 package robosim.geometry.protocol;
 
-import robosim.geometry.exact.Checks;
 import java.io.Serial;
 import java.io.Serializable;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 

@@ -1,9 +1,9 @@
 package robosim.geometry.scenario;
 
-import robosim.geometry.exact.Checks;
 import java.util.BitSet;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;

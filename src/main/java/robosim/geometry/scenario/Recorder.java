@@ -1,9 +1,9 @@
 package robosim.geometry.scenario;
 
-import robosim.geometry.exact.Checks;
 import java.io.IOException;
 import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.Reply;

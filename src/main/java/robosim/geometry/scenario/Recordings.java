@@ -1,6 +1,5 @@
 package robosim.geometry.scenario;
 
-import robosim.geometry.exact.Checks;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.FileAlreadyExistsException;
@@ -10,6 +9,7 @@ import java.time.ZoneOffset;
 import java.time.format.DateTimeFormatter;
 import java.util.Locale;
 import java.util.function.Function;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.net.SessionOptions;
 

@@ -1,11 +1,11 @@
 package robosim.geometry.scenario;
 
-import robosim.geometry.exact.Checks;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import robosim.geometry.exact.Checks;
 
 /**
  * A world, a conversation and the answers, whole in memory. A long recording is better read by a {@link ScenarioReader}.

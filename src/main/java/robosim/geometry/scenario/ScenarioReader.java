@@ -1,6 +1,5 @@
 package robosim.geometry.scenario;
 
-import robosim.geometry.exact.Checks;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Files;
@@ -9,6 +8,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.JsonLines;
 import robosim.geometry.protocol.JsonRecord;

@@ -1,8 +1,8 @@
 package robosim.geometry.scenario;
 
-import robosim.geometry.exact.Checks;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.InitBundle;

@@ -1,6 +1,5 @@
 package robosim.geometry.scenario;
 
-import robosim.geometry.exact.Checks;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PushbackInputStream;
@@ -8,6 +7,7 @@ import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.net.WatchClient;
 import robosim.geometry.net.WatchServer;
 

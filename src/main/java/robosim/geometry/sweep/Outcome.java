@@ -88,7 +88,7 @@ public record Outcome(
 
     /** The line of a file, with its check sum. */
     public String sealed() {
-        return Sealed.seal(line());
+        return ChecksummedLine.seal(line());
     }
 
     /**

@@ -84,7 +84,8 @@ final class SweepFile {
                 return;
             }
             boolean isEnded = line[line.length - 1] == '\n';
-            String open = isEnded ? Sealed.open(new String(line, 0, line.length - 1, StandardCharsets.UTF_8)) : null;
+            String open =
+                    isEnded ? ChecksummedLine.open(new String(line, 0, line.length - 1, StandardCharsets.UTF_8)) : null;
             if (open == null) {
                 throw new SweepException(
                         file + " line " + number + ": it must be as it was written, with its check sum; "

@@ -108,7 +108,7 @@ public record SweepHeader(
 
     /** The line that a file of results begins with, with its check sum. */
     public String sealed() {
-        return Sealed.seal(line());
+        return ChecksummedLine.seal(line());
     }
 
     /** Refuses what could be written and not read again: the values of a parameter together may be too long. */

@@ -135,7 +135,7 @@ public final class SweepResults {
         Checks.present("consumer", consumer);
         try (Lines lines = new Lines()) {
             for (Entry entry : entries) {
-                String open = Sealed.open(lines.line(entry));
+                String open = ChecksummedLine.open(lines.line(entry));
                 if (open == null) {
                     throw new SweepException(files.get(entry.file) + ": it must not change while it is read");
                 }

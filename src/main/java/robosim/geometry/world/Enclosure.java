@@ -1,8 +1,8 @@
 package robosim.geometry.world;
 
 import robosim.geometry.model.GeometryObject;
-import robosim.geometry.narrow.LeafColumn;
-import robosim.geometry.narrow.OwnLeaves;
+import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.OwnLeaves;
 
 /**
  * A box along the world's axes that surely holds an object, for finding who may be near whom; {@link Extents} are tighter.

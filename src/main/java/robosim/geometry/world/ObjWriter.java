@@ -6,8 +6,8 @@ import java.io.OutputStreamWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.function.LongConsumer;
-import robosim.geometry.exact.Degrees;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
@@ -48,7 +48,7 @@ public final class ObjWriter {
         Checks.present("file", file);
         Checks.present("progress", progress);
         try {
-            WholeFile.write(file, to -> {
+            AtomicFileWriter.write(file, to -> {
                 BufferedWriter out = new BufferedWriter(new OutputStreamWriter(to, StandardCharsets.UTF_8));
                 new ObjWriter(out).world(world, progress);
                 out.flush();

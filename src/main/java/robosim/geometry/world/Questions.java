@@ -125,7 +125,7 @@ final class Questions {
     private void ask(WorldObject robot, int count, int number, int robots) {
         GeometryObject home = robot.object();
         String name = String.valueOf(home.name());
-        Trip trip = rooms.trip(name);
+        GridReachability trip = rooms.trip(name);
         sheets.forEach(sheet -> sheet.geometry.removeObject(name));
         int free = 0;
         for (int tries = 0; free < count && tries < count * TRIES; tries++) {

@@ -25,9 +25,9 @@ final class Rooms {
     private final int[] leaders;
 
     /** Of each robot, its last trip; null where it has not been sent out. */
-    private final @Nullable Trip[] trips;
+    private final @Nullable GridReachability[] trips;
 
-    private final Map<String, Trip> byName = new HashMap<>();
+    private final Map<String, GridReachability> byName = new HashMap<>();
 
     /** @param touching the names of robots that are not asked */
     Rooms(World world, Set<String> touching, WorldCheck.Watch watch) {
@@ -41,7 +41,7 @@ final class Rooms {
         }
         leaders = new int[robots.size()];
         Arrays.setAll(leaders, k -> k);
-        trips = new Trip[robots.size()];
+        trips = new GridReachability[robots.size()];
     }
 
     List<WorldCheck.Room> find() {
@@ -71,12 +71,12 @@ final class Rooms {
 
     /** The trip that tells most of where a robot gets to; null where it starts in contact. */
     @Nullable
-    Trip trip(String name) {
+    GridReachability trip(String name) {
         if (byName.isEmpty()) {
             for (List<Integer> group : groups()) {
-                Trip largest = largest(group);
+                GridReachability largest = largest(group);
                 for (int k : group) {
-                    Trip own = trips[k] == null ? largest : trips[k];
+                    GridReachability own = trips[k] == null ? largest : trips[k];
                     if (own != null) {
                         byName.put(String.valueOf(robots.get(k).name()), own);
                     }
@@ -89,12 +89,12 @@ final class Rooms {
     /** Where the step of all trips was too coarse to tell, a finer one may find that there is no way out near the start. */
     private void lookNear(Geometry statics) {
         for (List<Integer> group : groups()) {
-            Trip far = largest(group);
+            GridReachability far = largest(group);
             if (far == null || far.isFine()) {
                 continue;
             }
             int k = group.stream().min(narrowestFirst()).orElseThrow();
-            Trip near = Trip.near(world, statics, robots.get(k));
+            GridReachability near = GridReachability.near(world, statics, robots.get(k));
             if (near == null) {
                 continue;
             }
@@ -141,8 +141,8 @@ final class Rooms {
     }
 
     private void send(Geometry statics, int k, int halvings) {
-        Trip trip = Trip.far(world, statics, robots.get(k), halvings);
-        Trip last = trips[k];
+        GridReachability trip = GridReachability.far(world, statics, robots.get(k), halvings);
+        GridReachability last = trips[k];
         boolean coarse = last != null && trip.step() >= last.step();
         if (coarse || (halvings == 0 && anyTrip(k))) {
             return;
@@ -151,7 +151,7 @@ final class Rooms {
         go(trip, k);
     }
 
-    private void go(Trip trip, int k) {
+    private void go(GridReachability trip, int k) {
         List<Integer> others = new ArrayList<>();
         for (int other = 0; other < robots.size(); other++) {
             if (leader(other) != leader(k)) {
@@ -174,7 +174,7 @@ final class Rooms {
     private boolean isDone() {
         List<List<Integer>> groups = groups();
         boolean moves = true;
-        for (Trip trip : trips) {
+        for (GridReachability trip : trips) {
             moves &= trip == null || trip.places() > 1;
         }
         return groups.size() == 1 && moves;
@@ -210,14 +210,14 @@ final class Rooms {
     }
 
     private double area(List<Integer> group) {
-        Trip largest = largest(group);
+        GridReachability largest = largest(group);
         return largest == null ? 0 : largest.area();
     }
 
-    private @Nullable Trip largest(List<Integer> group) {
-        Trip best = null;
+    private @Nullable GridReachability largest(List<Integer> group) {
+        GridReachability best = null;
         for (int k : group) {
-            Trip trip = trips[k];
+            GridReachability trip = trips[k];
             if (trip != null && (best == null || trip.area() > best.area())) {
                 best = trip;
             }
@@ -231,7 +231,7 @@ final class Rooms {
             List<String> names = group.stream()
                     .map(k -> String.valueOf(robots.get(k).name()))
                     .toList();
-            Trip trip = largest(group);
+            GridReachability trip = largest(group);
             if (trip == null) {
                 throw new IllegalStateException("nobody was sent out from " + names);
             }

@@ -64,7 +64,7 @@ public final class WorldWriter {
                             + " instead, or keep large meshes in files of their own that the world names (got: more)");
         }
         try {
-            WholeFile.write(file, out -> out.write(bytes));
+            AtomicFileWriter.write(file, out -> out.write(bytes));
         } catch (IOException e) {
             throw new WorldException(file.toString(), 0, 0, "the file could not be written: " + e, e);
         }

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.narrow.Leaf;
-import robosim.geometry.narrow.LeafColumn;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafColumn;
 
 /** A convex leaf as the twin sees it: support, projection, corners and edges in plain doubles. Shares no code with the kernels. */
 final class Body {

@@ -3,10 +3,10 @@ package robosim.geometry.census;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import robosim.geometry.exact.Rotations;
-import robosim.geometry.narrow.Leaf;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.SpatialCone;
-import robosim.geometry.narrow.SpatialRay;
+import robosim.geometry.narrow.cone.SpatialCone;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.ray.SpatialRay;
 
 /** A cone in space and a leaf, made up so that the cone's border comes near some place of the leaf. */
 final class ConeQuestion {

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import robosim.geometry.exact.Rotations;
-import robosim.geometry.narrow.Leaf;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /** How far a cone in space hears a cylinder. */
 final class CylinderCone implements Kernel {

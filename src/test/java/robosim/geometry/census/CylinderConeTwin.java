@@ -1,7 +1,7 @@
 package robosim.geometry.census;
 
 import robosim.geometry.census.Twofold.Vector;
-import robosim.geometry.narrow.Leaf;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /**
  * The distance of a cylinder in a cone from both sides, by a search that knows nothing of caps and mantles: the largest

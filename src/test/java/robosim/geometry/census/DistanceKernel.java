@@ -5,7 +5,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.SplittableRandom;
-import robosim.geometry.narrow.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafColumn;
 
 /**
  * The least distance of two convex bodies in space, as worlds ask it, and the bracket of {@code ContactQuery.distance}: both

@@ -3,9 +3,9 @@ package robosim.geometry.census;
 import java.util.function.Supplier;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Distance;
-import robosim.geometry.narrow.LeafColumn;
-import robosim.geometry.narrow.NearestPairs;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.mesh.NearestPairs;
 
 /**
  * What the product says of two objects' distance in space, as worlds ask it and as {@code ContactQuery.distance} does,

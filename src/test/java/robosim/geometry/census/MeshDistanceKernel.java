@@ -6,8 +6,8 @@ import java.util.Locale;
 import java.util.SplittableRandom;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
-import robosim.geometry.narrow.LeafColumn;
-import robosim.geometry.narrow.OwnLeaves;
+import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.OwnLeaves;
 
 /** The least distance of a mesh and anything in space, a mesh too: the least of its triangles', whatever limit is given. */
 final class MeshDistanceKernel implements Kernel {

@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.SpatialOverlap;
+import robosim.geometry.narrow.overlap.SpatialOverlap;
 
 /**
  * Whether two convex bodies touch in space, where the twin is sure: apart by a slab wider than its rounding, or with a point

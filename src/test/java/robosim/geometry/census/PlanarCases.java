@@ -3,7 +3,7 @@ package robosim.geometry.census;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.stream.Collectors;
-import robosim.geometry.narrow.Leaf;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.reference.Truth.Form;
 
 /** Rows of forms for kernels in the plane, and what a failure prints of them. */

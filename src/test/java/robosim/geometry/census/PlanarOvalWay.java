@@ -2,8 +2,8 @@ package robosim.geometry.census;
 
 import java.util.List;
 import java.util.SplittableRandom;
-import robosim.geometry.narrow.PlanarSweep;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.sweep.PlanarSweep;
 import robosim.geometry.reference.Truth.Form;
 
 /**

@@ -3,9 +3,9 @@ package robosim.geometry.census;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
-import robosim.geometry.narrow.PlanarDistance;
-import robosim.geometry.narrow.PlanarOverlap;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.distance.PlanarDistance;
+import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.reference.Truth;
 import robosim.geometry.reference.Truth.Form;
 

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.narrow.PlanarRay;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.ray.PlanarRay;
 import robosim.geometry.reference.Truth;
 import robosim.geometry.reference.Truth.Form;
 

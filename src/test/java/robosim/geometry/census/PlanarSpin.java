@@ -3,9 +3,8 @@ package robosim.geometry.census;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
-import robosim.geometry.narrow.PlanarTurnSweep;
-import robosim.geometry.narrow.PlanarSweep;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.turn.PlanarTurnSweep;
 import robosim.geometry.reference.Truth;
 import robosim.geometry.reference.Truth.Form;
 

@@ -12,7 +12,7 @@ import robosim.geometry.exact.Rotations;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
-import robosim.geometry.narrow.Leaf;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /** How far a cone in space hears a box, a triangle or a mesh. */
 final class PolytopeCone implements Kernel {

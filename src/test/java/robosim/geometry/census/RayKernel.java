@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.SplittableRandom;
 import robosim.geometry.narrow.RayOracle;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.SpatialRay;
+import robosim.geometry.narrow.ray.SpatialRay;
 
 /** A ray against each convex shape in space, beside the decimals of {@link RayOracle}: the verdict, and four ulp of the distance. */
 final class RayKernel implements Kernel {

@@ -1,7 +1,7 @@
 package robosim.geometry.census;
 
 import java.util.SplittableRandom;
-import robosim.geometry.narrow.Leaf;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /** A convex leaf as the twins see it: corners with edges and sides, or a centre, an axis and a radius. */
 final class Solid {

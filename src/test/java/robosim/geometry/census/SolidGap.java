@@ -1,6 +1,6 @@
 package robosim.geometry.census;
 
-import robosim.geometry.narrow.Leaf;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /**
  * The distance of two solids from one pair of features after the other, in closed form or by a bracketed search in one

@@ -3,9 +3,9 @@ package robosim.geometry.census;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
-import robosim.geometry.narrow.Leaf;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.SpatialOverlap;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.overlap.SpatialOverlap;
 
 /**
  * A motion in space of a box, triangle, cylinder or sphere against another, of which the twin follows the distance by pairs

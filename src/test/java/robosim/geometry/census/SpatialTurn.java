@@ -2,8 +2,7 @@ package robosim.geometry.census;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
-import robosim.geometry.narrow.SpatialTurnSweep;
-import robosim.geometry.narrow.SpatialSweep;
+import robosim.geometry.narrow.turn.SpatialTurnSweep;
 
 /** Turns about any axis through the origin. */
 final class SpatialTurn extends SpatialMotion {

@@ -2,7 +2,7 @@ package robosim.geometry.census;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
-import robosim.geometry.narrow.SpatialSweep;
+import robosim.geometry.narrow.sweep.SpatialSweep;
 
 /** Straight translations. */
 final class SpatialWay extends SpatialMotion {

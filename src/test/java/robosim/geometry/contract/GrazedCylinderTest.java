@@ -10,9 +10,9 @@ import robosim.geometry.Geometry;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
-import robosim.geometry.narrow.Leaf;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.SpatialCone;
+import robosim.geometry.narrow.cone.SpatialCone;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /** Cones in space whose border just reaches the rim of a cylinder: what is heard there is not nearer than it is. */
 class GrazedCylinderTest {

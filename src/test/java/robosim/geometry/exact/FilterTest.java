@@ -14,7 +14,7 @@ import robosim.geometry.bench.Questions;
 import robosim.geometry.bench.Questions.Family;
 import robosim.geometry.bench.Questions.Subject;
 import robosim.geometry.narrow.AimedBounds;
-import robosim.geometry.narrow.Leaf;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /** Every verdict with its filter on, off and in doubt, in JVMs of their own. */
 class FilterTest {
@@ -74,7 +74,7 @@ class FilterTest {
         Questions question = new Questions();
         question.make(family, seed, number);
         if (isCertified(family)) {
-            // Neither is late, and at the earlier the gap is within the bound of HeldMove.
+            // Neither is late, and at the earlier the gap is within the bound of TranslationAdvancement.
             double earlier = Math.min(here, there);
             return earlier > 0 && question.gap(earlier) <= 0x1p-42 * question.sum();
         }

@@ -12,12 +12,15 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.index.regions.Regions;
+import robosim.geometry.index.tiles.Outline;
+import robosim.geometry.index.tiles.Tiles;
 
-class QuadTreeTest {
+public class QuadTreeTest {
     private static final double WORLD = 500;
 
     /** Where boxes are and how large, in ways that are hard on a tree. */
-    enum Scene {
+    public enum Scene {
         SPREAD,
         GRID,
         ONE_PLACE,
@@ -29,7 +32,7 @@ class QuadTreeTest {
         LONG_WALLS,
         CROWDS;
 
-        double[] box(SplittableRandom random) {
+        public double[] box(SplittableRandom random) {
             return switch (this) {
                 case SPREAD -> around(random, any(random), any(random), random.nextDouble(8), random.nextDouble(8));
                 case GRID -> corner(random.nextInt(-50, 50) * 8, random.nextInt(-50, 50) * 8, 8, 8);
@@ -582,7 +585,7 @@ class QuadTreeTest {
     }
 
     /** Who is near a box, or null where it is not small. */
-    static @Nullable BitSet near(QuadCursor cursor, double[] outlines, double[] box) {
+    public static @Nullable BitSet near(QuadCursor cursor, double[] outlines, double[] box) {
         BitSet ids = new BitSet();
         double halfX = QuadCursor.half(box[0], box[2]);
         double halfZ = QuadCursor.half(box[1], box[3]);
@@ -643,7 +646,7 @@ class QuadTreeTest {
     }
 
     /** An outline of every box. */
-    static double[] outlines(QuadCursor cursor) {
+    public static double[] outlines(QuadCursor cursor) {
         double[] boxes = cursor.boxes();
         double[] outlines = Outline.rows(boxes.length / 6, 0);
         for (int id = 0; id < boxes.length / 6; id++) {
@@ -654,13 +657,13 @@ class QuadTreeTest {
     }
 
     /** The exact twin of a ray against a box. */
-    static final class Entry {
+    public static final class Entry {
         private static final MathContext DIGITS = new MathContext(80);
 
         private Entry() {}
 
         // The parameter of entry, rounded in the 80th digit, or null; decided by cross-multiplied rationals.
-        static BigDecimal exact(double[] ray, double[] box) {
+        public static BigDecimal exact(double[] ray, double[] box) {
             BigDecimal[][] interval = new BigDecimal[2][];
             for (int axis = 0; axis < 2; axis++) {
                 BigDecimal direction = new BigDecimal(ray[2 + axis]);

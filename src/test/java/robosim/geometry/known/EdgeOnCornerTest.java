@@ -3,9 +3,9 @@ package robosim.geometry.known;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import robosim.geometry.narrow.Leaf;
-import robosim.geometry.narrow.PlanarSweep;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.sweep.PlanarSweep;
 
 /**
  * A known fault, kept so that whoever mends it notices: this asserts the wrong answer. In PLANAR a triangle touches a cylinder

@@ -5,7 +5,11 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.SplittableRandom;
 import java.util.function.Predicate;
+import robosim.geometry.engine.objects.WorldBounds;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.overlap.CylinderCylinder;
 
 /**
  * Filters that a question at random seldom brings to their bound, each asked about what is built so that its roundings add
@@ -24,7 +28,7 @@ public final class AimedBounds {
     public static void main(String[] args) {
         AimedBounds aimed = new AimedBounds();
         Map<String, Predicate<AimedBounds>> filters = new LinkedHashMap<>();
-        filters.put("Border.box", AimedBounds::isBorderWrong);
+        filters.put("WorldBounds.box", AimedBounds::isBorderWrong);
         filters.put("CylinderCylinder.along", a -> a.isParallelWrong(true));
         filters.put("CylinderCylinder.across", a -> a.isParallelWrong(false));
         filters.forEach((name, isWrong) -> {
@@ -57,7 +61,7 @@ public final class AimedBounds {
         System.arraycopy(row, 0, column.rows(), 0, Leaf.STRIDE);
         column.setKind(0, Leaf.BOX);
         boolean truth = reach.compareTo(new BigDecimal(half)) <= 0;
-        return new Border(2 * half, 100, 100, Dimension.SPATIAL).holds(column, 0, 1) != truth;
+        return new WorldBounds(2 * half, 100, 100, Dimension.SPATIAL).holds(column, 0, 1) != truth;
     }
 
     // On one stored axis, end to end or side by side.

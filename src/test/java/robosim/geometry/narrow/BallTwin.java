@@ -4,19 +4,20 @@ import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.reference.HullMotion;
 
 /**
  * The slow twin of a sphere that moves straight on at corners' hull, in decimals without rounding: they meet where the
  * centre's way goes into the hull, or all that the hull sweeps, seen from the centre, comes as near as the radius to it.
  */
-final class BallTwin {
+public final class BallTwin {
     private final List<BigDecimal[]> corners = new ArrayList<>();
     private final BigDecimal[] move;
     private final BigDecimal square;
     private final @Nullable HullMotion core;
 
-    BallTwin(double[] sphere, double[] d, int kindB, double[] b) {
+    public BallTwin(double[] sphere, double[] d, int kindB, double[] b) {
         BigDecimal[] centre = vector(sphere[0], sphere[1], sphere[2]);
         List<BigDecimal[]> rest =
                 kindB == Leaf.SPHERE ? List.<BigDecimal[]>of(vector(b[0], b[1], b[2])) : DecimalAxes.corners(kindB, b);
@@ -30,7 +31,7 @@ final class BallTwin {
     }
 
     /** Whether the two touch anywhere from time 0 to {@code time}. */
-    boolean meetsBy(BigDecimal time) {
+    public boolean meetsBy(BigDecimal time) {
         if (core != null && core.compareTo(time) <= 0) {
             return true;
         }

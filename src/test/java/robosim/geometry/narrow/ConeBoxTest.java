@@ -5,6 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.exact.VectorMath;
+import robosim.geometry.narrow.cone.SpatialCone;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /** Boxes in cones against the triangles of their faces, for boxes whose corners are doubles. */
 class ConeBoxTest {

@@ -11,6 +11,10 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.exact.VectorMath;
+import robosim.geometry.narrow.cone.Cone;
+import robosim.geometry.narrow.cone.PlanarCone;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /** Verdicts and distances of cones against decimals of 60 digits, in which the cosine is the stored one. */
 class ConeErrorTest {

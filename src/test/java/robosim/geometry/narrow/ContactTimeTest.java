@@ -8,6 +8,10 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.Poses;
+import robosim.geometry.narrow.sweep.PlanarSweep;
+import robosim.geometry.narrow.sweep.SpatialSweep;
 import robosim.geometry.reference.HullMotion;
 
 /** Times of contact of straight motions against exact twins, where rounding is at its worst: one double down, no more. */

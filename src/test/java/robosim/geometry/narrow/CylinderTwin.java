@@ -2,9 +2,10 @@ package robosim.geometry.narrow;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /** Two cylinders in decimals of 60 digits: slabs that are empty, and points that both hold. Shares no code with the kernels. */
-final class CylinderTwin {
+public final class CylinderTwin {
     static final MathContext DIGITS = new MathContext(60);
 
     private final BigDecimal[] centre = new BigDecimal[3];
@@ -12,7 +13,7 @@ final class CylinderTwin {
     private final BigDecimal radius;
     private final BigDecimal half;
 
-    CylinderTwin(int kind, double[] row) {
+    public CylinderTwin(int kind, double[] row) {
         for (int k = 0; k < 3; k++) {
             centre[k] = new BigDecimal(row[k]);
             axis[k] = kind == Leaf.CYLINDER ? new BigDecimal(row[7 + 3 * k]) : BigDecimal.valueOf(k == 1 ? 1 : 0);
@@ -22,13 +23,13 @@ final class CylinderTwin {
     }
 
     /** The width of the slab across n between this and another, this one below; negative where they overlap along n. */
-    BigDecimal gap(CylinderTwin other, BigDecimal[] n) {
+    public BigDecimal gap(CylinderTwin other, BigDecimal[] n) {
         BigDecimal width = other.reach(negate(n)).add(reach(n)).negate();
         return width.divide(root(dot(n, n)), DIGITS);
     }
 
     /** The widest slab between two across an axis of theirs or across both. */
-    double widestOfCaps(CylinderTwin other) {
+    public double widestOfCaps(CylinderTwin other) {
         double widest = Double.NEGATIVE_INFINITY;
         for (BigDecimal[] n : new BigDecimal[][] {axis, other.axis, cross(axis, other.axis)}) {
             if (dot(n, n).signum() > 0) {
@@ -47,7 +48,7 @@ final class CylinderTwin {
     }
 
     /** The point that is furthest along n; a middle of those where several are. */
-    BigDecimal[] furthest(BigDecimal[] n) {
+    public BigDecimal[] furthest(BigDecimal[] n) {
         BigDecimal along = dot(n, axis);
         BigDecimal square = dot(axis, axis);
         BigDecimal[] out = new BigDecimal[3];
@@ -65,7 +66,7 @@ final class CylinderTwin {
         return out;
     }
 
-    boolean holds(BigDecimal[] point) {
+    public boolean holds(BigDecimal[] point) {
         BigDecimal[] w = new BigDecimal[3];
         for (int k = 0; k < 3; k++) {
             w[k] = point[k].subtract(centre[k]);
@@ -76,15 +77,15 @@ final class CylinderTwin {
                 && dot(cross, cross).compareTo(radius.multiply(radius).multiply(square)) <= 0;
     }
 
-    static BigDecimal root(BigDecimal square) {
+    public static BigDecimal root(BigDecimal square) {
         return square.signum() <= 0 ? BigDecimal.ZERO : square.sqrt(DIGITS);
     }
 
-    static BigDecimal dot(BigDecimal[] a, BigDecimal[] b) {
+    public static BigDecimal dot(BigDecimal[] a, BigDecimal[] b) {
         return a[0].multiply(b[0]).add(a[1].multiply(b[1])).add(a[2].multiply(b[2]));
     }
 
-    static BigDecimal[] cross(BigDecimal[] a, BigDecimal[] b) {
+    public static BigDecimal[] cross(BigDecimal[] a, BigDecimal[] b) {
         return new BigDecimal[] {
             a[1].multiply(b[2]).subtract(a[2].multiply(b[1])),
             a[2].multiply(b[0]).subtract(a[0].multiply(b[2])),
@@ -92,15 +93,15 @@ final class CylinderTwin {
         };
     }
 
-    static BigDecimal[] minus(BigDecimal[] a, BigDecimal[] b) {
+    public static BigDecimal[] minus(BigDecimal[] a, BigDecimal[] b) {
         return new BigDecimal[] {a[0].subtract(b[0]), a[1].subtract(b[1]), a[2].subtract(b[2])};
     }
 
-    static BigDecimal[] negate(BigDecimal[] a) {
+    public static BigDecimal[] negate(BigDecimal[] a) {
         return new BigDecimal[] {a[0].negate(), a[1].negate(), a[2].negate()};
     }
 
-    static BigDecimal[] decimals(double... v) {
+    public static BigDecimal[] decimals(double... v) {
         return new BigDecimal[] {new BigDecimal(v[0]), new BigDecimal(v[1]), new BigDecimal(v[2])};
     }
 }

@@ -3,15 +3,16 @@ package robosim.geometry.narrow;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /**
  * The slow twin of the overlap of boxes and triangles: corners in decimals, and far more axes than are needed. Cross
  * products of all edges and normals of both and of the world's axes.
  */
-final class DecimalAxes {
+public final class DecimalAxes {
     private DecimalAxes() {}
 
-    static boolean overlap(int kindA, double[] a, int kindB, double[] b) {
+    public static boolean overlap(int kindA, double[] a, int kindB, double[] b) {
         List<BigDecimal[]> cornersA = corners(kindA, a);
         List<BigDecimal[]> cornersB = corners(kindB, b);
         List<BigDecimal[]> directions = new ArrayList<>(directions(kindA, a, cornersA));

@@ -2,16 +2,17 @@ package robosim.geometry.narrow;
 
 import java.math.BigDecimal;
 import java.util.List;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /** Two convex shapes in the plane, one of which can be turned: their gap, below 0 their depth, in plain doubles. */
-final class FlatPair {
+public final class FlatPair {
     private final double[][] mover;
     private final double[][] rest;
     private final double radius;
     private final double px;
     private final double pz;
 
-    FlatPair(int kindA, double[] a, double px, double pz, int kindB, double[] b) {
+    public FlatPair(int kindA, double[] a, double px, double pz, int kindB, double[] b) {
         mover = points(FlatTwin.corners(kindA, a));
         rest = points(FlatTwin.corners(kindB, b));
         radius = radius(kindA, a) + radius(kindB, b);
@@ -20,7 +21,7 @@ final class FlatPair {
     }
 
     /** Distance of the two, or less the depth, when the mover is turned about the upward vertical. */
-    double gap(double degrees) {
+    public double gap(double degrees) {
         double cos = StrictMath.cos(Math.toRadians(degrees));
         double sin = StrictMath.sin(Math.toRadians(degrees));
         double[][] differences = new double[mover.length * rest.length][];

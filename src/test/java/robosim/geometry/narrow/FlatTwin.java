@@ -4,12 +4,13 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /**
  * The slow twin of the planar sweeps, in decimals without rounding: two convex shapes meet on the way of a translation
  * where the origin lies in the hull of all differences of their corners before and after it, or within the radii of it.
  */
-final class FlatTwin {
+public final class FlatTwin {
     private static final MathContext DIGITS = new MathContext(160);
 
     private final List<BigDecimal[]> differences = new ArrayList<>();
@@ -17,7 +18,7 @@ final class FlatTwin {
     private final BigDecimal dx;
     private final BigDecimal dz;
 
-    FlatTwin(int kindA, double[] a, double dx, double dz, int kindB, double[] b) {
+    public FlatTwin(int kindA, double[] a, double dx, double dz, int kindB, double[] b) {
         this.dx = new BigDecimal(dx);
         this.dz = new BigDecimal(dz);
         radius = radius(kindA, a).add(radius(kindB, b));
@@ -35,22 +36,22 @@ final class FlatTwin {
     }
 
     /** Whether the two touch anywhere from time 0 to {@code time}. */
-    boolean meetsBy(double time) {
+    public boolean meetsBy(double time) {
         return meetsBy(new BigDecimal(time));
     }
 
-    boolean meetsBy(BigDecimal time) {
+    public boolean meetsBy(BigDecimal time) {
         List<BigDecimal[]> swept = new ArrayList<>(differences);
         swept.addAll(at(time));
         return isNear(swept);
     }
 
-    boolean touchesAtStart() {
+    public boolean touchesAtStart() {
         return isNear(differences);
     }
 
     /** Whether a very small part of the motion leaves the two deeper in each other than they are. */
-    boolean goesDeeper() {
+    public boolean goesDeeper() {
         BigDecimal little = new BigDecimal(0x1p-200);
         BigDecimal change = depth(at(little)).subtract(depth(differences));
         return change.compareTo(new BigDecimal(0x1p-480)) > 0;

@@ -8,6 +8,11 @@ import java.math.BigDecimal;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.sweep.PlanarSweep;
+import robosim.geometry.narrow.sweep.SpatialSweep;
+import robosim.geometry.narrow.turn.PlanarTurnSweep;
+import robosim.geometry.narrow.turn.SpatialTurnSweep;
 
 /** Motions that other engines got wrong, and those at the edges of the contract. */
 class HardMovesTest {

@@ -2,16 +2,17 @@ package robosim.geometry.narrow;
 
 import java.util.SplittableRandom;
 import robosim.geometry.exact.Rotations;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /** Random leaves and rays: general ones, and ones on a small grid where everything ties. */
-final class Leaves {
+public final class Leaves {
     static final int[] KINDS = {
         Leaf.UPRIGHT_BOX, Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE, Leaf.BOX, Leaf.CYLINDER, Leaf.TRIANGLE, Leaf.PRISM
     };
 
     private Leaves() {}
 
-    static double[] random(int kind, SplittableRandom random, double size) {
+    public static double[] random(int kind, SplittableRandom random, double size) {
         double[] row = new double[Leaf.STRIDE];
         for (int i = 0; i < 3; i++) {
             row[i] = random.nextDouble(-size, size);
@@ -32,7 +33,7 @@ final class Leaves {
     }
 
     /** Whole coordinates, turns by quarters and by the angle of the 3-4-5 triangle: nothing is rounded. */
-    static double[] grid(int kind, SplittableRandom random) {
+    public static double[] grid(int kind, SplittableRandom random) {
         double[] row = new double[Leaf.STRIDE];
         for (int i = 0; i < 3; i++) {
             row[i] = random.nextInt(-3, 4);
@@ -72,20 +73,20 @@ final class Leaves {
         System.arraycopy(numbers, 0, row, 0, 10);
     }
 
-    static double[] vector(SplittableRandom random, double size) {
+    public static double[] vector(SplittableRandom random, double size) {
         return new double[] {
             random.nextDouble(-size, size), random.nextDouble(-size, size), random.nextDouble(-size, size)
         };
     }
 
-    static double[] gridVector(SplittableRandom random, int size) {
+    public static double[] gridVector(SplittableRandom random, int size) {
         return new double[] {
             random.nextInt(-size, size + 1), random.nextInt(-size, size + 1), random.nextInt(-size, size + 1)
         };
     }
 
     /** The largest coordinate or size in a row. */
-    static double extent(int kind, double[] row) {
+    public static double extent(int kind, double[] row) {
         int numbers = kind == Leaf.PRISM ? 10 : kind == Leaf.TRIANGLE ? 9 : 6;
         double extent = 0;
         for (int i = 0; i < numbers; i++) {
@@ -95,7 +96,7 @@ final class Leaves {
     }
 
     /** The row with all lengths times a power of two. */
-    static double[] scaled(int kind, double[] row, int power) {
+    public static double[] scaled(int kind, double[] row, int power) {
         double[] copy = row.clone();
         int numbers = kind == Leaf.PRISM ? 10 : kind == Leaf.TRIANGLE ? 9 : 6;
         for (int i = 0; i < numbers; i++) {

@@ -6,6 +6,11 @@ import java.math.BigDecimal;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.distance.SpatialDistance;
+import robosim.geometry.narrow.gjk.Gjk;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.mesh.NearestPairs;
 
 /** Distances of pairs of every kind that are nearly in contact: brackets that hold, and are as narrow as they are said to be. */
 class NearContactTest {

@@ -2,6 +2,9 @@ package robosim.geometry.narrow;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import robosim.geometry.exact.VectorMath;
+import robosim.geometry.narrow.gjk.Gjk;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /**
  * Pairs of convex leaves in space that are nearly in contact, in every relation of features: boxes, cylinders, triangles

@@ -5,6 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.narrow.cone.PlanarCone;
+import robosim.geometry.narrow.distance.PlanarDistance;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.overlap.PlanarOverlap;
+import robosim.geometry.narrow.ray.PlanarRay;
 
 class PlanarAllocationTest {
     /** Random rows are never in doubt, so that the exact path (which allocates) stays out of it. */

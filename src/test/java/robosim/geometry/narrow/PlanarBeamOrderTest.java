@@ -16,6 +16,7 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /** In PLANAR every sector hears what the line along its axis hits, at the line's distance at the latest, bit for bit. */
 class PlanarBeamOrderTest {

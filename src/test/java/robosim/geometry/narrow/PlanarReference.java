@@ -4,15 +4,16 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /**
  * The slow twin of the planar kernels: decimal numbers that hold every double, hulls, and segments that cross; no
  * separating axes, no filters, nothing of the product but the layout of a row.
  */
-final class PlanarReference {
+public final class PlanarReference {
     private static final MathContext DIGITS = new MathContext(80);
 
-    record Place(BigDecimal x, BigDecimal z) {
+    public record Place(BigDecimal x, BigDecimal z) {
         Place minus(Place other) {
             return new Place(x.subtract(other.x), z.subtract(other.z));
         }
@@ -27,15 +28,15 @@ final class PlanarReference {
     }
 
     /** A hull (in order, one corner or more) grown by a radius. */
-    record Shape(List<Place> hull, BigDecimal radius) {}
+    public record Shape(List<Place> hull, BigDecimal radius) {}
 
     private PlanarReference() {}
 
-    static Place place(double x, double z) {
+    public static Place place(double x, double z) {
         return new Place(new BigDecimal(x), new BigDecimal(z));
     }
 
-    static Shape of(int kind, double[] row, int at) {
+    public static Shape of(int kind, double[] row, int at) {
         List<Place> corners = new ArrayList<>();
         BigDecimal radius = BigDecimal.ZERO;
         if (kind == Leaf.TRIANGLE) {
@@ -101,14 +102,14 @@ final class PlanarReference {
         return a.x.compareTo(b.x) == 0 && a.z.compareTo(b.z) == 0;
     }
 
-    static boolean overlap(Shape a, Shape b) {
+    public static boolean overlap(Shape a, Shape b) {
         BigDecimal reach = a.radius.add(b.radius);
         return squareDistance(a.hull, b.hull).compareTo(reach.multiply(reach)) <= 0
                 || (reach.signum() > 0 && near(a.hull, b.hull, reach.multiply(reach)));
     }
 
     /** Whether a ray meets the shape. */
-    static boolean hit(Place o, Place u, Shape s) {
+    public static boolean hit(Place o, Place u, Shape s) {
         if (s.radius.signum() > 0) {
             Place m = s.hull.get(0).minus(o);
             BigDecimal rr = s.radius.multiply(s.radius);
@@ -122,7 +123,7 @@ final class PlanarReference {
     }
 
     /** Distance along a ray that hits, from outside or in. */
-    static double distance(Place o, Place u, Shape s) {
+    public static double distance(Place o, Place u, Shape s) {
         if (contains(s.hull, o)) {
             return 0;
         }
@@ -169,7 +170,7 @@ final class PlanarReference {
     }
 
     /** The least distance. */
-    static double distance(Shape a, Shape b) {
+    public static double distance(Shape a, Shape b) {
         if (overlap(a, b)) {
             return 0;
         }

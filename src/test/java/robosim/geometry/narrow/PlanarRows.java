@@ -3,27 +3,30 @@ package robosim.geometry.narrow;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import robosim.geometry.exact.Degrees;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /** Rows of leaves for the tests of the planar kernels: of any kind, and of the awkward sort. */
-final class PlanarRows {
-    static final int[] EXACT_KINDS = {Leaf.UPRIGHT_BOX, Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE, Leaf.BOX, Leaf.TRIANGLE};
+public final class PlanarRows {
+    public static final int[] EXACT_KINDS = {
+        Leaf.UPRIGHT_BOX, Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE, Leaf.BOX, Leaf.TRIANGLE
+    };
 
     private final SplittableRandom random;
 
-    PlanarRows(long seed) {
+    public PlanarRows(long seed) {
         random = new SplittableRandom(seed);
     }
 
-    SplittableRandom random() {
+    public SplittableRandom random() {
         return random;
     }
 
-    int exactKind() {
+    public int exactKind() {
         return EXACT_KINDS[random.nextInt(EXACT_KINDS.length)];
     }
 
     /** A row with its middle within {@code spread} of the origin and sizes up to {@code size}. */
-    double[] row(int kind, double spread, double size) {
+    public double[] row(int kind, double spread, double size) {
         double[] row = new double[Leaf.STRIDE];
         for (int k = 0; k < 3; k++) {
             row[k] = between(spread);
@@ -103,7 +106,7 @@ final class PlanarRows {
         System.arraycopy(r, 0, row, Leaf.ROTATION, 9);
     }
 
-    static void upright(double[] row, double heading) {
+    public static void upright(double[] row, double heading) {
         double c = Degrees.cos(heading);
         double s = Degrees.sin(heading);
         double[] r = {c, 0, s, 0, 1, 0, -s, 0, c};
@@ -111,7 +114,7 @@ final class PlanarRows {
     }
 
     /** On a grid of small integers, where touching is frequent and exact. */
-    double[] gridRow(int kind) {
+    public double[] gridRow(int kind) {
         double[] row = new double[Leaf.STRIDE];
         for (int k = 0; k < 9; k++) {
             row[k] = random.nextInt(-4, 5);
@@ -132,7 +135,7 @@ final class PlanarRows {
     }
 
     /** The same leaf, shifted. */
-    static double[] moved(int kind, double[] row, double x, double z) {
+    public static double[] moved(int kind, double[] row, double x, double z) {
         double[] moved = row.clone();
         if (kind == Leaf.PRISM) {
             throw new IllegalArgumentException("kind must not be an octagon (got: " + kind + ")");
@@ -146,7 +149,7 @@ final class PlanarRows {
     }
 
     /** The same leaf in a world scaled by a power of two. */
-    static double[] scaled(int kind, double[] row, double factor) {
+    public static double[] scaled(int kind, double[] row, double factor) {
         double[] scaled = row.clone();
         int lengths = kind == Leaf.TRIANGLE ? 9 : kind == Leaf.PRISM ? 10 : 6;
         for (int k = 0; k < lengths; k++) {
@@ -155,7 +158,7 @@ final class PlanarRows {
         return scaled;
     }
 
-    double between(double size) {
+    public double between(double size) {
         return (2 * random.nextDouble() - 1) * size;
     }
 }

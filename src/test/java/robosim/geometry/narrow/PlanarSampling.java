@@ -2,15 +2,16 @@ package robosim.geometry.narrow;
 
 import java.util.ArrayList;
 import java.util.List;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /** Outlines as many points, straight from the definition of each leaf: for what no exact twin can be had. */
-final class PlanarSampling {
+public final class PlanarSampling {
     private static final int RIM = 360;
 
     private PlanarSampling() {}
 
     /** Points of the leaf whose hull is its projection, to within a part in a million of its size. */
-    static List<double[]> points(int kind, double[] row) {
+    public static List<double[]> points(int kind, double[] row) {
         List<double[]> points = new ArrayList<>();
         switch (kind) {
             case Leaf.TRIANGLE -> {
@@ -86,7 +87,7 @@ final class PlanarSampling {
     }
 
     /** The widest gap between the two along 720 directions; not below the truth by more than a share of the distance. */
-    static double gap(int kindA, double[] a, int kindB, double[] b) {
+    public static double gap(int kindA, double[] a, int kindB, double[] b) {
         List<double[]> p = points(kindA, a);
         List<double[]> q = points(kindB, b);
         double widest = Double.NEGATIVE_INFINITY;
@@ -103,7 +104,7 @@ final class PlanarSampling {
         return curved ? 1 : 0;
     }
 
-    static double support(List<double[]> points, double nx, double nz) {
+    public static double support(List<double[]> points, double nx, double nz) {
         double most = Double.NEGATIVE_INFINITY;
         for (double[] p : points) {
             most = Math.max(most, nx * p[0] + nz * p[1]);
@@ -112,7 +113,7 @@ final class PlanarSampling {
     }
 
     /** Where a ray first meets the hull of points; they have some area. */
-    static double ray(double ox, double oz, double ux, double uz, List<double[]> points) {
+    public static double ray(double ox, double oz, double ux, double uz, List<double[]> points) {
         // The hull, as seen by its lines: the ray enters behind the last of those that it crosses inward.
         List<double[]> hull = hull(points);
         double in = 0;
@@ -136,7 +137,7 @@ final class PlanarSampling {
     }
 
     /** How far a point is inside the hull; negative outside. */
-    static double depth(double x, double z, List<double[]> points) {
+    public static double depth(double x, double z, List<double[]> points) {
         List<double[]> hull = hull(points);
         double depth = Double.POSITIVE_INFINITY;
         for (int k = 0; k < hull.size(); k++) {
@@ -149,7 +150,7 @@ final class PlanarSampling {
     }
 
     // Andrew's chain.
-    static List<double[]> hull(List<double[]> points) {
+    public static List<double[]> hull(List<double[]> points) {
         List<double[]> sorted = new ArrayList<>(points);
         sorted.sort((a, b) -> a[0] != b[0] ? Double.compare(a[0], b[0]) : Double.compare(a[1], b[1]));
         List<double[]> hull = new ArrayList<>();
@@ -172,7 +173,7 @@ final class PlanarSampling {
     }
 
     /** The least distance from (ox, oz) to the hull of points within a sector: what is left of the hull when cut by it. */
-    static double cone(double ox, double oz, double aim, double half, List<double[]> points) {
+    public static double cone(double ox, double oz, double aim, double half, List<double[]> points) {
         List<double[]> left = points.size() > 2 ? hull(points) : points;
         left = cut(left, ox, oz, StrictMath.sin(aim + half), -StrictMath.cos(aim + half));
         left = cut(left, ox, oz, -StrictMath.sin(aim - half), StrictMath.cos(aim - half));
@@ -199,7 +200,7 @@ final class PlanarSampling {
     }
 
     /** The least distance from a point to a polygon, 0 inside. */
-    static double distance(double x, double z, List<double[]> polygon) {
+    public static double distance(double x, double z, List<double[]> polygon) {
         double least = Double.POSITIVE_INFINITY;
         boolean inside = polygon.size() > 2;
         for (int k = 0; k < polygon.size(); k++) {
@@ -217,7 +218,7 @@ final class PlanarSampling {
     }
 
     /** The least distance of two hulls. */
-    static double between(List<double[]> a, List<double[]> b) {
+    public static double between(List<double[]> a, List<double[]> b) {
         List<double[]> p = hull(a);
         List<double[]> q = hull(b);
         for (double[] n : p) {

@@ -1,11 +1,13 @@
 package robosim.geometry.narrow;
 
+import robosim.geometry.narrow.leaf.Leaf;
+
 /** The nearest point of a leaf, in its own frame: the plain twin of distances in space. */
-final class Projections {
+public final class Projections {
     private Projections() {}
 
     /** The distance that alternating projections between the two come to; never below the truth. */
-    static double distance(int kindA, double[] a, int kindB, double[] b, int rounds) {
+    public static double distance(int kindA, double[] a, int kindB, double[] b, int rounds) {
         double[] p = {a[0], a[1], a[2]};
         double[] q = p.clone();
         for (int n = 0; n < rounds; n++) {
@@ -15,7 +17,7 @@ final class Projections {
         return Math.sqrt(square(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
     }
 
-    static double[] nearest(int kind, double[] row, double[] p) {
+    public static double[] nearest(int kind, double[] row, double[] p) {
         return switch (kind) {
             case Leaf.TRIANGLE -> triangle(row, p);
             case Leaf.SPHERE -> sphere(row, p);

@@ -3,13 +3,14 @@ package robosim.geometry.narrow;
 import java.math.BigDecimal;
 import java.math.BigInteger;
 import java.math.MathContext;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /**
  * The slow twin of the spatial rays, in decimals of any length: a box is its twelve triangles and its inside, a
  * cylinder the roots of its quadratic to 120 digits. Shares no code and no formula with the kernels.
  */
 public final class RayOracle {
-    static final MathContext DIGITS = new MathContext(120);
+    public static final MathContext DIGITS = new MathContext(120);
     private static final BigDecimal TIE = new BigDecimal(BigInteger.ONE, 90);
 
     private RayOracle() {}

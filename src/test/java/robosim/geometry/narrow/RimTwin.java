@@ -2,9 +2,10 @@ package robosim.geometry.narrow;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /** The slow twin of a sphere that moves straight on at a cylinder in any attitude: the distance at 60 digits. */
-final class RimTwin {
+public final class RimTwin {
     private static final MathContext DIGITS = new MathContext(60);
     private static final BigDecimal TWO = BigDecimal.valueOf(2);
 
@@ -14,7 +15,7 @@ final class RimTwin {
     private final BigDecimal[] axis;
     private final BigDecimal axisSquare;
 
-    RimTwin(double[] sphere, double[] d, int kind, double[] cylinder) {
+    public RimTwin(double[] sphere, double[] d, int kind, double[] cylinder) {
         this.sphere = sphere;
         this.d = d;
         this.cylinder = cylinder;
@@ -25,7 +26,7 @@ final class RimTwin {
     }
 
     /** How far apart the two are at a time; not above 0 where they touch. */
-    BigDecimal gap(BigDecimal time) {
+    public BigDecimal gap(BigDecimal time) {
         BigDecimal[] w = new BigDecimal[3];
         for (int k = 0; k < 3; k++) {
             w[k] = new BigDecimal(sphere[k])
@@ -43,7 +44,7 @@ final class RimTwin {
     }
 
     /** The time of least gap: it falls before and grows after. */
-    BigDecimal nearest() {
+    public BigDecimal nearest() {
         BigDecimal lo = BigDecimal.ZERO;
         BigDecimal hi = BigDecimal.ONE;
         for (int k = 0; k < 90; k++) {
@@ -60,7 +61,7 @@ final class RimTwin {
     }
 
     /** The time of first contact before the time of least gap, at which they overlap. */
-    BigDecimal contact(BigDecimal nearest) {
+    public BigDecimal contact(BigDecimal nearest) {
         BigDecimal lo = BigDecimal.ZERO;
         BigDecimal hi = nearest;
         for (int k = 0; k < 100; k++) {

@@ -1,12 +1,13 @@
 package robosim.geometry.narrow;
 
 import java.util.SplittableRandom;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /** Rows of leaves for tests. */
-final class Rows {
+public final class Rows {
     private Rows() {}
 
-    static double[] box(double x, double y, double z, double hx, double hy, double hz, double[] r) {
+    public static double[] box(double x, double y, double z, double hx, double hy, double hz, double[] r) {
         double[] row = new double[Leaf.STRIDE];
         row[0] = x;
         row[1] = y;
@@ -18,7 +19,7 @@ final class Rows {
         return row;
     }
 
-    static double[] cylinder(double x, double y, double z, double radius, double halfHeight, double[] r) {
+    public static double[] cylinder(double x, double y, double z, double radius, double halfHeight, double[] r) {
         double[] row = new double[Leaf.STRIDE];
         row[0] = x;
         row[1] = y;
@@ -29,29 +30,29 @@ final class Rows {
         return row;
     }
 
-    static double[] sphere(double x, double y, double z, double radius) {
+    public static double[] sphere(double x, double y, double z, double radius) {
         return new double[] {x, y, z, radius, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     }
 
-    static double[] triangle(double... corners) {
+    public static double[] triangle(double... corners) {
         double[] row = new double[Leaf.STRIDE];
         System.arraycopy(corners, 0, row, 0, 9);
         return row;
     }
 
-    static double[] identity() {
+    public static double[] identity() {
         return new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1};
     }
 
     /** The matrix of an upright attitude. */
-    static double[] yaw(double radians) {
+    public static double[] yaw(double radians) {
         double c = StrictMath.cos(radians);
         double s = StrictMath.sin(radians);
         return new double[] {c, 0, s, 0, 1, 0, -s, 0, c};
     }
 
     /** A random rotation, from a quaternion. */
-    static double[] rotation(SplittableRandom random) {
+    public static double[] rotation(SplittableRandom random) {
         double a = random.nextDouble(-1, 1);
         double b = random.nextDouble(-1, 1);
         double c = random.nextDouble(-1, 1);
@@ -78,7 +79,7 @@ final class Rows {
     }
 
     /** A random leaf of a kind, of size about 1, with its centre in a cube of the given half width. */
-    static double[] random(int kind, SplittableRandom random, double spread) {
+    public static double[] random(int kind, SplittableRandom random, double spread) {
         double x = random.nextDouble(-spread, spread);
         double y = random.nextDouble(-spread, spread);
         double z = random.nextDouble(-spread, spread);

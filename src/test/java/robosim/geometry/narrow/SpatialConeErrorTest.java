@@ -11,6 +11,11 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.exact.VectorMath;
+import robosim.geometry.narrow.cone.SpatialCone;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.ray.SpatialRay;
+import robosim.geometry.narrow.ray.SpatialRayTest;
 
 /** Verdicts and distances of cones in space against decimals of 60 digits, in which the cosine is the stored one. */
 class SpatialConeErrorTest {

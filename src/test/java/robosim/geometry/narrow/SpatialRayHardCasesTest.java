@@ -7,6 +7,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.exact.VectorMath;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.ray.SpatialRay;
 
 /** Rays that other engines answered wrong; the letters are those of the project's list of hard cases. */
 class SpatialRayHardCasesTest {

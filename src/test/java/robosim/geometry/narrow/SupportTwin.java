@@ -3,14 +3,15 @@ package robosim.geometry.narrow;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /** How far a leaf reaches in a direction, in decimals of 60 digits. Shares no code with the kernels. */
-final class SupportTwin {
+public final class SupportTwin {
     private final int kind;
     private final double[] row;
     private final List<BigDecimal[]> corners = new ArrayList<>();
 
-    SupportTwin(int kind, double[] row) {
+    public SupportTwin(int kind, double[] row) {
         this.kind = kind;
         this.row = row;
         if (kind == Leaf.PRISM) {
@@ -19,7 +20,7 @@ final class SupportTwin {
     }
 
     /** The width of the slab across n between this, which lies on the side of n, and another; negative where they overlap. */
-    BigDecimal gap(SupportTwin other, BigDecimal[] n) {
+    public BigDecimal gap(SupportTwin other, BigDecimal[] n) {
         BigDecimal width = reach(CylinderTwin.negate(n)).add(other.reach(n)).negate();
         return width.divide(CylinderTwin.root(CylinderTwin.dot(n, n)), CylinderTwin.DIGITS);
     }
@@ -47,7 +48,7 @@ final class SupportTwin {
     }
 
     /** An octagonal prism's corners in doubles; of other leaves none. */
-    double[][] octagonCorners() {
+    public double[][] octagonCorners() {
         return corners.stream()
                 .map(p -> new double[] {p[0].doubleValue(), p[1].doubleValue(), p[2].doubleValue()})
                 .toArray(double[][]::new);

@@ -2,19 +2,20 @@ package robosim.geometry.narrow;
 
 import java.util.SplittableRandom;
 import robosim.geometry.exact.Rotations;
+import robosim.geometry.narrow.leaf.Leaf;
 
 /** Rows for the tests: leaves of every kind, random and given. */
-final class SweepRows {
+public final class SweepRows {
     private SweepRows() {}
 
-    static double[] uprightBox(double x, double y, double z, double hx, double hy, double hz, double yaw) {
+    public static double[] uprightBox(double x, double y, double z, double hx, double hy, double hz, double yaw) {
         double[] row = new double[Leaf.STRIDE];
         fill(row, x, y, z, hx, hy, hz);
         Rotations.yaw(yaw, 0, row, Leaf.ROTATION);
         return row;
     }
 
-    static double[] box(
+    public static double[] box(
             double x, double y, double z, double hx, double hy, double hz, double yaw, double pitch, double more) {
         double[] row = uprightBox(x, y, z, hx, hy, hz, yaw);
         Rotations.turnOwnX(row, Leaf.ROTATION, pitch);
@@ -22,18 +23,19 @@ final class SweepRows {
         return row;
     }
 
-    static double[] cylinder(double x, double y, double z, double r, double h, double yaw, double pitch, double more) {
+    public static double[] cylinder(
+            double x, double y, double z, double r, double h, double yaw, double pitch, double more) {
         double[] row = box(x, y, z, r, h, 0, yaw, pitch, more);
         return row;
     }
 
-    static double[] disc(double x, double y, double z, double r, double h) {
+    public static double[] disc(double x, double y, double z, double r, double h) {
         double[] row = new double[Leaf.STRIDE];
         fill(row, x, y, z, r, h, 0);
         return row;
     }
 
-    static double[] triangle(double... corners) {
+    public static double[] triangle(double... corners) {
         double[] row = new double[Leaf.STRIDE];
         System.arraycopy(corners, 0, row, 0, 9);
         return row;
@@ -59,7 +61,7 @@ final class SweepRows {
     }
 
     /** A leaf of a kind, of sizes up to 1, its centre within {@code spread} of the origin. */
-    static double[] random(int kind, double spread, SplittableRandom random) {
+    public static double[] random(int kind, double spread, SplittableRandom random) {
         double x = random.nextDouble(-spread, spread);
         double y = random.nextDouble(-spread, spread);
         double z = random.nextDouble(-spread, spread);
@@ -80,7 +82,7 @@ final class SweepRows {
     }
 
     /** The same leaf with coordinates and sizes on a coarse grid and quarter turns: full of ties. */
-    static double[] onGrid(int kind, int spread, SplittableRandom random) {
+    public static double[] onGrid(int kind, int spread, SplittableRandom random) {
         double[] row = new double[Leaf.STRIDE];
         if (kind == Leaf.TRIANGLE) {
             for (int k = 0; k < 9; k++) {

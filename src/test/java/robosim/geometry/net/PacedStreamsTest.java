@@ -43,10 +43,10 @@ class PacedStreamsTest {
                     out.write(bytes, at, length);
                 }
             };
-            try (Watchdog watchdog = new Watchdog("watchdog of a test", Patience.DEFAULT.finest())) {
+            try (Watchdog watchdog = new Watchdog("watchdog of a test", Timeouts.DEFAULT.finest())) {
                 Watchdog.Guard guard = watchdog.guard(() -> {});
                 Turn turn = new Turns(1, System::nanoTime).turn();
-                PacedOutput paced = new PacedOutput(counting, guard, Patience.DEFAULT, turn);
+                PacedOutput paced = new PacedOutput(counting, guard, Timeouts.DEFAULT, turn);
                 ObjectOutputStream bare = new ObjectOutputStream(paced); // writes every 1,024 bytes
                 bare.writeObject(new DistanceBundle(Collections.nCopies(700, 1.5)));
                 bare.flush();
@@ -120,12 +120,12 @@ class PacedStreamsTest {
                 return got;
             }
         };
-        try (Watchdog watchdog = new Watchdog("watchdog of a test", Patience.DEFAULT.finest())) {
+        try (Watchdog watchdog = new Watchdog("watchdog of a test", Timeouts.DEFAULT.finest())) {
             PacedInput paced = new PacedInput(
                     socket,
                     in,
                     watchdog.guard(() -> {}),
-                    Patience.DEFAULT,
+                    Timeouts.DEFAULT,
                     new Turns(1, System::nanoTime).turn(),
                     new Room(1000).share(),
                     () -> false);

@@ -143,8 +143,8 @@ class RedialTest {
                 .hasMessageContaining("PT0S");
         assertThatThrownBy(() -> new Redial(Duration.ofSeconds(2), Duration.ofSeconds(1)))
                 .hasMessageContaining("longest must be at least first");
-        assertThatThrownBy(() -> new Patience(Duration.ofSeconds(2), Duration.ofSeconds(1), Duration.ofDays(2)))
+        assertThatThrownBy(() -> new Timeouts(Duration.ofSeconds(2), Duration.ofSeconds(1), Duration.ofDays(2)))
                 .hasMessageContaining("idle");
-        assertThatThrownBy(() -> new Allowance(1, 0, 1)).hasMessageContaining("objects must be at least 1 (got: 0)");
+        assertThatThrownBy(() -> new Quotas(1, 0, 1)).hasMessageContaining("objects must be at least 1 (got: 0)");
     }
 }

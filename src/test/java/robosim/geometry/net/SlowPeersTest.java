@@ -156,8 +156,8 @@ class SlowPeersTest {
 
     @Test
     void whoSaysNothingForTooLongIsSentAwayAndWhoAsksNowAndThenIsNot() throws Exception {
-        Patience patience = new Patience(Duration.ofSeconds(5), Duration.ofSeconds(5), Duration.ofMillis(400));
-        NetOptions options = NetOptions.defaults().withPatience(patience);
+        Timeouts timeouts = new Timeouts(Duration.ofSeconds(5), Duration.ofSeconds(5), Duration.ofMillis(400));
+        NetOptions options = NetOptions.defaults().withTimeouts(timeouts);
         try (LogCapture log = new LogCapture();
                 GeometryServer server = new GeometryServer(InetAddress.getLoopbackAddress(), 0, options);
                 Peer silent = Peer.dial(server.port());
@@ -178,7 +178,7 @@ class SlowPeersTest {
 
     @Test
     void aWorldAndABundleHaveTheirLimits() throws Exception {
-        NetOptions options = NetOptions.defaults().withAllowance(new Allowance(5, 2, 3));
+        NetOptions options = NetOptions.defaults().withQuotas(new Quotas(5, 2, 3));
         Conversation conversation = Conversation.of(1, 1);
         try (LogCapture log = new LogCapture();
                 GeometryServer server = new GeometryServer(InetAddress.getLoopbackAddress(), 0, options)) {

@@ -10,14 +10,14 @@ import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
-import robosim.geometry.narrow.Leaf;
-import robosim.geometry.narrow.PlanarOverlap;
-import robosim.geometry.narrow.PlanarRay;
-import robosim.geometry.narrow.PlanarSweep;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.SpatialOverlap;
-import robosim.geometry.narrow.SpatialRay;
-import robosim.geometry.narrow.SpatialSweep;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.overlap.PlanarOverlap;
+import robosim.geometry.narrow.overlap.SpatialOverlap;
+import robosim.geometry.narrow.ray.PlanarRay;
+import robosim.geometry.narrow.ray.SpatialRay;
+import robosim.geometry.narrow.sweep.PlanarSweep;
+import robosim.geometry.narrow.sweep.SpatialSweep;
 
 /** What a stress run has found wrong once, in the numbers that it found. */
 class FoundTest {

@@ -7,10 +7,10 @@ import java.util.SplittableRandom;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
-import robosim.geometry.narrow.Leaf;
-import robosim.geometry.narrow.PlanarOverlap;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.SpatialOverlap;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.overlap.PlanarOverlap;
+import robosim.geometry.narrow.overlap.SpatialOverlap;
 import robosim.geometry.reference.Truth.Form;
 
 /** What must hold between the answers to two questions, whatever the truth is: laws for every family of leaves. */

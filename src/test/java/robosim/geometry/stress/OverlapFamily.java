@@ -1,10 +1,10 @@
 package robosim.geometry.stress;
 
 import java.util.SplittableRandom;
-import robosim.geometry.narrow.Leaf;
-import robosim.geometry.narrow.PlanarOverlap;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.SpatialOverlap;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.overlap.PlanarOverlap;
+import robosim.geometry.narrow.overlap.SpatialOverlap;
 import robosim.geometry.reference.Quantity.Arithmetic;
 import robosim.geometry.reference.Truth;
 import robosim.geometry.reference.Truth.Form;

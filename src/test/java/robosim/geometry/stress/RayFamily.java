@@ -1,9 +1,9 @@
 package robosim.geometry.stress;
 
 import java.util.SplittableRandom;
-import robosim.geometry.narrow.PlanarRay;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.SpatialRay;
+import robosim.geometry.narrow.ray.PlanarRay;
+import robosim.geometry.narrow.ray.SpatialRay;
 import robosim.geometry.reference.Quantity.Arithmetic;
 import robosim.geometry.reference.Truth;
 import robosim.geometry.reference.Truth.Form;

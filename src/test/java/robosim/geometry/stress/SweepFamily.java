@@ -1,11 +1,11 @@
 package robosim.geometry.stress;
 
 import java.util.SplittableRandom;
-import robosim.geometry.narrow.PlanarOverlap;
-import robosim.geometry.narrow.PlanarSweep;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.SpatialOverlap;
-import robosim.geometry.narrow.SpatialSweep;
+import robosim.geometry.narrow.overlap.PlanarOverlap;
+import robosim.geometry.narrow.overlap.SpatialOverlap;
+import robosim.geometry.narrow.sweep.PlanarSweep;
+import robosim.geometry.narrow.sweep.SpatialSweep;
 import robosim.geometry.reference.Quantity.Arithmetic;
 import robosim.geometry.reference.Truth;
 import robosim.geometry.reference.Truth.Form;

@@ -203,7 +203,7 @@ class SweepFileTest {
         Path whole = folder.resolve("whole.jsonl");
         SweepRun.of(Sweeps.wander(0), whole).run();
         List<String> lines = Files.readAllLines(whole);
-        Outcome good = Outcome.of(String.valueOf(Sealed.open(lines.get(11))));
+        Outcome good = Outcome.of(String.valueOf(ChecksummedLine.open(lines.get(11))));
         Path file = folder.resolve("one.jsonl");
         for (Outcome bad : List.of(
                 new Outcome(11, good.world(), good.parameters(), good.replicate(), good.seed(), good.values(), null),

@@ -24,34 +24,36 @@ import robosim.geometry.protocol.WorldSettings;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.ScenarioHeader;
 import robosim.geometry.scenario.Step;
+import robosim.geometry.viewer.playback.Replayer;
+import robosim.geometry.viewer.playback.StateHistory;
 
 /** A small conversation to be looked at: a world of 20 by 10, a wall in its middle, a drum left of it. */
-final class Talk {
-    static final GeometryObject WALL = new BoxObject(new Point(2, 0, 0), 1, 1, 4).named("wall");
-    static final GeometryObject DRUM = new CylinderObject(new Point(-5, 0, 0), 0.5, 1).moveable("drum");
+public final class Talk {
+    public static final GeometryObject WALL = new BoxObject(new Point(2, 0, 0), 1, 1, 4).named("wall");
+    public static final GeometryObject DRUM = new CylinderObject(new Point(-5, 0, 0), 0.5, 1).moveable("drum");
 
     private final List<Step> steps = new ArrayList<>();
 
-    static Talk begun() {
+    public static Talk begun() {
         return new Talk().world(WALL, DRUM);
     }
 
-    Talk world(GeometryObject... objects) {
+    public Talk world(GeometryObject... objects) {
         WorldSettings settings = new WorldSettings(20, 5, 10, Dimension.PLANAR, Accuracy.EXACT);
         return step(new InitBundle(List.of(objects), settings), null);
     }
 
     /** A step by the drum forward, which the record says was made or not; null where it does not say. */
-    Talk drives(double x, @Nullable Boolean made) {
+    public Talk drives(double x, @Nullable Boolean made) {
         return moves(move(x, 0), made);
     }
 
     /** A turn in degrees. */
-    Talk turns(double degrees, @Nullable Boolean made) {
+    public Talk turns(double degrees, @Nullable Boolean made) {
         return moves(move(0, degrees), made);
     }
 
-    static MoveRequest move(double x, double degrees) {
+    public static MoveRequest move(double x, double degrees) {
         return new MoveRequest("drum", x, 0, 0, 0, Math.toRadians(degrees));
     }
 
@@ -62,32 +64,32 @@ final class Talk {
     }
 
     /** Looks forward in a cone of 20 degrees up to 6 units. */
-    Talk looks(@Nullable Double heard) {
+    public Talk looks(@Nullable Double heard) {
         return looks("drum", heard);
     }
 
-    Talk looks(String name, @Nullable Double heard) {
+    public Talk looks(String name, @Nullable Double heard) {
         Bundle request =
                 new SonarRequestBundle(List.of(new SonarRequest(name, 1, 0, new Beam(0, 6, StrictMath.toRadians(20)))));
         return step(request, heard == null ? null : new Reply(new DistanceBundle(List.of(heard))));
     }
 
-    Talk step(Bundle request, @Nullable Reply reply) {
+    public Talk step(Bundle request, @Nullable Reply reply) {
         steps.add(new Step(request, reply));
         return this;
     }
 
-    List<Step> steps() {
+    public List<Step> steps() {
         return Collections.unmodifiableList(steps);
     }
 
-    Scenario scenario() {
+    public Scenario scenario() {
         return new Scenario(new ScenarioHeader("a talk", SessionOptions.ROBOSIM), steps);
     }
 
-    Film film() {
-        Film film = new Film();
-        Stage stage = new Stage(SessionOptions.ROBOSIM);
+    public StateHistory film() {
+        StateHistory film = new StateHistory();
+        Replayer stage = new Replayer(SessionOptions.ROBOSIM);
         steps.forEach(step -> film.append(stage.play(step)));
         return film;
     }

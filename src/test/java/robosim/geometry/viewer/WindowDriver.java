@@ -20,6 +20,12 @@ import javax.swing.JLabel;
 import javax.swing.SwingUtilities;
 import robosim.geometry.scenario.StepReader;
 import robosim.geometry.scenario.WireReader;
+import robosim.geometry.viewer.draw.Palette;
+import robosim.geometry.viewer.draw.Theme;
+import robosim.geometry.viewer.scene.Scene;
+import robosim.geometry.viewer.window.Camera;
+import robosim.geometry.viewer.window.MapPanel;
+import robosim.geometry.viewer.window.Viewer;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 

@@ -1,0 +1,324 @@
+package robosim.geometry.engine.motion;
+
+import java.util.Arrays;
+import robosim.geometry.engine.broadphase.AccuracyView;
+import robosim.geometry.engine.objects.Form;
+import robosim.geometry.engine.objects.ObjectTable;
+import robosim.geometry.exact.Attitude;
+import robosim.geometry.exact.DoubleDouble;
+import robosim.geometry.exact.Rotations;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.Pose;
+import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.Sweep;
+import robosim.geometry.narrow.leaf.LeafColumn;
+
+/**
+ * One leg of a motion: a straight translation, or a turn about an axis through the centre. It knows where the object
+ * starts, where it is after a share of the leg, and what box holds it all the way.
+ */
+public final class Leg {
+    /** What a leg turns about: nothing, the own X, the own Y, the vertical or the world's X. */
+    static final int NO_TURN = 0;
+
+    static final int OWN_X = 1;
+    static final int OWN_Y = 2;
+    static final int VERTICAL = 3;
+    static final int WORLD_X = 4;
+
+    /**
+     * How far off the centre of an upright object may be at the end of a way, as a share of its length, apart from half an
+     * ulp of each coordinate: 8u, u = 2<sup>-53</sup>.
+     *
+     * <p>A step (x, y, z) goes by {@code cos * x + sin * z} along the world's X, and by {@code cos * z - sin * x} along its
+     * Z. The cosine and the sine are off by 3u of themselves, their products by u, and the sum by u: 5u (|cos x| + |sin z|)
+     * and 5u (|sin x| + |cos z|), together at most 7.1u of the step. Adding it to a coordinate c costs {@code 2^-105 |c|}
+     * more, which is less than that for every step above {@code 2^-52 |c|}.
+     */
+    public static final double WAY_ERROR = 0x1p-50;
+
+    /** More than a place loses when it is stored, and than an enclosure is widened by, as a share of its coordinates. */
+    private static final double STORED = 0x1p-42;
+
+    private static final int PLACE = ObjectTable.PLACE;
+
+    final double[] start = new double[PLACE];
+    final double[] end = new double[PLACE];
+
+    /** What stands for the object at its start, at the level asked. */
+    final LeafColumn atStart = new LeafColumn(1);
+
+    final Sweep sweep;
+
+    private final double[] between = new double[PLACE];
+
+    /** What stands for the object at the end of the leg; see {@link #placeEnd}. */
+    final LeafColumn atLast = new LeafColumn(1);
+
+    /** What stands for the object where it was asked about last, after its start. */
+    private final LeafColumn probe = new LeafColumn(1);
+
+    /** The share after which the probe stands; NaN where it does not tell a place of this leg. */
+    private double probed = Double.NaN;
+
+    private final LeafColumn exact = new LeafColumn(1);
+    private final double[] part = new double[6];
+
+    private AccuracyView level;
+    private Form form;
+    private double dx;
+    private double dy;
+    private double dz;
+    private int axis;
+    private double degrees;
+
+    @SuppressWarnings("NullAway.Init") // a motion begins with its level and form
+    Leg(Scratch scratch) {
+        sweep = new Sweep(scratch);
+    }
+
+    /** Starts a motion of an object from its place. */
+    void begin(AccuracyView inLevel, int mover, double[] places, int at) {
+        level = inLevel;
+        form = inLevel.form(mover);
+        System.arraycopy(places, at, start, 0, PLACE);
+        atStart.clear();
+        atStart.append(form.size());
+        probe.clear();
+        probe.append(form.size());
+        atLast.clear();
+        atLast.append(form.size());
+        exact.clear();
+        exact.append(form.own.size());
+    }
+
+    /** Sets the next leg, from {@link #start}; false where it goes nowhere, or by less than a coordinate can tell. */
+    boolean set(double x, double y, double z, int about, double byDegrees) {
+        dx = x;
+        dy = y;
+        dz = z;
+        axis = about;
+        degrees = byDegrees;
+        probed = Double.NaN;
+        placeAt(1, end);
+        if (Arrays.equals(start, 0, Pose.LOST, end, 0, Pose.LOST) && degrees == 0) {
+            return false;
+        }
+        level.place(form, start[0], start[1], start[2], start, 3, atStart, 0);
+        if (turns()) {
+            turnBy(1);
+        } else {
+            sweep.translation(level.dimension, end[0] - start[0], end[1] - start[1], end[2] - start[2]);
+        }
+        return true;
+    }
+
+    /** Makes the end of this leg the start of the next. */
+    void advance() {
+        System.arraycopy(end, 0, start, 0, PLACE);
+    }
+
+    /** Makes the place after a share of the leg its end. */
+    void endAt(double share) {
+        placeAt(share, end);
+    }
+
+    /** Where the object stands after a share of the leg. */
+    private void placeAt(double share, double[] place) {
+        System.arraycopy(start, 0, place, 0, PLACE);
+        advance(place, 0, share * dx);
+        advance(place, 1, share * dy);
+        advance(place, 2, share * dz);
+        switch (axis) {
+            case OWN_X -> Attitude.turn(place, 3, share * degrees, 0);
+            case OWN_Y -> Attitude.turn(place, 3, 0, share * degrees);
+            case VERTICAL -> Attitude.turnVertically(place, 3, share * degrees);
+            case WORLD_X -> Attitude.turnAboutX(place, 3, share * degrees);
+            default -> {}
+        }
+    }
+
+    /**
+     * Adds to a coordinate and to what it has lost: off by at most {@code 2^-105} of the larger of the coordinate before and
+     * after. The one rounding is that of {@code rest}, which is at most an ulp of that coordinate.
+     */
+    private static void advance(double[] place, int along, double by) {
+        double from = place[along];
+        double to = from + by;
+        double rest = DoubleDouble.sumTail(from, by, to) + place[Pose.LOST + along];
+        double sum = to + rest;
+        place[along] = sum;
+        place[Pose.LOST + along] = DoubleDouble.sumTail(to, rest, sum);
+    }
+
+    /** Makes {@link #sweep} the turn of the first share of the leg. */
+    void turnBy(double share) {
+        int column = axis == OWN_X ? 3 : 4; // of the attitude, where it begins at 3
+        boolean isOwn = axis == OWN_X || axis == OWN_Y;
+        sweep.turn(
+                level.dimension,
+                start[0],
+                start[1],
+                start[2],
+                isOwn ? start[column] : axis == WORLD_X ? 1 : 0,
+                isOwn ? start[column + 3] : axis == WORLD_X ? 0 : 1,
+                isOwn ? start[column + 6] : 0,
+                share * degrees);
+    }
+
+    boolean turns() {
+        return axis != NO_TURN;
+    }
+
+    /** Degrees of the turn, unsigned. */
+    double angle() {
+        return Math.abs(degrees);
+    }
+
+    /** Displacement along an axis (0 to 2) of the world. */
+    double displacement(int along) {
+        return along == 0 ? dx : along == 1 ? dy : dz;
+    }
+
+    /** Whether what stands for the object moves with it as one piece. */
+    boolean isRigid() {
+        return !turns()
+                || switch (level.accuracy) {
+                    case AABB, DOP -> false;
+                    case SPHERE -> !tips();
+                    case OBB, EXACT -> true;
+                };
+    }
+
+    /** Whether an upright object whose heights do not matter is tipped, so that from then on they do. */
+    private boolean tips() {
+        return axis == OWN_X && level.dimension == Dimension.PLANAR && Rotations.isUpright(start, 3);
+    }
+
+    /** The bounds of all places of what stands for the object during the first share of the leg. */
+    void sweptBox(double share, double[] out) {
+        if (isRigid()) {
+            union(atStart, out);
+        } else if (level.accuracy == Accuracy.SPHERE) {
+            turnBy(share);
+            level.placeTipped(form, start[0], start[1], start[2], start, 3, probe, 0);
+            probed = Double.NaN;
+            union(probe, out);
+        } else {
+            // The enclosure changes with the turn: what encloses the exact leaves all the way encloses it too.
+            exactlySwept(share, out);
+        }
+    }
+
+    /** The bounds of all places of the object itself during the first share of a turn. */
+    void exactlySwept(double share, double[] out) {
+        exactAtStart();
+        turnBy(share);
+        union(exact, out);
+    }
+
+    /**
+     * The bounds of x + z (two numbers) and of x - z (two more) of all places of the octagon that stands for the object during
+     * the first share of a turn.
+     */
+    void sweptDiagonals(double share, double[] out) {
+        System.arraycopy(atStart.rows(0), atStart.at(0) + 4, out, 0, 4);
+        exactAtStart();
+        turnBy(share);
+        for (int leaf = 0; leaf < exact.size(); leaf++) {
+            sweep.turnDiagonals(exact, leaf, out);
+        }
+    }
+
+    /** The same with each triangle of a mesh for itself, which takes longer. */
+    void tightlySwept(double share, double[] out) {
+        exactAtStart();
+        turnBy(share);
+        clear(out);
+        for (int leaf = 0; leaf < exact.size(); leaf++) {
+            sweep.tightBounds(exact, leaf, part);
+            include(part, out);
+        }
+    }
+
+    private void union(LeafColumn column, double[] out) {
+        clear(out);
+        for (int leaf = 0; leaf < column.size(); leaf++) {
+            sweep.bounds(column, leaf, part);
+            include(part, out);
+        }
+    }
+
+    private static void clear(double[] box) {
+        Arrays.fill(box, 0, 3, Double.POSITIVE_INFINITY);
+        Arrays.fill(box, 3, 6, Double.NEGATIVE_INFINITY);
+    }
+
+    private static void include(double[] one, double[] all) {
+        for (int k = 0; k < 3; k++) {
+            all[k] = Math.min(all[k], one[k]);
+            all[3 + k] = Math.max(all[3 + k], one[3 + k]);
+        }
+    }
+
+    /** What stands for the object after a share of the leg; valid until the next call. */
+    LeafColumn after(double share) {
+        if (share != probed) {
+            placeAt(share, between);
+            level.place(form, between[0], between[1], between[2], between, 3, probe, 0);
+            probed = share;
+        }
+        return probe;
+    }
+
+    /**
+     * Widens the bounds of a whole leg to hold every place on it as it is stored: enclosures are rounded outward by more
+     * where coordinates are larger, and parts of groups and corners of meshes are rounded when they are placed.
+     */
+    void around(double[] box, double[] out) {
+        double size = Math.abs(start[0]) + Math.abs(start[1]) + Math.abs(start[2]);
+        for (double bound : box) {
+            size += Math.abs(bound);
+        }
+        double slack = STORED * size + Double.MIN_NORMAL;
+        for (int k = 0; k < 3; k++) {
+            out[k] = box[k] - slack;
+            out[3 + k] = box[3 + k] + slack;
+        }
+    }
+
+    /** Writes {@link #atLast}: the end of the whole leg, whatever was asked since. */
+    void placeEnd() {
+        placeAt(1, between);
+        level.place(form, between[0], between[1], between[2], between, 3, atLast, 0);
+    }
+
+    /** What stands for the object at the end; valid until the next call. */
+    LeafColumn atEnd() {
+        level.place(form, end[0], end[1], end[2], end, 3, probe, 0);
+        probed = Double.NaN;
+        return probe;
+    }
+
+    /** The object itself at the start; valid until the next call. */
+    LeafColumn exactAtStart() {
+        return exactAt(start);
+    }
+
+    /** The object itself at the end; valid until the next call. */
+    LeafColumn exactAtEnd() {
+        return exactAt(end);
+    }
+
+    /** The object itself after a share of the leg; valid until the next call. */
+    LeafColumn exactAfter(double share) {
+        placeAt(share, between);
+        return exactAt(between);
+    }
+
+    private LeafColumn exactAt(double[] place) {
+        form.own.place(place[0], place[1], place[2], place, 3, exact, 0);
+        return exact;
+    }
+}

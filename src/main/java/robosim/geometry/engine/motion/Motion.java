@@ -1,0 +1,500 @@
+package robosim.geometry.engine.motion;
+
+import robosim.geometry.engine.broadphase.AccuracyView;
+import robosim.geometry.engine.broadphase.Candidates;
+import robosim.geometry.engine.objects.ObjectTable;
+import robosim.geometry.engine.objects.WorldBounds;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.Distance;
+import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.Standing;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafColumn;
+
+/**
+ * One attempt to move an object: its translation, its turn about Y and its turn about X, each a leg that is swept in
+ * the world as it is. Nothing is changed here; {@link #end()} is where the object would come to stand.
+ *
+ * <p>A leg is free where no sweep meets anything and its end, as stored, overlaps nothing that its start did not. What is
+ * behind a plane of a contact at the start ({@link Standing}) counts for neither.
+ */
+public final class Motion {
+    static final int NOTHING = -1;
+    static final int BORDER = -2;
+
+    /** A share is taken back by so much first, then by twice as much each time. */
+    private static final double FIRST_STEP = 0x1p-52;
+
+    private static final double HALF_ROOT = 0.7071067811865476;
+    /** The largest share of what is refused. */
+    private static final double MOST = Math.nextDown(1.0);
+
+    private final ObjectTable bodies;
+    private final WorldBounds border;
+    private final Candidates near;
+    private final Leg leg;
+    private final ClearanceSearch search;
+    private final Standing standing;
+    private final Distance distance;
+    private final double[] box = new double[6];
+    private final double[] part = new double[6];
+    private final double[] swept = new double[6];
+
+    /** What holds the whole leg however its places are rounded. */
+    private final double[] around = new double[6];
+
+    /** Bounds of x + z and of x - z, for octagons. */
+    private final double[] diagonals = new double[4];
+
+    /** The bounds of what stands for the object at the end of the leg. */
+    private final double[] endBox = new double[6];
+
+    private AccuracyView level;
+    private int id;
+    private double clearance;
+    private boolean isEndWanted;
+    private int obstacle;
+    private int obstacleLeaf;
+    private int ownLeaf;
+
+    // The pieces by which an object was met last.
+    private int metLeaf;
+    private int metPiece;
+    private int metOwnLeaf;
+    private int metOwnPiece;
+
+    private int obstaclePiece;
+    private int ownPiece;
+    private boolean isStandingKnown;
+    private final LeafColumn touching = new LeafColumn(1);
+    private final LeafColumn touched = new LeafColumn(1);
+    private double fraction;
+    private double turnFraction;
+
+    @SuppressWarnings("NullAway.Init") // an attempt sets its level
+    public Motion(ObjectTable bodies, WorldBounds border, Scratch scratch) {
+        this.bodies = bodies;
+        this.border = border;
+        near = new Candidates(bodies);
+        leg = new Leg(scratch);
+        search = new ClearanceSearch(leg, scratch);
+        standing = new Standing(scratch);
+        distance = new Distance(scratch);
+    }
+
+    /** What blocks: an id, {@link #NOTHING} or {@link #BORDER}. */
+    public int obstacle() {
+        return obstacle;
+    }
+
+    public double fraction() {
+        return fraction;
+    }
+
+    public double turnFraction() {
+        return turnFraction;
+    }
+
+    /** The place at the end of what is free: of the whole motion where nothing blocks. */
+    public double[] end() {
+        return leg.end;
+    }
+
+    /**
+     * Tries a motion by a displacement in the world's axes, then turns in degrees about the own axes or the world's.
+     *
+     * @param gap how far to stay from what blocks; 0 to stop just before contact
+     * @return whether all of it is free; else {@link #end()} is the place before contact
+     */
+    public boolean attempt(
+            AccuracyView inLevel,
+            int mover,
+            double x,
+            double y,
+            double z,
+            double turnX,
+            double turnY,
+            boolean isGlobal,
+            double gap) {
+        begin(inLevel, mover, gap, true);
+        boolean free = isFree(x, y, z, Leg.NO_TURN, 0);
+        if (!free) {
+            fraction = share;
+            turnFraction = 0;
+            return false;
+        }
+        double each = turnX != 0 && turnY != 0 ? 0.5 : 1;
+        if (turnY != 0 && !isFree(0, 0, 0, isGlobal ? Leg.VERTICAL : Leg.OWN_Y, turnY)) {
+            turnFraction = each * share;
+            return false;
+        }
+        if (turnX != 0 && !isFree(0, 0, 0, isGlobal ? Leg.WORLD_X : Leg.OWN_X, turnX)) {
+            turnFraction = Math.min((1 - each) + each * share, MOST); // the sum may have been rounded up
+            return false;
+        }
+        return true;
+    }
+
+    /** Whether a displacement in the world's axes is free, and no more: {@link #end()} is only set where it is. */
+    public boolean allows(AccuracyView inLevel, int mover, double x, double y, double z) {
+        begin(inLevel, mover, 0, false);
+        return isFree(x, y, z, Leg.NO_TURN, 0);
+    }
+
+    /** Whether a turn about the vertical through the centre is free, and no more. */
+    public boolean allowsTurn(AccuracyView inLevel, int mover, double byDegrees) {
+        begin(inLevel, mover, 0, false);
+        return isFree(0, 0, 0, Leg.VERTICAL, byDegrees);
+    }
+
+    private void begin(AccuracyView inLevel, int mover, double gap, boolean isToEnd) {
+        isEndWanted = isToEnd;
+        level = inLevel;
+        id = mover;
+        clearance = gap;
+        obstacle = NOTHING;
+        fraction = 1;
+        turnFraction = 1;
+        leg.begin(inLevel, mover, bodies.places(), bodies.place(mover));
+    }
+
+    /** The free share of the leg that was blocked last. */
+    private double share;
+
+    /** Sweeps the next leg; where it is free, its end is the next one's start. */
+    private boolean isFree(double x, double y, double z, int about, double byDegrees) {
+        if (!leg.set(x, y, z, about, byDegrees)) {
+            leg.advance();
+            return true;
+        }
+        leg.sweptBox(1, box);
+        leg.around(box, around);
+        near.find(level, around, id);
+        standing.begin(level.dimension, leg.sweep, leg.atStart, leg.atLast);
+        isStandingKnown = false;
+        level.boundsOf(leg.after(1), 0, leg.atStart.size(), endBox);
+        if (!isEndWanted) {
+            if (isBlockedAnywhere()) {
+                return false;
+            }
+            leg.advance();
+            return true;
+        }
+        double least = leastFree();
+        if (least == Double.POSITIVE_INFINITY) {
+            leg.advance();
+            return true;
+        }
+        share = backOff(least);
+        leg.endAt(share);
+        return false;
+    }
+
+    private boolean isBlockedAnywhere() {
+        for (int k = 0; k < near.count(); k++) {
+            int other = near.id(k);
+            if (met(other) != Double.POSITIVE_INFINITY || endsOn(other)) {
+                return true;
+            }
+        }
+        return !border.clearlyHolds(box) && leavesWorld() != Double.POSITIVE_INFINITY;
+    }
+
+    /**
+     * The least free share of those beside each obstacle alone, and whose it is: that of the one added first, the border's
+     * last. What is free beside one is verified beside that one, so that it does not depend on the others.
+     */
+    private double leastFree() {
+        double least = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < near.count(); k++) {
+            int other = near.id(k);
+            double met = met(other);
+            if (met == Double.POSITIVE_INFINITY && !endsOn(other)) {
+                continue;
+            }
+            double free = backOff(other, Math.min(met, MOST));
+            if (free < least || (free == least && bodies.isEarlier(other, obstacle))) {
+                least = free;
+                obstacle = other;
+                ownLeaf = metOwnLeaf;
+                ownPiece = metOwnPiece;
+                obstacleLeaf = metLeaf;
+                obstaclePiece = metPiece;
+            }
+        }
+        double leaves = border.clearlyHolds(box) ? Double.POSITIVE_INFINITY : leavesWorld();
+        if (leaves != Double.POSITIVE_INFINITY) {
+            double free = backOff(BORDER, Math.min(leaves, MOST));
+            if (free < least) {
+                least = free;
+                obstacle = BORDER;
+            }
+        }
+        return least;
+    }
+
+    /** The share after which an object is met, and the leaves that meet: of several the object's lower one. */
+    private double met(int other) {
+        return leg.isRigid() ? metAsItIs(other) : metByEnclosure(other);
+    }
+
+    private double metAsItIs(int other) {
+        LeafColumn atStart = leg.atStart;
+        AccuracyView of = level.of(other);
+        int first = of.first(ObjectTable.bare(other));
+        double least = Double.POSITIVE_INFINITY;
+        for (int j = first; j < first + of.count(ObjectTable.bare(other)); j++) {
+            for (int i = 0; i < atStart.size(); i++) {
+                boolean isOnFloor = isOnMesh(of, other, i, j) && stands(); // whose levels spare most of a sweep
+                double free = isOnFloor
+                        ? leg.sweep.free(atStart, i, of.leaves(), j, standing, null)
+                        : leg.sweep.free(atStart, i, of.leaves(), j);
+                boolean isDone = isOnFloor && clearance == 0;
+                if (free != Double.POSITIVE_INFINITY && !isDone && (clearance > 0 || (free <= least && stands()))) {
+                    ClearanceSearch stop = clearance > 0 ? search.of(of, i, j, clearance) : null;
+                    stands();
+                    free = leg.sweep.free(atStart, i, of.leaves(), j, standing, stop);
+                }
+                if (free < least) {
+                    least = free;
+                    meet(i, leg.sweep.ownPiece(), j, leg.sweep.otherPiece());
+                }
+            }
+        }
+        return least;
+    }
+
+    /** Whether one of the leaves is a mesh, and the object may touch the other at the start. */
+    private boolean isOnMesh(AccuracyView of, int other, int i, int j) {
+        if (!Leaf.isMesh(leg.atStart.kind(i)) && !Leaf.isMesh(of.leaves().kind(j))) {
+            return false;
+        }
+        level.boundsOf(leg.atStart, 0, leg.atStart.size(), part);
+        return of.meets(ObjectTable.bare(other), part);
+    }
+
+    private void meet(int i, int t, int j, int u) {
+        metOwnLeaf = i;
+        metOwnPiece = t;
+        metLeaf = j;
+        metPiece = u;
+    }
+
+    /** Whether the object touches anything at the start of the leg; what it touches is found when this is first asked. */
+    private boolean stands() {
+        if (!isStandingKnown) {
+            isStandingKnown = true;
+            leg.placeEnd();
+            level.boundsOf(leg.atStart, 0, leg.atStart.size(), part);
+            for (int k = 0; k < near.count(); k++) {
+                int other = near.id(k);
+                AccuracyView of = level.of(other);
+                if (of.meets(ObjectTable.bare(other), part)) {
+                    int first = of.first(ObjectTable.bare(other));
+                    for (int j = first; j < first + of.count(ObjectTable.bare(other)); j++) {
+                        standing.add(of.leaves(), j);
+                    }
+                }
+            }
+        }
+        return !standing.isEmpty();
+    }
+
+    /** A turn of an enclosure that changes as it turns: free where what holds all of it meets nothing new or deeper. */
+    private double metByEnclosure(int other) {
+        if (!level.of(other).meets(ObjectTable.bare(other), box)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        level.boundsOf(leg.atStart, 0, leg.atStart.size(), part);
+        takeDiagonals(0);
+        double before = depth(other, part);
+        if (!deepens(other, 1, before)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double low = 0;
+        double high = 1;
+        for (int halving = 0; halving < 50; halving++) {
+            double middle = low / 2 + high / 2;
+            leg.sweptBox(middle, box);
+            if (deepens(other, middle, before)) {
+                high = middle;
+            } else {
+                low = middle;
+            }
+        }
+        leg.sweptBox(1, box);
+        meet(0, -1, level.of(other).first(ObjectTable.bare(other)), -1);
+        return low;
+    }
+
+    /** Whether what holds the object up to a share of the turn, {@link #box}, overlaps another more deeply than before. */
+    private boolean deepens(int other, double share, double before) {
+        if (depth(other, box, level.dimension) < 0) {
+            return false;
+        }
+        takeDiagonals(share);
+        double after = depth(other, box);
+        return after >= 0 && (before < 0 || after > before);
+    }
+
+    private void takeDiagonals(double share) {
+        if (level.accuracy == Accuracy.DOP) {
+            leg.sweptDiagonals(share, diagonals);
+        }
+    }
+
+    /** How deeply two enclosures overlap, below 0 where they do not: along the axes and, of octagons, between them. */
+    private double depth(int other, double[] of) {
+        double least = depth(other, of, level.dimension);
+        if (level.accuracy == Accuracy.DOP) {
+            AccuracyView home = level.of(other);
+            int leaf = home.first(ObjectTable.bare(other));
+            double[] row = home.leaves().rows(leaf);
+            int at = home.leaves().at(leaf) + 4;
+            for (int k = 0; k < 4; k += 2) {
+                double one = diagonals[k + 1] - row[at + k];
+                double two = row[at + k + 1] - diagonals[k];
+                least = Math.min(least, HALF_ROOT * Math.min(one, two));
+            }
+        }
+        return least;
+    }
+
+    private double depth(int other, double[] of, Dimension dimension) {
+        double[] b = level.of(other).bounds();
+        int at = 6 * ObjectTable.bare(other);
+        double least = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < 3; k += dimension == Dimension.PLANAR ? 2 : 1) {
+            double one = of[3 + k] - b[at + k];
+            double two = b[at + 3 + k] - of[k];
+            least = Math.min(least, Math.min(one, two));
+        }
+        return least;
+    }
+
+    /** The share after which the object would leave the world, +Infinity where it stays inside. */
+    private double leavesWorld() {
+        return leg.turns() ? turnLeavesWorld() : translationLeavesWorld();
+    }
+
+    private double translationLeavesWorld() {
+        if (isHeld(leg.exactAtEnd())) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double dx = leg.displacement(0);
+        double dy = leg.displacement(1);
+        double dz = leg.displacement(2);
+        LeafColumn exact = leg.exactAtStart();
+        double leaves = border.share(exact, 0, exact.size(), dx, dy, dz);
+        double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        return Math.max(0, Math.min(1, leaves) - (clearance > 0 ? clearance / length : 0));
+    }
+
+    private double turnLeavesWorld() {
+        leg.exactlySwept(1, swept);
+        if (!border.nearlyHolds(swept)) {
+            leg.tightlySwept(1, swept);
+        }
+        if (border.nearlyHolds(swept) && isHeld(leg.exactAtEnd())) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double low = 0;
+        double high = 1;
+        for (int halving = 0; halving < 50; halving++) {
+            double middle = low / 2 + high / 2;
+            leg.tightlySwept(middle, swept);
+            if (border.nearlyHolds(swept)) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        leg.turnBy(1);
+        return low;
+    }
+
+    private boolean isHeld(LeafColumn exact) {
+        return border.holds(exact, 0, exact.size());
+    }
+
+    /** Whether the object, as stored at the end of the leg, overlaps one that it does not at the start. */
+    private boolean endsOn(int other) {
+        return level.of(other).meets(ObjectTable.bare(other), endBox) && touchesAnew(other, 1);
+    }
+
+    /** Whether the object, after a share of the leg, overlaps one that it does not at the start. */
+    private boolean touchesAnew(int other, double share) {
+        LeafColumn there = leg.after(share);
+        AccuracyView of = level.of(other);
+        int first = of.first(ObjectTable.bare(other));
+        for (int j = first; j < first + of.count(ObjectTable.bare(other)); j++) {
+            for (int i = 0; i < leg.atStart.size(); i++) {
+                if (standing.touchesAnew(there, i, of.leaves(), j)) {
+                    // Contacts are only looked for here, as mostly there is no need of them.
+                    boolean wasKnown = isStandingKnown;
+                    if (!wasKnown && stands() && !standing.touchesAnew(there, i, of.leaves(), j)) {
+                        continue;
+                    }
+                    meet(i, standing.ownPiece(), j, standing.otherPiece());
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private boolean isFreeAfter(double share) {
+        for (int k = 0; k < near.count(); k++) {
+            if (near.id(k) != obstacle && touchesAnew(near.id(k), share)) {
+                return false;
+            }
+        }
+        return isHeld(leg.exactAfter(share));
+    }
+
+    /** The greatest share, not above the given one, whose place has been verified free of one object, or within the border. */
+    private double backOff(int of, double from) {
+        double free = from;
+        double step = FIRST_STEP;
+        int ownLeafMet = metOwnLeaf;
+        int ownPieceMet = metOwnPiece;
+        int leafMet = metLeaf;
+        int pieceMet = metPiece;
+        while (free > 0 && (of == BORDER ? !isHeld(leg.exactAfter(free)) : touchesAnew(of, free))) {
+            free = from - step;
+            step *= 2;
+        }
+        meet(ownLeafMet, ownPieceMet, leafMet, pieceMet);
+        return Math.max(0, free);
+    }
+
+    /**
+     * The greatest share, not above the least of all, whose place has been verified free: just that least, but where the
+     * place as it is stored meets what the way itself passes by within rounding.
+     */
+    private double backOff(double least) {
+        double free = least;
+        double step = FIRST_STEP;
+        while (free > 0 && (!isFreeAfter(free) || (free < least && obstacle >= 0 && touchesAnew(obstacle, free)))) {
+            free = least - step;
+            step *= 2;
+        }
+        return Math.max(0, free);
+    }
+
+    /** Contact point and normal at the end of what is free, six numbers. */
+    public void contact(double[] out) {
+        if (obstacle == BORDER) {
+            LeafColumn exact = leg.exactAtEnd();
+            level.boundsOf(exact, 0, exact.size(), part);
+            exact = leg.exactAfter(1);
+            level.boundsOf(exact, 0, exact.size(), swept);
+            border.contact(swept, part, out);
+            return;
+        }
+        touching.setPiece(leg.atEnd(), ownLeaf, ownPiece);
+        touched.setPiece(level.of(obstacle).leaves(), obstacleLeaf, obstaclePiece);
+        distance.contact(level.dimension, touching, 0, touched, 0, out);
+    }
+}

@@ -1,0 +1,50 @@
+package robosim.geometry.engine.objects;
+
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.narrow.leaf.Enclosure;
+import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.OwnLeaves;
+
+/** An object in its own frame, ready to be placed as it is seen at an accuracy. */
+public final class Form {
+    public final OwnLeaves own;
+    private final Accuracy accuracy;
+    private final @Nullable Enclosure enclosure;
+    private final @Nullable LeafColumn exact;
+
+    public Form(GeometryObject object, Accuracy accuracy) {
+        this.accuracy = accuracy;
+        own = OwnLeaves.of(object);
+        enclosure = accuracy == Accuracy.EXACT ? null : new Enclosure(own);
+        exact = accuracy == Accuracy.EXACT ? null : new LeafColumn(own.size());
+        if (exact != null) {
+            exact.append(own.size());
+        }
+    }
+
+    /** How many leaves stand for the object. */
+    public int size() {
+        return enclosure == null ? own.size() : 1;
+    }
+
+    /** Writes them at a place into a column that has room; in SPATIAL with all that heights reach to. */
+    public void place(
+            Dimension as,
+            double cx,
+            double cy,
+            double cz,
+            double[] rotation,
+            int at,
+            LeafColumn column,
+            int firstLeaf) {
+        if (enclosure == null || exact == null) {
+            own.place(cx, cy, cz, rotation, at, column, firstLeaf);
+        } else {
+            own.place(cx, cy, cz, rotation, at, exact, 0);
+            enclosure.place(accuracy, as, exact, cx, cy, cz, rotation, at, column, firstLeaf);
+        }
+    }
+}

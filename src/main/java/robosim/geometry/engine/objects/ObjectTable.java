@@ -1,0 +1,324 @@
+package robosim.geometry.engine.objects;
+
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.index.Growth;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Pose;
+
+/**
+ * The objects of a world by a small number, their id: values, names, the order in which they came, and where the
+ * moveable ones are now. Ids of removed objects are used again.
+ */
+public final class ObjectTable {
+    /** Doubles a place, laid out by {@link Pose}. */
+    public static final int PLACE = Pose.PLACE;
+
+    /** The bit in the id of an object that this world shares with others: see {@link SharedObjects}. */
+    public static final int SHARED = 1 << 29;
+
+    private final Names names = new Names();
+    private @Nullable GeometryObject[] values = new GeometryObject[Growth.FIRST];
+
+    /** The static objects that this world shares with others; null where all are its own. */
+    private @Nullable SharedObjects shared;
+
+    /** Which came when; none until an id is used again, as ids are in that order so long. */
+    private long[] order = new long[0];
+
+    private boolean isOrdered;
+
+    /** Where a moveable object's place stands in the column of places, -1 for a static object. */
+    private int[] slots = new int[0];
+
+    private double[] places = new double[0];
+    private int[] movers = new int[4];
+
+    /** The very strings that name the moveable objects, in the order of arrival. */
+    private @Nullable String[] moverNames = new String[4];
+
+    private int moverCount;
+
+    /** Which moveable object was found by its name last. */
+    private int found;
+
+    private int[] free = new int[4];
+    private int freeCount;
+    private int capacityUsed;
+    private long arrivals;
+    private int size;
+
+    public ObjectTable() {}
+
+    /** The objects of a world that shares some. */
+    public ObjectTable(SharedObjects objects) {
+        shared = objects;
+        isOrdered = true;
+        order = new long[values.length];
+    }
+
+    /** How many objects there are, shared ones too. */
+    public int size() {
+        return shared == null ? size : size + shared.bodies.size;
+    }
+
+    /** How many static objects are this world's own. */
+    public int ownStatics() {
+        return size - moverCount;
+    }
+
+    /** The static objects that are shared; null where there are none. */
+    @Nullable
+    SharedObjects shared() {
+        return shared;
+    }
+
+    /** Makes the static objects that were shared nobody's here. */
+    public void unshare() {
+        shared = null;
+    }
+
+    /** An object's number among those of its world that are shared, or among those that are not. */
+    public static int bare(int id) {
+        return id & ~SHARED;
+    }
+
+    /** One more than the largest id in use of the world's own. */
+    public int limit() {
+        return capacityUsed;
+    }
+
+    public boolean isPresent(int id) {
+        return values[id] != null;
+    }
+
+    /** The id of a name, or -1. */
+    public int find(String name) {
+        if (isFound(found, name) || isFound(found + 1, name) || isFound(found - 1, name)) {
+            return movers[found];
+        }
+        int id = names.find(name);
+        if (id >= 0 && isMoveable(id)) {
+            found = slots[id];
+        }
+        return id < 0 && shared != null ? shared.find(name) : id;
+    }
+
+    /** Whether a moveable object has this very name: who has many of them mostly asks for one after the other. */
+    @SuppressWarnings("ReferenceEquality") // others are looked up
+    private boolean isFound(int slot, String name) {
+        if (slot < 0 || slot >= moverCount || moverNames[slot] != name) {
+            return false;
+        }
+        found = slot;
+        return true;
+    }
+
+    /** Takes an object in and answers its id. */
+    public int add(GeometryObject object) {
+        int id = freeCount > 0 ? reuse() : capacityUsed++;
+        if (id == values.length) {
+            int capacity = Growth.of(id);
+            values = Arrays.copyOf(values, capacity);
+            if (isOrdered) {
+                order = Arrays.copyOf(order, capacity);
+            }
+            if (moverCount > 0) {
+                growSlots();
+            }
+        }
+        values[id] = object;
+        if (isOrdered) {
+            order[id] = arrivals++;
+        }
+        if (id < slots.length) {
+            slots[id] = -1;
+        }
+        String name = object.name();
+        if (name != null) {
+            names.put(name, id);
+        }
+        if (object.isMoveable()) {
+            addMover(id, name, object.pose());
+        }
+        size++;
+        return id;
+    }
+
+    /** Lets the next object have come at a time, in arrivals before it; where arrivals are kept. */
+    public void arriveAt(long time) {
+        arrivals = time;
+    }
+
+    /** How many objects have come so far. */
+    public long arrivals() {
+        return isOrdered ? arrivals : capacityUsed;
+    }
+
+    /** When an object came, in arrivals before it. */
+    public long arrival(int id) {
+        if (id >= SHARED && shared != null) {
+            return shared.arrival(bare(id));
+        }
+        return isOrdered ? order[id] : id;
+    }
+
+    /** From the first id on that is used again, everyone's arrival is kept. */
+    private int reuse() {
+        if (!isOrdered) {
+            isOrdered = true;
+            order = new long[values.length];
+            for (int id = 0; id < capacityUsed; id++) {
+                order[id] = id;
+            }
+            arrivals = capacityUsed;
+        }
+        return free[--freeCount];
+    }
+
+    private void growSlots() {
+        int from = slots.length;
+        slots = Arrays.copyOf(slots, values.length);
+        Arrays.fill(slots, from, slots.length, -1);
+    }
+
+    private void addMover(int id, @Nullable String name, Pose pose) {
+        if (moverCount == movers.length) {
+            movers = Arrays.copyOf(movers, 2 * moverCount);
+            moverNames = Arrays.copyOf(moverNames, movers.length);
+        }
+        if ((moverCount + 1) * PLACE > places.length) {
+            places = Arrays.copyOf(places, 2 * (moverCount + 1) * PLACE);
+        }
+        if (id >= slots.length) {
+            growSlots();
+        }
+        slots[id] = moverCount;
+        movers[moverCount] = id;
+        moverNames[moverCount] = name;
+        moverCount++;
+        put(id, pose);
+    }
+
+    /** Puts a moveable object where a pose says. */
+    public void put(int id, Pose pose) {
+        pose.place(places, place(id));
+    }
+
+    /** Puts a moveable object at a place of {@link #PLACE} doubles. */
+    public void put(int id, double[] place) {
+        System.arraycopy(place, 0, places, place(id), PLACE);
+    }
+
+    /** Puts the centre of a moveable object elsewhere: six numbers, the last three what it has lost. */
+    public void shift(int id, double[] centre) {
+        int at = place(id);
+        for (int k = 0; k < 3; k++) {
+            places[at + k] = centre[k];
+            places[at + Pose.LOST + k] = centre[3 + k];
+        }
+    }
+
+    public void remove(int id) {
+        String name = value(id).name();
+        if (name != null) {
+            names.remove(name);
+        }
+        if (isMoveable(id)) {
+            removeMover(slots[id]);
+        }
+        values[id] = null;
+        if (freeCount == free.length) {
+            free = Arrays.copyOf(free, 2 * freeCount);
+        }
+        free[freeCount++] = id;
+        size--;
+    }
+
+    /** Closes the gap in the list of movers, which stays in the order of arrival. */
+    private void removeMover(int slot) {
+        moverCount--;
+        System.arraycopy(movers, slot + 1, movers, slot, moverCount - slot);
+        System.arraycopy(moverNames, slot + 1, moverNames, slot, moverCount - slot);
+        moverNames[moverCount] = null;
+        System.arraycopy(places, (slot + 1) * PLACE, places, slot * PLACE, (moverCount - slot) * PLACE);
+        for (int k = slot; k < moverCount; k++) {
+            slots[movers[k]] = k;
+        }
+    }
+
+    /** The ids of all objects, in the order in which they were added. */
+    public IntStream ids() {
+        int others = shared == null ? 0 : shared.bodies.limit();
+        return inOrder(IntStream.concat(IntStream.range(0, others).map(id -> id | SHARED), own()));
+    }
+
+    /** The ids of the moveable objects, in the order in which they were added. */
+    public IntStream moverIds() {
+        return inOrder(own().filter(this::isMoveable));
+    }
+
+    private IntStream own() {
+        return IntStream.range(0, capacityUsed).filter(this::isPresent);
+    }
+
+    private IntStream inOrder(IntStream ids) {
+        return ids.boxed().sorted(Comparator.comparingLong(this::arrival)).mapToInt(Integer::intValue);
+    }
+
+    /** The object as it was added. */
+    public GeometryObject value(int id) {
+        if (id >= SHARED && shared != null) {
+            return shared.bodies.value(bare(id));
+        }
+        GeometryObject value = values[id];
+        if (value == null) {
+            throw new IllegalStateException("id must be in use (got: " + id + ")");
+        }
+        return value;
+    }
+
+    /** The object as it is now. */
+    public GeometryObject present(int id) {
+        GeometryObject value = value(id);
+        return isMoveable(id) ? value.at(Pose.of(places, place(id))) : value;
+    }
+
+    public boolean isMoveable(int id) {
+        return id < slots.length && slots[id] >= 0;
+    }
+
+    /** Whether a came before b. */
+    public boolean isEarlier(int a, int b) {
+        return isOrdered ? arrival(a) < arrival(b) : a < b;
+    }
+
+    public int moverCount() {
+        return moverCount;
+    }
+
+    /** The id of the k-th moveable object, in the order of arrival. */
+    public int mover(int k) {
+        return movers[k];
+    }
+
+    /** All places; a mover's begins at {@link #place}. Valid until the next addition. */
+    public double[] places() {
+        return places;
+    }
+
+    /** Where a moveable object's place begins. */
+    public int place(int id) {
+        return slots[id] * PLACE;
+    }
+
+    /** Takes a vector from the own axes of a moveable object into the world's. */
+    public void toWorld(int id, double x, double y, double z, double[] out) {
+        int at = place(id) + 3;
+        out[0] = places[at] * x + places[at + 1] * y + places[at + 2] * z;
+        out[1] = places[at + 3] * x + places[at + 4] * y + places[at + 5] * z;
+        out[2] = places[at + 6] * x + places[at + 7] * y + places[at + 8] * z;
+    }
+}

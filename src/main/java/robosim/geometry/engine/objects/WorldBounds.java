@@ -1,0 +1,271 @@
+package robosim.geometry.engine.objects;
+
+import robosim.geometry.exact.DoubleDouble;
+import robosim.geometry.exact.Dyadic;
+import robosim.geometry.exact.Expansion;
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.TriangleMesh;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafColumn;
+
+/**
+ * The border of a world: a closed box about the origin that every leaf must stay inside of. Decided exactly for the
+ * stored numbers: in doubles where that is certain, else in exact arithmetic.
+ */
+public final class WorldBounds {
+    /**
+     * In u = 2^-53 of the sum of the magnitudes: a box's extent is off by 3u (products, and the sum of three), a cylinder's
+     * by 8u (the radius's share: a root 2u, a root 3u, a product and a quotient; the sum 1u); the sum with the coordinate
+     * adds 1u, and what is left of the world's half keeps its sign.
+     */
+    private static final double ROUNDING = 9.01 * 0x1p-53;
+
+    private static final double FILTER = Filter.bound(4.01 * 0x1p-53);
+    private static final double CYLINDER_FILTER = Filter.bound(ROUNDING);
+    private static final Stages.Counter SUMS = Stages.counter("WorldBounds sums");
+    private static final Stages.Counter EXACT = Stages.counter("WorldBounds");
+
+    /** Half the world along x, y and z. */
+    private final double[] half;
+
+    private final Dimension dimension;
+
+    /** A sum of doubles without rounding: two, and a product of two parts for each half size. */
+    private final double[] sum = new double[8];
+
+    public WorldBounds(double width, double height, double length, Dimension dimension) {
+        half = new double[] {width / 2, height / 2, length / 2};
+        this.dimension = dimension;
+    }
+
+    private int step() {
+        return dimension == Dimension.PLANAR ? 2 : 1;
+    }
+
+    /** Whether some leaves of a column are inside, touching allowed. */
+    public boolean holds(LeafColumn column, int first, int count) {
+        for (int leaf = first; leaf < first + count; leaf++) {
+            if (!holds(column, leaf)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /**
+     * Whether a box, six numbers, is inside by so much that whatever it holds is, however it is rounded: by 2^-30 of half
+     * the world, where a coordinate within is rounded by at most 2^-53 of that.
+     */
+    public boolean clearlyHolds(double[] box) {
+        for (int axis = 0; axis < 3; axis += step()) {
+            double most = half[axis] * (1 - 0x1p-30);
+            if (!(-box[axis] < most && box[3 + axis] < most)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** Whether a box, six numbers, is inside but for rounding, touching allowed. */
+    public boolean nearlyHolds(double[] box) {
+        for (int axis = 0; axis < 3; axis += step()) {
+            double slack = 2 * ROUNDING * (half[axis] + Math.abs(box[axis]) + Math.abs(box[3 + axis]));
+            if (-box[axis] > half[axis] + slack || box[3 + axis] > half[axis] + slack) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private boolean holds(LeafColumn column, int leaf) {
+        int kind = column.kind(leaf);
+        double[] row = column.rows();
+        int at = leaf * Leaf.STRIDE;
+        for (int axis = 0; axis < 3; axis += step()) {
+            if (Leaf.isMesh(kind)) {
+                if (!holdsMesh(column.mesh(leaf), row, at, axis)) {
+                    return false;
+                }
+            } else if (!holds(kind, row, at, axis, 1) || !holds(kind, row, at, axis, -1)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private boolean holdsMesh(TriangleMesh mesh, double[] row, int at, int axis) {
+        for (int t = 0; t < mesh.size(); t++) {
+            for (int corner = 0; corner < 3; corner++) {
+                if (!(Math.abs(mesh.placed(mesh.vertex(t, corner), axis, row, at)) <= half[axis])) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    private boolean holds(int kind, double[] row, int at, int axis, int sign) {
+        double reach = sign * row[at + axis] + extent(kind, row, at, axis);
+        double filter = kind == Leaf.CYLINDER ? CYLINDER_FILTER : FILTER;
+        double bound = filter * (Math.abs(row[at + axis]) + extent(kind, row, at, axis) + half[axis]);
+        if (Math.abs(reach - half[axis]) > bound) {
+            return reach < half[axis];
+        }
+        if (kind != Leaf.CYLINDER && !Filter.isOff() && fits(kind, row, at, axis)) {
+            SUMS.count();
+            return roomAsSum(kind, row, at, axis, sign) >= 0;
+        }
+        return holdsExactly(kind, row, at, axis, sign);
+    }
+
+    /** Whether the products of a box's half sizes and axes lose nothing. */
+    private static boolean fits(int kind, double[] row, int at, int axis) {
+        int r = at + Leaf.ROTATION + 3 * axis;
+        for (int k = 0; k < 3 && !isRound(kind); k++) {
+            if (!Expansion.fits(row[at + 3 + k], 2) || !Expansion.fits(row[r + k], 2)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static boolean isRound(int kind) {
+        return kind == Leaf.SPHERE || kind == Leaf.UPRIGHT_CYLINDER;
+    }
+
+    /** The sign of what is left between a leaf and the border; exact, as all its terms are added without rounding. */
+    private int roomAsSum(int kind, double[] row, int at, int axis, int sign) {
+        sum[0] = half[axis];
+        int terms = Expansion.grow(sum, 1, -sign * row[at + axis]);
+        if (isRound(kind)) {
+            return Expansion.sign(sum, Expansion.grow(sum, terms, -extent(kind, row, at, axis)));
+        }
+        int r = at + Leaf.ROTATION + 3 * axis;
+        for (int k = 0; k < 3; k++) {
+            double part = row[at + 3 + k] * -Math.abs(row[r + k]);
+            if (part != 0) {
+                terms = Expansion.grow(sum, terms, part);
+                double tail = DoubleDouble.productTail(row[at + 3 + k], -Math.abs(row[r + k]), part);
+                terms = tail == 0 ? terms : Expansion.grow(sum, terms, tail);
+            }
+        }
+        return Expansion.sign(sum, terms);
+    }
+
+    /** How far a leaf reaches from its centre along an axis of the world, to rounding. */
+    private static double extent(int kind, double[] row, int at, int axis) {
+        int r = at + Leaf.ROTATION + 3 * axis;
+        return switch (kind) {
+            case Leaf.SPHERE -> row[at + 3];
+            case Leaf.UPRIGHT_CYLINDER -> axis == 1 ? row[at + 4] : row[at + 3];
+            case Leaf.CYLINDER -> {
+                double along = row[r + 1];
+                double a = row[at + Leaf.ROTATION + 1 + 3 * ((axis + 1) % 3)];
+                double b = row[at + Leaf.ROTATION + 1 + 3 * ((axis + 2) % 3)];
+                double across = Math.sqrt(a * a + b * b);
+                yield row[at + 4] * Math.abs(along) + row[at + 3] * across / Math.sqrt(along * along + across * across);
+            }
+            default ->
+                row[at + 3] * Math.abs(row[r])
+                        + row[at + 4] * Math.abs(row[r + 1])
+                        + row[at + 5] * Math.abs(row[r + 2]);
+        };
+    }
+
+    private boolean holdsExactly(int kind, double[] row, int at, int axis, int sign) {
+        EXACT.count();
+        Dyadic room = Dyadic.difference(half[axis], sign * row[at + axis]);
+        int r = at + Leaf.ROTATION + 3 * axis;
+        switch (kind) {
+            case Leaf.SPHERE, Leaf.UPRIGHT_CYLINDER -> {
+                return room.subtract(Dyadic.of(extent(kind, row, at, axis))).signum() >= 0;
+            }
+            case Leaf.CYLINDER -> {
+                Dyadic squared = Dyadic.ZERO;
+                for (int k = 0; k < 3; k++) {
+                    double a = row[at + Leaf.ROTATION + 1 + 3 * k];
+                    squared = squared.add(Dyadic.product(a, a));
+                }
+                Dyadic rest = room.subtract(Dyadic.product(row[at + 4], Math.abs(row[r + 1])));
+                Dyadic across = squared.subtract(Dyadic.product(row[r + 1], row[r + 1]));
+                Dyadic radius = Dyadic.product(row[at + 3], row[at + 3]).multiply(across);
+                return rest.signum() >= 0
+                        && rest.multiply(rest)
+                                        .multiply(squared)
+                                        .subtract(radius)
+                                        .signum()
+                                >= 0;
+            }
+            default -> {
+                for (int k = 0; k < 3; k++) {
+                    room = room.subtract(Dyadic.product(row[at + 3 + k], Math.abs(row[r + k])));
+                }
+                return room.signum() >= 0;
+            }
+        }
+    }
+
+    /**
+     * The share of a translation after which some leaves, which are inside, first touch the border: at most 1 where they
+     * leave the world, to rounding.
+     */
+    public double share(LeafColumn column, int first, int count, double dx, double dy, double dz) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int leaf = first; leaf < first + count; leaf++) {
+            for (int axis = 0; axis < 3; axis += step()) {
+                double d = axis == 0 ? dx : axis == 1 ? dy : dz;
+                if (d != 0) {
+                    double room = half[axis] - reach(column, leaf, axis, d > 0 ? 1 : -1);
+                    least = Math.min(least, Math.max(0, room) / Math.abs(d));
+                }
+            }
+        }
+        return least;
+    }
+
+    private static double reach(LeafColumn column, int leaf, int axis, int sign) {
+        double[] row = column.rows();
+        int at = leaf * Leaf.STRIDE;
+        int kind = column.kind(leaf);
+        if (!Leaf.isMesh(kind)) {
+            return sign * row[at + axis] + extent(kind, row, at, axis);
+        }
+        TriangleMesh mesh = column.mesh(leaf);
+        double greatest = Double.NEGATIVE_INFINITY;
+        for (int t = 0; t < mesh.size(); t++) {
+            for (int corner = 0; corner < 3; corner++) {
+                greatest = Math.max(greatest, sign * mesh.placed(mesh.vertex(t, corner), axis, row, at));
+            }
+        }
+        return greatest;
+    }
+
+    /**
+     * Where an object that would leave the world meets its border.
+     *
+     * @param beyond the object's bounds where it would have left
+     * @param within its bounds before that
+     * @param out    a point of the border, then its unit normal inward
+     */
+    public void contact(double[] beyond, double[] within, double[] out) {
+        double farthest = Double.NEGATIVE_INFINITY;
+        int side = 0;
+        int across = 0;
+        for (int axis = 0; axis < 3; axis += step()) {
+            for (int sign = -1; sign <= 1; sign += 2) {
+                double over = (sign > 0 ? beyond[3 + axis] : -beyond[axis]) - half[axis];
+                if (over > farthest) {
+                    farthest = over;
+                    side = sign;
+                    across = axis;
+                }
+            }
+        }
+        for (int axis = 0; axis < 3; axis++) {
+            out[axis] = axis == across ? side * half[axis] : within[axis] / 2 + within[3 + axis] / 2;
+            out[3 + axis] = axis == across ? -side : 0;
+        }
+    }
+}

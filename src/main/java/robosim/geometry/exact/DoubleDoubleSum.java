@@ -1,0 +1,100 @@
+package robosim.geometry.exact;
+
+/**
+ * A sum of products in pairs of doubles: {@link #hi} plus {@link #lo}, some 106 bits.
+ *
+ * <p>A product is off by at most 2^-100 of itself, a sum by 2^-104 of the magnitudes (see {@link DoubleDouble}).
+ */
+public final class DoubleDoubleSum {
+    /** Products below this may have lost their tails to underflow. */
+    private static final double SMALL = 0x1p-900;
+
+    public double hi;
+    public double lo;
+
+    /** Whether nothing was rounded so far, so that the sum is {@link #hi} and nothing else. */
+    public boolean plain;
+
+    public void clear() {
+        hi = 0;
+        lo = 0;
+        plain = true;
+    }
+
+    public void add(double p, double q) {
+        double sum = hi + p;
+        double tail = DoubleDouble.sumTail(hi, p, sum);
+        double lows = lo + q;
+        double lost = DoubleDouble.sumTail(lo, q, lows);
+        plain &= q == 0 && tail == 0;
+        tail += lows;
+        double s = sum + tail;
+        tail = tail - (s - sum) + lost;
+        hi = s + tail;
+        lo = tail - (hi - s);
+    }
+
+    public void add(DoubleDoubleSum other) {
+        plain &= other.plain;
+        add(other.hi, other.lo);
+    }
+
+    public void subtract(DoubleDoubleSum other) {
+        plain &= other.plain;
+        add(-other.hi, -other.lo);
+    }
+
+    /** Adds the product of {@code p + pTail} and {@code q + qTail}. */
+    public void addProduct(double p, double pTail, double q, double qTail) {
+        double product = p * q;
+        double tail = DoubleDouble.productTail(p, q, product);
+        plain &= pTail == 0 && qTail == 0 && (Math.abs(product) > SMALL || p == 0 || q == 0);
+        tail += p * qTail + pTail * q;
+        double s = product + tail;
+        add(s, tail - (s - product));
+    }
+
+    public void negate() {
+        hi = -hi;
+        lo = -lo;
+    }
+
+    public void set(DoubleDoubleSum other) {
+        hi = other.hi;
+        lo = other.lo;
+        plain = other.plain;
+    }
+
+    /** Whether this is below another. */
+    public boolean isBelow(DoubleDoubleSum other) {
+        return hi < other.hi || (hi == other.hi && lo < other.lo);
+    }
+
+    /**
+     * The largest double that is not above {@code gap / closing}, both positive and off by at most these errors; NaN where
+     * the quotient is too close to a double to tell, or not known to some 2^-56 of itself.
+     */
+    public static double floorQuotient(
+            DoubleDoubleSum gap, double gapError, DoubleDoubleSum closing, double closingError) {
+        // The division below is off by 2^-100 of itself; twice the sum covers the products of the errors.
+        double share = 2 * (gapError / gap.hi + closingError / closing.hi) + 0x1p-98;
+        if (!(share < 0x1p-58 && gap.hi > 0 && closing.hi > 0)) {
+            return Double.NaN;
+        }
+        double q = gap.hi / closing.hi;
+        double product = q * closing.hi;
+        double tail = DoubleDouble.productTail(q, closing.hi, product);
+        if (!(q > 0x1p-900 && product > 0x1p-900 && q < 0x1p900)) {
+            return Double.NaN;
+        }
+        if (gap.plain && closing.plain) {
+            // Near each other, so that their difference is exact.
+            return product - gap.hi + tail > 0 ? Math.nextDown(q) : q;
+        }
+        double rest = (gap.hi - product - tail + gap.lo - q * closing.lo) / closing.hi;
+        double nearest = q + rest;
+        double beyond = rest - (nearest - q);
+        double error = 2 * share * q;
+        return beyond > error ? nearest : beyond < -error ? Math.nextDown(nearest) : Double.NaN;
+    }
+}

@@ -1,0 +1,82 @@
+package robosim.geometry.exact;
+
+/** What the ray kernels share: rounding units, and the last step from a parameter to a distance. */
+public final class VectorMath {
+    /** The unit of rounding: a double operation is off by at most this share of its result. */
+    public static final double U = 0x1p-53;
+
+    /**
+     * More than everything that underflow may add to a decision: fewer than 2^10 products are off by 2^-1075 each, and
+     * what multiplies them later is below 2^210.
+     */
+    public static final double UNDERFLOW = 0x1p-800;
+
+    /** Below this the squares of a distance's parts may vanish, and above it none does that matters. */
+    public static final double TINY = 0x1p-450;
+
+    /** Makes what is tiny large enough to be squared; a power of two, so that nothing is rounded. */
+    public static final double ENLARGED = 0x1p500;
+
+    private VectorMath() {}
+
+    /** The root of the sum of two squares of what is not negative, however small. */
+    public static double legs(double x, double z) {
+        if (x + z < TINY) {
+            double ex = x * ENLARGED;
+            double ez = z * ENLARGED;
+            return Math.sqrt(ex * ex + ez * ez) / ENLARGED;
+        }
+        return Math.sqrt(x * x + z * z);
+    }
+
+    /** A number, or its negative where the sign's is negative: without a branch that would be guessed wrong half of the time. */
+    public static double signed(double number, double sign) {
+        return Double.longBitsToDouble(
+                Double.doubleToRawLongBits(number) ^ (Double.doubleToRawLongBits(sign) & Long.MIN_VALUE));
+    }
+
+    /** The one where a number is positive, the other where it is negative; without a branch as well. */
+    public static double pick(double number, double positive, double negative) {
+        long isNegative = Double.doubleToRawLongBits(number) >> (Long.SIZE - 1);
+        return Double.longBitsToDouble((Double.doubleToRawLongBits(positive) & ~isNegative)
+                | (Double.doubleToRawLongBits(negative) & isNegative));
+    }
+
+    public static double largest(double x, double y, double z) {
+        return Math.max(Math.abs(x), Math.max(Math.abs(y), Math.abs(z)));
+    }
+
+    public static double length(double x, double y, double z) {
+        return Math.sqrt(x * x + y * y + z * z);
+    }
+
+    /**
+     * World units to the parameter {@code t + tail} of a direction, rounded about once: the length of the direction and
+     * its product with t are taken to some 100 bits.
+     */
+    public static double along(double t, double tail, double dx, double dy, double dz) {
+        double xx = dx * dx;
+        double yy = dy * dy;
+        double zz = dz * dz;
+        double xy = xx + yy;
+        double square = xy + zz;
+        double dropped = DoubleDouble.sumTail(xx, yy, xy)
+                + DoubleDouble.sumTail(xy, zz, square)
+                + (DoubleDouble.productTail(dx, dx, xx)
+                        + DoubleDouble.productTail(dy, dy, yy)
+                        + DoubleDouble.productTail(dz, dz, zz));
+        double length = Math.sqrt(square);
+        double lengthTail = (Math.fma(-length, length, square) + dropped) / (2 * length);
+        double whole = t * length;
+        double rest = DoubleDouble.productTail(t, length, whole) + (tail * length + t * lengthTail);
+        return Math.max(0, whole + rest);
+    }
+
+    /**
+     * Whether an error is small enough for a distance: at most 3 ulp of the largest of the distance and the coordinates,
+     * so that with the last rounding the distance is within 4 ulp of that.
+     */
+    public static boolean isFine(double error, double distance, double largestCoordinate) {
+        return error <= 3 * Math.ulp(Math.max(distance, largestCoordinate));
+    }
+}

@@ -1,8 +1,0 @@
-package robosim.geometry.index;
-
-/** Who looks for what is near a rectangle. */
-@FunctionalInterface
-public interface NearTarget {
-    /** Meets an object that may be near, maybe again; answers whether no more are wanted. */
-    boolean meet(int id);
-}

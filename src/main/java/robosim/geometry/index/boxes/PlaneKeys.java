@@ -1,0 +1,103 @@
+package robosim.geometry.index.boxes;
+
+/** By what a ray or a point orders boxes of four numbers: a lower bound of where they begin, infinite where they are missed. */
+public final class PlaneKeys {
+    private final Slab slabX = new Slab();
+    private final Slab slabZ = new Slab();
+    private boolean isRay;
+    private double fromX;
+    private double fromZ;
+    private double leftX;
+    private double leftZ;
+    private double rightX;
+    private double rightZ;
+    private double unit = 1;
+    private final double[] flat = new double[4];
+
+    public void startRay(double ox, double oz, double dx, double dz) {
+        unit = Slab.scale(Math.max(Math.abs(dx), Math.abs(dz)));
+        slabX.start(ox, dx * unit, dx);
+        slabZ.start(oz, dz * unit, dz);
+        isRay = true;
+    }
+
+    public void startPoint(double x, double z) {
+        if (!Double.isFinite(x) || !Double.isFinite(z)) {
+            throw new IllegalArgumentException("point must be finite (got: " + x + ", " + z + ")");
+        }
+        unit = 1;
+        fromX = x;
+        fromZ = z;
+        isRay = false;
+        startSector(0, 0, 0, 0);
+    }
+
+    /** Leaves out what is wholly beyond one of two lines through the point, by their outward normals; zero for none. */
+    public void startSector(double oneX, double oneZ, double twoX, double twoZ) {
+        leftX = oneX;
+        leftZ = oneZ;
+        rightX = twoX;
+        rightZ = twoZ;
+    }
+
+    private boolean isBeyond(double[] boxes, int at, double nx, double nz) {
+        double x = boxes[nx > 0 ? at : at + 2] - fromX;
+        double z = boxes[nz > 0 ? at + 1 : at + 3] - fromZ;
+        double past = nx * x + nz * z;
+        if (!(past > 0)) {
+            return false;
+        }
+        // What a certified shape is taken larger by goes with its size, not with how near its box is.
+        double size = Math.abs(boxes[at]) + Math.abs(boxes[at + 1]) + Math.abs(boxes[at + 2]) + Math.abs(boxes[at + 3]);
+        double slack = 0x1p-40 * (size + Math.abs(fromX) + Math.abs(fromZ));
+        return past > slack;
+    }
+
+    /** The caller's parameter as a key, rounded up. */
+    public double inner(double limit) {
+        return Slab.inner(limit, unit);
+    }
+
+    /** A key as the caller's parameter, rounded down. */
+    public double outer(double key) {
+        return Slab.outer(key, unit);
+    }
+
+    public double key(double[] boxes, int at) {
+        return isRay ? rayKey(boxes, at) : pointKey(boxes, at);
+    }
+
+    /** The key of one box of six numbers, of which the heights do not count. */
+    public double keyOfObject(double[] boxes, int at) {
+        flat[0] = boxes[at];
+        flat[1] = boxes[at + 2];
+        flat[2] = boxes[at + 3];
+        flat[3] = boxes[at + 5];
+        return key(flat, 0);
+    }
+
+    private double rayKey(double[] boxes, int at) {
+        double x0 = boxes[at];
+        double z0 = boxes[at + 1];
+        double x1 = boxes[at + 2];
+        double z1 = boxes[at + 3];
+        if (slabX.misses(x0, x1) || slabZ.misses(z0, z1)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double enter = Math.max(0, Math.max(slabX.entry(x0, x1), slabZ.entry(z0, z1)));
+        double leave = Math.min(slabX.exit(x0, x1), slabZ.exit(z0, z1));
+        return enter <= leave ? enter : Double.POSITIVE_INFINITY;
+    }
+
+    private double pointKey(double[] boxes, int at) {
+        if (isBeyond(boxes, at, leftX, leftZ) || isBeyond(boxes, at, rightX, rightZ)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double dx = Math.max(0, Math.max(boxes[at] - fromX, fromX - boxes[at + 2]));
+        double dz = Math.max(0, Math.max(boxes[at + 1] - fromZ, fromZ - boxes[at + 3]));
+        double square = dx * dx + dz * dz;
+        // Where squares lose bits or overflow, the longer leg is bound enough.
+        double distance = square > 0x1p-960 && square < 0x1p1000 ? Math.sqrt(square) : Math.max(dx, dz);
+        return Math.max(0, distance * Slab.DOWN - Double.MIN_VALUE);
+    }
+}

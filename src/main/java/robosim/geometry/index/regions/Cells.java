@@ -1,0 +1,51 @@
+package robosim.geometry.index.regions;
+
+/**
+ * A world of {@code 2^52} by {@code 2^52} cells: where a box's centre is, as whole numbers. Bits of a cell's number are the
+ * halves in which it lies, the whole world's first, so cutting regions in four is exact.
+ */
+public final class Cells {
+    static final int BITS = 52;
+    private static final long COUNT = 1L << BITS;
+
+    private final double originX;
+    private final double originZ;
+    private final double scaleX;
+    private final double scaleZ;
+
+    public Cells(double minX, double minZ, double maxX, double maxZ) {
+        if (!(minX <= maxX) || !(minZ <= maxZ) || !Double.isFinite(maxX - minX) || !Double.isFinite(maxZ - minZ)) {
+            throw new IllegalArgumentException("world must be finite and min at most max (got: x %s to %s, z %s to %s)"
+                    .formatted(minX, maxX, minZ, maxZ));
+        }
+        originX = minX;
+        originZ = minZ;
+        scaleX = scale(maxX - minX);
+        scaleZ = scale(maxZ - minZ);
+    }
+
+    /** The cell of a box of six numbers at a place of an array, along X. */
+    long x(double[] boxes, int at) {
+        return cell(0.5 * boxes[at] + 0.5 * boxes[at + 3], originX, scaleX);
+    }
+
+    long z(double[] boxes, int at) {
+        return cell(0.5 * boxes[at + 2] + 0.5 * boxes[at + 5], originZ, scaleZ);
+    }
+
+    /** Which quarter of the region that this bit cuts a cell is in: 0 to 3. */
+    static int quarter(int bit, long x, long z) {
+        return (int) ((x >>> bit) & 1) | (int) ((z >>> bit) & 1) << 1;
+    }
+
+    // Never decreases with the place, so cells are stripes in order; what is outside goes to the outermost.
+    private static long cell(double place, double origin, double scale) {
+        double steps = (place - origin) * scale;
+        return steps <= 0 ? 0 : steps >= COUNT ? COUNT - 1 : (long) steps;
+    }
+
+    private static double scale(double extent) {
+        double scale = COUNT / extent;
+        return Double.isFinite(scale) ? scale : 0;
+    }
+}

@@ -1,0 +1,72 @@
+package robosim.geometry.index.regions;
+
+import java.util.Arrays;
+
+/** A binary heap of items by their least key; equal keys come in the order of their items. Grows, never shrinks. */
+final class EntryQueue {
+    private double[] keys = new double[64];
+    private int[] items = new int[64];
+    private int size;
+
+    void clear() {
+        size = 0;
+    }
+
+    boolean isEmpty() {
+        return size == 0;
+    }
+
+    double leastKey() {
+        return size == 0 ? Double.POSITIVE_INFINITY : keys[0];
+    }
+
+    void push(double key, int item) {
+        if (size == keys.length) {
+            keys = Arrays.copyOf(keys, 2 * size);
+            items = Arrays.copyOf(items, 2 * size);
+        }
+        int at = size++;
+        while (at > 0) {
+            int up = (at - 1) >> 1;
+            if (!isBefore(key, item, up)) {
+                break;
+            }
+            keys[at] = keys[up];
+            items[at] = items[up];
+            at = up;
+        }
+        keys[at] = key;
+        items[at] = item;
+    }
+
+    /** Takes the item with the least key out of a queue that is not empty. */
+    int pop() {
+        int least = items[0];
+        size--;
+        double key = keys[size];
+        int item = items[size];
+        int at = 0;
+        while (true) {
+            int down = 2 * at + 1;
+            if (down >= size) {
+                break;
+            }
+            if (down + 1 < size && isBefore(keys[down + 1], items[down + 1], down)) {
+                down++;
+            }
+            if (isBefore(key, item, down)) {
+                break;
+            }
+            keys[at] = keys[down];
+            items[at] = items[down];
+            at = down;
+        }
+        keys[at] = key;
+        items[at] = item;
+        return least;
+    }
+
+    private boolean isBefore(double key, int item, int at) {
+        return key < keys[at] || (key == keys[at] && item < items[at]);
+    }
+}

@@ -1,0 +1,82 @@
+package robosim.geometry.index.tiles;
+
+import robosim.geometry.index.QuadTree;
+
+/**
+ * What a column of rows tells a {@link QuadTree} about each of its objects: a rectangle on the XZ plane that encloses it,
+ * anywhere and at any heading. Row id has {@link #STRIDE} doubles; those not named here are the owner's.
+ */
+public final class Outline {
+    /** Doubles in a row. */
+    public static final int STRIDE = 8;
+
+    /** The centre. */
+    public static final int X = 0;
+
+    public static final int Z = 2;
+
+    /** Half of its size along its own axes, (cos, -sin) and (sin, cos). */
+    public static final int HALF_X = 3;
+
+    public static final int HALF_Z = 5;
+
+    /** Cosine and sine of its heading. */
+    public static final int COS = 6;
+
+    public static final int SIN = 7;
+
+    /** The id of a row before all others, that of a rectangle which is nowhere: neither a box nor a ray meets it. */
+    static final int NOWHERE = Tiles.NONE;
+
+    /** Where the first row begins: behind an array's head, so that a row of a large array is one line of a cache. */
+    private static final int START = 6 + STRIDE;
+
+    /** So far from reaching anything that no sum with what a world has for numbers is above 0. */
+    private static final double SHORT_OF_ALL = -0x1p1000;
+
+    private Outline() {}
+
+    /** Where the row of an object begins. */
+    public static int at(int id) {
+        return START + STRIDE * id;
+    }
+
+    /** How long an array of so many rows is. */
+    public static int length(int rows) {
+        return START + STRIDE * rows;
+    }
+
+    /** An array with room for so many rows, and for some numbers more. */
+    public static double[] rows(int count, int more) {
+        double[] rows = new double[length(count) + more];
+        int at = at(NOWHERE);
+        rows[at + HALF_X] = SHORT_OF_ALL;
+        rows[at + HALF_Z] = SHORT_OF_ALL;
+        rows[at + COS] = 1;
+        return rows;
+    }
+
+    /** Whether a row and a rectangle, which is wider by what rounding may do, may meet. */
+    static boolean mayMeet(double[] rows, int id, double x, double z, double wide, double deep) {
+        int at = at(id);
+        double halfX = rows[at + HALF_X];
+        double halfZ = rows[at + HALF_Z];
+        double cos = Math.abs(rows[at + COS]);
+        double sin = Math.abs(rows[at + SIN]);
+        double gapX = Math.fma(halfX, cos, Math.fma(halfZ, sin, wide)) - Math.abs(rows[at + X] - x);
+        double gapZ = Math.fma(halfX, sin, Math.fma(halfZ, cos, deep)) - Math.abs(rows[at + Z] - z);
+        // Two comparisons in one: a negative difference is a gap.
+        return (Double.doubleToRawLongBits(gapX) | Double.doubleToRawLongBits(gapZ)) >= 0;
+    }
+
+    /** Makes a row that of a box, to within the rounding that a query allows for. */
+    public static void write(double[] rows, int id, double minX, double minZ, double maxX, double maxZ) {
+        int at = at(id);
+        rows[at + X] = minX / 2 + maxX / 2;
+        rows[at + Z] = minZ / 2 + maxZ / 2;
+        rows[at + HALF_X] = maxX / 2 - minX / 2;
+        rows[at + HALF_Z] = maxZ / 2 - minZ / 2;
+        rows[at + COS] = 1;
+        rows[at + SIN] = 0;
+    }
+}

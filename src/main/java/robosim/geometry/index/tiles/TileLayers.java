@@ -1,0 +1,158 @@
+package robosim.geometry.index.tiles;
+
+import robosim.geometry.index.QuadTree;
+
+/**
+ * The {@link Tiles} of a {@link QuadTree}: finer ones for the many, coarser ones for what is too large for them, and one
+ * that takes everything else. Stale at first, and again when the number of objects has outgrown them.
+ *
+ * <p>An object is given by its id and its box, six numbers from six times the id on.
+ */
+public final class TileLayers {
+    private static final int MOST_LAYERS = 8;
+
+    /** A layer of so few objects is one tile. */
+    private static final int FEW = 6;
+
+    /** So few tiles are not worth their while. */
+    private static final int FEW_TILES = 16;
+
+    /** Finer tiles first; the last layer takes everything. */
+    private final Tiles[] layers = new Tiles[MOST_LAYERS];
+
+    private int count;
+
+    /** How many objects there were when the tiles were laid out. */
+    private int laid;
+
+    /** How many objects the last layer may come to hold before all is laid out anew. */
+    private int mostBeside;
+
+    /** Whether the tiles were laid out in the midst of growing, with room for more. */
+    private boolean isGrowing;
+
+    private boolean isStale = true;
+
+    /** Whether the tiles must be laid out before they are asked. */
+    public boolean isStale() {
+        return isStale;
+    }
+
+    public int count() {
+        return count;
+    }
+
+    /** The k-th layer, the finest first. */
+    public Tiles get(int k) {
+        return layers[k];
+    }
+
+    /** Lists an object, the last of so many, unless the tiles are stale. */
+    public void add(int id, double[] boxes, int size) {
+        if (!isStale) {
+            layerOf(boxes, 6 * id).add(id, boxes, 6 * id);
+            isStale = size > 4 * laid + FEW || layers[count - 1].objects() > mostBeside;
+        }
+    }
+
+    /** Strikes an object, unless the tiles are stale. */
+    public void remove(int id, double[] boxes) {
+        if (!isStale) {
+            layerOf(boxes, 6 * id).remove(id, boxes, 6 * id);
+        }
+    }
+
+    /** Lists an object, one of so many, by its box in place of the one before, unless the tiles are stale. */
+    public void move(int id, double[] before, double[] boxes, int size) {
+        if (isStale) {
+            return;
+        }
+        Tiles old = layerOf(before, 0);
+        if (old == layerOf(boxes, 6 * id)) {
+            old.move(id, before, 0, boxes, 6 * id);
+        } else {
+            old.remove(id, before, 0);
+            add(id, boxes, size);
+        }
+    }
+
+    /** The finest layer that a box fits. */
+    private Tiles layerOf(double[] boxes, int at) {
+        for (int k = 0; k < count - 1; k++) {
+            if (layers[k].fits(boxes, at)) {
+                return layers[k];
+            }
+        }
+        return layers[count - 1];
+    }
+
+    /** Lays all objects out anew that are listed, so many. */
+    public void layOut(double[] boxes, boolean[] listed, int size) {
+        isGrowing = laid > 0 && size > laid;
+        laid = size;
+        int[] left = new int[size];
+        int remaining = 0;
+        for (int id = 0; remaining < size; id++) {
+            if (listed[id]) {
+                left[remaining++] = id;
+            }
+        }
+        count = 0;
+        int coarser = 0;
+        while (count < MOST_LAYERS - 1 && remaining > FEW && tiles(remaining) >> coarser > FEW_TILES) {
+            int rest = lay(left, remaining, boxes, coarser);
+            coarser += 2 * rest > remaining ? 2 : 0;
+            remaining = rest;
+        }
+        Tiles rest = Tiles.single();
+        for (int k = 0; k < remaining; k++) {
+            rest.add(left[k], boxes, 6 * left[k]);
+        }
+        layers[count++] = rest;
+        mostBeside = 2 * (remaining + FEW) + laid / 16;
+        isStale = false;
+    }
+
+    /** Makes a layer of those of the objects that fit its tiles; the others are moved to the front and counted. */
+    private int lay(int[] ids, int objects, double[] boxes, int coarser) {
+        Tiles tiles = tilesFor(ids, objects, boxes, coarser);
+        int left = 0;
+        for (int k = 0; k < objects; k++) {
+            if (tiles.fits(boxes, 6 * ids[k])) {
+                tiles.add(ids[k], boxes, 6 * ids[k]);
+            } else {
+                ids[left++] = ids[k];
+            }
+        }
+        if (left < objects) {
+            tiles.divideCrowded(boxes);
+            tiles.store.trim();
+            layers[count++] = tiles;
+        }
+        return left;
+    }
+
+    /** Empty tiles over the objects, and over an eighth more on all sides where their number grows. */
+    private Tiles tilesFor(int[] ids, int objects, double[] boxes, int coarser) {
+        double minX = Double.POSITIVE_INFINITY;
+        double minZ = Double.POSITIVE_INFINITY;
+        double maxX = Double.NEGATIVE_INFINITY;
+        double maxZ = Double.NEGATIVE_INFINITY;
+        for (int k = 0; k < objects; k++) {
+            int at = 6 * ids[k];
+            minX = boxes[at] < minX ? boxes[at] : minX;
+            minZ = boxes[at + 2] < minZ ? boxes[at + 2] : minZ;
+            maxX = boxes[at + 3] > maxX ? boxes[at + 3] : maxX;
+            maxZ = boxes[at + 5] > maxZ ? boxes[at + 5] : maxZ;
+        }
+        double roomX = isGrowing ? (maxX - minX) / 8 : 0;
+        double roomZ = isGrowing ? (maxZ - minZ) / 8 : 0;
+        return Tiles.over(
+                minX - roomX, minZ - roomZ, maxX + roomX, maxZ + roomZ, tiles(objects) >> coarser, new TileLists(true));
+    }
+
+    /** About one tile an object, and a half more where their number grows. */
+    private long tiles(long objects) {
+        return isGrowing ? objects + objects / 2 : objects;
+    }
+}

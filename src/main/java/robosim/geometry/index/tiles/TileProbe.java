@@ -1,0 +1,141 @@
+package robosim.geometry.index.tiles;
+
+/**
+ * Who of {@link Tiles} may be near a small rectangle, each as often as its tiles list it; most often that is one tile. Sketches
+ * tell, and who is on a list without them is looked at. How long a list is would be guessed wrong each other time, so all room
+ * of a short one is read.
+ *
+ * <p>Why none is missed: where a rectangle of a reach below 2^30 steps ends within a window, its place is less than 2^31 steps
+ * from the corner. So a difference, two products and a sum, each rounded by 2^-53 of itself, misjudge that end by less than
+ * 2^-19 steps, which is far below {@link Tiles#MARGIN}, by which every object is listed beyond its box and drawn wider. In
+ * divided tiles steps are up to 2^12 times as fine, and the same rectangle's end is misjudged by less than 2^-7 of them: still
+ * below. An end beyond the window counts as on its edge: who meets only there is listed on a tile beside, or out of these tiles.
+ */
+public final class TileProbe {
+    /** The target wants no more. */
+    public static final int ENOUGH = -1;
+
+    /** The rectangle lies on too many tiles. */
+    public static final int TOO_MANY = 0;
+
+    /** The target has met all. */
+    public static final int ALL = 1;
+
+    /** In steps, of tiles that are no part of others. */
+    private static final double MOST_REACH = 0x1p30;
+
+    private double x;
+    private double z;
+    private double halfX;
+    private double halfZ;
+    private double most;
+
+    /** Takes a rectangle about a place where no coordinate is of a greater magnitude than the most. */
+    public void start(double placeX, double placeZ, double toX, double toZ, double mostAnywhere) {
+        x = placeX;
+        z = placeZ;
+        halfX = toX;
+        halfZ = toZ;
+        most = mostAnywhere;
+    }
+
+    /** Lets a target meet those of some tiles, unless the rectangle lies on more than so many or reaches too far. */
+    public int ask(Tiles over, int mostTiles, double[] outlines, NearTarget target) {
+        return ask(over, mostTiles, MOST_REACH, outlines, target);
+    }
+
+    private int ask(Tiles over, int mostTiles, double mostReach, double[] outlines, NearTarget target) {
+        double fromX = x - over.originX;
+        double fromZ = z - over.originZ;
+        double reachX = halfX * over.stepsX;
+        double reachZ = halfZ * over.stepsZ;
+        // Rounded towards 0, which no object on the tiles is below.
+        int lowX = (int) Math.fma(fromX, over.stepsX, -reachX);
+        int lowZ = (int) Math.fma(fromZ, over.stepsZ, -reachZ);
+        int highX = (int) Math.fma(fromX, over.stepsX, reachX);
+        int highZ = (int) Math.fma(fromZ, over.stepsZ, reachZ);
+        int tiles = ((lowX ^ highX) | (lowZ ^ highZ)) >> QuantizedBounds.STEP_BITS;
+        int room = (over.countX << QuantizedBounds.STEP_BITS) - 1 - highX
+                | (over.countZ << QuantizedBounds.STEP_BITS) - 1 - highZ;
+        if (tiles == 0 && (lowX | lowZ | room) >= 0) {
+            int tile = over.at(lowX >> QuantizedBounds.STEP_BITS, lowZ >> QuantizedBounds.STEP_BITS);
+            int question = QuantizedBounds.question(lowX, lowZ, highX, highZ);
+            return read(over, tile, question, outlines, target) ? ENOUGH : ALL;
+        }
+        boolean isFar = !(reachX < mostReach && reachZ < mostReach);
+        return isFar ? TOO_MANY : askMany(over, lowX, lowZ, highX, highZ, mostTiles, outlines, target);
+    }
+
+    private int askMany(
+            Tiles over, int x0, int z0, int x1, int z1, int mostTiles, double[] outlines, NearTarget target) {
+        int lowX = cut(x0, over.countX);
+        int lowZ = cut(z0, over.countZ);
+        int highX = cut(x1, over.countX);
+        int highZ = cut(z1, over.countZ);
+        int column = lowX >> QuantizedBounds.STEP_BITS;
+        int row = lowZ >> QuantizedBounds.STEP_BITS;
+        int lastColumn = highX >> QuantizedBounds.STEP_BITS;
+        int lastRow = highZ >> QuantizedBounds.STEP_BITS;
+        if ((lastColumn - column + 1) * (lastRow - row + 1) > mostTiles) {
+            return TOO_MANY;
+        }
+        for (int k = row; k <= lastRow; k++) {
+            for (int j = column; j <= lastColumn; j++) {
+                int question = QuantizedBounds.question(lowX, lowZ, highX, highZ, j, k);
+                if (read(over, over.at(j, k), question, outlines, target)) {
+                    return ENOUGH;
+                }
+            }
+        }
+        return ALL;
+    }
+
+    private static int cut(int step, int tiles) {
+        return Math.max(0, Math.min(step, (tiles << QuantizedBounds.STEP_BITS) - 1));
+    }
+
+    private boolean read(Tiles over, int tile, int question, double[] outlines, NearTarget target) {
+        int[] data = over.store.data;
+        int[] sketches = over.store.sketches;
+        if ((data[tile] & ~TileLists.SHORT) != 0 || sketches.length == 0) {
+            return readOther(over, tile, question, outlines, target);
+        }
+        return (QuantizedBounds.mayMeet(question, sketches[tile + 1]) && target.meet(data[tile + 1]))
+                || (QuantizedBounds.mayMeet(question, sketches[tile + 2]) && target.meet(data[tile + 2]))
+                || (QuantizedBounds.mayMeet(question, sketches[tile + 3]) && target.meet(data[tile + 3]));
+    }
+
+    /** Reads a long list, one without sketches, or those within a divided tile. */
+    private boolean readOther(Tiles over, int tile, int question, double[] outlines, NearTarget target) {
+        int[] data = over.store.data;
+        int[] sketches = over.store.sketches;
+        int length = data[tile];
+        if (length < 0) {
+            Tiles inner = over.within(length);
+            return readRows(inner, inner.rest(), outlines, target)
+                    || ask(inner, Integer.MAX_VALUE, Double.POSITIVE_INFINITY, outlines, target) == ENOUGH;
+        }
+        if (sketches.length == 0) {
+            return readRows(over, tile, outlines, target);
+        }
+        int first = data[tile + 1];
+        for (int k = first; k < first + length; k++) {
+            if (QuantizedBounds.mayMeet(question, sketches[k]) && target.meet(data[k])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean readRows(Tiles over, int tile, double[] outlines, NearTarget target) {
+        int[] data = over.store.data;
+        double slack = TileGathering.slack(x, z, halfX, halfZ, most);
+        int first = TileLists.first(data, tile, data[tile]);
+        for (int k = first; k < first + data[tile]; k++) {
+            if (Outline.mayMeet(outlines, data[k], x, z, halfX + slack, halfZ + slack) && target.meet(data[k])) {
+                return true;
+            }
+        }
+        return false;
+    }
+}

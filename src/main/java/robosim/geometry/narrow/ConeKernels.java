@@ -1,8 +1,0 @@
-package robosim.geometry.narrow;
-
-/** Working memory of the questions about cones. */
-final class ConeKernels {
-    final Cone cone = new Cone();
-    final ConePolytope polytope = new ConePolytope();
-    final ConeCylinder cylinder = new ConeCylinder();
-}

@@ -1,9 +1,0 @@
-package robosim.geometry.narrow;
-
-/** The working memory of distances. */
-public class DistanceScratch extends RayScratch {
-    public final SphereDistance sphereDistance = new SphereDistance();
-
-    /** A point as a sphere's row. */
-    public final double[] witness = new double[Leaf.STRIDE];
-}

@@ -1,8 +1,0 @@
-package robosim.geometry.narrow;
-
-/** The working memory of rays. */
-public class RayScratch extends OverlapScratch {
-    public final RayInterval ray = new RayInterval();
-    public final RayRefine refine = new RayRefine();
-    public final NearestFace face = new NearestFace();
-}

@@ -1,0 +1,269 @@
+package robosim.geometry.narrow.cone;
+
+import robosim.geometry.exact.DoubleDouble;
+import robosim.geometry.exact.DoubleDoubles;
+import robosim.geometry.exact.Dyadic;
+import robosim.geometry.exact.ExactVector;
+import robosim.geometry.exact.VectorMath;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.ray.ExactRay;
+import robosim.geometry.narrow.ray.RayTriangle;
+
+/**
+ * The corners of a box, a triangle or a prism seen from a cone's apex, in pairs of doubles, and the lists of its edges
+ * and faces by corner. A face is the list of its edges.
+ *
+ * <p>A prism's corners come four an edge of its octagon: its two ends below, then above; an edge that the others cut off
+ * is not there.
+ */
+final class ConeCorners {
+    private static final int[] TRIANGLE_EDGES = {0, 1, 1, 2, 2, 0};
+    private static final int[][] TRIANGLE_FACES = {TRIANGLE_EDGES};
+    private static final int[] BOX_EDGES = {0, 1, 2, 3, 4, 5, 6, 7, 0, 2, 1, 3, 4, 6, 5, 7, 0, 4, 1, 5, 2, 6, 3, 7};
+    /** Of a box without height, whose corners are there twice: its sides once, and its corners. */
+    private static final int[] FLAT_EDGES = {0, 1, 4, 5, 0, 4, 1, 5, 0, 2, 1, 3, 4, 6, 5, 7};
+
+    private static final int[][] BOX_FACES = {
+        {0, 1, 1, 3, 3, 2, 2, 0},
+        {4, 5, 5, 7, 7, 6, 6, 4},
+        {0, 1, 1, 5, 5, 4, 4, 0},
+        {2, 3, 3, 7, 7, 6, 6, 2},
+        {0, 2, 2, 6, 6, 4, 4, 0},
+        {1, 3, 3, 7, 7, 5, 5, 1}
+    };
+
+    /** Which number of a prism's row each edge of the octagon lies on. */
+    private static final int[] FORM = {1, 5, 3, 6, 0, 4, 2, 7};
+
+    private static final int[] PRISM_EDGES = new int[64];
+    private static final int[][] PRISM_FACES = new int[10][];
+
+    static {
+        int[] bottom = new int[16];
+        int[] top = new int[16];
+        for (int k = 0; k < 8; k++) {
+            int p = 4 * k;
+            int[] edges = {p, p + 1, p + 2, p + 3, p, p + 2, p + 1, p + 3};
+            System.arraycopy(edges, 0, PRISM_EDGES, 8 * k, 8);
+            PRISM_FACES[k] = new int[] {p, p + 1, p + 1, p + 3, p + 3, p + 2, p + 2, p};
+            bottom[2 * k] = p;
+            bottom[2 * k + 1] = p + 1;
+            top[2 * k] = p + 2;
+            top[2 * k + 1] = p + 3;
+        }
+        PRISM_FACES[8] = bottom;
+        PRISM_FACES[9] = top;
+    }
+
+    final double[] hi = new double[96];
+    private final double[] lo = new double[96];
+    private final boolean[] isAbsent = new boolean[8];
+    private final double[] pair = new double[4];
+    private int kind;
+
+    /** The largest coordinate or size. */
+    double extent;
+
+    void set(Cone cone, int kind, double[] row, int j) {
+        this.kind = kind;
+        switch (kind) {
+            case Leaf.TRIANGLE -> triangle(cone, row, j);
+            case Leaf.PRISM -> prism(cone, row, j);
+            default -> box(cone, row, j);
+        }
+    }
+
+    int[] edges() {
+        return kind == Leaf.TRIANGLE ? TRIANGLE_EDGES : kind == Leaf.PRISM ? PRISM_EDGES : BOX_EDGES;
+    }
+
+    /** The edges of a leaf that was laid flat. */
+    int[] flatEdges() {
+        return kind == Leaf.UPRIGHT_BOX ? FLAT_EDGES : edges();
+    }
+
+    int[][] faces() {
+        return kind == Leaf.TRIANGLE ? TRIANGLE_FACES : kind == Leaf.PRISM ? PRISM_FACES : BOX_FACES;
+    }
+
+    boolean isThere(int corner) {
+        return kind != Leaf.PRISM || !isAbsent[corner / 4];
+    }
+
+    /** A side of a prism goes with its edge; the top and the bottom are always there. */
+    boolean isFaceThere(int[] face) {
+        return face.length > 8 || isThere(face[0]);
+    }
+
+    void load(DoubleDoubles p, int vector, int corner) {
+        for (int k = 0; k < 3; k++) {
+            p.set(vector + k, hi[3 * corner + k], lo[3 * corner + k]);
+        }
+    }
+
+    private void triangle(Cone cone, double[] row, int j) {
+        for (int i = 0; i < 3; i++) {
+            put(i, 0, row[j + 3 * i], 0, cone.ox);
+            put(i, 1, row[j + 3 * i + 1], 0, cone.oy);
+            put(i, 2, row[j + 3 * i + 2], 0, cone.oz);
+        }
+        extent = RayTriangle.extent(row, j);
+    }
+
+    private void put(int corner, int axis, double value, double tail, double apex) {
+        DoubleDouble.add(value, tail, -apex, 0, pair, 0);
+        hi[3 * corner + axis] = pair[0];
+        lo[3 * corner + axis] = pair[1];
+    }
+
+    private void box(Cone cone, double[] row, int j) {
+        extent = Math.max(VectorMath.largest(row[j], row[j + 1], row[j + 2]), row[j + 3] + row[j + 4] + row[j + 5]);
+        // Corner by corner the same sums would be taken many times over.
+        for (int axis = 0; axis < 3; axis++) {
+            double apex = axis == 0 ? cone.ox : axis == 1 ? cone.oy : cone.oz;
+            DoubleDouble.sum(row[j + axis], -apex, pair, 0);
+            hi[axis] = pair[0];
+            lo[axis] = pair[1];
+            for (int i = 0; i < 3; i++) {
+                DoubleDouble.product(row[j + 3 + i], row[j + Leaf.ROTATION + 3 * axis + i], pair, 2);
+                for (int corner = 0; corner < 1 << i; corner++) {
+                    spread(3 * corner + axis, 3 << i);
+                }
+            }
+        }
+    }
+
+    /** Puts the second pair on a number of a corner: added for the corner so much further on, taken away in place. */
+    private void spread(int at, int further) {
+        double high = hi[at];
+        double low = lo[at];
+        DoubleDouble.add(high, low, pair[2], pair[3], pair, 0);
+        hi[at + further] = pair[0];
+        lo[at + further] = pair[1];
+        DoubleDouble.add(high, low, -pair[2], -pair[3], pair, 0);
+        hi[at] = pair[0];
+        lo[at] = pair[1];
+    }
+
+    private void prism(Cone cone, double[] row, int j) {
+        extent = 0;
+        for (int i = 0; i < 10; i++) {
+            extent = Math.max(extent, Math.abs(row[j + i]));
+        }
+        for (int k = 0; k < 8; k++) {
+            isAbsent[k] = false;
+            for (int end = 0; end < 2; end++) {
+                double x = along(row, j, k, isDownward(k) ? 1 - end : end);
+                for (int above = 0; above < 2; above++) {
+                    int corner = 4 * k + 2 * above + end;
+                    place(cone, row, j, k, corner, x);
+                    put(corner, 1, row[j + 8 + above], 0, cone.oy);
+                }
+            }
+            isAbsent[k] = along(row, j, k, 0) > along(row, j, k, 1);
+        }
+    }
+
+    // The octagon's edges in turn: x high, x+z high, z high, x-z low, x low, x+z low, z low, x-z high. The free
+    // coordinate is z on the first and fifth and x on the others, and runs between what the other forms leave.
+    private static double along(double[] b, int j, int k, int end) {
+        double low;
+        double high;
+        double at = b[j + FORM[k]];
+        switch (k) {
+            case 0, 4 -> {
+                low = Math.max(b[j + 2], Math.max(b[j + 4] - at, at - b[j + 7]));
+                high = Math.min(b[j + 3], Math.min(b[j + 5] - at, at - b[j + 6]));
+            }
+            case 2, 6 -> {
+                low = Math.max(b[j], Math.max(b[j + 4] - at, b[j + 6] + at));
+                high = Math.min(b[j + 1], Math.min(b[j + 5] - at, b[j + 7] + at));
+            }
+            case 1, 5 -> {
+                low = Math.max(b[j], Math.max(at - b[j + 3], (at + b[j + 6]) / 2));
+                high = Math.min(b[j + 1], Math.min(at - b[j + 2], (at + b[j + 7]) / 2));
+            }
+            default -> {
+                low = Math.max(b[j], Math.max(at + b[j + 2], (at + b[j + 4]) / 2));
+                high = Math.min(b[j + 1], Math.min(at + b[j + 3], (at + b[j + 5]) / 2));
+            }
+        }
+        return end == 0 ? low : high;
+    }
+
+    // Around the octagon the free coordinate falls on these edges.
+    private static boolean isDownward(int k) {
+        return k >= 1 && k <= 4;
+    }
+
+    private void place(Cone cone, double[] row, int j, int k, int corner, double free) {
+        double at = row[j + FORM[k]];
+        double x = k % 4 == 0 ? at : free;
+        put(corner, 0, x, 0, cone.ox);
+        if (k % 4 == 0) {
+            put(corner, 2, free, 0, cone.oz);
+        } else if (k % 4 == 2) {
+            put(corner, 2, at, 0, cone.oz);
+        } else {
+            // z = at - x, or x - at
+            double z = k % 4 == 1 ? at - x : x - at;
+            double tail = k % 4 == 1 ? DoubleDouble.differenceTail(at, x, z) : DoubleDouble.differenceTail(x, at, z);
+            put(corner, 2, z, tail, cone.oz);
+        }
+    }
+
+    /** A corner in exact numbers, in the ray's scale and not seen from its start. */
+    static ExactVector exact(ExactRay ray, int kind, double[] row, int j, int corner) {
+        if (kind == Leaf.TRIANGLE) {
+            return ray.point(row, j + 3 * corner);
+        }
+        if (kind == Leaf.PRISM) {
+            return exactPrism(ray, row, j, corner);
+        }
+        ExactVector sum = ray.point(row, j);
+        for (int i = 0; i < 3; i++) {
+            Dyadic half = ray.length(row[j + 3 + i]);
+            ExactVector own = ExactVector.of(row, j + Leaf.ROTATION + i, 3);
+            sum = sum.plus(own.times((corner >> i & 1) == 0 ? half.negate() : half));
+        }
+        return sum;
+    }
+
+    private static ExactVector exactPrism(ExactRay ray, double[] row, int j, int corner) {
+        Dyadic[] b = new Dyadic[10];
+        for (int i = 0; i < 10; i++) {
+            b[i] = ray.length(row[j + i]);
+        }
+        int k = corner / 4;
+        Dyadic at = b[FORM[k]];
+        Dyadic low;
+        Dyadic high;
+        switch (k) {
+            case 0, 4 -> {
+                low = b[2].max(b[4].subtract(at)).max(at.subtract(b[7]));
+                high = b[3].min(b[5].subtract(at)).min(at.subtract(b[6]));
+            }
+            case 2, 6 -> {
+                low = b[0].max(b[4].subtract(at)).max(b[6].add(at));
+                high = b[1].min(b[5].subtract(at)).min(b[7].add(at));
+            }
+            case 1, 5 -> {
+                low = b[0].max(at.subtract(b[3])).max(at.add(b[6]).scale(-1));
+                high = b[1].min(at.subtract(b[2])).min(at.add(b[7]).scale(-1));
+            }
+            default -> {
+                low = b[0].max(at.add(b[2])).max(at.add(b[4]).scale(-1));
+                high = b[1].min(at.add(b[3])).min(at.add(b[5]).scale(-1));
+            }
+        }
+        // The two ends may have changed places in rounding; in exact numbers an edge that is not there is a point.
+        Dyadic free = (corner % 2 == 0) != isDownward(k) ? low.min(high) : low.max(high);
+        Dyadic y = b[8 + (corner >> 1 & 1)];
+        return switch (k % 4) {
+            case 0 -> new ExactVector(at, y, free);
+            case 1 -> new ExactVector(free, y, at.subtract(free));
+            case 2 -> new ExactVector(free, y, at);
+            default -> new ExactVector(free, y, free.subtract(at));
+        };
+    }
+}

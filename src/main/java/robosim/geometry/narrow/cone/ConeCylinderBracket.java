@@ -1,0 +1,550 @@
+package robosim.geometry.narrow.cone;
+
+import robosim.geometry.exact.DoubleDoubles;
+import robosim.geometry.exact.VectorMath;
+
+/**
+ * Both ends of the distance of a cylinder in a cone, in pairs of doubles: the lower from directions, the upper from points.
+ *
+ * <p>For any direction n no point of the cylinder within the cone is nearer than {@code k(n) / s(n)}, where k(n) is the least
+ * n.x of the cylinder and s(n) the greatest of the cone's part inside the unit sphere. A point of the cylinder within the
+ * cone is no nearer than the nearest. Whatever led to a direction or a point, what is taken from it is certain but for
+ * the roundings of pairs, which are allowed for.
+ */
+final class ConeCylinderBracket {
+    /** Some twenty steps, each of which is off by 2^-100 of what goes in. */
+    private static final double ERROR = 0x1p-94;
+
+    /** So deep inside the cone, as a share of the extent, are the points that are looked for: deeper than {@link #ERROR}. */
+    private static final double DEPTH = 0x1p-92;
+
+    /** A bracket as narrow as this share of the distance is narrow enough. */
+    private static final double NARROW = 0x1p-42;
+
+    private static final int STEPS = 12;
+
+    private static final int NORMAL = ConeCylinderFrame.FREE;
+    private static final int POINT = NORMAL + 3;
+    private static final int RADIAL = POINT + 3;
+    private static final int AROUND = RADIAL + 3;
+    private static final int SIDE = AROUND + 3;
+    private static final int OUTWARD = SIDE + 3;
+    private static final int HEIGHT = OUTWARD + 3;
+    private static final int AHEAD = HEIGHT + 1;
+    private static final int LATERAL = AHEAD + 1;
+    private static final int PART = LATERAL + 1;
+    private static final int REST = PART + 1;
+    private static final int VALUE = REST + 1;
+    private static final int SUPPORT = VALUE + 1;
+    private static final int LEAN = SUPPORT + 1;
+    private static final int TEMPORARY = LEAN + 3;
+
+    private ConeCylinderFrame f = new ConeCylinderFrame();
+    private DoubleDoubles p = new DoubleDoubles(1);
+    private double low;
+    private double high;
+
+    void start(ConeCylinderFrame frame) {
+        f = frame;
+        p = frame.cone.pairs;
+        low = 0;
+        high = Double.POSITIVE_INFINITY;
+    }
+
+    double low() {
+        return low;
+    }
+
+    double high() {
+        return high;
+    }
+
+    /** Takes both ends as known. */
+    void take(double lower, double upper) {
+        low = Math.max(low, lower);
+        high = Math.min(high, upper);
+    }
+
+    boolean isSilent() {
+        return low > f.farthest;
+    }
+
+    /** Whether there is nothing left to be done: silent, or narrow. */
+    boolean isDone() {
+        return isSilent() || high - low <= NARROW * low;
+    }
+
+    /** The cylinder's own nearest point: a direction, a point where the cone holds it, else a plane beside it. */
+    void nearest() {
+        for (int k = 0; k < 3; k++) {
+            p.set(POINT + k, 0);
+        }
+        if (f.near > 0) {
+            p.advance(POINT, POINT, ConeCylinderFrame.NEAR, ConeCylinderFrame.BODY, TEMPORARY);
+        }
+        if (f.gap > 0) {
+            p.set(PART, -f.radius);
+            p.add(PART, ConeCylinderFrame.AWAY, PART);
+            p.divide(PART, PART, ConeCylinderFrame.AWAY);
+            p.advance(POINT, POINT, PART, ConeCylinderFrame.ACROSS, TEMPORARY);
+        }
+        locate();
+        point();
+        copy(NORMAL, POINT);
+        direction();
+        copy(NORMAL, OUTWARD);
+        direction();
+    }
+
+    /** Along the axis. */
+    void axis() {
+        copy(NORMAL, ConeCylinderFrame.BODY);
+        direction();
+    }
+
+    /** Away from the axis. */
+    void away() {
+        copy(NORMAL, ConeCylinderFrame.ACROSS);
+        direction();
+    }
+
+    /** A direction across the axis: where the apex is all but on the mantle, no other proves that a cone misses it. */
+    void across(double p0, double q0) {
+        f.put(NORMAL, 0, p0, q0);
+        p.dot(PART, NORMAL, ConeCylinderFrame.BODY, TEMPORARY);
+        p.negate(PART);
+        p.advance(NORMAL, NORMAL, PART, ConeCylinderFrame.BODY, TEMPORARY);
+        direction();
+    }
+
+    /**
+     * Along the axis and away from it by so much: where both are positive, and the cone is behind both the lower cap's plane
+     * and the mantle's nearest, or all but, such a direction proves it.
+     */
+    void corner(double along, double away) {
+        p.set(PART, along);
+        for (int k = 0; k < 3; k++) {
+            p.multiply(NORMAL + k, ConeCylinderFrame.BODY + k, PART);
+        }
+        p.set(PART, away);
+        p.divide(PART, PART, ConeCylinderFrame.AWAY);
+        p.advance(NORMAL, NORMAL, PART, ConeCylinderFrame.ACROSS, TEMPORARY);
+        direction();
+    }
+
+    /**
+     * The plane that touches the cone along the line of its border nearest to a vector of the frame, led around the cone to
+     * where it is farthest from the cylinder.
+     */
+    void edge(double along, double p0, double q0) {
+        f.put(POINT, along, p0, q0);
+        locate();
+        double last = Double.NaN;
+        double way = 0;
+        for (int i = 0; i < STEPS; i++) {
+            copy(NORMAL, OUTWARD);
+            direction();
+            p.cross(AROUND, Cone.AXIS, SIDE, TEMPORARY);
+            lowest();
+            p.dot(PART, POINT, AROUND, TEMPORARY);
+            double slope = p.get(PART);
+            double next = i == 0 ? Math.copySign(0x1p-40, slope) : -slope * way / (slope - last);
+            if (isSilent() || !(Math.abs(next) < 0.25) || next == 0) {
+                return;
+            }
+            last = slope;
+            way = next;
+            p.set(PART, next);
+            p.advance(SIDE, SIDE, PART, AROUND, TEMPORARY);
+            p.dot(PART, SIDE, SIDE, TEMPORARY);
+            p.root(PART, PART);
+            for (int k = 0; k < 3; k++) {
+                p.divide(SIDE + k, SIDE + k, PART);
+            }
+            outward();
+        }
+    }
+
+    // POINT = the cylinder's point that is least far along NORMAL.
+    private void lowest() {
+        p.dot(PART, NORMAL, ConeCylinderFrame.BODY, TEMPORARY);
+        boolean isUp = p.get(PART) > 0;
+        p.negate(PART);
+        p.advance(RADIAL, NORMAL, PART, ConeCylinderFrame.BODY, TEMPORARY);
+        p.dot(REST, RADIAL, RADIAL, TEMPORARY);
+        p.root(REST, REST);
+        p.set(PART, -f.radius);
+        if (p.get(REST) > 0) {
+            p.divide(PART, PART, REST);
+        }
+        p.advance(POINT, ConeCylinderFrame.CENTER, PART, RADIAL, TEMPORARY);
+        p.set(REST, isUp ? -1 : 1);
+        p.multiply(PART, ConeCylinderFrame.HALF, REST);
+        p.advance(POINT, POINT, PART, ConeCylinderFrame.BODY, TEMPORARY);
+    }
+
+    /** The lower cap's plane, where the cap holds its nearest point in the cone. */
+    void cap(double along, double p0, double q0) {
+        axis();
+        f.put(POINT, along, p0, q0);
+        // Exactly in the plane: what is in its direction is taken out, and the cap's height put in.
+        p.dot(PART, POINT, ConeCylinderFrame.BODY, TEMPORARY);
+        p.subtract(PART, ConeCylinderFrame.NEAR, PART);
+        p.advance(POINT, POINT, PART, ConeCylinderFrame.BODY, TEMPORARY);
+        for (int i = 0; i < STEPS; i++) {
+            locate();
+            if (isInCap()) {
+                point();
+            }
+            if (isDone()) {
+                return;
+            }
+            // Along the plane into the cone, as steep as that is.
+            p.dot(PART, OUTWARD, ConeCylinderFrame.BODY, TEMPORARY);
+            p.negate(PART);
+            copy(RADIAL, OUTWARD);
+            p.advance(RADIAL, RADIAL, PART, ConeCylinderFrame.BODY, TEMPORARY);
+            p.dot(PART, RADIAL, RADIAL, TEMPORARY);
+            if (!(p.get(PART) > 0)) {
+                return;
+            }
+            p.set(REST, DEPTH * f.extent);
+            p.add(REST, LATERAL, REST);
+            p.divide(PART, REST, PART);
+            p.negate(PART);
+            p.advance(POINT, POINT, PART, RADIAL, TEMPORARY);
+        }
+    }
+
+    private boolean isInCap() {
+        for (int k = 0; k < 3; k++) {
+            p.subtract(SIDE + k, POINT + k, ConeCylinderFrame.CENTER + k);
+        }
+        p.cross(AROUND, SIDE, ConeCylinderFrame.BODY, TEMPORARY);
+        p.dot(PART, AROUND, AROUND, TEMPORARY);
+        p.set(REST, f.radius);
+        p.multiply(REST, REST, f.radius);
+        p.subtract(PART, REST, PART);
+        return p.get(PART) >= 0;
+    }
+
+    /** A point of a rim near a place around it, led to the cone's border. */
+    void rim(boolean isFar, double p0, double q0) {
+        int height = isFar ? ConeCylinderFrame.FAR : ConeCylinderFrame.NEAR;
+        p.set(HEIGHT, p.get(height), p.rest(height));
+        radial(p0, q0);
+        toBorder(STEPS);
+    }
+
+    /**
+     * The same where the rim just grazes the cone: doubles do not tell where it enters from where it leaves. It is led to where
+     * it is deepest first, and from there to the border on the side of the apex, which is reached from outside.
+     */
+    void grazedRim(boolean isFar, double p0, double q0) {
+        int height = isFar ? ConeCylinderFrame.FAR : ConeCylinderFrame.NEAR;
+        p.set(HEIGHT, p.get(height), p.rest(height));
+        radial(p0, q0);
+        double bend = 0;
+        double last = Double.NaN;
+        double way = 0x1p-30;
+        for (int i = 0; i < STEPS; i++) {
+            onMantle();
+            p.dot(PART, OUTWARD, AROUND, TEMPORARY);
+            p.multiply(PART, PART, f.radius);
+            double rate = p.get(PART);
+            if (i > 0) {
+                double bent = (rate - last) / way;
+                bend = bent > 0 ? bent : bend;
+                way = -rate / bend;
+                if (!(Math.abs(way) < 0.5) || Math.abs(way) < 0x1p-90) {
+                    break;
+                }
+            }
+            last = rate;
+            p.set(PART, way);
+            turn();
+        }
+        onMantle();
+        p.dot(PART, POINT, AROUND, TEMPORARY);
+        double depth = -p.get(LATERAL);
+        double aside = 2 * Math.sqrt(2 * depth / bend);
+        if (depth > 0 && aside < 0.5) {
+            p.set(PART, Math.copySign(aside, -p.get(PART)));
+            turn();
+            toBorder(2 * STEPS);
+        }
+    }
+
+    private void toBorder(int steps) {
+        for (int i = 0; i < steps; i++) {
+            onMantle();
+            // n = v + t w across the rim
+            lean(AROUND);
+            direction();
+            flatten();
+            point();
+            if (isDone()) {
+                return;
+            }
+            p.dot(PART, OUTWARD, AROUND, TEMPORARY);
+            p.multiply(PART, PART, f.radius);
+            step(PART);
+            if (!(Math.abs(p.get(PART)) < 0.5)) {
+                return;
+            }
+            turn();
+        }
+    }
+
+    /**
+     * A point of the mantle near a place around it and a height, led to the cone's border and to where it is nearest. One of
+     * the two numbers leads to the border, the one along which that is steeper; the other to where n is across both.
+     *
+     * @param level below this slope along the axis, for a cylinder as wide as it is away, the border is sought around it
+     */
+    void mantle(double height, double p0, double q0, double level) {
+        radial(p0, q0);
+        p.set(HEIGHT, height);
+        onMantle();
+        p.dot(PART, OUTWARD, ConeCylinderFrame.BODY, TEMPORARY);
+        p.dot(REST, OUTWARD, AROUND, TEMPORARY);
+        boolean isUpwards = Math.abs(p.get(PART)) * f.extent >= level * f.radius * Math.abs(p.get(REST));
+        double unit = isUpwards ? low / f.extent : low;
+        double last = Double.NaN;
+        double way = 0;
+        for (int i = 0; i < STEPS; i++) {
+            enter(isUpwards);
+            lean(isUpwards ? ConeCylinderFrame.BODY : AROUND);
+            p.dot(PART, NORMAL, isUpwards ? AROUND : ConeCylinderFrame.BODY, TEMPORARY);
+            double slope = p.get(PART) / VectorMath.length(p.get(NORMAL), p.get(NORMAL + 1), p.get(NORMAL + 2));
+            p.dot(PART, NORMAL, ConeCylinderFrame.BODY, TEMPORARY);
+            p.negate(PART);
+            p.advance(NORMAL, NORMAL, PART, ConeCylinderFrame.BODY, TEMPORARY);
+            direction();
+            if (isBetween()) {
+                point();
+            }
+            double next = i == 0 ? Math.copySign(0x1p-44 * unit, -slope) : -slope * way / (slope - last);
+            if (isDone() || !(Math.abs(next) < unit) || next == 0) {
+                return;
+            }
+            last = slope;
+            way = next;
+            p.set(PART, next);
+            if (isUpwards) {
+                turn();
+            } else {
+                p.add(HEIGHT, HEIGHT, PART);
+            }
+        }
+    }
+
+    // Into the cone by no more than the depth, upwards or around the mantle.
+    private void enter(boolean isUpwards) {
+        for (int k = 0; k < 4; k++) {
+            onMantle();
+            p.dot(PART, OUTWARD, isUpwards ? ConeCylinderFrame.BODY : AROUND, TEMPORARY);
+            if (!isUpwards) {
+                p.multiply(PART, PART, f.radius);
+            }
+            step(PART);
+            double outside = p.get(LATERAL) / (DEPTH * f.extent);
+            double way = Math.abs(p.get(PART));
+            if ((outside <= -0.5 && outside > -2) || k == 3 || !(way < (isUpwards ? f.extent : 0.5))) {
+                return;
+            }
+            if (isUpwards) {
+                p.add(HEIGHT, HEIGHT, PART);
+            } else {
+                turn();
+            }
+        }
+    }
+
+    private boolean isBetween() {
+        p.subtract(PART, HEIGHT, ConeCylinderFrame.NEAR);
+        boolean isAbove = p.get(PART) >= 0;
+        p.subtract(PART, ConeCylinderFrame.FAR, HEIGHT);
+        return isAbove && p.get(PART) >= 0;
+    }
+
+    // The unit vector across the axis that is nearest to one of the frame.
+    private void radial(double p0, double q0) {
+        f.put(RADIAL, 0, p0, q0);
+        unit(RADIAL);
+    }
+
+    // Around the axis by the angle in PART, a small one.
+    private void turn() {
+        p.advance(RADIAL, RADIAL, PART, AROUND, TEMPORARY);
+        unit(RADIAL);
+    }
+
+    private void unit(int vector) {
+        p.dot(REST, vector, ConeCylinderFrame.BODY, TEMPORARY);
+        p.negate(REST);
+        p.advance(vector, vector, REST, ConeCylinderFrame.BODY, TEMPORARY);
+        p.dot(REST, vector, vector, TEMPORARY);
+        p.root(REST, REST);
+        for (int k = 0; k < 3; k++) {
+            p.divide(vector + k, vector + k, REST);
+        }
+    }
+
+    // PART = how far to go at this rate for the point to be inside the cone by the depth.
+    private void step(int rate) {
+        p.set(REST, DEPTH * f.extent);
+        p.add(REST, LATERAL, REST);
+        p.divide(PART, REST, rate);
+        p.negate(PART);
+    }
+
+    private void onMantle() {
+        p.set(REST, f.radius);
+        copy(POINT, ConeCylinderFrame.ACROSS);
+        p.advance(POINT, POINT, REST, RADIAL, TEMPORARY);
+        p.advance(POINT, POINT, HEIGHT, ConeCylinderFrame.BODY, TEMPORARY);
+        p.cross(AROUND, ConeCylinderFrame.BODY, RADIAL, TEMPORARY);
+        locate();
+    }
+
+    /**
+     * The unit vector from the cone's axis to the point, the outward normal of the plane that touches the cone there, and how
+     * far the point is outside of that plane.
+     */
+    private void locate() {
+        p.dot(AHEAD, POINT, Cone.AXIS, TEMPORARY);
+        p.set(PART, -p.get(AHEAD), -p.rest(AHEAD));
+        copy(SIDE, POINT);
+        p.advance(SIDE, SIDE, PART, Cone.AXIS, TEMPORARY);
+        p.dot(PART, SIDE, SIDE, TEMPORARY);
+        p.root(PART, PART);
+        if (!(p.get(PART) > 0)) {
+            boolean isX = Math.abs(f.cone.ux) < 0.7;
+            p.set(SIDE, 0);
+            p.set(SIDE + 1, isX ? -f.cone.uz : f.cone.ux);
+            p.set(SIDE + 2, isX ? f.cone.uy : 0);
+            p.set(SIDE, isX ? 0 : -f.cone.uy);
+            p.dot(REST, SIDE, Cone.AXIS, TEMPORARY);
+            p.negate(REST);
+            p.advance(SIDE, SIDE, REST, Cone.AXIS, TEMPORARY);
+            p.dot(REST, SIDE, SIDE, TEMPORARY);
+            p.root(REST, REST);
+            for (int k = 0; k < 3; k++) {
+                p.divide(SIDE + k, SIDE + k, REST);
+            }
+        } else {
+            for (int k = 0; k < 3; k++) {
+                p.divide(SIDE + k, SIDE + k, PART);
+            }
+        }
+        p.multiply(LATERAL, PART, Cone.COS);
+        p.multiply(REST, AHEAD, Cone.SIN);
+        p.subtract(LATERAL, LATERAL, REST);
+        outward();
+    }
+
+    // OUTWARD = the normal of the plane that touches the cone on the side of SIDE.
+    private void outward() {
+        for (int k = 0; k < 3; k++) {
+            p.multiply(OUTWARD + k, SIDE + k, Cone.COS);
+            p.multiply(REST, Cone.AXIS + k, Cone.SIN);
+            p.subtract(OUTWARD + k, OUTWARD + k, REST);
+        }
+    }
+
+    // NORMAL = v + t w across a vector, v along the border; the border's normal w alone where no such t is positive.
+    private void lean(int vector) {
+        for (int k = 0; k < 3; k++) {
+            p.multiply(NORMAL + k, SIDE + k, Cone.SIN);
+            p.multiply(REST, Cone.AXIS + k, Cone.COS);
+            p.add(NORMAL + k, NORMAL + k, REST);
+        }
+        p.dot(PART, NORMAL, vector, TEMPORARY);
+        p.dot(REST, OUTWARD, vector, TEMPORARY);
+        p.divide(PART, PART, REST);
+        p.negate(PART);
+        double t = p.get(PART);
+        if (t >= 0 && t < 0x1p60) {
+            p.advance(NORMAL, NORMAL, PART, OUTWARD, TEMPORARY);
+        } else {
+            copy(NORMAL, OUTWARD);
+        }
+    }
+
+    // The same direction across the axis, where it is so but for rounding.
+    private void flatten() {
+        p.dot(PART, NORMAL, ConeCylinderFrame.BODY, TEMPORARY);
+        double size = VectorMath.largest(p.get(NORMAL), p.get(NORMAL + 1), p.get(NORMAL + 2));
+        if (Math.abs(p.get(PART)) < 0x1p-40 * size) {
+            p.negate(PART);
+            p.advance(NORMAL, NORMAL, PART, ConeCylinderFrame.BODY, TEMPORARY);
+            direction();
+        }
+    }
+
+    private void copy(int to, int from) {
+        for (int k = 0; k < 3; k++) {
+            p.set(to + k, p.get(from + k), p.rest(from + k));
+        }
+    }
+
+    /** Takes the point into account, which the cylinder holds, where the cone does. */
+    private void point() {
+        if (p.get(LATERAL) <= -ERROR * f.extent && p.get(AHEAD) > 0) {
+            p.dot(PART, POINT, POINT, TEMPORARY);
+            p.root(PART, PART);
+            high = Math.min(high, Math.nextUp(p.get(PART) + ERROR * f.extent));
+        }
+    }
+
+    /** Takes the bound into account that NORMAL tells, of any length but 0. */
+    private void direction() {
+        double size = VectorMath.length(p.get(NORMAL), p.get(NORMAL + 1), p.get(NORMAL + 2));
+        if (!(size > 0)) {
+            return;
+        }
+        // k(n) = n.m - r |n x a| - h |n.a|
+        p.dot(VALUE, NORMAL, ConeCylinderFrame.CENTER, TEMPORARY);
+        p.cross(LEAN, NORMAL, ConeCylinderFrame.BODY, TEMPORARY);
+        p.dot(PART, LEAN, LEAN, TEMPORARY);
+        p.root(PART, PART);
+        p.multiply(PART, PART, f.radius);
+        p.subtract(VALUE, VALUE, PART);
+        p.dot(PART, NORMAL, ConeCylinderFrame.BODY, TEMPORARY);
+        p.multiply(PART, PART, ConeCylinderFrame.HALF);
+        if (p.get(PART) > 0) {
+            p.negate(PART);
+        }
+        p.add(VALUE, VALUE, PART);
+        p.set(PART, -ERROR * f.extent * size);
+        p.add(VALUE, VALUE, PART);
+        if (!(p.get(VALUE) > 0)) {
+            return;
+        }
+        // s(n): along the border nearest to n, or along n itself where the cone holds that
+        p.dot(SUPPORT, NORMAL, Cone.AXIS, TEMPORARY);
+        p.cross(LEAN, NORMAL, Cone.AXIS, TEMPORARY);
+        p.dot(REST, LEAN, LEAN, TEMPORARY);
+        p.root(REST, REST);
+        p.multiply(PART, REST, Cone.COS);
+        p.multiply(TEMPORARY, SUPPORT, Cone.SIN);
+        p.subtract(PART, PART, TEMPORARY);
+        if (p.get(PART) <= 0) {
+            p.dot(PART, NORMAL, NORMAL, TEMPORARY);
+            p.root(PART, PART);
+        } else {
+            p.multiply(PART, REST, Cone.SIN);
+            p.multiply(SUPPORT, SUPPORT, Cone.COS);
+            p.add(PART, PART, SUPPORT);
+        }
+        p.set(REST, ERROR * size);
+        p.add(PART, PART, REST);
+        if (!(p.get(PART) > 0)) {
+            low = Double.POSITIVE_INFINITY;
+            return;
+        }
+        p.divide(VALUE, VALUE, PART);
+        low = Math.max(low, Math.nextDown(p.get(VALUE)));
+    }
+}

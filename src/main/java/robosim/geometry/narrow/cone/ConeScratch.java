@@ -1,0 +1,26 @@
+package robosim.geometry.narrow.cone;
+
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.narrow.mesh.MeshScratch;
+
+/** The working memory of cones and sectors. */
+public class ConeScratch extends MeshScratch {
+    public final PlanarSector sector = new PlanarSector();
+
+    private @Nullable ConeKernels cones;
+    private @Nullable SectorOval sectorOval;
+
+    public SectorOval sectorOval() {
+        if (sectorOval == null) {
+            sectorOval = new SectorOval();
+        }
+        return sectorOval;
+    }
+
+    public ConeKernels cones() {
+        if (cones == null) {
+            cones = new ConeKernels();
+        }
+        return cones;
+    }
+}

@@ -1,0 +1,217 @@
+package robosim.geometry.narrow.cone;
+
+import robosim.geometry.exact.Filter;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.planar.DiscDisc;
+import robosim.geometry.narrow.planar.PlanarBracket;
+import robosim.geometry.narrow.planar.PlanarShape;
+import robosim.geometry.narrow.planar.PointPolygon;
+import robosim.geometry.narrow.ray.PlanarRay;
+
+/**
+ * A sector of the XZ plane (the beam of a sonar) and the projection of a leaf.
+ *
+ * <p>What is certain in doubles is told from them: a shape that lies beyond one edge of the sector, and one of which the
+ * nearest point lies within. What the edges cut is looked at in pairs of doubles, as flat things in the cone of space
+ * whose section the sector is, so that the plane and space give the same verdicts, exact for the stored cosine.
+ */
+public final class PlanarCone {
+    private static final double LEAST = 0x1p-100;
+    private static final double MOST = 0x1p100;
+    private static final double FILTER = Filter.bound(1.01);
+
+    /** The square of a side that is all but a point, beside what is not tiny itself. */
+    private static final double SHORT = 0x1p-900;
+
+    private PlanarCone() {}
+
+    /**
+     * Distance from (ox, oz) to the nearest point of the leaf's projection within the sector of the given half angle
+     * about (ux, uz).
+     *
+     * <p>Never more than what {@link PlanarRay} answers for the axis, bit for bit, and just that where the cosine is 1.
+     * Whether anything is within is exact for the stored cosine, but for a turned cylinder. Distances of boxes,
+     * triangles, octagons and discs are within 8 ulp of the largest of the distance and the coordinates and sizes that it
+     * was computed from.
+     *
+     * @param halfCos cosine of the half angle, which is in (0, 90) degrees; it alone decides what is within
+     * @param halfSin its sine
+     * @return world units; 0 where the apex is inside or on it, {@code +Infinity} where nothing is within
+     */
+    public static double distance(
+            double ox,
+            double oz,
+            double ux,
+            double uz,
+            double halfCos,
+            double halfSin,
+            int kind,
+            double[] b,
+            int j,
+            ConeScratch s) {
+        double size = Math.max(Math.abs(ux), Math.abs(uz));
+        if (!(size >= LEAST && size <= MOST)) {
+            int shift = -Math.getExponent(size);
+            ux = Math.scalb(Math.scalb(ux, shift / 2), shift - shift / 2);
+            uz = Math.scalb(Math.scalb(uz, shift / 2), shift - shift / 2);
+        }
+        if (halfCos >= 1) { // narrower than a cosine tells: its axis
+            return PlanarRay.scaled(ox, oz, ux, uz, kind, b, j, s);
+        }
+        double within = within(ox, oz, ux, uz, halfCos, halfSin, kind, b, j, s);
+        // Silence of the exact shapes is the axis's too; of a turned cylinder either is certified in its own way.
+        boolean isCertain = within == 0 || (within == Double.POSITIVE_INFINITY && kind != Leaf.CYLINDER);
+        return isCertain ? within : Math.min(within, PlanarRay.scaled(ox, oz, ux, uz, kind, b, j, s));
+    }
+
+    private static double within(
+            double ox,
+            double oz,
+            double ux,
+            double uz,
+            double halfCos,
+            double halfSin,
+            int kind,
+            double[] b,
+            int j,
+            ConeScratch s) {
+        PlanarSector sector = s.sector;
+        sector.set(ux, uz, halfCos, halfSin);
+        return switch (kind) {
+            case Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE -> disc(sector, ox, oz, ux, uz, halfCos, b, j, s);
+            case Leaf.CYLINDER -> oval(ox, oz, ux, uz, halfCos, b, j, s);
+            default -> polygon(sector, ox, oz, ux, uz, halfCos, kind, b, j, s);
+        };
+    }
+
+    private static double disc(
+            PlanarSector sector,
+            double ox,
+            double oz,
+            double ux,
+            double uz,
+            double halfCos,
+            double[] b,
+            int j,
+            ConeScratch s) {
+        double mx = b[j] - ox;
+        double mz = b[j + 2] - oz;
+        double r = b[j + Leaf.SIZE];
+        if (sector.surelyHolds(mx, mz, 0) || DiscDisc.touch(ox, oz, 0, b[j], b[j + 2], r)) {
+            return DiscDisc.distance(ox, oz, 0, b[j], b[j + 2], r);
+        }
+        if (sector.isSurelyBeyond(mx, mz, r)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        flatten(Leaf.SPHERE, b, j, s.flat);
+        s.cones().cone.set(ox, 0, oz, ux, 0, uz, halfCos);
+        return ConeSphere.distance(s.cones().cone, s.flat, 0);
+    }
+
+    private static double polygon(
+            PlanarSector sector,
+            double ox,
+            double oz,
+            double ux,
+            double uz,
+            double halfCos,
+            int kind,
+            double[] b,
+            int j,
+            ConeScratch s) {
+        PlanarShape q = s.planarB;
+        q.set(kind, b, j, ox, oz);
+        if (!q.isTiny()) {
+            int side = PointPolygon.side(q, FILTER * q.error);
+            if (side > 0) {
+                return 0;
+            }
+            if (side < 0 && sector.isSurelyBeyond(q)) {
+                return Double.POSITIVE_INFINITY;
+            }
+            if (side < 0) {
+                nearest(q);
+                if (sector.surelyHolds(q.pointX, q.pointZ, q.error)) {
+                    return Math.sqrt(q.pointX * q.pointX + q.pointZ * q.pointZ);
+                }
+            }
+        }
+        double axis = PlanarRay.scaled(ox, oz, ux, uz, kind, b, j, s);
+        if (axis == 0) {
+            return 0;
+        }
+        flatten(kind, b, j, s.flat);
+        s.cones().cone.set(ox, 0, oz, ux, 0, uz, halfCos);
+        return s.cones().polytope.flat(s.cones().cone, axis, kind, s.flat, 0);
+    }
+
+    /** The projection as a leaf of no height in the plane y = 0. */
+    private static void flatten(int kind, double[] b, int j, double[] out) {
+        System.arraycopy(b, j, out, 0, Leaf.STRIDE);
+        switch (kind) {
+            case Leaf.TRIANGLE -> {
+                out[1] = 0;
+                out[4] = 0;
+                out[7] = 0;
+            }
+            case Leaf.PRISM -> {
+                out[8] = 0;
+                out[9] = 0;
+            }
+            default -> {
+                out[1] = 0;
+                for (int k = Leaf.ROTATION + 3; k < Leaf.ROTATION + 6; k++) {
+                    out[k] = 0;
+                }
+            }
+        }
+    }
+
+    // The point of the outline that is nearest to the apex is left in q's point.
+    private static void nearest(PlanarShape q) {
+        q.pointX = q.x[0];
+        q.pointZ = q.z[0];
+        double least = q.pointX * q.pointX + q.pointZ * q.pointZ;
+        int last = q.count - 1;
+        for (int k = 0; k <= last; k++) {
+            int previous = k == 0 ? last : k - 1;
+            double ax = q.x[previous];
+            double az = q.z[previous];
+            double bx = q.x[k];
+            double bz = q.z[k];
+            double square = bx * bx + bz * bz;
+            if (square < least) {
+                least = square;
+                q.pointX = bx;
+                q.pointZ = bz;
+            }
+            double ex = q.sideX[k];
+            double ez = q.sideZ[k];
+            double length = ex * ex + ez * ez;
+            // The foot of the apex on the side's line, where that is on the side.
+            if (ex * ax + ez * az < 0 && ex * bx + ez * bz > 0 && length > SHORT) {
+                double past = ax * ez - az * ex;
+                double turn = past / length;
+                if (past * turn < least) {
+                    least = past * turn;
+                    q.pointX = ez * turn;
+                    q.pointZ = -ex * turn;
+                }
+            }
+        }
+    }
+
+    private static double oval(
+            double ox, double oz, double ux, double uz, double halfCos, double[] b, int j, ConeScratch s) {
+        PlanarShape apex = s.planarA;
+        PlanarShape q = s.planarB;
+        apex.point();
+        q.set(Leaf.CYLINDER, b, j, ox, oz);
+        PlanarBracket bracket = s.planarBracket;
+        bracket.find(apex, q, false);
+        if (!bracket.isApart()) {
+            return 0;
+        }
+        return s.sectorOval().distance(ox, oz, ux, uz, halfCos, b, j, q, bracket.distance());
+    }
+}

@@ -1,0 +1,52 @@
+package robosim.geometry.narrow.distance;
+
+import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.leaf.UnderflowScaling;
+
+/** Where two convex leaves touch or are nearest. */
+public final class ConvexContact {
+    private ConvexContact() {}
+
+    /**
+     * Writes a point of contact, or between the two, and the unit normal from b towards a.
+     *
+     * @param out six numbers: point, normal
+     */
+    public static void between(
+            Dimension dimension,
+            int kindA,
+            double[] a,
+            int i,
+            int kindB,
+            double[] b,
+            int j,
+            double[] out,
+            DistanceScratch s) {
+        UnderflowScaling m = s.magnified;
+        if (m.take(kindA, a, i, kindB, b, j)) {
+            storedContact(dimension, kindA, m.a, 0, kindB, m.b, 0, out, s);
+            for (int axis = 0; axis < 3; axis++) {
+                out[axis] = m.down(out[axis]);
+            }
+        } else {
+            storedContact(dimension, kindA, a, i, kindB, b, j, out, s);
+        }
+    }
+
+    private static void storedContact(
+            Dimension dimension,
+            int kindA,
+            double[] a,
+            int i,
+            int kindB,
+            double[] b,
+            int j,
+            double[] out,
+            DistanceScratch s) {
+        if (dimension == Dimension.PLANAR) {
+            PlanarContact.between(kindA, a, i, kindB, b, j, out, s);
+        } else {
+            SpatialContact.between(kindA, a, i, kindB, b, j, out, s);
+        }
+    }
+}

@@ -1,0 +1,202 @@
+package robosim.geometry.narrow.distance;
+
+import robosim.geometry.exact.Radians;
+import robosim.geometry.narrow.leaf.LeafBounds;
+import robosim.geometry.narrow.leaf.Order;
+import robosim.geometry.narrow.planar.PlanarBracket;
+import robosim.geometry.narrow.planar.PlanarShape;
+
+/** Where and against which direction the projections of two leaves touch. */
+public final class PlanarContact {
+    // Directions tried for the least penetration of a curved outline, before the best is refined.
+    private static final int DIRECTIONS = 64;
+    private static final int REFINEMENTS = 60;
+
+    // The direction between curved outlines is known to half the digits: what is foremost to within that is one side.
+    private static final double SIDE = 0x1p27;
+
+    private PlanarContact() {}
+
+    /**
+     * Writes a contact point (in y the middle of what the heights have in common) and the unit normal from b towards a, of
+     * which y is 0: the direction of separation where the two are apart, of least penetration where they overlap.
+     *
+     * <p>A witness in plain doubles, for two that touch or nearly do; it decides nothing.
+     */
+    public static void between(
+            int kindA, double[] a, int i, int kindB, double[] b, int j, double[] out, DistanceScratch s) {
+        boolean reversed = Order.isReversed(kindA, a, i, kindB, b, j);
+        if (reversed) {
+            ordered(kindB, b, j, kindA, a, i, out, s);
+            out[3] = 0 - out[3];
+            out[5] = 0 - out[5];
+        } else {
+            ordered(kindA, a, i, kindB, b, j, out, s);
+        }
+        out[1] = height(kindA, a, i, kindB, b, j, s);
+        out[4] = 0;
+    }
+
+    private static void ordered(
+            int kindA, double[] a, int i, int kindB, double[] b, int j, double[] out, DistanceScratch s) {
+        PlanarShape p = s.planarA;
+        PlanarShape q = s.planarB;
+        double ox = PlanarShape.originX(kindA, a, i);
+        double oz = PlanarShape.originZ(kindA, a, i);
+        p.set(kindA, a, i, ox, oz);
+        q.set(kindB, b, j, ox, oz);
+        PlanarBracket bracket = s.planarBracket;
+        bracket.find(q, p, false);
+        double nx = bracket.normalX;
+        double nz = bracket.normalZ;
+        if (!bracket.isApart()) {
+            leastPenetration(p, q, s.planarNormal);
+            nx = s.planarNormal[0];
+            nz = s.planarNormal[1];
+        }
+        point(p, q, nx, nz, ox, oz, out);
+        out[3] = nx + 0.0; // no -0.0
+        out[5] = nz + 0.0;
+    }
+
+    // How far q has to go against n, or p along it, until they are apart.
+    private static double depth(PlanarShape p, PlanarShape q, double nx, double nz) {
+        return q.support(nx, nz) + p.support(-nx, -nz);
+    }
+
+    private static void leastPenetration(PlanarShape p, PlanarShape q, double[] normal) {
+        normal[0] = 1;
+        normal[1] = 0;
+        normal[2] = Double.POSITIVE_INFINITY;
+        sides(q, 1, p, q, normal);
+        sides(p, -1, p, q, normal);
+        boolean curvedP = p.family != PlanarShape.POLYGON;
+        boolean curvedQ = q.family != PlanarShape.POLYGON;
+        if (p.family == PlanarShape.OVAL || q.family == PlanarShape.OVAL) {
+            around(p, q, normal);
+        } else if (curvedP && curvedQ) {
+            offer(p, q, p.centerX - q.centerX, p.centerZ - q.centerZ, normal);
+        } else if (curvedP) {
+            corners(q, p, 1, p, q, normal);
+        } else if (curvedQ) {
+            corners(p, q, -1, p, q, normal);
+        }
+        if (normal[2] == Double.POSITIVE_INFINITY) {
+            // two points in one place, or two discs about one centre: any direction will do
+            offer(p, q, 1, 0, normal);
+        }
+    }
+
+    private static void sides(PlanarShape of, int sign, PlanarShape p, PlanarShape q, double[] normal) {
+        if (of.family == PlanarShape.OVAL) {
+            offer(p, q, of.axisZ, -of.axisX, normal);
+            offer(p, q, -of.axisZ, of.axisX, normal);
+        }
+        if (of.family != PlanarShape.POLYGON) {
+            return;
+        }
+        int last = of.count - 1;
+        for (int k = 0; k <= last; k++) {
+            int previous = k == 0 ? last : k - 1;
+            double nx = of.z[k] - of.z[previous];
+            double nz = of.x[previous] - of.x[k];
+            offer(p, q, sign * nx, sign * nz, normal);
+        }
+        if (of.count == 2) {
+            // what is flat may also be left at its ends
+            offer(p, q, of.x[1] - of.x[0], of.z[1] - of.z[0], normal);
+            offer(p, q, of.x[0] - of.x[1], of.z[0] - of.z[1], normal);
+        }
+    }
+
+    private static void corners(
+            PlanarShape of, PlanarShape disc, int sign, PlanarShape p, PlanarShape q, double[] normal) {
+        for (int k = 0; k < of.count; k++) {
+            offer(p, q, sign * (disc.centerX - of.x[k]), sign * (disc.centerZ - of.z[k]), normal);
+        }
+    }
+
+    private static void offer(PlanarShape p, PlanarShape q, double dx, double dz, double[] normal) {
+        double length = Math.sqrt(dx * dx + dz * dz);
+        if (!(length > 0)) {
+            return;
+        }
+        double nx = dx / length;
+        double nz = dz / length;
+        double depth = depth(p, q, nx, nz);
+        if (depth < normal[2]) {
+            normal[0] = nx;
+            normal[1] = nz;
+            normal[2] = depth;
+        }
+    }
+
+    // All round in even steps, then halving the step about the best.
+    private static void around(PlanarShape p, PlanarShape q, double[] normal) {
+        double stepX = Radians.cos(2 * Math.PI / DIRECTIONS);
+        double stepZ = Radians.sin(2 * Math.PI / DIRECTIONS);
+        double nx = 1;
+        double nz = 0;
+        for (int k = 0; k < DIRECTIONS; k++) {
+            offer(p, q, nx, nz, normal);
+            double turned = nx * stepX - nz * stepZ;
+            nz = nx * stepZ + nz * stepX;
+            nx = turned;
+        }
+        double turn = Math.PI / DIRECTIONS;
+        for (int k = 0; k < REFINEMENTS; k++) {
+            double bestX = normal[0];
+            double bestZ = normal[1];
+            double depth = normal[2];
+            offer(p, q, bestX - turn * bestZ, bestZ + turn * bestX, normal);
+            offer(p, q, bestX + turn * bestZ, bestZ - turn * bestX, normal);
+            if (normal[2] == depth) {
+                turn /= 2;
+            }
+        }
+    }
+
+    // Midway between the two outlines, in the middle of what the two sides have in common.
+    private static void point(PlanarShape p, PlanarShape q, double nx, double nz, double ox, double oz, double[] out) {
+        double slack = SIDE * (p.error + q.error);
+        double level = (q.support(nx, nz) - p.support(-nx, -nz)) / 2;
+        double pLeast = end(p, -nx, -nz, -nz, nx, -1, slack);
+        double pMost = end(p, -nx, -nz, -nz, nx, 1, slack);
+        double qLeast = end(q, nx, nz, -nz, nx, -1, slack);
+        double qMost = end(q, nx, nz, -nz, nx, 1, slack);
+        double along = (Math.max(pLeast, qLeast) + Math.min(pMost, qMost)) / 2;
+        out[0] = ox + (level * nx - along * nz);
+        out[2] = oz + (level * nz + along * nx);
+    }
+
+    // How far what is foremost along n reaches along t (side 1) or against it (side -1).
+    private static double end(PlanarShape shape, double nx, double nz, double tx, double tz, int side, double slack) {
+        double most = shape.support(nx, nz);
+        if (shape.family == PlanarShape.OVAL
+                && Math.abs(nx * shape.axisX + nz * shape.axisZ) * (shape.reach + shape.minor) <= slack) {
+            double way = side * Math.signum(tx * shape.axisX + tz * shape.axisZ) * shape.reach;
+            double endX = shape.centerX + way * shape.axisX;
+            double endZ = shape.centerZ + way * shape.axisZ;
+            return tx * endX + tz * endZ;
+        }
+        if (shape.family != PlanarShape.POLYGON) {
+            return tx * shape.pointX + tz * shape.pointZ;
+        }
+        double end = side * (tx * shape.pointX + tz * shape.pointZ);
+        for (int k = 0; k < shape.count; k++) {
+            if (nx * shape.x[k] + nz * shape.z[k] >= most - slack) {
+                end = Math.max(end, side * (tx * shape.x[k] + tz * shape.z[k]));
+            }
+        }
+        return side * end;
+    }
+
+    private static double height(int kindA, double[] a, int i, int kindB, double[] b, int j, DistanceScratch s) {
+        double[] bounds = s.planarBounds;
+        LeafBounds.of(kindA, a, i, bounds);
+        double least = bounds[1];
+        double most = bounds[4];
+        LeafBounds.of(kindB, b, j, bounds);
+        return (Math.max(least, bounds[1]) + Math.min(most, bounds[4])) / 2;
+    }
+}

@@ -1,0 +1,54 @@
+package robosim.geometry.narrow.distance;
+
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.Order;
+import robosim.geometry.narrow.overlap.PlanarOverlap;
+import robosim.geometry.narrow.planar.DiscDisc;
+import robosim.geometry.narrow.planar.DiscPolygon;
+import robosim.geometry.narrow.planar.DiscRectangle;
+import robosim.geometry.narrow.planar.PlanarShape;
+import robosim.geometry.narrow.planar.PolygonPolygon;
+
+/** The least distance between the projections of two leaves on the XZ plane. */
+public final class PlanarDistance {
+    private PlanarDistance() {}
+
+    /**
+     * The least distance, 0 exactly where {@link PlanarOverlap} says that they touch; the same bits for (a, b) and (b, a).
+     *
+     * <p>For a turned cylinder the lower end of a bracket, no more than 2^-45 of the sizes and the offset below the truth.
+     */
+    public static double between(int kindA, double[] a, int i, int kindB, double[] b, int j, DistanceScratch s) {
+        if (Order.isReversed(kindA, a, i, kindB, b, j)) {
+            return ordered(kindB, b, j, kindA, a, i, s);
+        }
+        return ordered(kindA, a, i, kindB, b, j, s);
+    }
+
+    private static double ordered(int kindA, double[] a, int i, int kindB, double[] b, int j, DistanceScratch s) {
+        int familyA = PlanarShape.family(kindA);
+        int familyB = PlanarShape.family(kindB);
+        if (familyA == PlanarShape.OVAL || familyB == PlanarShape.OVAL) {
+            double ox = PlanarShape.originX(kindA, a, i);
+            double oz = PlanarShape.originZ(kindA, a, i);
+            s.planarA.set(kindA, a, i, ox, oz);
+            s.planarB.set(kindB, b, j, ox, oz);
+            s.planarBracket.find(s.planarA, s.planarB, false);
+            return s.planarBracket.distance();
+        }
+        if (familyA == PlanarShape.DISC) {
+            return familyB == PlanarShape.DISC
+                    ? DiscDisc.distance(a[i], a[i + 2], a[i + 3], b[j], b[j + 2], b[j + 3])
+                    : discPolygon(a, i, kindB, b, j, s);
+        }
+        return familyB == PlanarShape.DISC
+                ? discPolygon(b, j, kindA, a, i, s)
+                : PolygonPolygon.distance(kindA, a, i, kindB, b, j, s);
+    }
+
+    private static double discPolygon(double[] disc, int i, int kind, double[] b, int j, DistanceScratch s) {
+        return kind == Leaf.UPRIGHT_BOX && DiscRectangle.isSquare(b, j)
+                ? DiscRectangle.distance(disc[i], disc[i + 2], disc[i + 3], b, j, s)
+                : DiscPolygon.distance(disc[i], disc[i + 2], disc[i + 3], kind, b, j, s);
+    }
+}

@@ -1,0 +1,29 @@
+package robosim.geometry.narrow.distance;
+
+import robosim.geometry.narrow.gjk.Gjk;
+import robosim.geometry.narrow.gjk.Penetration;
+
+/** Where and against which direction two leaves touch in space. */
+public final class SpatialContact {
+    private SpatialContact() {}
+
+    /**
+     * Writes a contact point and the unit normal from b towards a: the direction of separation where the two are apart
+     * (the point is then half-way between the nearest points), of least penetration where they overlap (the point is then
+     * common to both).
+     *
+     * <p>A witness in plain doubles, for two that touch or nearly do; it decides nothing. Opposite for (b, a).
+     */
+    public static void between(
+            int kindA, double[] a, int i, int kindB, double[] b, int j, double[] out, DistanceScratch s) {
+        Penetration penetration = s.penetration();
+        penetration.spatial(kindA, a, i, kindB, b, j);
+        Gjk gjk = penetration.bracket();
+        out[0] = 0.5 * gjk.ax() + 0.5 * gjk.bx();
+        out[1] = 0.5 * gjk.ay() + 0.5 * gjk.by();
+        out[2] = 0.5 * gjk.az() + 0.5 * gjk.bz();
+        out[3] = penetration.nx(0);
+        out[4] = penetration.ny(0);
+        out[5] = penetration.nz(0);
+    }
+}

@@ -1,0 +1,163 @@
+package robosim.geometry.narrow.gjk;
+
+/**
+ * A pattern search for directions in which one leaf gets out of another on a short way. What it finds is a local minimum to
+ * some 2^-30 of an angle, and taken into the list of directions.
+ */
+final class DepthSearch {
+    private static final int MOST_PROBES = 600;
+    private static final double FIRST_STEP = 0.5;
+    private static final double LAST_STEP = 0x1p-30;
+
+    /** Directions tried around an edge before the best is refined, a 15-8-17 triangle's angle apart: 28 degrees. */
+    private static final int SPREAD = 13;
+
+    private static final double SPREAD_COS = 15 / 17.0;
+    private static final double SPREAD_SIN = 8 / 17.0;
+
+    /** Whether only directions with y = 0 count. */
+    boolean flat;
+
+    private final Support first;
+    private final Support second;
+    private final Directions directions;
+
+    // Where the pattern search stands.
+    private double searchX;
+    private double searchY;
+    private double searchZ;
+    private double searchDepth;
+    private int probes;
+
+    /** For two leaves loaded from one origin and at one scale; the first is to get out. */
+    DepthSearch(Support first, Support second, Directions directions) {
+        this.first = first;
+        this.second = second;
+        this.directions = directions;
+    }
+
+    /** How far a has to move along a unit direction until the supporting planes meet. */
+    double depth(double dx, double dy, double dz) {
+        first.find(-dx, -dy, -dz);
+        second.find(dx, dy, dz);
+        return dx * (second.x - first.x)
+                + dy * (second.y - first.y)
+                + dz * (second.z - first.z)
+                + first.margin
+                + second.margin;
+    }
+
+    /** Searches the circle across a unit direction, from the best of some directions spread over it. */
+    void circle(double ex, double ey, double ez) {
+        double tx = ez;
+        double ty = 0;
+        double tz = -ex;
+        if (Math.abs(ex) + Math.abs(ez) < 0x1p-10) {
+            tx = 1;
+            ty = -ex / ey;
+            tz = 0;
+        }
+        double length = Math.sqrt(tx * tx + ty * ty + tz * tz);
+        tx /= length;
+        ty /= length;
+        tz /= length;
+        double sx = ey * tz - ez * ty;
+        double sy = ez * tx - ex * tz;
+        double sz = ex * ty - ey * tx;
+        searchX = 0; // nothing of an earlier search may be in the bits
+        searchY = 0;
+        searchZ = 0;
+        searchDepth = Double.POSITIVE_INFINITY;
+        double c = 1;
+        double s = 0;
+        for (int n = 0; n < SPREAD; n++) {
+            tryAt(c * tx + s * sx - searchX, c * ty + s * sy - searchY, c * tz + s * sz - searchZ);
+            double turned = c * SPREAD_COS - s * SPREAD_SIN;
+            s = s * SPREAD_COS + c * SPREAD_SIN;
+            c = turned;
+        }
+        probes = 0;
+        for (double step = SPREAD_SIN; step > LAST_STEP && probes < MOST_PROBES; ) {
+            double ax = step * (ey * searchZ - ez * searchY);
+            double ay = step * (ez * searchX - ex * searchZ);
+            double az = step * (ex * searchY - ey * searchX);
+            if (!tryAt(ax, ay, az) && !tryAt(-ax, -ay, -az)) {
+                step *= 0.5;
+            }
+        }
+        directions.take(searchX, searchY, searchZ, searchDepth);
+    }
+
+    /** Searches freely from a unit direction and its depth, and takes where it ends. */
+    void from(double dx, double dy, double dz, double depth) {
+        searchX = dx;
+        searchY = dy;
+        searchZ = dz;
+        searchDepth = depth;
+        probes = 0;
+        double turnC = 1;
+        double turnS = 0;
+        for (double step = FIRST_STEP; step > LAST_STEP && probes < MOST_PROBES; ) {
+            if (!improve(step, turnC, turnS)) {
+                step *= 0.5;
+                // Another star of directions each time, so that no valley lies between its arms for good.
+                double c = 0.8 * turnC - 0.6 * turnS;
+                turnS = 0.6 * turnC + 0.8 * turnS;
+                turnC = c;
+            }
+        }
+        directions.take(searchX, searchY, searchZ, searchDepth);
+    }
+
+    /** One round of tries around the place where the search stands; moves it to the first that is shallower. */
+    private boolean improve(double step, double turnC, double turnS) {
+        if (flat) {
+            return tryAt(-searchZ * step, 0, searchX * step) || tryAt(searchZ * step, 0, -searchX * step);
+        }
+        // Two directions across: one level, or along X where the search looks straight up.
+        double tx = -searchZ;
+        double tz = searchX;
+        double length = Math.sqrt(tx * tx + tz * tz);
+        if (length < 0x1p-10) {
+            tx = 1;
+            tz = 0;
+            length = 1;
+        }
+        tx /= length;
+        tz /= length;
+        double sx = searchY * tz;
+        double sy = searchZ * tx - searchX * tz;
+        double sz = -searchY * tx;
+        double c = step * turnC;
+        double s = step * turnS;
+        for (int arm = 0; arm < 4; arm++) {
+            if (tryAt(c * tx + s * sx, s * sy, c * tz + s * sz)) {
+                return true;
+            }
+            double swap = c;
+            c = -s;
+            s = swap;
+        }
+        return false;
+    }
+
+    private boolean tryAt(double offX, double offY, double offZ) {
+        double dx = searchX + offX;
+        double dy = searchY + offY;
+        double dz = searchZ + offZ;
+        double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
+        dx /= length;
+        dy /= length;
+        dz /= length;
+        probes++;
+        double depth = depth(dx, dy, dz);
+        if (!(depth < searchDepth)) {
+            return false;
+        }
+        searchX = dx;
+        searchY = dy;
+        searchZ = dz;
+        searchDepth = depth;
+        return true;
+    }
+}

@@ -1,0 +1,403 @@
+package robosim.geometry.narrow.gjk;
+
+import robosim.geometry.exact.VectorMath;
+import robosim.geometry.narrow.leaf.Order;
+
+/**
+ * Distance between two leaves as a certified bracket, with witness points and a separating direction: the algorithm of
+ * Gilbert, Johnson and Keerthi (1988) on the difference set.
+ *
+ * <p>{@link #lower} is the width of an empty slab between the two, less everything that rounding may have added: where
+ * it is above 0 the leaves are apart. {@link #upper} is the distance of two points that belong to the leaves, each off by
+ * less than {@link #error}. The two close up to rounding, some 2^-48 of distance and sizes; round rims are followed until
+ * the bracket is below 2^-44 of the distance or of that size. In plain doubles the steps are limited, and end where the
+ * simplex is too thin for them; the bracket holds whenever that is, and {@link #isClosed} tells. {@link #close} then goes
+ * on in pairs of doubles until it is closed.
+ *
+ * <p>(a, b) and (b, a) give the same bits. Nothing is allocated by a question.
+ */
+public final class Gjk {
+    /** Most steps of one question. Polytopes take less than 20, rims in unlucky places some 60. */
+    private static final int MOST_STEPS = 160;
+
+    /**
+     * Steps without a nearer point before doubles are taken to be at their end. A tilt of 2^-26 against a cap does not
+     * show in a distance, but does in the slab.
+     */
+    private static final int MOST_STALLS = 6;
+
+    /** The bracket is narrow enough when it is this share of the distance. */
+    private static final double NARROW = 0x1p-44;
+
+    /**
+     * Roundoff of the slab n.(a - b) in units of the summed extents, for a direction n whose components' magnitudes sum to
+     * at most sqrt(3), in u = 2^-53. Whatever a coordinate found is made of, the difference of a and b adds 1 to it and
+     * the dot product 3; of what can make the slab wide, n's length adds 3.5 and the last subtractions 2. To these come:
+     *
+     * <ul>
+     * <li>a centre: 2 in all, 11.5 with the rest;
+     * <li>a box's half vectors: 4, and 6 as a sign may be mistaken where the product is within 3 of 0: 14;
+     * <li>a triangle's corner: 1, and 6 as another may be taken for the furthest: 16.5;
+     * <li>a cylinder's way to its cap: 3, and 8 as the wrong cap may be taken, the axis being off by 1: 15;
+     * <li>its rim, times 1 and not sqrt(3), as that is a length: 5 for the length, 3 for what is along the axis, 4.4 as n
+     *     across the axis may be off by 2.2, 2 for sums: 18.4.
+     * </ul>
+     *
+     * All are below 28.6. A prism's corners, from bounds that are drawn in twice, are off by 21: 36.5, or 63.2; so its
+     * extent counts twice. Seen: a tenth to an eighth of the bound.
+     */
+    public static final double ROUNDOFF = 32 * 0x1p-53;
+
+    /** Below this size a problem is scaled up before squares are taken. */
+    private static final double SMALL = 0x1p-240;
+
+    /**
+     * The origin is certainly in a tetrahedron of which it cuts off volumes beyond this share of the cubed extents: each
+     * is a sum of six products of three coordinates off by 17u of the extents, so off by less than 6 * 60u = 2^-44.
+     */
+    static final double DEEP = 0x1p-43;
+
+    final Support first = new Support();
+    final Support second = new Support();
+    private final Simplex simplex = new Simplex();
+    private final DoubleDoubleSimplex fine = new DoubleDoubleSimplex();
+
+    private double lower;
+    private double upper;
+    private double nx;
+    private double ny;
+    private double nz;
+    private double ax;
+    private double ay;
+    private double az;
+    private double bx;
+    private double by;
+    private double bz;
+    private boolean overlapping;
+    private double attained;
+    private boolean closed;
+    private double error;
+    private double reach;
+    private double coreReach;
+    private double coreUpper;
+    private int steps;
+    private boolean deep;
+    private double ox;
+    private double oy;
+    private double oz;
+    private double unscale;
+    private boolean reversed;
+
+    /** Asks in space; answers the lower end of the bracket, at least 0. */
+    public double spatial(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        return ask(kindA, a, i, kindB, b, j, false);
+    }
+
+    /** Asks about the projections on XZ; answers the lower end of the bracket, at least 0. All y are 0. */
+    public double planar(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        return ask(kindA, a, i, kindB, b, j, true);
+    }
+
+    private double ask(int kindA, double[] a, int i, int kindB, double[] b, int j, boolean flat) {
+        reversed = Order.isReversed(kindA, a, i, kindB, b, j);
+        if (reversed) {
+            solve(kindB, b, j, kindA, a, i, flat);
+            reverse();
+        } else {
+            solve(kindA, a, i, kindB, b, j, flat);
+        }
+        return Math.max(0, lower);
+    }
+
+    /** Whether the bracket of the last question is as narrow as it is said to be, or cannot matter as the two overlap. */
+    public boolean isClosed() {
+        return closed;
+    }
+
+    /**
+     * Narrows the bracket of the last question as far as doubles can tell the leaves' points, where doubles lost the
+     * simplex between them: goes on with a {@link DoubleDoubleSimplex}, in which every step is a step nearer, until the bracket is
+     * closed. Answers the lower end, at least 0.
+     */
+    public double close() {
+        if (reversed) {
+            reverse();
+        }
+        error /= unscale;
+        approachFinely();
+        finish();
+        if (reversed) {
+            reverse();
+        }
+        return Math.max(0, lower);
+    }
+
+    /** The leaves are at least so far apart; above 0 it proves that they do not touch. May be negative. */
+    public double lower() {
+        return lower;
+    }
+
+    /** The distance of the two witness points, each of which is within {@link #error} of its leaf; 0 where that is deep. */
+    public double upper() {
+        return upper;
+    }
+
+    /** Whether a common point was found, to rounding; never together with a positive {@link #lower}. */
+    public boolean overlapping() {
+        return overlapping;
+    }
+
+    /** Unit direction from b towards a, of the slab that {@link #lower} measures; meaningful where that is positive. */
+    public double nx() {
+        return nx;
+    }
+
+    public double ny() {
+        return ny;
+    }
+
+    public double nz() {
+        return nz;
+    }
+
+    /** The witness point of a. */
+    public double ax() {
+        return ax;
+    }
+
+    public double ay() {
+        return ay;
+    }
+
+    public double az() {
+        return az;
+    }
+
+    /** The witness point of b. */
+    public double bx() {
+        return bx;
+    }
+
+    public double by() {
+        return by;
+    }
+
+    public double bz() {
+        return bz;
+    }
+
+    /** Whether a common point is certain: it lies inside by more than rounding can have moved anything. */
+    public boolean isDeep() {
+        return deep;
+    }
+
+    /** How far rounding may have moved a bound of this question, world units. */
+    public double error() {
+        return error;
+    }
+
+    /** The width of the slab before rounding is allowed for: the distance as doubles see it. May be negative. */
+    public double reach() {
+        return reach;
+    }
+
+    /** The same between the centres of spheres (discs, in the plane) and the other leaf, their radii left out. */
+    double coreReach() {
+        return coreReach;
+    }
+
+    /** No less than the distance of what {@link #coreReach} is about, to rounding. */
+    double coreUpper() {
+        return coreUpper;
+    }
+
+    /** Steps that the last question took. */
+    int steps() {
+        return steps;
+    }
+
+    private void solve(int kindA, double[] a, int i, int kindB, double[] b, int j, boolean flat) {
+        ox = Support.originX(kindA, a, i);
+        oy = flat ? 0 : Support.originY(kindA, a, i);
+        oz = Support.originZ(kindA, a, i);
+        load(kindA, a, i, kindB, b, j, 1, flat);
+        double scale = 1;
+        double size = first.extent + second.extent;
+        if (size > 0 && size < SMALL) {
+            scale = Math.scalb(1.0, Math.min(1000, -Math.getExponent(size)));
+            load(kindA, a, i, kindB, b, j, scale, flat);
+        }
+        error = ROUNDOFF * (first.extent + second.extent);
+        unscale = 1 / scale;
+        approach();
+        deep = simplex.depth() > DEEP * cube(first.extent + second.extent);
+        finish();
+    }
+
+    private void load(int kindA, double[] a, int i, int kindB, double[] b, int j, double scale, boolean flat) {
+        if (flat) {
+            first.planar(kindA, a, i, ox, oz, scale);
+            second.planar(kindB, b, j, ox, oz, scale);
+        } else {
+            first.spatial(kindA, a, i, ox, oy, oz, scale);
+            second.spatial(kindB, b, j, ox, oy, oz, scale);
+        }
+    }
+
+    /** Finds the point of least norm of the difference set, cores only, and the best slab on the way. */
+    private void approach() {
+        simplex.clear();
+        overlapping = false;
+        lower = Double.NEGATIVE_INFINITY;
+        upper = Double.POSITIVE_INFINITY;
+        attained = Double.POSITIVE_INFINITY;
+        double vx = first.centreX - second.centreX;
+        double vy = first.centreY - second.centreY;
+        double vz = first.centreZ - second.centreZ;
+        if (VectorMath.largest(vx, vy, vz) <= error) {
+            // Any direction will do to begin with; the square of this one may underflow.
+            vx = 1;
+            vy = 0;
+            vz = 0;
+        }
+        int stalls = 0;
+        for (steps = 1; steps <= MOST_STEPS; steps++) {
+            double length = Math.sqrt(vx * vx + vy * vy + vz * vz);
+            double reach = probe(vx / length, vy / length, vz / length);
+            boolean narrow = steps > 1 && upper - reach <= Math.max(NARROW * upper, error);
+            if (narrow || !simplex.add(first, second)) {
+                return;
+            }
+            if (!simplex.reduce()) {
+                return;
+            }
+            double near = Math.sqrt(simplex.norm());
+            // A tetrahedron that seems to hold the origin may be too thin to tell; the point that its weights give is
+            // one of the leaves' in any case.
+            attained = Math.min(attained, simplex.depth() > 0 ? simplex.residual() : near);
+            if (near < upper) {
+                upper = near;
+                witness();
+            } else if (++stalls > MOST_STALLS) {
+                return; // rounding decides from here on
+            }
+            if (upper <= error) {
+                overlapping = true; // no slab could prove otherwise
+                return;
+            }
+            vx = simplex.vx;
+            vy = simplex.vy;
+            vz = simplex.vz;
+        }
+    }
+
+    /**
+     * The same from the best slab on, with the simplex in pairs of doubles. Where the bracket is open, the next point is
+     * nearer than the side that looked for it, and so makes the norm less; it ends on the bracket, or where no double is
+     * left that would be nearer.
+     */
+    private void approachFinely() {
+        fine.clear();
+        double vx = nx;
+        double vy = ny;
+        double vz = nz;
+        lower = Double.NEGATIVE_INFINITY;
+        attained = Double.POSITIVE_INFINITY;
+        overlapping = false;
+        for (steps = 1; ; steps++) {
+            double length = Math.sqrt(vx * vx + vy * vy + vz * vz);
+            probe(vx / length, vy / length, vz / length);
+            if (isNarrow() || attained <= error || !fine.add(first, second) || !fine.reduce()) {
+                break;
+            }
+            attained = fine.length();
+            ax = fine.a(0);
+            ay = fine.a(1);
+            az = fine.a(2);
+            bx = fine.b(0);
+            by = fine.b(1);
+            bz = fine.b(2);
+            vx = fine.vx;
+            vy = fine.vy;
+            vz = fine.vz;
+        }
+        upper = attained;
+        overlapping = attained <= error;
+    }
+
+    /** Before margins: whether what is attained and the best slab are as near to each other as is promised. */
+    private boolean isNarrow() {
+        return attained < Double.POSITIVE_INFINITY && attained - lower <= Math.max(NARROW * attained, error);
+    }
+
+    /** Tries a unit direction: finds both supports, and keeps the slab where it is the widest yet. */
+    private double probe(double dx, double dy, double dz) {
+        first.find(-dx, -dy, -dz);
+        second.find(dx, dy, dz);
+        double reach = dx * (first.x - second.x) + dy * (first.y - second.y) + dz * (first.z - second.z);
+        if (reach > lower) {
+            lower = reach;
+            nx = dx;
+            ny = dy;
+            nz = dz;
+        }
+        return reach;
+    }
+
+    private void witness() {
+        ax = simplex.ax();
+        ay = simplex.ay();
+        az = simplex.az();
+        bx = simplex.bx();
+        by = simplex.by();
+        bz = simplex.bz();
+    }
+
+    /** Adds the margins of spheres and discs, and goes back to the world's scale and place. */
+    private void finish() {
+        double margins = first.margin + second.margin;
+        double near = upper;
+        deep |= attained + error < margins;
+        closed = deep || attained <= error || isNarrow();
+        coreReach = lower * unscale;
+        coreUpper = near * unscale;
+        reach = (lower - margins) * unscale;
+        lower = lower - margins - error;
+        upper = deep ? 0 : Math.max(0, attained - margins);
+        overlapping = (overlapping || near <= margins) && !(lower > 0);
+        // Along the witnesses, not along the slab: a margin is the same all around.
+        double dx = near > 0 ? (bx - ax) / near : 0;
+        double dy = near > 0 ? (by - ay) / near : 0;
+        double dz = near > 0 ? (bz - az) / near : 0;
+        double fromA = Math.min(first.margin, near);
+        double fromB = Math.min(second.margin, near);
+        ax = ox + (ax + fromA * dx) * unscale;
+        ay = oy + (ay + fromA * dy) * unscale;
+        az = oz + (az + fromA * dz) * unscale;
+        bx = ox + (bx - fromB * dx) * unscale;
+        by = oy + (by - fromB * dy) * unscale;
+        bz = oz + (bz - fromB * dz) * unscale;
+        lower *= unscale;
+        upper *= unscale;
+        error *= unscale;
+    }
+
+    private static double cube(double v) {
+        return v * v * v;
+    }
+
+    private void reverse() {
+        nx = -nx;
+        ny = -ny;
+        nz = -nz;
+        double swap = ax;
+        ax = bx;
+        bx = swap;
+        swap = ay;
+        ay = by;
+        by = swap;
+        swap = az;
+        az = bz;
+        bz = swap;
+    }
+}

@@ -1,0 +1,135 @@
+package robosim.geometry.narrow.gjk;
+
+/**
+ * Whether the hull of some leaves certainly overlaps that of others by more than rounding, so that no plane is between them.
+ *
+ * <p>Simplices of the difference set as in {@link Gjk} (Gilbert, Johnson and Keerthi 1988). In the plane all are taken for
+ * prisms of one height, as high as they are wide.
+ */
+public final class HullOverlap {
+    /** More steps are seldom worth what they find. */
+    private static final int MOST_STEPS = 24;
+
+    /** Below this size cubes may underflow: nothing is certain. */
+    private static final double SMALL = 0x1p-240;
+
+    private static final double SKEW_X = 0.0625;
+    private static final double SKEW_Y = 0.109375;
+    private static final double SKEW_Z = 0.0859375;
+
+    private final Support[] upper = {new Support(), new Support(), new Support(), new Support()};
+    private final Support[] lower = {new Support(), new Support()};
+    private final Simplex simplex = new Simplex();
+    private boolean isFlat;
+    private int above;
+    private int below;
+    private double ox;
+    private double oy;
+    private double oz;
+    private double extentAbove;
+    private double extentBelow;
+
+    /** Forgets all leaves. */
+    public void clear(boolean inPlane) {
+        isFlat = inPlane;
+        above = 0;
+        below = 0;
+        extentAbove = 0;
+        extentBelow = 0;
+    }
+
+    /** Takes in one of up to four leaves on the one side; there must be one before any of the other. */
+    public void above(int kind, double[] row, int at) {
+        if (above == 0) {
+            ox = Support.originX(kind, row, at);
+            oy = Support.originY(kind, row, at);
+            oz = Support.originZ(kind, row, at);
+        }
+        Support support = upper[above++];
+        load(support, kind, row, at);
+        extentAbove = Math.max(extentAbove, support.extent);
+    }
+
+    /** Takes in one of up to two leaves on the other side. */
+    public void below(int kind, double[] row, int at) {
+        Support support = lower[below++];
+        load(support, kind, row, at);
+        extentBelow = Math.max(extentBelow, support.extent);
+    }
+
+    private void load(Support support, int kind, double[] row, int at) {
+        if (isFlat) {
+            support.planar(kind, row, at, ox, oz, 1);
+        } else {
+            support.spatial(kind, row, at, ox, oy, oz, 1);
+        }
+    }
+
+    /** Whether a point is certainly inside of both hulls. */
+    public boolean areDeep() {
+        double extent = extentAbove + extentBelow;
+        if (extent < SMALL) {
+            return false;
+        }
+        double height = isFlat ? 0.5 * extent : 0;
+        double enough = Gjk.DEEP * extent * extent * extent;
+        // Askew, as things of one height or one attitude have simplices that hold the origin in a side, and not within.
+        double vx = upper[0].centreX - lower[0].centreX + SKEW_X * extent;
+        double vy = upper[0].centreY - lower[0].centreY + SKEW_Y * extent;
+        double vz = upper[0].centreZ - lower[0].centreZ + SKEW_Z * extent;
+        simplex.clear();
+        for (int step = 0; step < MOST_STEPS; step++) {
+            double length = Math.sqrt(vx * vx + vy * vy + vz * vz);
+            if (!(length > 0)) {
+                return false;
+            }
+            double x = vx / length;
+            double y = vy / length;
+            double z = vz / length;
+            Support first = farthest(upper, above, -x, -y, -z, height);
+            Support second = farthest(lower, below, x, y, z, height);
+            double reach = x * (first.x - second.x) + y * (first.y - second.y) + z * (first.z - second.z);
+            if (reach >= 0 || !simplex.add(first, second) || !simplex.reduce()) {
+                return false;
+            }
+            if (simplex.depth() > 0) {
+                return simplex.depth() > enough;
+            }
+            vx = simplex.vx;
+            vy = simplex.vy;
+            vz = simplex.vz;
+            if (step == 0) { // askew once more, or balls would never leave the plane of their centres and the first way
+                double size = Math.sqrt(vx * vx + vy * vy + vz * vz);
+                vx -= SKEW_Z * size;
+                vy += SKEW_X * size;
+                vz += SKEW_Y * size;
+            }
+        }
+        return false;
+    }
+
+    private static Support farthest(Support[] leaves, int count, double x, double y, double z, double height) {
+        Support best = leaves[0];
+        double most = Double.NEGATIVE_INFINITY;
+        for (int k = 0; k < count; k++) {
+            Support leaf = leaves[k];
+            leaf.find(x, y, z);
+            if (leaf.margin > 0) {
+                double length = height > 0 ? Math.sqrt(x * x + z * z) : 1;
+                double outward = length > 0 ? leaf.margin / length : 0;
+                leaf.x += outward * x;
+                leaf.y += outward * y;
+                leaf.z += outward * z;
+            }
+            if (height > 0) {
+                leaf.y = y >= 0 ? height : -height;
+            }
+            double reach = x * leaf.x + y * leaf.y + z * leaf.z;
+            if (reach > most) {
+                most = reach;
+                best = leaf;
+            }
+        }
+        return best;
+    }
+}

@@ -1,0 +1,41 @@
+package robosim.geometry.narrow.gjk;
+
+import robosim.geometry.exact.VectorMath;
+import robosim.geometry.narrow.leaf.Leaf;
+
+/** How deep two cylinders are in each other whose axes are parallel, or nearly so: all ways across an axis may tie there. */
+final class ParallelDepth {
+    private ParallelDepth() {}
+
+    /**
+     * A bound from below of the least depth, to rounding; 0 for all but cylinders.
+     *
+     * <p>Of parallel ones the difference set is a cylinder itself, of both radii and both heights. Turning the second about
+     * its centre by an angle t until it is parallel moves none of its points by more than t (r + h).
+     */
+    static double atLeast(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        boolean cylinders = (kindA == Leaf.CYLINDER || kindA == Leaf.UPRIGHT_CYLINDER)
+                && (kindB == Leaf.CYLINDER || kindB == Leaf.UPRIGHT_CYLINDER);
+        if (!cylinders) {
+            return 0;
+        }
+        double ax = kindA == Leaf.CYLINDER ? a[i + 7] : 0;
+        double ay = kindA == Leaf.CYLINDER ? a[i + 10] : 1;
+        double az = kindA == Leaf.CYLINDER ? a[i + 13] : 0;
+        double bx = kindB == Leaf.CYLINDER ? b[j + 7] : 0;
+        double by = kindB == Leaf.CYLINDER ? b[j + 10] : 1;
+        double bz = kindB == Leaf.CYLINDER ? b[j + 13] : 0;
+        double lengthA = VectorMath.length(ax, ay, az);
+        double lengthB = VectorMath.length(bx, by, bz);
+        double sine = VectorMath.length(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx) / (lengthA * lengthB);
+        double wx = b[j] - a[i];
+        double wy = b[j + 1] - a[i + 1];
+        double wz = b[j + 2] - a[i + 2];
+        double along = Math.abs(wx * ax + wy * ay + wz * az) / lengthA;
+        double across = VectorMath.length(wy * az - wz * ay, wz * ax - wx * az, wx * ay - wy * ax) / lengthA;
+        double half = b[j + 4] * lengthB;
+        double depth = Math.min(a[i + 3] + b[j + 3] - across, a[i + 4] * lengthA + half - along);
+        // An angle below a quarter turn is less than twice its sine.
+        return Math.max(0, depth - 2 * sine * (b[j + 3] + half));
+    }
+}

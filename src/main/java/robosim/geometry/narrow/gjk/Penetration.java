@@ -1,0 +1,322 @@
+package robosim.geometry.narrow.gjk;
+
+import robosim.geometry.narrow.leaf.Facets;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.Order;
+
+/**
+ * How deep one leaf is in another, and in which directions it gets out on the shortest way.
+ *
+ * <p>Between boxes, triangles and prisms the directions are those of separating axes (the sides of the difference set),
+ * all of them where several tie; for a sphere or disc whose centre is outside the other it is the direction to the
+ * nearest point. Where a cylinder's rim counts, the directions of flat sides and straight edges, of the widest slab that
+ * {@link Gjk} saw and of the centres are refined by a pattern search, and a polytope grown inside the difference set
+ * ({@link ExpandingPolytope}) proves that there is nothing shallower, or leads the search there.
+ *
+ * <p>Which side is safe: a turn that starts in contact may go on where no depth on the arc is above the one at the start,
+ * so that a depth must not be above the least. What is answered is no more than the least depth and 2^-34 of the sizes and
+ * the offset, proven; it is no less than the least depth either unless the room for the proof runs out, which takes
+ * hundreds of directions that tie to 2^-34, as between cylinders on one axis that are parallel to 10^-3 and not to 10^-11.
+ * Then it is less, by what the proof lacks, and a turn may be refused that only just stays as deep as it was.
+ *
+ * <p>To rounding, some 2^-48 of sizes and offset; it decides no overlap. (a, b) and (b, a) give the same bits. Nothing is
+ * allocated by a question.
+ */
+public final class Penetration {
+    /** How much more than what is proven may be answered, as a share of the sizes and the offset. */
+    private static final double PROVEN = 0x1p-34;
+
+    /** Most places of the hull from which a direction that ties is looked for. */
+    private static final int MOST_TIES = 8;
+
+    /** Directions this close (as 1 less their cosine) lead to the same place. */
+    private static final double SAME_VALLEY = 0x1p-12;
+
+    private final Gjk gjk = new Gjk();
+    private final Gjk plane = new Gjk();
+    private final Support first = new Support();
+    private final Support second = new Support();
+    private final ExpandingPolytope hull = new ExpandingPolytope(first, second);
+    private final Facets facetsA = new Facets();
+    private final Facets facetsB = new Facets();
+
+    private final Directions directions = new Directions();
+    private final DepthSearch search = new DepthSearch(first, second, directions);
+    private double margins;
+    private boolean flat;
+    private double proven;
+
+    /** Depth in space; negative, the distance, where the two are apart. */
+    public double spatial(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        flat = false;
+        return ordered(kindA, a, i, kindB, b, j);
+    }
+
+    /** Depth of the projections on XZ; negative, the distance, where the two are apart. All directions have y = 0. */
+    public double planar(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        flat = true;
+        return ordered(kindA, a, i, kindB, b, j);
+    }
+
+    /** The distance question that the last one began with; its a and b may be exchanged. */
+    public Gjk bracket() {
+        return gjk;
+    }
+
+    /** The depth is certainly no less than this; at most the depth answered. */
+    public double proven() {
+        return proven;
+    }
+
+    /** How many directions tie; at least 1. */
+    public int count() {
+        return directions.count();
+    }
+
+    /** A unit direction in which a has to move to get out. */
+    public double nx(int k) {
+        return directions.x(k);
+    }
+
+    public double ny(int k) {
+        return directions.y(k);
+    }
+
+    public double nz(int k) {
+        return directions.z(k);
+    }
+
+    private double ordered(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        if (!Order.isReversed(kindA, a, i, kindB, b, j)) {
+            return solve(kindA, a, i, kindB, b, j);
+        }
+        double depth = solve(kindB, b, j, kindA, a, i);
+        directions.reverse();
+        return depth;
+    }
+
+    private double solve(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        if (flat) {
+            gjk.planar(kindA, a, i, kindB, b, j);
+        } else {
+            gjk.spatial(kindA, a, i, kindB, b, j);
+        }
+        directions.clear();
+        if (gjk.coreReach() > gjk.error()) {
+            take(gjk.nx(), gjk.ny(), gjk.nz(), -gjk.reach());
+            proven = -gjk.reach() - (gjk.coreUpper() - gjk.coreReach()) - gjk.error();
+            return Math.min(-gjk.reach(), proven + gjk.error() * (PROVEN / Gjk.ROUNDOFF));
+        }
+        load(kindA, a, i, kindB, b, j);
+        if (!flat && Leaf.isUpright(kindA) && Leaf.isUpright(kindB)) {
+            level(kindA, a, i, kindB, b, j);
+        } else {
+            candidates();
+            if (!first.isPolytope() || !second.isPolytope()) {
+                directions.beginSearch();
+                refine();
+                prove(flat ? 0 : ParallelDepth.atLeast(kindA, a, i, kindB, b, j));
+                return kept(proven + PROVEN * (first.extent + second.extent));
+            }
+        }
+        proven = directions.least() - gjk.error();
+        return kept(Double.POSITIVE_INFINITY);
+    }
+
+    private double kept(double most) {
+        double depth = directions.least();
+        directions.keepTies(depth + 2 * gjk.error());
+        return Math.min(depth, most);
+    }
+
+    /** Grows the hull to the least depth known; where it says that there is a shallower one, that is looked for first. */
+    private void prove(double known) {
+        double slack = PROVEN * (first.extent + second.extent);
+        proven = known - gjk.error();
+        if (proven >= directions.least() - slack) {
+            return;
+        }
+        for (int round = 0; round < MOST_TIES; round++) {
+            double core = directions.least() - margins;
+            if (flat) {
+                hull.growPlanar(core - slack);
+            } else {
+                hull.grow(core - slack);
+            }
+            if (!(hull.upper() < core - slack)) {
+                break;
+            }
+            searchFromHull(hull.x(), hull.y(), hull.z());
+        }
+        proven = Math.max(proven, Math.max(0, hull.lower()) + margins - gjk.error());
+        double least = directions.least() - margins;
+        int looked = 0;
+        for (int k = 0; k < hull.sides() && looked < MOST_TIES; k++) {
+            if (hull.reach(k) <= least && isElsewhere(hull.x(k), hull.y(k), hull.z(k), least + margins + slack)) {
+                searchFromHull(hull.x(k), hull.y(k), hull.z(k));
+                looked++;
+            }
+        }
+    }
+
+    private void searchFromHull(double dx, double dy, double dz) {
+        double up = flat ? 0 : dy;
+        double length = Math.sqrt(dx * dx + up * up + dz * dz);
+        if (length > 0) {
+            searchFrom(dx / length, up / length, dz / length, depth(dx / length, up / length, dz / length));
+        }
+    }
+
+    /** Whether none of the shallow directions known is near another. */
+    private boolean isElsewhere(double dx, double dy, double dz, double shallow) {
+        for (int k = 0; k < directions.count(); k++) {
+            double cosine = dx * directions.x(k) + dy * directions.y(k) + dz * directions.z(k);
+            if (directions.depth(k) <= shallow && cosine > 1 - SAME_VALLEY) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private void load(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        double ox = Support.originX(kindA, a, i);
+        double oz = Support.originZ(kindA, a, i);
+        if (flat) {
+            first.planar(kindA, a, i, ox, oz, 1);
+            second.planar(kindB, b, j, ox, oz, 1);
+            facetsA.planar(kindA, a, i);
+            facetsB.planar(kindB, b, j);
+        } else {
+            double oy = Support.originY(kindA, a, i);
+            first.spatial(kindA, a, i, ox, oy, oz, 1);
+            second.spatial(kindB, b, j, ox, oy, oz, 1);
+            facetsA.spatial(kindA, a, i);
+            facetsB.spatial(kindB, b, j);
+        }
+        margins = first.margin + second.margin;
+        search.flat = flat;
+    }
+
+    /**
+     * Between upright leaves: up and down, the sides of both bases, and the direction to the nearest point of the plane
+     * where a disc's centre is outside. That is all, as the difference set stands upright too.
+     */
+    private void level(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        both(0, 1, 0);
+        facetsA.planar(kindA, a, i);
+        facetsB.planar(kindB, b, j);
+        sides(facetsA);
+        sides(facetsB);
+        plane.planar(kindA, a, i, kindB, b, j);
+        if (plane.coreReach() > plane.error()) {
+            take(plane.nx(), 0, plane.nz(), depth(plane.nx(), 0, plane.nz()));
+        } else if (facetsA.faces + facetsB.faces == 0) {
+            both(1, 0, 0); // one axis in two discs
+        }
+    }
+
+    /** The directions of the flat sides of the difference set; in a difference set without any, two across it. */
+    private void candidates() {
+        sides(facetsA);
+        sides(facetsB);
+        for (int k = 0; k < facetsA.edges; k++) {
+            for (int m = 0; m < facetsB.edges; m++) {
+                cross(
+                        facetsA.edgeX[k],
+                        facetsA.edgeY[k],
+                        facetsA.edgeZ[k],
+                        facetsB.edgeX[m],
+                        facetsB.edgeY[m],
+                        facetsB.edgeZ[m]);
+            }
+        }
+        if (directions.count() == 0) {
+            across();
+        }
+    }
+
+    private void sides(Facets facets) {
+        for (int k = 0; k < facets.faces; k++) {
+            both(facets.faceX[k], facets.faceY[k], facets.faceZ[k]);
+        }
+    }
+
+    private void across() {
+        Facets facets = facetsA.edges > 0 ? facetsA : facetsB;
+        if (flat || facets.edges == 0) {
+            both(1, 0, 0);
+            return;
+        }
+        // Across the segment that is left: with the world axis that it is furthest from.
+        double ex = facets.edgeX[0];
+        double ey = facets.edgeY[0];
+        double ez = facets.edgeZ[0];
+        if (Math.abs(ey) <= Math.abs(ex) && Math.abs(ey) <= Math.abs(ez)) {
+            cross(ex, ey, ez, 0, 1, 0);
+        } else if (Math.abs(ex) <= Math.abs(ez)) {
+            cross(ex, ey, ez, 1, 0, 0);
+        } else {
+            cross(ex, ey, ez, 0, 0, 1);
+        }
+    }
+
+    private void cross(double px, double py, double pz, double qx, double qy, double qz) {
+        double cx = py * qz - pz * qy;
+        double cy = pz * qx - px * qz;
+        double cz = px * qy - py * qx;
+        double square = cx * cx + cy * cy + cz * cz;
+        if (square > 0x1p-80) { // the cross product of nearly parallel edges is rounding, not a side
+            double length = Math.sqrt(square);
+            both(cx / length, cy / length, cz / length);
+        }
+    }
+
+    private void both(double dx, double dy, double dz) {
+        take(dx, dy, dz, depth(dx, dy, dz));
+        take(0 - dx, 0 - dy, 0 - dz, depth(-dx, -dy, -dz));
+    }
+
+    private void take(double dx, double dy, double dz, double depth) {
+        directions.take(dx, dy, dz, depth);
+    }
+
+    private double depth(double dx, double dy, double dz) {
+        return search.depth(dx, dy, dz);
+    }
+
+    private void searchFrom(double dx, double dy, double dz, double depth) {
+        search.from(dx, dy, dz, depth);
+    }
+
+    /**
+     * Looks for a shallower direction between the flat sides: across each straight edge, where valleys are sharp, then
+     * freely from the best of the flat sides, GJK's slab and the centres.
+     */
+    private void refine() {
+        if (flat) {
+            search.circle(0, 1, 0);
+        } else {
+            around(facetsA);
+            around(facetsB);
+        }
+        int best = directions.best();
+        searchFrom(directions.x(best), directions.y(best), directions.z(best), directions.depth(best));
+        double length = Math.sqrt(gjk.nx() * gjk.nx() + gjk.ny() * gjk.ny() + gjk.nz() * gjk.nz());
+        if (length > 0.5) {
+            searchFrom(gjk.nx(), gjk.ny(), gjk.nz(), depth(gjk.nx(), gjk.ny(), gjk.nz()));
+        }
+        double cx = first.centreX - second.centreX;
+        double cy = first.centreY - second.centreY;
+        double cz = first.centreZ - second.centreZ;
+        length = Math.sqrt(cx * cx + cy * cy + cz * cz);
+        if (length > 0) {
+            searchFrom(cx / length, cy / length, cz / length, depth(cx / length, cy / length, cz / length));
+        }
+    }
+
+    private void around(Facets facets) {
+        for (int k = 0; k < facets.edges; k++) {
+            search.circle(facets.edgeX[k], facets.edgeY[k], facets.edgeZ[k]);
+        }
+    }
+}

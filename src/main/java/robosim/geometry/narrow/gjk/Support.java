@@ -1,0 +1,291 @@
+package robosim.geometry.narrow.gjk;
+
+import robosim.geometry.narrow.leaf.Leaf;
+
+/**
+ * The support function of one leaf: which of its points lies furthest in a direction.
+ *
+ * <p>A leaf is loaded once, relative to an origin and multiplied by a scale, and then asked for many directions. Loaded
+ * {@linkplain #spatial in space} it is itself; loaded {@linkplain #planar in the plane} it is its projection on XZ,
+ * with y = 0 throughout, and must be asked for directions with y = 0 only. Spheres, and upright cylinders in the plane,
+ * are loaded as their centre with a {@link #margin} around it.
+ *
+ * <p>Coordinates found are off the exact ones by at most 8 units of roundoff (2^-53) of {@link #extent}, a prism's by
+ * 11. Another point may be found that reaches less far by about as much; {@link Gjk#ROUNDOFF} counts both.
+ */
+public final class Support {
+    private static final int POINTS = 0;
+    private static final int PARALLELEPIPED = 1;
+    private static final int ROUND = 2;
+
+    private static final int MOST_POINTS = 16;
+
+    /**
+     * A direction is along an axis where its sine is no larger: below, squares underflow, and a point of the rim would be
+     * found at another radius. The cap's centre is short of the rim by less than this share of the radius.
+     */
+    private static final double STRAIGHT = 0x1p-500;
+
+    /** The point found by {@link #find}. */
+    public double x;
+
+    public double y;
+    public double z;
+
+    /** A point inside, or of, the leaf: its centre where it has one. */
+    double centreX;
+
+    double centreY;
+    double centreZ;
+
+    /** Radius around all points found that belongs to the leaf too; 0 for all but spheres and discs. */
+    public double margin;
+
+    /** At least the sum of the magnitudes that any coordinate found is summed from, margin included. */
+    public double extent;
+
+    private int form;
+    private int count;
+    private final double[] px = new double[MOST_POINTS];
+    private final double[] py = new double[MOST_POINTS];
+    private final double[] pz = new double[MOST_POINTS];
+
+    // A parallelepiped's half vectors; of a cylinder the first is its axis from the centre to a cap.
+    private double ux;
+    private double uy;
+    private double uz;
+    private double vx;
+    private double vy;
+    private double vz;
+    private double wx;
+    private double wy;
+    private double wz;
+
+    // A cylinder's axis of unit length, its radius, and 0 where heights are left out, else 1.
+    private double axisX;
+    private double axisY;
+    private double axisZ;
+    private double radius;
+    private double heights;
+
+    /** The x of the point of a leaf that others are seen from: its centre, or a triangle's first corner. */
+    public static double originX(int kind, double[] row, int at) {
+        return kind == Leaf.PRISM ? 0.5 * row[at] + 0.5 * row[at + 1] : row[at];
+    }
+
+    /** The y of that point. */
+    public static double originY(int kind, double[] row, int at) {
+        return kind == Leaf.PRISM ? 0.5 * row[at + 8] + 0.5 * row[at + 9] : row[at + 1];
+    }
+
+    /** The z of that point. */
+    public static double originZ(int kind, double[] row, int at) {
+        return kind == Leaf.PRISM ? 0.5 * row[at + 2] + 0.5 * row[at + 3] : row[at + 2];
+    }
+
+    /** Loads a leaf as seen from an origin, multiplied by a scale (a power of two). */
+    public void spatial(int kind, double[] row, int at, double ox, double oy, double oz, double scale) {
+        load(kind, row, at, ox, oy, oz, scale, 1);
+    }
+
+    /** Loads a leaf's projection on XZ as seen from an origin, multiplied by a scale (a power of two). */
+    public void planar(int kind, double[] row, int at, double ox, double oz, double scale) {
+        load(kind, row, at, ox, 0, oz, scale, 0);
+    }
+
+    private void load(
+            int kind, double[] row, int at, double ox, double oy, double oz, double scale, double heightsCounted) {
+        heights = heightsCounted;
+        margin = 0;
+        count = 0;
+        if (kind == Leaf.TRIANGLE) {
+            form = POINTS;
+            for (int k = at; k < at + 9; k += 3) {
+                point((row[k] - ox) * scale, heights * (row[k + 1] - oy) * scale, (row[k + 2] - oz) * scale);
+            }
+            surround();
+            return;
+        }
+        if (kind == Leaf.PRISM) {
+            form = POINTS;
+            prism(row, at, ox, oy, oz, scale);
+            surround();
+            extent *= 2; // its corners are off by more
+            return;
+        }
+        centreX = (row[at] - ox) * scale;
+        centreY = heights * (row[at + 1] - oy) * scale;
+        centreZ = (row[at + 2] - oz) * scale;
+        switch (kind) {
+            case Leaf.UPRIGHT_BOX, Leaf.BOX -> box(row, at, scale);
+            case Leaf.CYLINDER -> cylinder(row, at, row[at + 7], row[at + 10], row[at + 13], scale);
+            case Leaf.UPRIGHT_CYLINDER -> uprightCylinder(row, at, scale);
+            case Leaf.SPHERE -> ball(row[at + Leaf.SIZE] * scale);
+            default -> throw new IllegalArgumentException("no such kind of leaf (got: " + kind + ")");
+        }
+    }
+
+    /** Finds the point furthest in a direction of any length but zero. */
+    public void find(double dx, double dy, double dz) {
+        switch (form) {
+            case PARALLELEPIPED -> {
+                double s = dx * ux + dy * uy + dz * uz < 0 ? -1 : 1;
+                double t = dx * vx + dy * vy + dz * vz < 0 ? -1 : 1;
+                double q = dx * wx + dy * wy + dz * wz < 0 ? -1 : 1;
+                x = centreX + (s * ux + t * vx + q * wx);
+                y = centreY + (s * uy + t * vy + q * wy);
+                z = centreZ + (s * uz + t * vz + q * wz);
+            }
+            case ROUND -> findRound(dx, dy, dz);
+            default -> {
+                int best = 0;
+                double furthest = dx * px[0] + dy * py[0] + dz * pz[0];
+                for (int k = 1; k < count; k++) {
+                    double reach = dx * px[k] + dy * py[k] + dz * pz[k];
+                    if (reach > furthest) {
+                        furthest = reach;
+                        best = k;
+                    }
+                }
+                x = px[best];
+                y = py[best];
+                z = pz[best];
+            }
+        }
+    }
+
+    private void findRound(double dx, double dy, double dz) {
+        double along = dx * axisX + dy * axisY + dz * axisZ;
+        double s = along < 0 ? -1 : 1;
+        // axis x (d x axis) is square to the axis even where d is along it and all of this is rounding.
+        double qx = dy * axisZ - dz * axisY;
+        double qy = dz * axisX - dx * axisZ;
+        double qz = dx * axisY - dy * axisX;
+        double rx = axisY * qz - axisZ * qy;
+        double ry = axisZ * qx - axisX * qz;
+        double rz = axisX * qy - axisY * qx;
+        double length = Math.sqrt(rx * rx + ry * ry + rz * rz);
+        double reach = length > STRAIGHT ? radius / length : 0;
+        x = centreX + (s * ux + reach * rx);
+        y = centreY + heights * (s * uy + reach * ry);
+        z = centreZ + (s * uz + reach * rz);
+    }
+
+    /** Whether the leaf has no curved part other than its margin, so that few points can be found. */
+    boolean isPolytope() {
+        return form != ROUND;
+    }
+
+    private void box(double[] row, int at, double scale) {
+        form = PARALLELEPIPED;
+        double p = row[at + 3] * scale;
+        double q = row[at + 4] * scale;
+        double r = row[at + 5] * scale;
+        ux = p * row[at + 6];
+        uy = heights * p * row[at + 9];
+        uz = p * row[at + 12];
+        vx = q * row[at + 7];
+        vy = heights * q * row[at + 10];
+        vz = q * row[at + 13];
+        wx = r * row[at + 8];
+        wy = heights * r * row[at + 11];
+        wz = r * row[at + 14];
+        extent = Math.max(
+                Math.abs(centreX) + Math.abs(ux) + Math.abs(vx) + Math.abs(wx),
+                Math.max(
+                        Math.abs(centreY) + Math.abs(uy) + Math.abs(vy) + Math.abs(wy),
+                        Math.abs(centreZ) + Math.abs(uz) + Math.abs(vz) + Math.abs(wz)));
+    }
+
+    private void cylinder(double[] row, int at, double ax, double ay, double az, double scale) {
+        form = ROUND;
+        radius = row[at + 3] * scale;
+        double h = row[at + 4] * scale;
+        ux = h * ax;
+        uy = h * ay;
+        uz = h * az;
+        double length = Math.sqrt(ax * ax + ay * ay + az * az);
+        axisX = ax / length;
+        axisY = ay / length;
+        axisZ = az / length;
+        extent = radius
+                + Math.max(
+                        Math.abs(centreX) + Math.abs(ux),
+                        Math.max(Math.abs(centreY) + Math.abs(uy), Math.abs(centreZ) + Math.abs(uz)));
+    }
+
+    private void uprightCylinder(double[] row, int at, double scale) {
+        if (heights == 0) {
+            ball(row[at + Leaf.SIZE] * scale);
+        } else {
+            cylinder(row, at, 0, 1, 0, scale);
+        }
+    }
+
+    private void ball(double r) {
+        form = POINTS;
+        point(centreX, centreY, centreZ);
+        margin = r;
+        extent = r + Math.max(Math.abs(centreX), Math.max(Math.abs(centreY), Math.abs(centreZ)));
+    }
+
+    private void point(double qx, double qy, double qz) {
+        px[count] = qx;
+        py[count] = qy;
+        pz[count] = qz;
+        count++;
+    }
+
+    /** Sets centre and extent from the points. */
+    private void surround() {
+        extent = 0;
+        centreX = 0;
+        centreY = 0;
+        centreZ = 0;
+        for (int k = 0; k < count; k++) {
+            centreX += px[k] / count;
+            centreY += py[k] / count;
+            centreZ += pz[k] / count;
+            extent = Math.max(extent, Math.max(Math.abs(px[k]), Math.max(Math.abs(py[k]), Math.abs(pz[k]))));
+        }
+    }
+
+    /** The corners of the octagon at both heights, after each bound is drawn in to where the others let it be reached. */
+    private void prism(double[] row, int at, double ox, double oy, double oz, double scale) {
+        double x0 = row[at] - ox;
+        double x1 = row[at + 1] - ox;
+        double z0 = row[at + 2] - oz;
+        double z1 = row[at + 3] - oz;
+        double s0 = lessSum(row[at + 4], ox, oz);
+        double s1 = lessSum(row[at + 5], ox, oz);
+        double d0 = lessSum(row[at + 6], ox, -oz);
+        double d1 = lessSum(row[at + 7], ox, -oz);
+        double left = Math.max(x0, Math.max(0.5 * (s0 + d0), Math.max(s0 - z1, d0 + z0)));
+        double right = Math.min(x1, Math.min(0.5 * (s1 + d1), Math.min(s1 - z0, d1 + z1)));
+        double near = Math.max(z0, Math.max(0.5 * (s0 - d1), Math.max(s0 - x1, x0 - d1)));
+        double far = Math.min(z1, Math.min(0.5 * (s1 - d0), Math.min(s1 - x0, x1 - d0)));
+        s0 = Math.max(s0, left + near);
+        s1 = Math.min(s1, right + far);
+        d0 = Math.max(d0, left - far);
+        d1 = Math.min(d1, right - near);
+        for (int level = 8; level <= 9; level++) {
+            double h = heights * (row[at + level] - oy) * scale;
+            point(right * scale, h, (s1 - right) * scale);
+            point((s1 - far) * scale, h, far * scale);
+            point((d0 + far) * scale, h, far * scale);
+            point(left * scale, h, (left - d0) * scale);
+            point(left * scale, h, (s0 - left) * scale);
+            point((s0 - near) * scale, h, near * scale);
+            point((d1 + near) * scale, h, near * scale);
+            point(right * scale, h, (right - d1) * scale);
+        }
+    }
+
+    /** The number v - (p + q), off by a rounding of itself and not of the numbers that cancel. */
+    private static double lessSum(double v, double p, double q) {
+        double sum = p + q;
+        double part = sum - p;
+        double lost = (p - (sum - part)) + (q - part);
+        return (v - sum) - lost;
+    }
+}

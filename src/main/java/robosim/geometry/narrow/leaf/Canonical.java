@@ -1,0 +1,58 @@
+package robosim.geometry.narrow.leaf;
+
+import robosim.geometry.exact.Rotations;
+
+/**
+ * Finds the leaves that stand upright, so that they can be asked as prisms: a box or cylinder with one own axis exactly
+ * along the world's vertical. A box that lies on its side is written anew as the upright box that it is.
+ */
+final class Canonical {
+    private Canonical() {}
+
+    /** The kind of a placed leaf; a box or cylinder comes as {@link Leaf#BOX} or {@link Leaf#CYLINDER}. */
+    static int kind(int kind, double[] rows, int at) {
+        if (kind == Leaf.CYLINDER) {
+            int r = at + Leaf.ROTATION;
+            return rows[r + 1] == 0 && rows[r + 7] == 0 && Math.abs(rows[r + 4]) == 1 ? Leaf.UPRIGHT_CYLINDER : kind;
+        }
+        if (kind == Leaf.BOX) {
+            for (int up = 0; up < 3; up++) {
+                if (isVertical(rows, at, up) && stand(rows, at, up)) {
+                    return Leaf.UPRIGHT_BOX;
+                }
+            }
+        }
+        return kind;
+    }
+
+    private static boolean isVertical(double[] rows, int at, int axis) {
+        int r = at + Leaf.ROTATION + axis;
+        return rows[r] == 0 && rows[r + 6] == 0 && Math.abs(rows[r + 3]) == 1;
+    }
+
+    /**
+     * Writes a box with a vertical axis as an upright one, where its other two axes are level and one is exactly the
+     * other turned by a right angle: then the numbers mean the same box.
+     */
+    private static boolean stand(double[] rows, int at, int up) {
+        int forward = up == 0 ? 1 : 0;
+        int side = up == 2 ? 1 : 2;
+        int r = at + Leaf.ROTATION;
+        double cos = rows[r + forward];
+        double sin = 0.0 - rows[r + 6 + forward];
+        double across = rows[r + side];
+        double along = rows[r + 6 + side];
+        boolean right = (across == sin && along == cos) || (across == -sin && along == -cos);
+        if (rows[r + 3 + forward] != 0 || rows[r + 3 + side] != 0 || !right) {
+            return false;
+        }
+        double x = rows[at + Leaf.SIZE + forward];
+        double y = rows[at + Leaf.SIZE + up];
+        double z = rows[at + Leaf.SIZE + side];
+        rows[at + Leaf.SIZE] = x;
+        rows[at + Leaf.SIZE + 1] = y;
+        rows[at + Leaf.SIZE + 2] = z;
+        Rotations.upright(cos, sin, rows, r);
+        return true;
+    }
+}

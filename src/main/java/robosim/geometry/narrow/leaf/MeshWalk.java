@@ -1,0 +1,221 @@
+package robosim.geometry.narrow.leaf;
+
+import java.util.Arrays;
+import robosim.geometry.index.boxes.BoxTree;
+import robosim.geometry.model.TriangleMesh;
+
+/**
+ * Walks the triangles of a placed mesh that may matter for a region or a nearest distance, nearest first.
+ *
+ * <p>The tree stands in the mesh's own frame, so the question is taken there, widened by more than that rounding: a
+ * triangle that matters is never left out. What is then decided is decided on the placed triangle.
+ */
+public final class MeshWalk {
+    /**
+     * How much a question is widened for each unit of the coordinates that it was computed from. Taking a point into
+     * the own frame is 3 products and 5 sums of unit-length rows, off by less than 16 u; so is the placed triangle.
+     */
+    public static final double WIDEN = 0x1p-46;
+
+    /** What underflow may add on the way, several times over. */
+    public static final double UNDERFLOW = 0x1p-1000;
+
+    private final double[] low = new double[3];
+    private final double[] high = new double[3];
+    private final double[] box = new double[6];
+
+    private TriangleMesh mesh;
+    private BoxTree tree;
+    private double[] place;
+    private int at;
+    private double pad;
+
+    /** How far the rotation, kept as it was given, is from one: a point taken back into the own frame misses by so much. */
+    private double skew;
+
+    private int[] stack = new int[64];
+    private double[] keys = new double[64];
+    private int depth;
+    private int item;
+    private int end;
+    private double itemKey;
+
+    @SuppressWarnings("NullAway.Init") // start sets what is asked
+    public MeshWalk() {}
+
+    /** Takes a mesh up, for its corners alone or for a question. */
+    public void open(LeafColumn column, int leaf) {
+        mesh = column.mesh(leaf);
+        tree = mesh.tree();
+        place = column.rows();
+        at = leaf * Leaf.STRIDE;
+        depth = 0;
+        item = 0;
+        end = 0;
+    }
+
+    /** At least the size of the mesh that was taken up. */
+    public double size() {
+        return tree.reach();
+    }
+
+    /** Tight bounds of the placed vertices that faces use. */
+    void tightBounds(LeafColumn column, int leaf, double[] out) {
+        open(column, leaf);
+        Arrays.fill(out, 0, 3, Double.POSITIVE_INFINITY);
+        Arrays.fill(out, 3, 6, Double.NEGATIVE_INFINITY);
+        for (int t = 0; t < mesh.size(); t++) {
+            for (int corner = 0; corner < 3; corner++) {
+                for (int axis = 0; axis < 3; axis++) {
+                    double value = mesh.placed(mesh.vertex(t, corner), axis, place, at);
+                    out[axis] = Math.min(out[axis], value);
+                    out[3 + axis] = Math.max(out[3 + axis], value);
+                }
+            }
+        }
+    }
+
+    /**
+     * Begins with a box in the world: six numbers, least then greatest. In PLANAR its heights do not matter: pass
+     * infinite ones.
+     */
+    public void startBox(LeafColumn column, int leaf, double[] world) {
+        open(column, leaf);
+        column.bounds(leaf, box);
+        for (int k = 0; k < 3; k++) {
+            box[k] = Math.max(box[k], world[k]);
+            box[3 + k] = Math.min(box[3 + k], world[3 + k]);
+            if (box[k] > box[3 + k]) {
+                return; // apart: nothing on the stack
+            }
+        }
+        takeBox();
+        push(tree.root(), 0);
+    }
+
+    /** Begins with a nearest question from a box in the world: keys are distances, rounded down. */
+    public void startNearest(LeafColumn column, int leaf, double[] world) {
+        open(column, leaf);
+        System.arraycopy(world, 0, box, 0, 6);
+        takeBox();
+        push(tree.root(), key(tree.root()));
+    }
+
+    /** At least three times any number of R'R - I, so at least the length of (R'R - I) p for a p of length 1. */
+    public static double skew(double[] place, int r) {
+        double most = 0;
+        for (int i = 0; i < 3; i++) {
+            for (int j = i; j < 3; j++) {
+                double product = place[r + i] * place[r + j]
+                        + place[r + 3 + i] * place[r + 3 + j]
+                        + place[r + 6 + i] * place[r + 6 + j];
+                most = Math.max(most, Math.abs(product - (i == j ? 1 : 0)));
+            }
+        }
+        return 3 * most;
+    }
+
+    /** Takes the world's box into the own frame as the box that holds it there. */
+    private void takeBox() {
+        double size = tree.reach();
+        for (int k = 0; k < 3; k++) {
+            size += Math.abs(box[k]) + Math.abs(box[3 + k]) + Math.abs(place[at + k]);
+        }
+        skew = skew(place, at + Leaf.ROTATION);
+        pad = WIDEN * size + skew * tree.reach() + UNDERFLOW;
+        for (int j = 0; j < 3; j++) {
+            double middle = 0;
+            double half = 0;
+            for (int k = 0; k < 3; k++) {
+                double turn = place[at + Leaf.ROTATION + 3 * k + j];
+                middle += turn * (box[k] / 2 + box[3 + k] / 2 - place[at + k]);
+                half += Math.abs(turn) * (box[3 + k] / 2 - box[k] / 2);
+            }
+            low[j] = middle - half - pad;
+            high[j] = middle + half + pad;
+        }
+    }
+
+    private void push(int node, double key) {
+        if (key == Double.POSITIVE_INFINITY) {
+            return;
+        }
+        if (depth == stack.length) {
+            stack = Arrays.copyOf(stack, 2 * depth);
+            keys = Arrays.copyOf(keys, 2 * depth);
+        }
+        stack[depth] = node;
+        keys[depth++] = key;
+    }
+
+    /** A lower bound of the distance of what is below a node; 0 where it meets the box. */
+    private double key(int node) {
+        double squared = 0;
+        for (int k = 0; k < 3; k++) {
+            double middle = tree.middle(node, k);
+            double gap = Math.max(middle - high[k], low[k] - middle) - tree.half(node, k);
+            if (gap > 0) {
+                squared += gap * gap;
+            }
+        }
+        // Squares of what is tiny may be rounded up by underflow; R' may stretch by half of the skew.
+        return squared < 0x1p-900 ? 0 : Math.sqrt(squared) * (1 - 0x1p-50 - skew);
+    }
+
+    /**
+     * The place, in the order of the leaves, of the next triangle whose key is at most the limit, or -1. A limit only ever
+     * shrinks.
+     */
+    public int next(double limit) {
+        while (true) {
+            while (item < end) {
+                if (itemKey > limit) {
+                    item = end;
+                    break;
+                }
+                return item++;
+            }
+            if (depth == 0) {
+                return -1;
+            }
+            int node = stack[--depth];
+            double key = keys[depth];
+            if (key > limit) {
+                continue;
+            }
+            if (tree.isLeaf(node)) {
+                item = tree.first(node);
+                end = item + tree.count(node);
+                itemKey = key;
+            } else {
+                pushChildren(tree.left(node), tree.right(node), limit);
+            }
+        }
+    }
+
+    private void pushChildren(int left, int right, double limit) {
+        double leftKey = worth(key(left), limit);
+        double rightKey = worth(key(right), limit);
+        if (leftKey <= rightKey) {
+            push(right, rightKey);
+            push(left, leftKey);
+        } else {
+            push(left, leftKey);
+            push(right, rightKey);
+        }
+    }
+
+    private static double worth(double key, double limit) {
+        return key <= limit ? key : Double.POSITIVE_INFINITY;
+    }
+
+    /** Writes the placed triangle at a place of the leaves' order as a leaf's row. */
+    public void corners(int leafPlace, double[] row, int to) {
+        mesh.placedAt(leafPlace, place, at, row, to);
+    }
+
+    /** The triangle at a place of the leaves' order. */
+    public int triangle(int leafPlace) {
+        return tree.item(leafPlace);
+    }
+}

@@ -1,0 +1,176 @@
+package robosim.geometry.narrow.leaf;
+
+import robosim.geometry.exact.Rotations;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+import robosim.geometry.model.SphereObject;
+
+/**
+ * An object as leaves in its own frame, made once; a placement computes the world's leaves from them, always from
+ * scratch and in one order, so that a placed object has one set of stored numbers however it came there.
+ */
+public final class OwnLeaves {
+    private final LeafColumn own;
+
+    private OwnLeaves(LeafColumn own) {
+        this.own = own;
+    }
+
+    /** The leaves of an object, in the order of a group's members, depth first. */
+    public static OwnLeaves of(GeometryObject object) {
+        OwnLeaves leaves = new OwnLeaves(new LeafColumn(1));
+        double[] frame = new double[Leaf.STRIDE];
+        Rotations.identity(frame, Leaf.ROTATION);
+        leaves.add(object, frame);
+        return leaves;
+    }
+
+    /** The leaves of an object where it stands, in a column of their own. */
+    public static LeafColumn placed(GeometryObject object) {
+        LeafColumn leaves = new LeafColumn(1);
+        placed(object, leaves);
+        return leaves;
+    }
+
+    /** Makes a column hold the leaves of an object where it stands, and nothing else. */
+    public static void placed(GeometryObject object, LeafColumn leaves) {
+        leaves.clear();
+        switch (object.kind()) {
+            case BOX, CYLINDER, SPHERE -> placeSimple(object, leaves);
+            case MESH, GROUP -> {
+                OwnLeaves own = of(object);
+                leaves.append(own.size());
+                double[] rotation = object.rotation();
+                Point c = object.center();
+                own.place(c.x(), c.y(), c.z(), rotation, 0, leaves, 0);
+            }
+        }
+    }
+
+    /** A single leaf is its own frame's: placed, it has the object's centre and rotation to the bit. */
+    private static void placeSimple(GeometryObject object, LeafColumn leaves) {
+        int leaf = leaves.append(1);
+        double[] row = leaves.rows();
+        Point c = object.center();
+        row[0] = c.x();
+        row[1] = c.y();
+        row[2] = c.z();
+        int kind = size(object, row, 0);
+        Pose pose = object.pose();
+        if (kind == Leaf.SPHERE || (kind == Leaf.CYLINDER && pose.isUpright())) { // its rotation means nothing
+            leaves.setKind(leaf, kind == Leaf.SPHERE ? Leaf.SPHERE : Leaf.UPRIGHT_CYLINDER);
+            return;
+        }
+        pose.rotation(row, Leaf.ROTATION);
+        leaves.setKind(leaf, Canonical.kind(kind, row, 0));
+    }
+
+    /** Writes the sizes of a box, cylinder or sphere and answers its kind. */
+    private static int size(GeometryObject object, double[] row, int at) {
+        if (object instanceof BoxObject box) {
+            row[at + 3] = box.width() / 2;
+            row[at + 4] = box.height() / 2;
+            row[at + 5] = box.length() / 2;
+            return Leaf.BOX;
+        }
+        if (object instanceof CylinderObject cylinder) {
+            row[at + 3] = cylinder.radius();
+            row[at + 4] = cylinder.height() / 2;
+            return Leaf.CYLINDER;
+        }
+        row[at + 3] = ((SphereObject) object).radius();
+        return Leaf.SPHERE;
+    }
+
+    /** How many leaves there are. */
+    public int size() {
+        return own.size();
+    }
+
+    /** Whether any leaf is a mesh. */
+    public boolean hasMesh() {
+        for (int leaf = 0; leaf < own.size(); leaf++) {
+            if (Leaf.isMesh(own.kind(leaf))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** The leaves in the own frame. */
+    LeafColumn own() {
+        return own;
+    }
+
+    /** The shape of an object, placed by the frame: a centre and a rotation, laid out as a leaf's. */
+    private void add(GeometryObject object, double[] frame) {
+        switch (object.kind()) {
+            case BOX, CYLINDER, SPHERE -> {
+                int at = row(Leaf.BOX, frame);
+                own.setKind(own.size() - 1, size(object, own.rows(), at));
+            }
+            case MESH -> {
+                MeshObject mesh = (MeshObject) object;
+                row(mesh.isSolid() ? Leaf.SOLID_MESH : Leaf.MESH, frame);
+                own.setMesh(own.size() - 1, mesh.triangles());
+            }
+            case GROUP -> {
+                for (GeometryObject member : ((ObjectGroup) object).members()) {
+                    add(member, within(frame, member));
+                }
+            }
+        }
+    }
+
+    /** The frame of a member: its pose within the frame of its group. */
+    private static double[] within(double[] frame, GeometryObject member) {
+        double[] placed = new double[Leaf.STRIDE];
+        Rotations.multiply(frame, Leaf.ROTATION, member.rotation(), 0, placed, Leaf.ROTATION);
+        Point c = member.center();
+        for (int axis = 0; axis < 3; axis++) {
+            int row = Leaf.ROTATION + 3 * axis;
+            placed[axis] = frame[row] * c.x() + frame[row + 1] * c.y() + frame[row + 2] * c.z() + frame[axis];
+        }
+        return placed;
+    }
+
+    private int row(int kind, double[] frame) {
+        int leaf = own.append(1);
+        System.arraycopy(frame, 0, own.rows(), leaf * Leaf.STRIDE, Leaf.STRIDE);
+        own.setKind(leaf, kind);
+        return leaf * Leaf.STRIDE;
+    }
+
+    /**
+     * Writes the world's leaves.
+     *
+     * @param rotation the object's attitude: nine numbers from {@code at} on
+     * @param first    where in the column, which has room, the first leaf is written
+     */
+    public void place(double cx, double cy, double cz, double[] rotation, int at, LeafColumn column, int first) {
+        double[] from = own.rows();
+        double[] to = column.rows();
+        for (int k = 0; k < own.size(); k++) {
+            int i = k * Leaf.STRIDE;
+            int j = (first + k) * Leaf.STRIDE;
+            to[j] = rotation[at] * from[i] + rotation[at + 1] * from[i + 1] + rotation[at + 2] * from[i + 2] + cx;
+            to[j + 1] =
+                    rotation[at + 3] * from[i] + rotation[at + 4] * from[i + 1] + rotation[at + 5] * from[i + 2] + cy;
+            to[j + 2] =
+                    rotation[at + 6] * from[i] + rotation[at + 7] * from[i + 1] + rotation[at + 8] * from[i + 2] + cz;
+            to[j + 3] = from[i + 3];
+            to[j + 4] = from[i + 4];
+            to[j + 5] = from[i + 5];
+            Rotations.multiply(rotation, at, from, i + Leaf.ROTATION, to, j + Leaf.ROTATION);
+            column.setKind(first + k, Canonical.kind(own.kind(k), to, j));
+            if (Leaf.isMesh(own.kind(k))) {
+                column.setMesh(first + k, own.mesh(k));
+            }
+        }
+    }
+}

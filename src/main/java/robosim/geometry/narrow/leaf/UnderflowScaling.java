@@ -1,0 +1,112 @@
+package robosim.geometry.narrow.leaf;
+
+/**
+ * Leaves that are so small, and so near the origin, that products of their coordinates underflow, taken up by a power of
+ * two: that changes no bit of a distance. Verdicts need none of this, they go to exact arithmetic.
+ *
+ * <p>Kernels multiply up to four lengths. Where some coordinate or size is {@link #SMALL} or more, its ulp to the fourth is
+ * above {@code 2^-1075}, and what underflows is less than any bound that is promised in ulp of the largest coordinate.
+ */
+public final class UnderflowScaling {
+    /** Below this, all coordinates and sizes of a question, it is taken up; so are distances questioned. */
+    public static final double SMALL = 0x1p-200;
+
+    public final double[] a = new double[Leaf.STRIDE];
+    public final double[] b = new double[Leaf.STRIDE];
+
+    /** The binary logarithm of the factor. */
+    private int power;
+
+    /**
+     * Takes up what is small, if all of it is.
+     *
+     * @param start the largest coordinate of what is no leaf
+     */
+    public boolean take(double start, int kind, double[] row, int at) {
+        return take(Math.max(start, extent(kind, row, at))) && copy(kind, row, at, a);
+    }
+
+    /** Takes up two leaves if both are small. */
+    public boolean take(int kindA, double[] rowA, int i, int kindB, double[] rowB, int j) {
+        return take(0, kindA, rowA, i, kindB, rowB, j);
+    }
+
+    /** Takes up two leaves if both are small, and so is what else there is. */
+    public boolean take(double more, int kindA, double[] rowA, int i, int kindB, double[] rowB, int j) {
+        return take(Math.max(more, Math.max(extent(kindA, rowA, i), extent(kindB, rowB, j))))
+                && copy(kindA, rowA, i, a)
+                && copy(kindB, rowB, j, b);
+    }
+
+    /** As {@link #take(double, int, double[], int, int, double[], int)}, where heights do not count: there are none then. */
+    public boolean takeLevel(double more, int kindA, double[] rowA, int i, int kindB, double[] rowB, int j) {
+        level(kindA, rowA, i, a);
+        level(kindB, rowB, j, b);
+        return take(more, kindA, a, 0, kindB, b, 0);
+    }
+
+    private static void level(int kind, double[] row, int at, double[] out) {
+        System.arraycopy(row, at, out, 0, Leaf.STRIDE);
+        switch (kind) {
+            case Leaf.PRISM -> {
+                out[8] = 0;
+                out[9] = 0;
+            }
+            case Leaf.TRIANGLE -> {
+                out[1] = 0;
+                out[4] = 0;
+                out[7] = 0;
+            }
+            case Leaf.UPRIGHT_BOX, Leaf.UPRIGHT_CYLINDER -> {
+                out[1] = 0;
+                out[4] = 0;
+            }
+            default -> out[1] = 0; // a size of what leans shows from above
+        }
+    }
+
+    private boolean take(double largest) {
+        power = -Math.getExponent(largest);
+        return largest < SMALL && largest > 0;
+    }
+
+    private boolean copy(int kind, double[] row, int at, double[] out) {
+        System.arraycopy(row, at, out, 0, Leaf.STRIDE);
+        for (int k = 0; k < lengths(kind); k++) {
+            out[k] = up(out[k]);
+        }
+        return true;
+    }
+
+    public double up(double length) {
+        return scale(length, power);
+    }
+
+    public double down(double length) {
+        return scale(length, -power);
+    }
+
+    /** In two steps, because the factor itself may be no double. */
+    private static double scale(double value, int power) {
+        return Math.scalb(Math.scalb(value, power / 2), power - power / 2);
+    }
+
+    private static double extent(int kind, double[] row, int at) {
+        double largest = 0;
+        for (int k = 0; k < lengths(kind); k++) {
+            largest = Math.max(largest, Math.abs(row[at + k]));
+        }
+        return largest;
+    }
+
+    /** How many numbers at the beginning of a row are lengths; those that follow are a rotation or nothing. */
+    private static int lengths(int kind) {
+        return switch (kind) {
+            case Leaf.SPHERE -> 4;
+            case Leaf.UPRIGHT_CYLINDER, Leaf.CYLINDER -> 5;
+            case Leaf.UPRIGHT_BOX, Leaf.BOX -> 6;
+            case Leaf.TRIANGLE -> 9;
+            default -> 10;
+        };
+    }
+}

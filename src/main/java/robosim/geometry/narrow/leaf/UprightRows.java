@@ -1,0 +1,183 @@
+package robosim.geometry.narrow.leaf;
+
+import java.util.Arrays;
+import robosim.geometry.index.Growth;
+import robosim.geometry.index.tiles.Outline;
+
+/**
+ * Upright boxes and cylinders and spheres that stay where they are, beside each other in half of a {@link Leaf}'s row: what
+ * a world has most of. A box has its cosine and sine at {@link #COS} and {@link #SIN} in place of the nine numbers that
+ * they make; the others stand as in a row. Every row is an {@link Outline} too, also at the places of other objects, of
+ * which nothing else stands here.
+ */
+public final class UprightRows {
+    public static final int COS = Outline.COS;
+    public static final int SIN = Outline.SIN;
+
+    /** Where a row has the height of its centre, or no number where it is an outline only. */
+    private static final int Y = 1;
+
+    /** The sine of a cylinder or sphere, which no box has. */
+    private static final double ROUND = -0.0;
+
+    /** No rows, for who has none. */
+    static final UprightRows NONE = new UprightRows();
+
+    private static final byte VACANT = -1;
+
+    private int size;
+    private byte[] kinds = new byte[0];
+
+    // What takes a cylinder or sphere for a row copies as many numbers as a row has.
+    private double[] rows = Outline.rows(0, Leaf.STRIDE);
+
+    private final double[] spread = new double[Leaf.STRIDE];
+
+    /** The same rows, which nobody may change any more, with working memory of its own: for one more thread to read. */
+    UprightRows view() {
+        UprightRows view = new UprightRows();
+        view.size = size;
+        view.kinds = kinds;
+        view.rows = rows;
+        return view;
+    }
+
+    /** Whether a row can stand here: what it is spread to must be the row to the bit. */
+    static boolean takes(int kind, double[] row, int at) {
+        return kind == Leaf.UPRIGHT_CYLINDER
+                || kind == Leaf.SPHERE
+                || (kind == Leaf.UPRIGHT_BOX
+                        && isZero(row[at + 7])
+                        && isZero(row[at + 9])
+                        && row[at + 10] == 1
+                        && isZero(row[at + 11])
+                        && isZero(row[at + 13])
+                        && same(row[at + 12], 0.0 - row[at + 8])
+                        && same(row[at + 14], row[at + 6])
+                        && !same(row[at + 8], ROUND));
+    }
+
+    private static boolean isZero(double number) {
+        return same(number, 0.0);
+    }
+
+    private static boolean same(double a, double b) {
+        return Double.doubleToRawLongBits(a) == Double.doubleToRawLongBits(b);
+    }
+
+    int size() {
+        return size;
+    }
+
+    int kind(int place) {
+        return kinds[place];
+    }
+
+    /** Whether a cylinder or sphere stands where a row begins. */
+    public static boolean isRound(double[] rows, int at) {
+        return same(rows[at + SIN], ROUND);
+    }
+
+    double[] rows() {
+        return rows;
+    }
+
+    /** Makes room for a place, and for all before it. */
+    void reserve(int place) {
+        if (place >= kinds.length) {
+            resize(place < Growth.FIRST ? Growth.FIRST : Growth.of(place));
+        }
+        while (size <= place) {
+            kinds[size++] = VACANT;
+        }
+    }
+
+    /** Writes where something else is, which does not stand here. */
+    void outline(int place, double minX, double minZ, double maxX, double maxZ) {
+        Outline.write(rows, place, minX, minZ, maxX, maxZ);
+        rows[Outline.at(place) + Y] = Double.NaN;
+    }
+
+    /** Whether what is at a place stands here. */
+    public boolean isHere(int place) {
+        return isHere(rows, Outline.at(place));
+    }
+
+    /** The same of the place where a row begins. */
+    public static boolean isHere(double[] rows, int at) {
+        return !Double.isNaN(rows[at + Y]);
+    }
+
+    /** Gives up room that there is for more. */
+    void trim() {
+        if (kinds.length - size > size >> 6) {
+            resize(size);
+        }
+    }
+
+    private void resize(int capacity) {
+        kinds = Arrays.copyOf(kinds, capacity);
+        rows = Arrays.copyOf(rows, Outline.length(capacity) + Leaf.STRIDE);
+    }
+
+    void write(int place, int kind, double[] row, int at) {
+        kinds[place] = (byte) kind;
+        int to = Outline.at(place);
+        System.arraycopy(row, at, rows, to, Leaf.ROTATION);
+        if (kind == Leaf.UPRIGHT_BOX) {
+            rows[to + COS] = row[at + 6];
+            rows[to + SIN] = row[at + 8];
+        } else { // the square about it
+            rows[to + Outline.HALF_Z] = row[at + Leaf.SIZE];
+            rows[to + COS] = 1;
+            rows[to + SIN] = ROUND;
+        }
+    }
+
+    void vacate(int place) {
+        kinds[place] = VACANT;
+    }
+
+    boolean isVacant(int place) {
+        return kinds[place] == VACANT;
+    }
+
+    /** What holds the numbers of a place as a {@link Leaf}'s, from {@link #at} on; good until another is asked for. */
+    double[] rows(int place) {
+        return kinds[place] == Leaf.UPRIGHT_BOX ? spread : rows;
+    }
+
+    /** Where they begin. */
+    int at(int place) {
+        int from = Outline.at(place);
+        if (kinds[place] != Leaf.UPRIGHT_BOX) {
+            return from;
+        }
+        spread(from, spread, 0);
+        return 0;
+    }
+
+    /** Writes the numbers of a place as a {@link Leaf}'s. */
+    void copy(int place, double[] out, int to) {
+        if (kinds[place] == Leaf.UPRIGHT_BOX) {
+            spread(Outline.at(place), out, to);
+        } else {
+            System.arraycopy(rows, Outline.at(place), out, to, Leaf.ROTATION);
+        }
+    }
+
+    private void spread(int from, double[] out, int to) {
+        System.arraycopy(rows, from, out, to, Leaf.ROTATION);
+        double cos = rows[from + COS];
+        double sin = rows[from + SIN];
+        out[to + 6] = cos;
+        out[to + 7] = 0;
+        out[to + 8] = sin;
+        out[to + 9] = 0;
+        out[to + 10] = 1;
+        out[to + 11] = 0;
+        out[to + 12] = 0.0 - sin;
+        out[to + 13] = 0;
+        out[to + 14] = cos;
+    }
+}

@@ -1,0 +1,327 @@
+package robosim.geometry.narrow.mesh;
+
+import robosim.geometry.index.boxes.BoxTree;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.TriangleMesh;
+import robosim.geometry.narrow.leaf.BoxGap;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafBounds;
+import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafScratch;
+import robosim.geometry.narrow.leaf.MeshWalk;
+import robosim.geometry.narrow.overlap.SpatialOverlap;
+
+/**
+ * An object's leaves and the triangles of its meshes as one tree: above, a tree over its parts (the leaves of the
+ * column), where there is more than one; below each part that is a mesh, the mesh's own tree.
+ *
+ * <p>A place in the tree is a {@code long}: the part, -1 above the parts, and in the lower half a node, or ~place for a
+ * triangle. Boxes are the world's and hold what is below them to the bit: a mesh's stand in its own frame and are taken
+ * into the world as they are placed, so that a rotation that is orthonormal to 1e-9 only loses nothing.
+ */
+final class Branches {
+    /** Widening for each unit of the numbers that a box is computed from; see {@link LeafColumn}. */
+    private static final double WIDEN = MeshWalk.WIDEN;
+
+    /** A share of the size that two cylinders may be apart by without {@link SpatialOverlap} being certain of it. */
+    private static final double DOUBTFUL = 0x1p-40;
+
+    private static final BoxTree NO_PARTS = new BoxTree(new double[6]);
+
+    private static final LeafColumn NO_LEAVES = new LeafColumn(1);
+
+    private LeafColumn column = NO_LEAVES;
+    private boolean flat;
+    private BoxTree parts = NO_PARTS;
+    private long root;
+
+    // The leaf that was loaded last: a row of the column, or a triangle.
+    private final double[] triangle = new double[Leaf.STRIDE];
+    double[] row = triangle;
+    int at;
+    int kind;
+
+    /** Takes an object up. */
+    void open(LeafColumn leaves, Dimension dimension) {
+        column = leaves;
+        flat = dimension == Dimension.PLANAR;
+        if (leaves.size() > 1) {
+            double[] boxes = new double[6 * leaves.size()];
+            double[] one = new double[6];
+            for (int part = 0; part < leaves.size(); part++) {
+                box(place(part, 0), one);
+                System.arraycopy(one, 0, boxes, 6 * part, 6);
+            }
+            parts = new BoxTree(boxes);
+            root = place(-1, parts.root());
+        } else {
+            root = place(0, 0);
+        }
+    }
+
+    /** Takes one part of an object up. */
+    void openPart(LeafColumn leaves, int part, Dimension dimension) {
+        column = leaves;
+        flat = dimension == Dimension.PLANAR;
+        root = place(part, 0);
+    }
+
+    /** Lets go of the object. */
+    void close() {
+        column = NO_LEAVES;
+        parts = NO_PARTS;
+    }
+
+    long root() {
+        return root;
+    }
+
+    private static long place(int part, int code) {
+        return ((long) part << 32) | (code & 0xffffffffL);
+    }
+
+    static int part(long place) {
+        return (int) (place >> 32);
+    }
+
+    private static int code(long place) {
+        return (int) place;
+    }
+
+    /** Whether the place stands for a part as a whole. */
+    static boolean isPart(long place) {
+        return part(place) >= 0 && code(place) == 0;
+    }
+
+    static boolean isAboveParts(long place) {
+        return part(place) < 0;
+    }
+
+    /** Whether the place is a convex leaf or a triangle. */
+    boolean isLeaf(long place) {
+        return part(place) >= 0 && (code(place) < 0 || !Leaf.isMesh(column.kind(part(place))));
+    }
+
+    private BoxTree tree(long place) {
+        return isAboveParts(place) ? parts : column.mesh(part(place)).tree();
+    }
+
+    int children(long place) {
+        int count = tree(place).count(code(place));
+        return count > 0 ? count : 2;
+    }
+
+    long child(long place, int k) {
+        BoxTree tree = tree(place);
+        int node = code(place);
+        if (!tree.isLeaf(node)) {
+            return place(part(place), k == 0 ? tree.left(node) : tree.right(node));
+        }
+        int item = tree.first(node) + k;
+        return isAboveParts(place) ? place(tree.item(item), 0) : place(part(place), ~item);
+    }
+
+    /** The triangle of a place, -1 where it is none. */
+    int triangle(long place) {
+        int code = code(place);
+        return code < 0 ? column.mesh(part(place)).tree().item(~code) : -1;
+    }
+
+    /** Makes a leaf the one that {@link #row}, {@link #at} and {@link #kind} tell. */
+    void load(long leaf) {
+        loadTriangle(part(leaf), triangle(leaf));
+    }
+
+    /** The same by the part and the triangle of a mesh, -1 where the part is none. */
+    void loadTriangle(int part, int ofMesh) {
+        if (ofMesh < 0) {
+            row = column.rows();
+            at = part * Leaf.STRIDE;
+            kind = column.kind(part);
+            return;
+        }
+        row = triangle;
+        at = 0;
+        kind = Leaf.TRIANGLE;
+        TriangleMesh mesh = column.mesh(part);
+        for (int corner = 0; corner < 3; corner++) {
+            vertex(part, mesh.vertex(ofMesh, corner), triangle, 3 * corner);
+        }
+    }
+
+    /** Whether a solid mesh holds a point of a part: a vertex of a mesh, or else (the vertex is 0) what it is placed by. */
+    boolean holds(int solid, Branches other, int part, int vertex, LeafScratch s) {
+        double[] point = other.triangle;
+        if (Leaf.isMesh(other.kindOf(part))) {
+            other.vertex(part, vertex, point, 0);
+        } else {
+            System.arraycopy(other.column.rows(), part * Leaf.STRIDE, point, 0, 3);
+        }
+        return Inside.holds(column, solid, point[0], point[1], point[2], s);
+    }
+
+    /** The vertex (0 where there are none) by which {@link #holds} finds a part inside; -1 where it finds none. */
+    int heldVertex(int solid, Branches other, int part, LeafScratch s) {
+        if (!Leaf.isMesh(other.kindOf(part))) {
+            return holds(solid, other, part, 0, s) ? 0 : -1;
+        }
+        for (int seed : other.column.mesh(part).seeds()) {
+            if (holds(solid, other, part, seed, s)) {
+                return seed;
+            }
+        }
+        return -1;
+    }
+
+    /** The first triangle with a corner at a vertex; -1 where the part is no mesh. */
+    int triangleAt(int part, int vertex) {
+        if (!Leaf.isMesh(column.kind(part))) {
+            return -1;
+        }
+        TriangleMesh mesh = column.mesh(part);
+        for (int t = 0; t < mesh.size(); t++) {
+            for (int corner = 0; corner < 3; corner++) {
+                if (isAt(mesh, mesh.vertex(t, corner), vertex)) {
+                    return t;
+                }
+            }
+        }
+        throw new IllegalStateException("vertex must be a corner (got: " + vertex + ")");
+    }
+
+    private static boolean isAt(TriangleMesh mesh, int p, int q) {
+        return mesh.coordinate(p, 0) == mesh.coordinate(q, 0)
+                && mesh.coordinate(p, 1) == mesh.coordinate(q, 1)
+                && mesh.coordinate(p, 2) == mesh.coordinate(q, 2);
+    }
+
+    /** Writes a vertex of a part that is a mesh. */
+    void vertex(int part, int vertex, double[] out, int to) {
+        TriangleMesh mesh = column.mesh(part);
+        for (int axis = 0; axis < 3; axis++) {
+            out[to + axis] = mesh.placed(vertex, axis, column.rows(), part * Leaf.STRIDE);
+        }
+    }
+
+    /** Writes a point that is certainly below a place: of a convex leaf its centre, else a corner. */
+    void point(long place, double[] out) {
+        int part = part(place);
+        int code = code(place);
+        if (part < 0) {
+            part = parts.item(firstItem(parts, code));
+            code = 0;
+        }
+        if (!Leaf.isMesh(column.kind(part))) {
+            System.arraycopy(column.rows(), part * Leaf.STRIDE, out, 0, 3);
+            return;
+        }
+        TriangleMesh mesh = column.mesh(part);
+        int item = code < 0 ? ~code : firstItem(mesh.tree(), code);
+        vertex(part, mesh.vertex(mesh.tree().item(item), 0), out, 0);
+    }
+
+    private static int firstItem(BoxTree tree, int node) {
+        int leaf = node;
+        while (!tree.isLeaf(leaf)) {
+            leaf = tree.left(leaf);
+        }
+        return tree.first(leaf);
+    }
+
+    /** Writes the box of a place: least x, y, z, then greatest; in PLANAR all have the same heights. */
+    void box(long place, double[] out) {
+        int part = part(place);
+        if (part < 0) {
+            partsBox(code(place), out);
+        } else if (!Leaf.isMesh(column.kind(part))) {
+            LeafBounds.of(column.kind(part), column.rows(), part * Leaf.STRIDE, out);
+            widenRound(column.kind(part), out);
+        } else if (code(place) < 0) {
+            load(place);
+            LeafBounds.of(Leaf.TRIANGLE, triangle, 0, out);
+        } else {
+            meshBox(part, code(place), out);
+        }
+        if (flat) {
+            out[1] = 0;
+            out[4] = 0;
+        }
+    }
+
+    /** So far that a box never decides what {@link SpatialOverlap} is not certain of. */
+    private static void widenRound(int kind, double[] box) {
+        if (kind == Leaf.CYLINDER || kind == Leaf.UPRIGHT_CYLINDER) {
+            double pad = DOUBTFUL * BoxGap.size(box);
+            for (int axis = 0; axis < 3; axis++) {
+                box[axis] -= pad;
+                box[3 + axis] += pad;
+            }
+        }
+    }
+
+    private void partsBox(int node, double[] out) {
+        for (int axis = 0; axis < 3; axis++) {
+            double middle = parts.middle(node, axis);
+            double half = parts.half(node, axis);
+            double pad = WIDEN * (Math.abs(middle) + half) + MeshWalk.UNDERFLOW;
+            out[axis] = middle - half - pad;
+            out[3 + axis] = middle + half + pad;
+        }
+    }
+
+    private void meshBox(int part, int node, double[] out) {
+        BoxTree tree = column.mesh(part).tree();
+        double[] frame = column.rows();
+        int c = part * Leaf.STRIDE;
+        double middleX = tree.middle(node, 0);
+        double middleY = tree.middle(node, 1);
+        double middleZ = tree.middle(node, 2);
+        double halfX = tree.half(node, 0);
+        double halfY = tree.half(node, 1);
+        double halfZ = tree.half(node, 2);
+        double reach = Math.abs(middleX) + Math.abs(middleY) + Math.abs(middleZ) + halfX + halfY + halfZ;
+        for (int axis = 0; axis < 3; axis++) {
+            int r = c + Leaf.ROTATION + 3 * axis;
+            double middle = frame[r] * middleX + frame[r + 1] * middleY + frame[r + 2] * middleZ + frame[c + axis];
+            double half = Math.abs(frame[r]) * halfX + Math.abs(frame[r + 1]) * halfY + Math.abs(frame[r + 2]) * halfZ;
+            double pad = WIDEN * (reach + Math.abs(frame[c + axis])) + MeshWalk.UNDERFLOW;
+            out[axis] = middle - half - pad;
+            out[3 + axis] = middle + half + pad;
+        }
+    }
+
+    /** The kind of a part. */
+    int kindOf(int part) {
+        return column.kind(part);
+    }
+
+    LeafColumn column() {
+        return column;
+    }
+
+    /** Whether two objects have to be taken the other way round to make (a, b) and (b, a) one question. */
+    static boolean isReversed(LeafColumn a, LeafColumn b) {
+        int order = Integer.compare(a.size(), b.size());
+        for (int part = 0; order == 0 && part < a.size(); part++) {
+            order = Integer.compare(a.kind(part), b.kind(part));
+            for (int k = part * Leaf.STRIDE; order == 0 && k < (part + 1) * Leaf.STRIDE; k++) {
+                order = Double.compare(a.rows()[k], b.rows()[k]);
+            }
+        }
+        for (int part = 0; order == 0 && part < a.size(); part++) {
+            order = Leaf.isMesh(a.kind(part)) ? compare(a.mesh(part), b.mesh(part)) : 0;
+        }
+        return order > 0;
+    }
+
+    private static int compare(TriangleMesh a, TriangleMesh b) {
+        int order = Integer.compare(a.size(), b.size());
+        for (int t = 0; order == 0 && t < a.size(); t++) {
+            for (int k = 0; order == 0 && k < 9; k++) {
+                order = Double.compare(
+                        a.coordinate(a.vertex(t, k / 3), k % 3), b.coordinate(b.vertex(t, k / 3), k % 3));
+            }
+        }
+        return order;
+    }
+}

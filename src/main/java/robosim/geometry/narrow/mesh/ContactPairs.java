@@ -1,0 +1,257 @@
+package robosim.geometry.narrow.mesh;
+
+import java.util.Arrays;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.TriangleMesh;
+import robosim.geometry.narrow.distance.ContactPoint;
+import robosim.geometry.narrow.distance.DistanceScratch;
+import robosim.geometry.narrow.leaf.BoxGap;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.overlap.ConvexOverlap;
+
+/**
+ * The pairs of convex leaves and triangles of two objects that have a point in common, found by descending both trees at
+ * once. Which pairs are found first does not depend on the order of the two objects. An instance belongs to one owner of
+ * queries; nothing is allocated once its arrays have grown, but by exact decisions.
+ */
+public final class ContactPairs {
+    private static final int NO_SIDE = 0;
+    private static final int FIRST_HOLDS = 1;
+    private static final int SECOND_HOLDS = 2;
+
+    private final DistanceScratch s;
+    private final Branches first = new Branches();
+    private final Branches second = new Branches();
+    private final double[] boxA = new double[6];
+    private final double[] boxB = new double[6];
+    private final double[] childBox = new double[6];
+    private Dimension dimension = Dimension.SPATIAL;
+    private boolean isReversed;
+    private int limit;
+
+    private long[] stackA = new long[64];
+    private long[] stackB = new long[64];
+    private int depth;
+
+    /** Five numbers a pair: part and triangle (-1 where none) of the first, then of the second, then who holds whom. */
+    private int[] found = new int[80];
+
+    private boolean[] certain = new boolean[16];
+    private int count;
+
+    public ContactPairs(DistanceScratch scratch) {
+        s = scratch;
+    }
+
+    /** Whether two parts have a point in common: stops at the first pair. */
+    public boolean touch(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j) {
+        this.dimension = dimension;
+        limit = 1;
+        isReversed = false;
+        first.openPart(a, i, dimension);
+        second.openPart(b, j, dimension);
+        count = 0;
+        depth = 0;
+        if (rootsMeet()) {
+            findInParts(first.root(), second.root());
+        }
+        return count > 0;
+    }
+
+    /** Finds all pairs, or as many as the limit says, at least one. */
+    public void find(Dimension dimension, LeafColumn a, LeafColumn b, int limit) {
+        this.dimension = dimension;
+        this.limit = limit;
+        isReversed = Branches.isReversed(a, b);
+        first.open(isReversed ? b : a, dimension);
+        second.open(isReversed ? a : b, dimension);
+        count = 0;
+        depth = 0;
+        if (rootsMeet()) {
+            push(first.root(), second.root());
+        }
+        while (depth > 0 && count < limit) {
+            depth--;
+            long p = stackA[depth];
+            long q = stackB[depth];
+            if (Branches.isPart(p) && Branches.isPart(q)) {
+                findInParts(p, q);
+            } else {
+                open(p, q);
+            }
+        }
+    }
+
+    private boolean rootsMeet() {
+        first.box(first.root(), boxA);
+        second.box(second.root(), boxB);
+        return BoxGap.meet(boxA, boxB);
+    }
+
+    /** Lets go of the objects and of the pairs. */
+    public void close() {
+        first.close();
+        second.close();
+        count = 0;
+    }
+
+    public int count() {
+        return count;
+    }
+
+    /** The part of the object that was given first. */
+    public int partA(int k) {
+        return found[5 * k + (isReversed ? 2 : 0)];
+    }
+
+    public int partB(int k) {
+        return found[5 * k + (isReversed ? 0 : 2)];
+    }
+
+    /** The face of that part, -1 where it is no mesh or counts with its inside. */
+    public int faceA(int k) {
+        return face(isReversed ? second : first, partA(k), found[5 * k + (isReversed ? 3 : 1)]);
+    }
+
+    public int faceB(int k) {
+        return face(isReversed ? first : second, partB(k), found[5 * k + (isReversed ? 1 : 3)]);
+    }
+
+    /** Which triangle of the face it is, 0 or 1; -1 where there is no face. */
+    public int halfA(int k) {
+        return half(isReversed ? second : first, partA(k), found[5 * k + (isReversed ? 3 : 1)]);
+    }
+
+    public int halfB(int k) {
+        return half(isReversed ? first : second, partB(k), found[5 * k + (isReversed ? 1 : 3)]);
+    }
+
+    /** Whether it is proven that the pair touches. */
+    public boolean isCertain(int k) {
+        return certain[k];
+    }
+
+    private static int face(Branches of, int part, int triangle) {
+        return triangle < 0 ? -1 : of.column().mesh(part).face(triangle);
+    }
+
+    private static int half(Branches of, int part, int triangle) {
+        if (triangle < 0) {
+            return -1;
+        }
+        TriangleMesh mesh = of.column().mesh(part);
+        return triangle > 0 && mesh.face(triangle - 1) == mesh.face(triangle) ? 1 : 0;
+    }
+
+    /**
+     * Where a pair touches.
+     *
+     * @param out seven numbers: a point, a unit normal from b towards a, and how far the point is at most from either
+     */
+    public void witness(int k, double[] out) {
+        int at = 5 * k;
+        int side = found[at + 4];
+        if (side != NO_SIDE) {
+            inside(side == FIRST_HOLDS ? second : first, at + (side == FIRST_HOLDS ? 2 : 0), out);
+            out[4] = (side == FIRST_HOLDS) == isReversed ? 1 : -1;
+            return;
+        }
+        Branches a = isReversed ? second : first;
+        Branches b = isReversed ? first : second;
+        a.loadTriangle(partA(k), found[at + (isReversed ? 3 : 1)]);
+        b.loadTriangle(partB(k), found[at + (isReversed ? 1 : 3)]);
+        ContactPoint.of(dimension, a.kind, a.row, a.at, b.kind, b.row, b.at, out, s);
+    }
+
+    /** A point of what is held by a solid, which is a point of both. */
+    private void inside(Branches held, int at, double[] out) {
+        held.loadTriangle(found[at], found[at + 1]);
+        System.arraycopy(held.row, held.at, out, 0, 3);
+        Arrays.fill(out, 3, 7, 0);
+    }
+
+    private void findInParts(long a, long b) {
+        int before = count;
+        int base = depth;
+        push(a, b);
+        while (depth > base && count < limit) {
+            depth--;
+            long p = stackA[depth];
+            long q = stackB[depth];
+            if (first.isLeaf(p) && second.isLeaf(q)) {
+                test(p, q);
+            } else {
+                open(p, q);
+            }
+        }
+        if (count == before && dimension == Dimension.SPATIAL) {
+            findInside(Branches.part(a), Branches.part(b));
+        }
+    }
+
+    private void test(long a, long b) {
+        first.load(a);
+        second.load(b);
+        s.uncertain = false;
+        if (ConvexOverlap.test(dimension, first.kind, first.row, first.at, second.kind, second.row, second.at, s)) {
+            add(Branches.part(a), first.triangle(a), Branches.part(b), second.triangle(b), NO_SIDE, !s.uncertain);
+        }
+    }
+
+    /** Two parts whose surfaces do not meet: one of them may be inside the other. */
+    private void findInside(int a, int b) {
+        if (first.kindOf(a) == Leaf.SOLID_MESH) {
+            int vertex = first.heldVertex(a, second, b, s);
+            if (vertex >= 0) {
+                add(a, -1, b, second.triangleAt(b, vertex), FIRST_HOLDS, true);
+                return;
+            }
+        }
+        if (second.kindOf(b) == Leaf.SOLID_MESH) {
+            int vertex = second.heldVertex(b, first, a, s);
+            if (vertex >= 0) {
+                add(a, first.triangleAt(a, vertex), b, -1, SECOND_HOLDS, true);
+            }
+        }
+    }
+
+    private void add(int partA, int triangleA, int partB, int triangleB, int side, boolean isCertain) {
+        if (count == certain.length) {
+            certain = Arrays.copyOf(certain, 2 * count);
+            found = Arrays.copyOf(found, 10 * count);
+        }
+        certain[count] = isCertain;
+        int at = 5 * count++;
+        found[at] = partA;
+        found[at + 1] = triangleA;
+        found[at + 2] = partB;
+        found[at + 3] = triangleB;
+        found[at + 4] = side;
+    }
+
+    private void open(long a, long b) {
+        first.box(a, boxA);
+        second.box(b, boxB);
+        boolean opensFirst = NearestPairs.opensFirst(first, a, boxA, second, b, boxB);
+        Branches opened = opensFirst ? first : second;
+        long parent = opensFirst ? a : b;
+        double[] other = opensFirst ? boxB : boxA;
+        for (int k = opened.children(parent) - 1; k >= 0; k--) {
+            long child = opened.child(parent, k);
+            opened.box(child, childBox);
+            if (BoxGap.meet(childBox, other)) {
+                push(opensFirst ? child : a, opensFirst ? b : child);
+            }
+        }
+    }
+
+    private void push(long a, long b) {
+        if (depth == stackA.length) {
+            stackA = Arrays.copyOf(stackA, 2 * depth);
+            stackB = Arrays.copyOf(stackB, 2 * depth);
+        }
+        stackA[depth] = a;
+        stackB[depth++] = b;
+    }
+}

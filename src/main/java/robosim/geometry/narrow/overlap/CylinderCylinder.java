@@ -1,0 +1,136 @@
+package robosim.geometry.narrow.overlap;
+
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.gjk.Gjk;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafBounds;
+import robosim.geometry.narrow.sat.ExactCylinders;
+
+/** Two cylinders in space, of which at least one is turned. */
+public final class CylinderCylinder {
+    /**
+     * Roundoff of what lies along parallel axes, in u = 2^-53 of the magnitudes that go in: an offset 1, its products 1 and
+     * their sum 2. The last difference keeps its sign.
+     */
+    private static final double ALONG_ERROR = Filter.bound(4.01 * 0x1p-53);
+
+    /** Of the half heights: a.a and a.b 3, their products 1, the sum 1. */
+    private static final double HEIGHTS_ERROR = Filter.bound(5.01 * 0x1p-53);
+
+    /**
+     * Of the squared permanents of w x a: a product 2, a coordinate 3, its square 7, the sum of three 9. Of the squared
+     * reach: the sum of the radii 1, its square 3, a.a 3, the product 7.
+     */
+    private static final double ACROSS_ERROR = Filter.bound(9.01 * 0x1p-53);
+
+    private static final double REACH_ERROR = Filter.bound(7.01 * 0x1p-53);
+
+    /** More than underflow may lose. */
+    private static final double UNDERFLOW = 0x1p-960;
+
+    private static final Stages.Counter EXACT = Stages.counter("CylinderCylinder");
+
+    private CylinderCylinder() {}
+
+    /**
+     * Whether two cylinders touch or overlap.
+     *
+     * <p>Exact where the stored axes are parallel. Else certified: apart only with a slab between the two (by more than the
+     * roundoff of doubles, or with exact numbers), touching with a common point (so deep that no rounding matters, or
+     * exactly one), and where neither is found touching, and {@link OverlapScratch#uncertain} set. That happens only where the
+     * gap is below 2^-40 of the sizes, or the depth.
+     */
+    public static boolean touch(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
+        double ax = kindA == Leaf.CYLINDER ? a[i + 7] : 0;
+        double ay = kindA == Leaf.CYLINDER ? a[i + 10] : 1;
+        double az = kindA == Leaf.CYLINDER ? a[i + 13] : 0;
+        double bx = kindB == Leaf.CYLINDER ? b[j + 7] : 0;
+        double by = kindB == Leaf.CYLINDER ? b[j + 10] : 1;
+        double bz = kindB == Leaf.CYLINDER ? b[j + 13] : 0;
+        boolean same = (ax == bx && ay == by && az == bz) || (ax == -bx && ay == -by && az == -bz);
+        if (same || (maybeParallel(ax, ay, az, bx, by, bz) && areParallel(kindA, a, i, kindB, b, j))) {
+            int sure = parallel(a, i, ax, ay, az, b, j, Math.abs(ax * bx + ay * by + az * bz));
+            if (sure != 0) {
+                return sure > 0;
+            }
+            EXACT.count();
+            return new ExactCylinders(kindA, a, i, kindB, b, j).parallelTouch();
+        }
+        Gjk gjk = s.gjk;
+        gjk.spatial(kindA, a, i, kindB, b, j);
+        if (gjk.lower() > 0) {
+            return false;
+        }
+        if (gjk.isDeep()) {
+            return true;
+        }
+        s.hull.grow(Double.MIN_VALUE);
+        if (s.hull.lower() > 0) {
+            return true;
+        }
+        if (-s.hull.upper() > s.hull.error()) {
+            return false; // the slab that GJK did not find
+        }
+        EXACT.count();
+        ExactCylinders exact = new ExactCylinders(kindA, a, i, kindB, b, j);
+        if (exact.isApart(gjk.nx(), gjk.ny(), gjk.nz(), s.hull.x(), s.hull.y(), s.hull.z())) {
+            return false;
+        }
+        if (exact.haveInCommon(
+                0.5 * gjk.ax() + 0.5 * gjk.bx(), 0.5 * gjk.ay() + 0.5 * gjk.by(), 0.5 * gjk.az() + 0.5 * gjk.bz())) {
+            return true;
+        }
+        // Trees go by bounds: what these prove apart is, or an answer would depend on which tree was asked.
+        if (LeafBounds.areApart(Dimension.SPATIAL, kindA, a, i, kindB, b, j, s.boundsA, s.boundsB)) {
+            return false;
+        }
+        s.uncertain = true;
+        return true;
+    }
+
+    private static boolean areParallel(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        return new ExactCylinders(kindA, a, i, kindB, b, j).areParallel();
+    }
+
+    // Products round the same way where their difference is 0, and to a double next to it otherwise.
+    private static boolean maybeParallel(double ax, double ay, double az, double bx, double by, double bz) {
+        double least = 0x1p-50;
+        return Math.abs(ay * bz - az * by) < least
+                && Math.abs(az * bx - ax * bz) < least
+                && Math.abs(ax * by - ay * bx) < least;
+    }
+
+    /** +1 touch, -1 apart, 0 where doubles cannot tell; {@code cosine} is |a.b|. */
+    private static int parallel(double[] a, int i, double ax, double ay, double az, double[] b, int j, double cosine) {
+        double wx = b[j] - a[i];
+        double wy = b[j + 1] - a[i + 1];
+        double wz = b[j + 2] - a[i + 2];
+        double square = ax * ax + ay * ay + az * az;
+        double heights = a[i + 4] * square + b[j + 4] * cosine;
+        double along = Math.abs(wx * ax + wy * ay + wz * az);
+        double size = Math.abs(wx * ax) + Math.abs(wy * ay) + Math.abs(wz * az);
+        double alongError = ALONG_ERROR * size + HEIGHTS_ERROR * heights + UNDERFLOW;
+        double yz = wy * az;
+        double zy = wz * ay;
+        double zx = wz * ax;
+        double xz = wx * az;
+        double xy = wx * ay;
+        double yx = wy * ax;
+        double across = square(yz - zy) + square(zx - xz) + square(xy - yx);
+        double permanent = square(Math.abs(yz) + Math.abs(zy))
+                + square(Math.abs(zx) + Math.abs(xz))
+                + square(Math.abs(xy) + Math.abs(yx));
+        double reach = square(a[i + 3] + b[j + 3]) * square;
+        double acrossError = ACROSS_ERROR * permanent + REACH_ERROR * reach + UNDERFLOW;
+        if (along - heights > alongError || across - reach > acrossError) {
+            return -1;
+        }
+        return along - heights < -alongError && across - reach < -acrossError ? 1 : 0;
+    }
+
+    private static double square(double v) {
+        return v * v;
+    }
+}

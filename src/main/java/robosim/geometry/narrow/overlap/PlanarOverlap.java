@@ -1,0 +1,103 @@
+package robosim.geometry.narrow.overlap;
+
+import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafBounds;
+import robosim.geometry.narrow.leaf.Order;
+import robosim.geometry.narrow.leaf.UnderflowScaling;
+import robosim.geometry.narrow.planar.DiscDisc;
+import robosim.geometry.narrow.planar.DiscPolygon;
+import robosim.geometry.narrow.planar.DiscRectangle;
+import robosim.geometry.narrow.planar.PlanarShape;
+import robosim.geometry.narrow.planar.PolygonPolygon;
+import robosim.geometry.narrow.planar.RectangleRectangle;
+import robosim.geometry.narrow.planar.ZonogonZonogon;
+
+/** Whether the projections of two leaves on the XZ plane touch or overlap. */
+public final class PlanarOverlap {
+    private PlanarOverlap() {}
+
+    /**
+     * Whether the projections of two leaves touch or overlap; the same for (a, b) and (b, a).
+     *
+     * <p>Exact for the stored numbers where boxes, triangles, spheres and upright cylinders are concerned. Octagons (they
+     * are enclosures; two of them are exact) and turned cylinders are certified: apart only where a line between the two is beyond the rounding
+     * error, some 2^-46 of the sizes and the offset. With a turned cylinder {@link OverlapScratch#uncertain} is set where the two
+     * touch and are not so deep in each other that no rounding could matter; octagons only have to miss nothing.
+     */
+    public static boolean test(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
+        if (Order.isReversed(kindA, a, i, kindB, b, j)) {
+            return ordered(kindB, b, j, kindA, a, i, s);
+        }
+        return ordered(kindA, a, i, kindB, b, j, s);
+    }
+
+    private static boolean ordered(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
+        int familyA = PlanarShape.family(kindA);
+        int familyB = PlanarShape.family(kindB);
+        if (familyA == PlanarShape.OVAL || familyB == PlanarShape.OVAL) {
+            return oval(kindA, a, i, kindB, b, j, s);
+        }
+        if (familyA == PlanarShape.DISC) {
+            return familyB == PlanarShape.DISC
+                    ? DiscDisc.touch(a[i], a[i + 2], a[i + 3], b[j], b[j + 2], b[j + 3])
+                    : discPolygon(a, i, kindB, b, j, s);
+        }
+        if (familyB == PlanarShape.DISC) {
+            return discPolygon(b, j, kindA, a, i, s);
+        }
+        if (!isBox(kindA) || !isBox(kindB)) {
+            return PolygonPolygon.touch(kindA, a, i, kindB, b, j, s);
+        }
+        return kindB == Leaf.UPRIGHT_BOX
+                ? RectangleRectangle.touch(a, i, b, j, s.fine)
+                : ZonogonZonogon.touch(kindA, a, i, kindB, b, j, s.fine);
+    }
+
+    private static boolean isBox(int kind) {
+        return kind == Leaf.UPRIGHT_BOX || kind == Leaf.BOX;
+    }
+
+    private static boolean discPolygon(double[] disc, int i, int kind, double[] b, int j, OverlapScratch s) {
+        return kind == Leaf.UPRIGHT_BOX
+                ? DiscRectangle.touch(disc[i], disc[i + 2], disc[i + 3], b, j, s.fine)
+                : DiscPolygon.touch(disc[i], disc[i + 2], disc[i + 3], kind, b, j, s);
+    }
+
+    private static boolean oval(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
+        UnderflowScaling m = s.magnified;
+        return m.take(kindA, a, i, kindB, b, j)
+                ? storedOval(kindA, m.a, 0, kindB, m.b, 0, s)
+                : storedOval(kindA, a, i, kindB, b, j, s);
+    }
+
+    private static boolean storedOval(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
+        double ox = PlanarShape.originX(kindA, a, i);
+        double oz = PlanarShape.originZ(kindA, a, i);
+        s.planarA.set(kindA, a, i, ox, oz);
+        s.planarB.set(kindB, b, j, ox, oz);
+        s.planarBracket.find(s.planarA, s.planarB, true);
+        if (s.planarBracket.isApart()) {
+            return false;
+        }
+        if (isDeep(kindA, a, i, kindB, b, j, s)) {
+            return true;
+        }
+        // Trees go by bounds: what these prove apart is, or an answer would depend on which tree was asked.
+        if (LeafBounds.areApart(Dimension.PLANAR, kindA, a, i, kindB, b, j, s.boundsA, s.boundsB)) {
+            return false;
+        }
+        s.uncertain = true;
+        return true;
+    }
+
+    /** Whether the two have a point in common that no rounding can have brought there. */
+    private static boolean isDeep(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
+        s.gjk.planar(kindA, a, i, kindB, b, j);
+        if (s.gjk.isDeep()) {
+            return true;
+        }
+        s.hull.growPlanar(Double.MIN_VALUE);
+        return s.hull.lower() > 0;
+    }
+}

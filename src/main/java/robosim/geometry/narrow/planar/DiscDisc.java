@@ -1,0 +1,94 @@
+package robosim.geometry.narrow.planar;
+
+import robosim.geometry.exact.DoubleDouble;
+import robosim.geometry.exact.Dyadic;
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.VectorMath;
+
+/** Two discs on the plane. */
+public final class DiscDisc {
+    // Differences and the sum of the radii are rounded once, which counts twice in their squares, these once, the sum
+    // of squares once more: either side is off by 4 roundings of 2^-53, and the comparison adds one.
+    private static final double FILTER = Filter.bound(5.01 * 0x1p-53);
+    private static final double UNDERFLOW = 0x1p-960;
+
+    // With u = 2^-53 and M for the sum of the three squares: the tails that the gap of squares adds are at most 5u M
+    // (of the sum u, of the difference u, of the squares u, of the coordinates 2u), so that five additions lose 25u^2
+    // M; what is made of the coordinates' tails is off by 6u^2 M, and their squares left out are u^2 M. The last
+    // addition keeps the sign.
+    private static final double FINE = Filter.bound(33 * 0x1p-106);
+
+    private static final Stages.Counter FINER = Stages.counter("DiscDisc fine");
+    private static final Stages.Counter EXACT = Stages.counter("DiscDisc");
+
+    private DiscDisc() {}
+
+    /** Whether they touch or overlap; exact. */
+    public static boolean touch(double ax, double az, double ar, double bx, double bz, double br) {
+        double dx = ax - bx;
+        double dz = az - bz;
+        double r = ar + br;
+        double apart = dx * dx + dz * dz;
+        double near = r * r;
+        double doubt = FILTER * (apart + near) + UNDERFLOW;
+        if (apart > near + doubt) {
+            return false;
+        }
+        if (apart < near - doubt) {
+            return true;
+        }
+        FINER.count();
+        double gap = squareGap(ax, az, bx, bz, ar, br);
+        double fineDoubt = FINE * (apart + near) + UNDERFLOW;
+        return gap < -fineDoubt || (!(gap > fineDoubt) && exactTouch(ax, az, ar, bx, bz, br));
+    }
+
+    private static boolean exactTouch(double ax, double az, double ar, double bx, double bz, double br) {
+        EXACT.count();
+        Dyadic dx = Dyadic.difference(ax, bx);
+        Dyadic dz = Dyadic.difference(az, bz);
+        Dyadic r = Dyadic.of(ar).add(Dyadic.of(br));
+        return dx.square().add(dz.square()).compareTo(r.square()) <= 0;
+    }
+
+    /** The least distance, 0 in contact. */
+    public static double distance(double ax, double az, double ar, double bx, double bz, double br) {
+        if (touch(ax, az, ar, bx, bz, br)) {
+            return 0;
+        }
+        double dx = ax - bx;
+        double dz = az - bz;
+        double r = ar + br;
+        if (Math.abs(dx) + Math.abs(dz) < VectorMath.TINY) { // else the squares would vanish
+            double k = VectorMath.ENLARGED;
+            return distance(ax * k, az * k, ar * k, bx * k, bz * k, br * k) / k;
+        }
+        // (d - r)(d + r) with the tails of the differences and squares: what is left of two large circles that nearly
+        // touch is right to an ulp.
+        double apart = Math.sqrt(dx * dx + dz * dz);
+        return Math.max(0, squareGap(ax, az, bx, bz, ar, br) / (apart + r));
+    }
+
+    /** {@code |a - b|^2 - (ar + br)^2}, within an ulp or two however much cancels. */
+    public static double squareGap(double ax, double az, double bx, double bz, double ar, double br) {
+        double dx = ax - bx;
+        double dxTail = DoubleDouble.differenceTail(ax, bx, dx);
+        double dz = az - bz;
+        double dzTail = DoubleDouble.differenceTail(az, bz, dz);
+        double r = ar + br;
+        double rTail = DoubleDouble.sumTail(ar, br, r);
+        double xx = dx * dx;
+        double zz = dz * dz;
+        double rr = r * r;
+        double sum = xx + zz;
+        double gap = sum - rr;
+        double tail = DoubleDouble.sumTail(xx, zz, sum)
+                + DoubleDouble.differenceTail(sum, rr, gap)
+                + DoubleDouble.productTail(dx, dx, xx)
+                + DoubleDouble.productTail(dz, dz, zz)
+                - DoubleDouble.productTail(r, r, rr)
+                + 2 * (dx * dxTail + dz * dzTail - r * rTail);
+        return gap + tail;
+    }
+}

@@ -1,0 +1,67 @@
+package robosim.geometry.narrow.planar;
+
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.VectorMath;
+import robosim.geometry.narrow.leaf.Leaf;
+
+/** A disc and a convex polygon: what a box, a triangle or an octagon throws. */
+public final class DiscPolygon {
+    // Corners are off by the polygon's error in both coordinates, so the distance to a side by 1.42 times that. Seen
+    // from the disc's centre it is the quotient of a cross product (3u of the side's length and of an end's distance,
+    // which is at most 1.42 times the size) and the length (4u of the quotient in all, which is no larger); an end is
+    // taken for the foot only where the two are within 3u of the end's distance. The difference with the radius adds
+    // 1u.
+    private static final double ROUNDING = 1.01;
+    private static final double CORNERS = 1.42;
+    private static final double SIZE = 10 * 0x1p-53;
+    private static final double FILTER = Filter.bound(ROUNDING);
+    private static final double U = 0x1p-53;
+
+    private static final Stages.Counter EXACT = Stages.counter("DiscPolygon");
+
+    private DiscPolygon() {}
+
+    /** Whether they touch or overlap; exact, but for octagons, which touch where it is in doubt. */
+    public static boolean touch(double px, double pz, double r, int kind, double[] b, int j, PlanarScratch s) {
+        PlanarShape q = s.planarB;
+        q.set(kind, b, j, px, pz);
+        if (q.isTiny()) {
+            return doubtfulTouch(px, pz, r, kind, b, j);
+        }
+        double error = (kind == Leaf.PRISM ? ROUNDING : FILTER) * (CORNERS * q.error + SIZE * q.size + U * r);
+        double outline = Math.sqrt(PointPolygon.squareToOutline(0, 0, q));
+        if (outline < r - error) {
+            return true;
+        }
+        int side = PointPolygon.side(q, error);
+        if (side > 0) {
+            return true;
+        }
+        if (side < 0 && outline > r + error) {
+            return false;
+        }
+        return doubtfulTouch(px, pz, r, kind, b, j);
+    }
+
+    private static boolean doubtfulTouch(double px, double pz, double r, int kind, double[] b, int j) {
+        if (kind == Leaf.PRISM) {
+            return true;
+        }
+        EXACT.count();
+        return ExactPlanar.of(kind, b, j).touchesDisc(px, pz, r);
+    }
+
+    /** The least distance, 0 in contact. */
+    public static double distance(double px, double pz, double r, int kind, double[] b, int j, PlanarScratch s) {
+        if (touch(px, pz, r, kind, b, j, s)) {
+            return 0;
+        }
+        PlanarShape q = s.planarB;
+        if (q.isTiny()) { // else the squares would vanish
+            q.enlarge(VectorMath.ENLARGED);
+            return Math.max(0, Math.sqrt(PointPolygon.squareToOutline(0, 0, q)) / VectorMath.ENLARGED - r);
+        }
+        return Math.max(0, Math.sqrt(PointPolygon.squareToOutline(0, 0, q)) - r);
+    }
+}

@@ -1,0 +1,20 @@
+package robosim.geometry.narrow.planar;
+
+import robosim.geometry.exact.DoubleDoubles;
+import robosim.geometry.narrow.leaf.LeafScratch;
+
+/** The working memory of planar kernels. */
+public class PlanarScratch extends LeafScratch {
+    /** The projections of the two leaves of a planar question. */
+    public final PlanarShape planarA = new PlanarShape();
+
+    public final PlanarShape planarB = new PlanarShape();
+    public final PlanarBracket planarBracket = new PlanarBracket();
+    public final DoubleDoubleOverlap fine = new DoubleDoubleOverlap();
+    public final DoubleDoubles planarPairs = new DoubleDoubles(7);
+
+    /** A direction and the depth along it. */
+    public final double[] planarNormal = new double[3];
+
+    public final double[] planarBounds = new double[6];
+}

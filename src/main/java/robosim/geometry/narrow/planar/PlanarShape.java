@@ -1,0 +1,433 @@
+package robosim.geometry.narrow.planar;
+
+import robosim.geometry.exact.DoubleDouble;
+import robosim.geometry.exact.Orientation;
+import robosim.geometry.narrow.leaf.Leaf;
+
+/**
+ * What is left of a leaf on the XZ plane, relative to an origin near it: a disc, a convex polygon, or the oval that a
+ * turned cylinder throws (an ellipse pushed along its minor axis).
+ *
+ * <p>Corners are those of the real polygon to within {@link #error} in each coordinate, in the order in which x turns
+ * to z; what is flat has two corners or one. Exact decisions start from the row itself ({@link ExactPlanar}).
+ */
+public final class PlanarShape {
+    public static final int DISC = 0;
+    public static final int POLYGON = 1;
+    public static final int OVAL = 2;
+
+    /** Most corners of a polygon: those of an octagon. */
+    static final int CORNERS = 8;
+
+    // In u = 2^-53: each coordinate is made by at most eight roundings of numbers no larger than the sum of the
+    // magnitudes that go in; the sum itself is rounded too.
+    private static final double ROUNDING = 9 * 0x1p-53;
+
+    // A box's corner: of the half axes' magnitudes their products 1u, the sum of three 2u, twice what is taken from it
+    // 2u; the centre 1u; the corner 1u of all; and a little, as the sum of the magnitudes is itself rounded.
+    private static final double BOX_ROUNDING = 6.01 * 0x1p-53;
+
+    // A triangle's corner is one difference: off by 1u of itself.
+    private static final double CORNER_ROUNDING = 0x1p-53;
+
+    public int family;
+
+    public int count;
+    public final double[] x = new double[CORNERS];
+    public final double[] z = new double[CORNERS];
+
+    /** What rounding took from the corners of a triangle, which are rounded once; 0 for all others. */
+    public final double[] tailX = new double[CORNERS];
+
+    public final double[] tailZ = new double[CORNERS];
+
+    /**
+     * The direction of the side that leads to each corner from the one before it, of any length. Not the difference of the
+     * two: of a short side seen from far away rounding would turn that anywhere. Of a box the own axis as it is stored, of an
+     * octagon that of its plane, of a triangle the difference of the stored corners, off by 1u of itself.
+     */
+    public final double[] sideX = new double[CORNERS];
+
+    public final double[] sideZ = new double[CORNERS];
+
+    /** No corner is off by more in x or in z; for a disc or an oval the same of its outline. */
+    public double error;
+
+    /** No coordinate of a corner is larger, nor the sum of the magnitudes that it is made of. */
+    public double size;
+
+    /** Of a disc or an oval. */
+    public double centerX;
+
+    public double centerZ;
+
+    /** Of a disc; half the width of an oval across its axis. */
+    public double radius;
+
+    /** The oval's own direction, of unit length. */
+    public double axisX;
+
+    public double axisZ;
+
+    /** Half the length of the straight part of an oval. */
+    public double reach;
+
+    /** Half the thickness of the ellipse that is pushed along, measured along the axis. */
+    public double minor;
+
+    /** The last support point asked for. */
+    public double pointX;
+
+    public double pointZ;
+
+    private final double[] spanX = new double[3];
+    private final double[] spanZ = new double[3];
+    private final double[] wayX = new double[3];
+    private final double[] wayZ = new double[3];
+
+    public static int family(int kind) {
+        return switch (kind) {
+            case Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE -> DISC;
+            case Leaf.CYLINDER -> OVAL;
+            default -> POLYGON;
+        };
+    }
+
+    /** Whether it is so small and so near that products of its numbers would vanish: then no filter holds. */
+    public boolean isTiny() {
+        return error < 0x1p-448;
+    }
+
+    /** Makes the corners so many times as large; a power of two, so that nothing is rounded. */
+    void enlarge(double power) {
+        for (int k = 0; k < count; k++) {
+            x[k] *= power;
+            z[k] *= power;
+        }
+    }
+
+    private static double bound(double size, double rounding) {
+        return size < 0x1p-450 ? 2 * size + Double.MIN_VALUE : rounding * size;
+    }
+
+    /** A point near a leaf to see it and others from: its centre, or one corner. */
+    public static double originX(int kind, double[] row, int at) {
+        return kind == Leaf.PRISM ? (row[at] + row[at + 1]) / 2 : row[at];
+    }
+
+    public static double originZ(int kind, double[] row, int at) {
+        return kind == Leaf.PRISM ? (row[at + 2] + row[at + 3]) / 2 : row[at + 2];
+    }
+
+    /** Takes the projection of a leaf, as seen from (ox, oz). */
+    public void set(int kind, double[] row, int at, double ox, double oz) {
+        family = family(kind);
+        count = 0;
+        switch (kind) {
+            case Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE -> disc(row, at, ox, oz);
+            case Leaf.CYLINDER -> oval(row, at, ox, oz);
+            case Leaf.TRIANGLE -> triangle(row, at, ox, oz);
+            case Leaf.PRISM -> octagon(row, at, ox, oz);
+            default -> box(row, at, ox, oz);
+        }
+    }
+
+    /** The origin itself, as a disc of no size. */
+    public void point() {
+        family = DISC;
+        count = 0;
+        centerX = 0;
+        centerZ = 0;
+        radius = 0;
+        error = 0;
+    }
+
+    private void disc(double[] row, int at, double ox, double oz) {
+        centerX = row[at] - ox;
+        centerZ = row[at + 2] - oz;
+        radius = row[at + Leaf.SIZE];
+        error = bound(Math.abs(centerX) + Math.abs(centerZ) + radius, ROUNDING);
+    }
+
+    private void oval(double[] row, int at, double ox, double oz) {
+        centerX = row[at] - ox;
+        centerZ = row[at + 2] - oz;
+        radius = row[at + Leaf.SIZE];
+        double ax = row[at + Leaf.ROTATION + 1];
+        double ay = row[at + Leaf.ROTATION + 4];
+        double az = row[at + Leaf.ROTATION + 7];
+        double flat = ax * ax + az * az;
+        double level = Math.sqrt(flat);
+        // The caps are round in space, about an axis of whatever length it has; the half height counts in that length.
+        minor = radius * Math.abs(ay) / Math.sqrt(flat + ay * ay);
+        reach = row[at + Leaf.SIZE + 1] * level;
+        axisX = level > 0 ? ax / level : 1;
+        axisZ = level > 0 ? az / level : 0;
+        error = bound(Math.abs(centerX) + Math.abs(centerZ) + 2 * radius + reach, ROUNDING);
+    }
+
+    private void triangle(double[] row, int at, double ox, double oz) {
+        double x0 = row[at] - ox;
+        double z0 = row[at + 2] - oz;
+        double x1 = row[at + 3] - ox;
+        double z1 = row[at + 5] - oz;
+        double x2 = row[at + 6] - ox;
+        double z2 = row[at + 8] - oz;
+        size = Math.max(
+                Math.max(Math.abs(x0), Math.abs(z0)),
+                Math.max(Math.max(Math.abs(x1), Math.abs(z1)), Math.max(Math.abs(x2), Math.abs(z2))));
+        error = bound(size, CORNER_ROUNDING);
+        int turn = isSame(row, at, at + 3) || isSame(row, at + 3, at + 6) || isSame(row, at + 6, at)
+                ? 0
+                : Orientation.side(row[at], row[at + 2], row[at + 3], row[at + 5], row[at + 6], row[at + 8]);
+        if (turn > 0) {
+            corner(x0, z0);
+            corner(x1, z1);
+            corner(x2, z2);
+            side(0, row, at + 6, at);
+            side(1, row, at, at + 3);
+            side(2, row, at + 3, at + 6);
+        } else if (turn < 0) {
+            corner(x0, z0);
+            corner(x2, z2);
+            corner(x1, z1);
+            side(0, row, at + 3, at);
+            side(1, row, at, at + 6);
+            side(2, row, at + 6, at + 3);
+        } else {
+            flatTriangle(row, at, x0, z0, x1, z1, x2, z2);
+        }
+        tails(row, at, ox, oz);
+    }
+
+    private void side(int k, double[] row, int from, int to) {
+        sideX[k] = row[to] - row[from];
+        sideZ[k] = row[to + 2] - row[from + 2];
+    }
+
+    private static boolean isSame(double[] row, int p, int q) {
+        return row[p] == row[q] && row[p + 2] == row[q + 2];
+    }
+
+    // Each corner is one of the row's three, in whatever order.
+    private void tails(double[] row, int at, double ox, double oz) {
+        for (int k = 0; k < count; k++) {
+            for (int from = at; from < at + 9; from += 3) {
+                if (row[from] - ox == x[k] && row[from + 2] - oz == z[k]) {
+                    tailX[k] = DoubleDouble.differenceTail(row[from], ox, x[k]);
+                    tailZ[k] = DoubleDouble.differenceTail(row[from + 2], oz, z[k]);
+                    break;
+                }
+            }
+        }
+    }
+
+    // The longest side of a triangle that is flat.
+    private void flatTriangle(double[] row, int at, double x0, double z0, double x1, double z1, double x2, double z2) {
+        double s01 = Math.max(Math.abs(x1 - x0), Math.abs(z1 - z0));
+        double s12 = Math.max(Math.abs(x2 - x1), Math.abs(z2 - z1));
+        double s20 = Math.max(Math.abs(x0 - x2), Math.abs(z0 - z2));
+        if (s01 >= s12 && s01 >= s20) {
+            segment(row, at, at + 3, x0, z0, x1, z1);
+        } else if (s12 >= s20) {
+            segment(row, at + 3, at + 6, x1, z1, x2, z2);
+        } else {
+            segment(row, at + 6, at, x2, z2, x0, z0);
+        }
+    }
+
+    private void segment(double[] row, int from, int to, double x0, double z0, double x1, double z1) {
+        corner(x0, z0);
+        if (x0 != x1 || z0 != z1) {
+            corner(x1, z1);
+            side(0, row, to, from);
+            side(1, row, from, to);
+        }
+    }
+
+    private void corner(double px, double pz) {
+        x[count] = px;
+        z[count] = pz;
+        tailX[count] = 0;
+        tailZ[count] = 0;
+        count++;
+    }
+
+    // A box throws the sum of the segments that its own axes throw: two corners for each direction among them.
+    private void box(double[] row, int at, double ox, double oz) {
+        double cx = row[at] - ox;
+        double cz = row[at + 2] - oz;
+        double sizeX = Math.abs(cx);
+        double sizeZ = Math.abs(cz);
+        int spans = 0;
+        double sumX = 0;
+        double sumZ = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            double half = row[at + Leaf.SIZE + axis];
+            double ux = row[at + Leaf.ROTATION + axis];
+            double uz = row[at + Leaf.ROTATION + 6 + axis];
+            if (uz < 0 || (uz == 0 && ux < 0)) {
+                ux = -ux;
+                uz = -uz;
+            }
+            double gx = half * ux;
+            double gz = half * uz;
+            if (gx == 0 && gz == 0) {
+                continue;
+            }
+            sizeX += Math.abs(gx);
+            sizeZ += gz;
+            sumX += gx;
+            sumZ += gz;
+            spans = insert(spans, ux, uz, gx, gz);
+        }
+        size = Math.max(sizeX, sizeZ);
+        error = bound(size, BOX_ROUNDING);
+        double px = -sumX;
+        double pz = -sumZ;
+        if (spans == 0) {
+            corner(cx, cz);
+            return;
+        }
+        for (int k = 0; k < spans; k++) {
+            x[k] = cx + px;
+            z[k] = cz + pz;
+            x[k + spans] = cx - px;
+            z[k + spans] = cz - pz;
+            tailX[k] = 0;
+            tailZ[k] = 0;
+            tailX[k + spans] = 0;
+            tailZ[k + spans] = 0;
+            px += 2 * spanX[k];
+            pz += 2 * spanZ[k];
+            int to = k + 1;
+            sideX[to] = wayX[k];
+            sideZ[to] = wayZ[k];
+            to = to == spans ? 0 : to + spans;
+            sideX[to] = -wayX[k];
+            sideZ[to] = -wayZ[k];
+        }
+        count = 2 * spans;
+    }
+
+    // Keeps the spans in the order of their directions, and those of one direction as one. Compared exactly, and as
+    // they
+    // are stored: a long span that is taken for parallel to one that is all but nothing would come out of order among
+    // the others, and a corner between two in the wrong order would be none of the real ones.
+    private int insert(int spans, double ux, double uz, double gx, double gz) {
+        int to = 0;
+        while (to < spans && turn(to, ux, uz) > 0) {
+            to++;
+        }
+        if (to < spans && turn(to, ux, uz) == 0) {
+            spanX[to] += gx;
+            spanZ[to] += gz;
+            return spans;
+        }
+        for (int k = spans; k > to; k--) {
+            spanX[k] = spanX[k - 1];
+            spanZ[k] = spanZ[k - 1];
+            wayX[k] = wayX[k - 1];
+            wayZ[k] = wayZ[k - 1];
+        }
+        wayX[to] = ux;
+        wayZ[to] = uz;
+        spanX[to] = gx;
+        spanZ[to] = gz;
+        return spans + 1;
+    }
+
+    private int turn(int span, double ux, double uz) {
+        return Orientation.compareProducts(wayX[span], uz, wayZ[span], ux);
+    }
+
+    private void octagon(double[] row, int at, double ox, double oz) {
+        double x0 = row[at] - ox;
+        double x1 = row[at + 1] - ox;
+        double z0 = row[at + 2] - oz;
+        double z1 = row[at + 3] - oz;
+        double so = ox + oz;
+        double to = ox - oz;
+        double s0 = row[at + 4] - so;
+        double s1 = row[at + 5] - so;
+        double d0 = row[at + 6] - to;
+        double d1 = row[at + 7] - to;
+        size = Math.abs(row[at])
+                + Math.abs(row[at + 1])
+                + Math.abs(row[at + 2])
+                + Math.abs(row[at + 3])
+                + 2 * (Math.abs(ox) + Math.abs(oz));
+        error = bound(4 * size, ROUNDING);
+        // The planes are rounded outward, so that one may lie beyond the corner of its neighbours: draw each back to
+        // where the others let it touch.
+        for (int pass = 0; pass < 2; pass++) {
+            x1 = Math.min(x1, Math.min(Math.min(d1 + z1, s1 - z0), (s1 + d1) / 2));
+            x0 = Math.max(x0, Math.max(Math.max(d0 + z0, s0 - z1), (s0 + d0) / 2));
+            z1 = Math.min(z1, Math.min(Math.min(s1 - x0, x1 - d0), (s1 - d0) / 2));
+            z0 = Math.max(z0, Math.max(Math.max(s0 - x1, x0 - d1), (s0 - d1) / 2));
+            s1 = Math.min(s1, x1 + z1);
+            s0 = Math.max(s0, x0 + z0);
+            d1 = Math.min(d1, x1 - z0);
+            d0 = Math.max(d0, x0 - z1);
+        }
+        distinct(x1, x1 - d1, 1, 1);
+        distinct(x1, s1 - x1, 0, 1);
+        distinct(s1 - z1, z1, -1, 1);
+        distinct(d0 + z1, z1, -1, 0);
+        distinct(x0, x0 - d0, -1, -1);
+        distinct(x0, s0 - x0, 0, -1);
+        distinct(s0 - z0, z0, 1, -1);
+        distinct(d1 + z0, z0, 1, 0);
+        if (count > 1 && x[count - 1] == x[0] && z[count - 1] == z[0]) {
+            count--;
+            sideX[0] = sideX[count];
+            sideZ[0] = sideZ[count];
+        }
+    }
+
+    private void distinct(double px, double pz, double ex, double ez) {
+        if (count == 0 || x[count - 1] != px || z[count - 1] != pz) {
+            sideX[count] = ex;
+            sideZ[count] = ez;
+            corner(px, pz);
+        }
+    }
+
+    /** The greatest n . p of the shape, for a direction of any length; the point is left in pointX and pointZ. */
+    public double support(double nx, double nz) {
+        if (family == POLYGON) {
+            int best = 0;
+            double most = nx * x[0] + nz * z[0];
+            for (int k = 1; k < count; k++) {
+                double here = nx * x[k] + nz * z[k];
+                if (here > most) {
+                    most = here;
+                    best = k;
+                }
+            }
+            pointX = x[best];
+            pointZ = z[best];
+            return most;
+        }
+        if (family == DISC) {
+            double length = Math.sqrt(nx * nx + nz * nz);
+            pointX = centerX + radius * (nx / length);
+            pointZ = centerZ + radius * (nz / length);
+            return nx * centerX + nz * centerZ + radius * length;
+        }
+        double along = nx * axisX + nz * axisZ;
+        double across = nz * axisX - nx * axisZ;
+        double p = minor * along;
+        double q = radius * across;
+        double bulge = Math.sqrt(p * p + q * q);
+        double u = along > 0 ? reach : along < 0 ? -reach : 0;
+        double v = 0;
+        if (bulge > 0) {
+            u += minor * (p / bulge);
+            v += radius * (q / bulge);
+        }
+        pointX = centerX + u * axisX - v * axisZ;
+        pointZ = centerZ + u * axisZ + v * axisX;
+        return nx * centerX + nz * centerZ + reach * Math.abs(along) + bulge;
+    }
+}

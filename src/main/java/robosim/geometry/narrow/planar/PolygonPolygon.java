@@ -1,0 +1,126 @@
+package robosim.geometry.narrow.planar;
+
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.VectorMath;
+import robosim.geometry.narrow.leaf.Leaf;
+
+/** Two convex polygons on the plane: what boxes, triangles and octagons throw. */
+public final class PolygonPolygon {
+    // With n a side's normal, a corner's coordinates are off by the shape's error, so n . corner by that times
+    // |nx| + |nz|; n, the products and their sum add 3u of the shape's size. The real polygons are apart only along a
+    // normal of theirs: they overlap where each of these, of which none is off by more, finds them overlapping.
+    private static final double ROUNDING = 1.01;
+    private static final double PRODUCT = 3 * 0x1p-53;
+    private static final double FILTER = Filter.bound(ROUNDING);
+    private static final double UNDERFLOW = 0x1p-960;
+
+    private static final Stages.Counter EXACT = Stages.counter("PolygonPolygon");
+
+    private PolygonPolygon() {}
+
+    /**
+     * Whether they touch or overlap; exact, but for an octagon and something else, which touch where it is in doubt. Two
+     * octagons have sides in the same four directions, one of which parts them where they are apart.
+     */
+    public static boolean touch(int kindA, double[] a, int i, int kindB, double[] b, int j, PlanarScratch s) {
+        return (kindA == Leaf.PRISM && kindB == Leaf.PRISM)
+                ? octagonsTouch(a, i, b, j)
+                : polygonsTouch(kindA, a, i, kindB, b, j, s);
+    }
+
+    private static boolean octagonsTouch(double[] a, int i, double[] b, int j) {
+        for (int k = 0; k < 8; k += 2) {
+            if ((a[i + k] > b[j + k + 1]) || (b[j + k] > a[i + k + 1])) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static boolean polygonsTouch(int kindA, double[] a, int i, int kindB, double[] b, int j, PlanarScratch s) {
+        PlanarShape p = s.planarA;
+        PlanarShape q = s.planarB;
+        double ox = PlanarShape.originX(kindA, a, i);
+        double oz = PlanarShape.originZ(kindA, a, i);
+        p.set(kindA, a, i, ox, oz);
+        q.set(kindB, b, j, ox, oz);
+        // The normals of all sides tell how deep two polygons overlap, unless both are flat and parallel; those, and
+        // what is small beside the error, never overlap clearly and so go to the exact path.
+        boolean isEnclosure = kindA == Leaf.PRISM || kindB == Leaf.PRISM;
+        double error = (isEnclosure ? ROUNDING : FILTER) * (p.error + q.error + PRODUCT * (p.size + q.size));
+        int verdict = Math.max(apart(p, q, error), apart(q, p, error));
+        if (verdict == 1) {
+            verdict = Math.max(verdict, Math.max(apartAlong(p, q, 1, 0, error), apartAlong(p, q, 0, 1, error)));
+        }
+        return switch (verdict) {
+            case 0 -> true;
+            case 1 -> isEnclosure || exactTouch(kindA, a, i, kindB, b, j);
+            default -> false;
+        };
+    }
+
+    private static boolean exactTouch(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        EXACT.count();
+        return ExactPlanar.of(kindA, a, i).touches(ExactPlanar.of(kindB, b, j));
+    }
+
+    // 2 apart along the normal of a side of p, 1 in doubt, 0 overlapping along all of them
+    private static int apart(PlanarShape p, PlanarShape q, double error) {
+        if (p.count == 1) {
+            return q.count == 1 ? 1 : 0;
+        }
+        if (p.count == 2) {
+            return apartAlong(p, q, p.sideZ[1], -p.sideX[1], error);
+        }
+        int verdict = 0;
+        for (int k = 0; k < p.count; k++) {
+            // Outward, as the corners run from x to z.
+            double nx = p.sideZ[k];
+            double nz = -p.sideX[k];
+            double slack = error * (Math.abs(nx) + Math.abs(nz)) + UNDERFLOW;
+            // Not the side's own level: one between two corners that rounding parts may point anywhere.
+            double gap = -q.support(-nx, -nz) - p.support(nx, nz);
+            if (gap > slack) {
+                return 2;
+            }
+            if (!(gap < -slack)) {
+                verdict = 1;
+            }
+        }
+        return verdict;
+    }
+
+    private static int apartAlong(PlanarShape p, PlanarShape q, double nx, double nz, double error) {
+        double slack = error * (Math.abs(nx) + Math.abs(nz)) + UNDERFLOW;
+        double gap = Math.max(-q.support(-nx, -nz) - p.support(nx, nz), -p.support(-nx, -nz) - q.support(nx, nz));
+        return gap > slack ? 2 : gap < -slack ? 0 : 1;
+    }
+
+    /** The least distance, 0 in contact. */
+    public static double distance(int kindA, double[] a, int i, int kindB, double[] b, int j, PlanarScratch s) {
+        if (touch(kindA, a, i, kindB, b, j, s)) {
+            return 0;
+        }
+        PlanarShape p = s.planarA;
+        PlanarShape q = s.planarB;
+        if (kindA == Leaf.PRISM && kindB == Leaf.PRISM) {
+            p.set(kindA, a, i, PlanarShape.originX(kindA, a, i), PlanarShape.originZ(kindA, a, i));
+            q.set(kindB, b, j, PlanarShape.originX(kindA, a, i), PlanarShape.originZ(kindA, a, i));
+        }
+        if (p.isTiny() && q.isTiny()) { // else the squares would vanish
+            p.enlarge(VectorMath.ENLARGED);
+            q.enlarge(VectorMath.ENLARGED);
+            return Math.sqrt(Math.min(cornersToSides(p, q), cornersToSides(q, p))) / VectorMath.ENLARGED;
+        }
+        return Math.sqrt(Math.min(cornersToSides(p, q), cornersToSides(q, p)));
+    }
+
+    private static double cornersToSides(PlanarShape p, PlanarShape q) {
+        double least = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < p.count; k++) {
+            least = Math.min(least, PointPolygon.squareToOutline(p.x[k], p.z[k], q));
+        }
+        return least;
+    }
+}

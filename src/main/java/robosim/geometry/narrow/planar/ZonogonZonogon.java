@@ -1,0 +1,100 @@
+package robosim.geometry.narrow.planar;
+
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
+import robosim.geometry.narrow.leaf.Leaf;
+
+/** What two boxes at any attitude throw on the plane: each the sum of the segments that its own axes throw. */
+public final class ZonogonZonogon {
+    // As for two rectangles, times the length of the axis, as an own axis may be almost upright: 3u of the offset; a
+    // cross product 2u, its product with a half size 1u, the sums within and of the two 3u, so 6u of the half sizes.
+    private static final double SLACK = 1 + 0x1p-26;
+    private static final double OFFSET = Filter.bound(SLACK * 3 * 0x1p-53);
+    private static final double HALVES = Filter.bound(SLACK * 6 * 0x1p-53);
+    private static final double UNDERFLOW = 0x1p-960;
+
+    private static final Stages.Counter FINE = Stages.counter("ZonogonZonogon fine");
+    private static final Stages.Counter EXACT = Stages.counter("ZonogonZonogon");
+
+    private ZonogonZonogon() {}
+
+    /** Whether they touch or overlap; exact. */
+    public static boolean touch(int kindA, double[] a, int i, int kindB, double[] b, int j, DoubleDoubleOverlap fine) {
+        double dx = a[i] - b[j];
+        double dz = a[i + 2] - b[j + 2];
+        double error = OFFSET * (Math.abs(dx) + Math.abs(dz))
+                + HALVES * ((a[i + 3] + a[i + 4] + a[i + 5]) + (b[j + 3] + b[j + 4] + b[j + 5]));
+        int verdict = Math.max(apart(a, i, dx, dz, error, a, i, b, j), apart(b, j, dx, dz, error, a, i, b, j));
+        if (verdict != 1) {
+            return verdict == 0;
+        }
+        FINE.count();
+        int side =
+                Math.max(finely(a, i, dx, dz, error, a, i, b, j, fine), finely(b, j, dx, dz, error, a, i, b, j, fine));
+        return side == 0 ? exactTouch(kindA, a, i, kindB, b, j) : side < 0;
+    }
+
+    private static boolean exactTouch(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        EXACT.count();
+        return ExactPlanar.of(kindA, a, i).touches(ExactPlanar.of(kindB, b, j));
+    }
+
+    // 2 apart along the normal of an own axis of one of the two, 1 in doubt, 0 overlapping along all of them
+    private static int apart(
+            double[] of, int at, double dx, double dz, double error, double[] a, int i, double[] b, int j) {
+        int verdict = 0;
+        for (int axis = 0; axis < 3; axis++) {
+            double gx = of[at + Leaf.ROTATION + axis];
+            double gz = of[at + Leaf.ROTATION + 6 + axis];
+            if (gx == 0 && gz == 0) {
+                continue; // upright: it throws a point
+            }
+            double gap = gap(dx, dz, gx, gz, a, i, b, j);
+            double doubt = doubt(error, gx, gz);
+            if (gap > doubt) {
+                return 2;
+            }
+            if (!(gap < -doubt)) {
+                verdict = 1;
+            }
+        }
+        return verdict;
+    }
+
+    // As DoubleDoubleOverlap tells of the axes of one of the two that are in doubt.
+    private static int finely(
+            double[] of,
+            int at,
+            double dx,
+            double dz,
+            double error,
+            double[] a,
+            int i,
+            double[] b,
+            int j,
+            DoubleDoubleOverlap fine) {
+        int side = -1;
+        for (int axis = 0; axis < 3; axis++) {
+            double gx = of[at + Leaf.ROTATION + axis];
+            double gz = of[at + Leaf.ROTATION + 6 + axis];
+            if ((gx != 0 || gz != 0) && !(gap(dx, dz, gx, gz, a, i, b, j) < -doubt(error, gx, gz))) {
+                side = Math.max(side, fine.along(gx, gz, a, i, b, j));
+            }
+        }
+        return side;
+    }
+
+    private static double gap(double dx, double dz, double gx, double gz, double[] a, int i, double[] b, int j) {
+        return Math.abs(dx * gz - dz * gx) - (reach(a, i, gx, gz) + reach(b, j, gx, gz));
+    }
+
+    private static double doubt(double error, double gx, double gz) {
+        return error * (Math.abs(gx) + Math.abs(gz)) + UNDERFLOW;
+    }
+
+    private static double reach(double[] row, int at, double gx, double gz) {
+        return row[at + 3] * Math.abs(row[at + 6] * gz - row[at + 12] * gx)
+                + row[at + 4] * Math.abs(row[at + 7] * gz - row[at + 13] * gx)
+                + row[at + 5] * Math.abs(row[at + 8] * gz - row[at + 14] * gx);
+    }
+}

@@ -1,0 +1,5 @@
+/** Discs and polygons in the plane: exact and certified decisions about projections. */
+@NullMarked
+package robosim.geometry.narrow.planar;
+
+import org.jspecify.annotations.NullMarked;

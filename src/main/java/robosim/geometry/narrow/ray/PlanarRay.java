@@ -1,0 +1,44 @@
+package robosim.geometry.narrow.ray;
+
+import robosim.geometry.narrow.leaf.Leaf;
+
+/** A ray on the XZ plane and the projection of a leaf. */
+public final class PlanarRay {
+    // Directions in this range are taken as they are; others are first scaled by a power of two.
+    private static final double LEAST = 0x1p-200;
+    private static final double MOST = 0x1p200;
+
+    private PlanarRay() {}
+
+    /**
+     * Distance from (ox, oz) along (ux, uz), a direction of any length but zero, to the nearest point of the leaf's
+     * projection.
+     *
+     * <p>Whether it is a hit is exact for boxes, triangles, spheres and upright cylinders, certified (no touch is missed)
+     * for octagons and turned cylinders.
+     *
+     * @return world units; 0 where the start is inside or on it, {@code +Infinity} on a miss
+     */
+    public static double distance(
+            double ox, double oz, double ux, double uz, int kind, double[] b, int j, RayScratch s) {
+        double size = Math.max(Math.abs(ux), Math.abs(uz));
+        if (!(size >= LEAST && size <= MOST)) {
+            int shift = -Math.getExponent(size);
+            // in two steps, as one factor may be beyond the range of a double
+            ux = Math.scalb(Math.scalb(ux, shift / 2), shift - shift / 2);
+            uz = Math.scalb(Math.scalb(uz, shift / 2), shift - shift / 2);
+        }
+        return scaled(ox, oz, ux, uz, kind, b, j, s);
+    }
+
+    /** The same for a direction of ordinary length. */
+    public static double scaled(double ox, double oz, double ux, double uz, int kind, double[] b, int j, RayScratch s) {
+        return switch (kind) {
+            case Leaf.UPRIGHT_BOX -> RayRectangle.distance(ox, oz, ux, uz, b, j);
+            case Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE ->
+                RayDisc.distance(ox, oz, ux, uz, b[j], b[j + 2], b[j + Leaf.SIZE]);
+            case Leaf.CYLINDER -> RayOval.distance(ox, oz, ux, uz, b, j, s.planarB);
+            default -> RayPolygon.distance(ox, oz, ux, uz, kind, b, j, s);
+        };
+    }
+}

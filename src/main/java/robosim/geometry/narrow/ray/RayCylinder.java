@@ -1,0 +1,282 @@
+package robosim.geometry.narrow.ray;
+
+import static robosim.geometry.exact.VectorMath.UNDERFLOW;
+
+import robosim.geometry.exact.ExactVector;
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.VectorMath;
+
+/**
+ * A ray against a solid cylinder {@code |(x-c) x a| <= r|a|}, {@code |(x-c).a| <= h a.a} about its stored axis a, which
+ * is of unit length to rounding only. Exact verdict.
+ *
+ * <p>With m the start seen from the centre and {@code p = d x a}, the line is inside the endless cylinder where
+ * {@code |p|^2 t^2 + 2 t p.(m x a) + |m x a|^2 - r^2 |a|^2 <= 0}; a quarter of the discriminant is
+ * {@code |a|^2 (r^2 |p|^2 - (p.m)^2)}, in which nothing of the distance's square appears.
+ */
+final class RayCylinder {
+    private static final int SIDE = 0;
+    private static final double U = Filter.bound(VectorMath.U);
+    private static final Stages.Counter EXACT = Stages.counter("RayCylinder");
+
+    private RayCylinder() {}
+
+    /** Upright: the axis is the world's Y. */
+    static double upright(
+            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
+        RayInterval in = s.ray;
+        in.reset();
+        if (!RayBox.clipHeights(in, oy, b[j + 1], b[j + 4], dy)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        clipSide(in, ox - b[j], 0, oz - b[j + 2], dx, dy, dz, 0, 1, 0, b[j + 3]);
+        if (in.isEmpty()) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double distance = !in.isCertain()
+                ? -1
+                : in.face < 0
+                        ? 0
+                        : in.face == SIDE
+                                ? side(ox, oy, oz, dx, dy, dz, b, j, 0, 1, 0, in.enter, s)
+                                : RayBox.heightPlane(oy, b[j + 1], b[j + 4], dx, dy, dz, in.enter);
+        return distance >= 0 ? distance : exact(ox, oy, oz, dx, dy, dz, b, j, 0, 1, 0);
+    }
+
+    /** Turned: the axis is the own Y of the stored rotation. */
+    static double distance(
+            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
+        double ax = b[j + 7];
+        double ay = b[j + 10];
+        double az = b[j + 13];
+        double mx = ox - b[j];
+        double my = oy - b[j + 1];
+        double mz = oz - b[j + 2];
+        RayInterval in = s.ray;
+        in.reset();
+        // The heights: offset 1u, product 1u, sums 2u, the half height's product and last difference 5u.
+        double along = mx * ax + my * ay + mz * az;
+        double half = b[j + 4] * (ax * ax + ay * ay + az * az);
+        double size = Math.abs(mx * ax) + Math.abs(my * ay) + Math.abs(mz * az);
+        double error = 6 * U * (size + half) + UNDERFLOW;
+        double slope = dx * ax + dy * ay + dz * az;
+        double slopeError = 4 * U * (Math.abs(dx * ax) + Math.abs(dy * ay) + Math.abs(dz * az));
+        in.clip(-half - along, error, half - along, error, slope, slopeError, 1);
+        if (in.isEmpty()) {
+            return Double.POSITIVE_INFINITY;
+        }
+        clipSide(in, mx, my, mz, dx, dy, dz, ax, ay, az, b[j + 3]);
+        if (in.isEmpty()) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double distance = !in.isCertain()
+                ? -1
+                : in.face < 0
+                        ? 0
+                        : in.face == SIDE
+                                ? side(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, in.enter, s)
+                                : cap(ox, oy, oz, dx, dy, dz, b, j, in.enter, s);
+        return distance >= 0 ? distance : exact(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az);
+    }
+
+    private static void clipSide(
+            RayInterval in,
+            double mx,
+            double my,
+            double mz,
+            double dx,
+            double dy,
+            double dz,
+            double ax,
+            double ay,
+            double az,
+            double r) {
+        double px = dy * az - dz * ay;
+        double py = dz * ax - dx * az;
+        double pz = dx * ay - dy * ax;
+        double sx = Math.abs(dy * az) + Math.abs(dz * ay);
+        double sy = Math.abs(dz * ax) + Math.abs(dx * az);
+        double sz = Math.abs(dx * ay) + Math.abs(dy * ax);
+        double wx = my * az - mz * ay;
+        double wy = mz * ax - mx * az;
+        double wz = mx * ay - my * ax;
+        double ux = Math.abs(my * az) + Math.abs(mz * ay);
+        double uy = Math.abs(mz * ax) + Math.abs(mx * az);
+        double uz = Math.abs(mx * ay) + Math.abs(my * ax);
+        double aa = ax * ax + ay * ay + az * az;
+        if (sx + sy + sz == 0) {
+            parallel(in, wx * wx + wy * wy + wz * wz, ux * ux + uy * uy + uz * uz, r * r * aa);
+            return;
+        }
+        // p is off by 2u of s a component, so its square by 4u |p|s and the square's own 3u.
+        double pp = px * px + py * py + pz * pz;
+        double ppError = 5 * U * (Math.abs(px) * sx + Math.abs(py) * sy + Math.abs(pz) * sz)
+                + 6 * U * U * (sx * sx + sy * sy + sz * sz)
+                + 3 * U * pp
+                + UNDERFLOW;
+        if (!(pp > 4 * ppError)) {
+            in.doubt();
+            return;
+        }
+        // p.m: p 2u, offset 1u, product and sums 3u. p.(m x a): 2u, 3u, 3u.
+        double g = px * mx + py * my + pz * mz;
+        double gError = 7 * U * (sx * Math.abs(mx) + sy * Math.abs(my) + sz * Math.abs(mz)) + UNDERFLOW;
+        double middle = -(px * wx + py * wy + pz * wz);
+        double middleError = 9 * U * (sx * ux + sy * uy + sz * uz) + UNDERFLOW;
+        double chord = r * r * pp - g * g;
+        double chordError = r * r * (ppError + 3 * U * pp) + gError * (2 * Math.abs(g) + gError) + 3 * U * g * g;
+        chordError += UNDERFLOW;
+        if (chord < -chordError) {
+            in.none();
+            return;
+        }
+        if (chord < chordError) {
+            in.doubt();
+        }
+        double least = Math.sqrt(Math.max(0, aa * (chord - chordError)));
+        double most = Math.sqrt(aa * (chord + chordError));
+        double root = Math.sqrt(aa * Math.max(0, chord));
+        // A root is certain to the larger side of its bracket and 4u of itself.
+        double rootError = Math.max(most - root, root - least) + 8 * U * most;
+        double first = (middle - root) / pp;
+        double last = (middle + root) / pp;
+        double share = ppError / pp + 4 * U;
+        double error = 1.5 * (middleError + rootError) / pp;
+        in.clip(first, error + 1.5 * share * Math.abs(first), last, error + 1.5 * share * Math.abs(last), SIDE);
+    }
+
+    // The ray runs along the axis: it is inside the endless cylinder all the way, or nowhere.
+    private static void parallel(RayInterval in, double square, double squareSize, double limit) {
+        double error = 12 * U * (squareSize + limit) + UNDERFLOW;
+        if (square - limit > error) {
+            in.none();
+        } else if (!(square - limit <= -error)) {
+            in.doubt();
+        }
+    }
+
+    // One step of Newton's from about where the ray enters.
+    private static double side(
+            double ox,
+            double oy,
+            double oz,
+            double dx,
+            double dy,
+            double dz,
+            double[] b,
+            int j,
+            double ax,
+            double ay,
+            double az,
+            double t,
+            RayScratch s) {
+        double r = b[j + 3];
+        double qx = RayBox.moved(ox, b[j], t, dx);
+        double qy = RayBox.moved(oy, b[j + 1], t, dy);
+        double qz = RayBox.moved(oz, b[j + 2], t, dz);
+        double wx = qy * az - qz * ay;
+        double wy = qz * ax - qx * az;
+        double wz = qx * ay - qy * ax;
+        double ux = Math.abs(qy * az) + Math.abs(qz * ay);
+        double uy = Math.abs(qz * ax) + Math.abs(qx * az);
+        double uz = Math.abs(qx * ay) + Math.abs(qy * ax);
+        double px = dy * az - dz * ay;
+        double py = dz * ax - dx * az;
+        double pz = dx * ay - dy * ax;
+        double sx = Math.abs(dy * az) + Math.abs(dz * ay);
+        double sy = Math.abs(dz * ax) + Math.abs(dx * az);
+        double sz = Math.abs(dx * ay) + Math.abs(dy * ax);
+        double limit = r * r * (ax * ax + ay * ay + az * az);
+        double square = wx * wx + wy * wy + wz * wz;
+        double inward = -(px * wx + py * wy + pz * wz);
+        double inwardError = 10 * U * (sx * ux + sy * uy + sz * uz);
+        double certain = inward - inwardError;
+        double correction = (square - limit) / (2 * inward);
+        // w is off by 4u of its magnitudes a component.
+        double squareError =
+                9 * U * (Math.abs(wx) * ux + Math.abs(wy) * uy + Math.abs(wz) * uz) + 3 * U * square + 6 * U * limit;
+        double error = (0.5 * squareError
+                        + Math.abs(correction) * inwardError
+                        + correction * correction * (px * px + py * py + pz * pz))
+                / certain;
+        double distance = VectorMath.along(t, correction, dx, dy, dz);
+        double largest = Math.max(VectorMath.largest(ox, oy, oz), extent(b, j));
+        double length = VectorMath.length(dx, dy, dz);
+        if (certain > 0 && VectorMath.isFine(error * length, distance, largest)) {
+            return distance;
+        }
+        double pp = px * px + py * py + pz * pz;
+        if (!(Math.abs(correction) * pp < 0.25 * certain)) {
+            return -1;
+        }
+        RayRefine refine = s.refine;
+        refine.place(ox, oy, oz, dx, dy, dz, b[j], b[j + 1], b[j + 2], t, correction);
+        double left = refine.side(ax, ay, az, r);
+        double slope = 2 * (inward - correction * pp);
+        double size = 4 * (ux * ux + uy * uy + uz * uz + limit) + 8 * Math.abs(t) * length * r;
+        error = RayRefine.error(left, size, slope, 2 * inwardError + 8 * U * inward, pp);
+        distance = VectorMath.along(t, correction + left / slope, dx, dy, dz);
+        return VectorMath.isFine(error * length, distance, largest) ? distance : -1;
+    }
+
+    private static double cap(
+            double ox,
+            double oy,
+            double oz,
+            double dx,
+            double dy,
+            double dz,
+            double[] b,
+            int j,
+            double t,
+            RayScratch s) {
+        double ax = b[j + 7];
+        double ay = b[j + 10];
+        double az = b[j + 13];
+        double slope = dx * ax + dy * ay + dz * az;
+        double slopeSize = Math.abs(dx * ax) + Math.abs(dy * ay) + Math.abs(dz * az);
+        double qx = RayBox.moved(ox, b[j], t, dx);
+        double qy = RayBox.moved(oy, b[j + 1], t, dy);
+        double qz = RayBox.moved(oz, b[j + 2], t, dz);
+        double half = b[j + 4] * (ax * ax + ay * ay + az * az);
+        double rest = qx * ax + qy * ay + qz * az + (slope > 0 ? half : -half);
+        double restSize = Math.abs(qx * ax) + Math.abs(qy * ay) + Math.abs(qz * az) + half;
+        double correction = -rest / slope;
+        double error = U * (7 * restSize + Math.abs(correction) * 4 * slopeSize) / Math.abs(slope);
+        double distance = VectorMath.along(t, correction, dx, dy, dz);
+        double largest = Math.max(VectorMath.largest(ox, oy, oz), extent(b, j));
+        double length = VectorMath.length(dx, dy, dz);
+        if (VectorMath.isFine(error * length, distance, largest)) {
+            return distance;
+        }
+        RayRefine refine = s.refine;
+        refine.place(ox, oy, oz, dx, dy, dz, b[j], b[j + 1], b[j + 2], t, correction);
+        double left = refine.cap(ax, ay, az, slope > 0 ? -b[j + 4] : b[j + 4]);
+        double size = restSize + 2 * Math.abs(t) * slopeSize;
+        error = RayRefine.error(left, size, slope, 4 * U * slopeSize, 0);
+        distance = VectorMath.along(t, correction - left / slope, dx, dy, dz);
+        return VectorMath.isFine(error * length, distance, largest) ? distance : -1;
+    }
+
+    private static double extent(double[] b, int j) {
+        return Math.max(VectorMath.largest(b[j], b[j + 1], b[j + 2]), Math.max(b[j + 3], b[j + 4]));
+    }
+
+    private static double exact(
+            double ox,
+            double oy,
+            double oz,
+            double dx,
+            double dy,
+            double dz,
+            double[] b,
+            int j,
+            double ax,
+            double ay,
+            double az) {
+        EXACT.count();
+        ExactRay ray = new ExactRay(ox, oy, oz, dx, dy, dz, extent(b, j));
+        return new ExactRayCylinder(ray, ray.point(b, j), ExactVector.of(ax, ay, az), b[j + 3], b[j + 4]).distance();
+    }
+}

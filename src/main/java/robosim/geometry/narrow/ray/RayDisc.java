@@ -1,0 +1,125 @@
+package robosim.geometry.narrow.ray;
+
+import robosim.geometry.exact.DoubleDouble;
+import robosim.geometry.exact.Dyadic;
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.VectorMath;
+import robosim.geometry.narrow.planar.DiscDisc;
+
+/** A ray and a disc on the plane. */
+public final class RayDisc {
+    // In u = 2^-53. The square of the offset, rounded once before, is off by 4u of itself, the radius's by 1u.
+    private static final double START = Filter.bound(4.01 * 0x1p-53);
+
+    // A product of the offset and the direction: offset 1u, product 1u, sum 1u.
+    private static final double PRODUCT = Filter.bound(3.01 * 0x1p-53);
+
+    // r^2 |u|^2: squares 1u each, sum 1u, product 1u; on the other side the bound's difference 1u, twice, and its
+    // square; and 1u where this bound is added.
+    private static final double REACH = Filter.bound(8.01 * 0x1p-53);
+    private static final double UNDERFLOW = 0x1p-960;
+
+    private static final Stages.Counter EXACT = Stages.counter("RayDisc");
+
+    private RayDisc() {}
+
+    /** Distance in world units; whether it is a hit at all is exact. */
+    public static double distance(double ox, double oz, double ux, double uz, double cx, double cz, double r) {
+        double mx = cx - ox;
+        double mz = cz - oz;
+        double square = mx * mx + mz * mz;
+        double rr = r * r;
+        double doubt = START * (square + rr) + UNDERFLOW;
+        if (square < rr - doubt || (!(square > rr + doubt) && DiscDisc.touch(ox, oz, 0, cx, cz, r))) {
+            return 0;
+        }
+        // The start is outside: a line that meets the disc does so on one side of the start.
+        double ahead = mx * ux + mz * uz;
+        double aheadSlack = PRODUCT * (Math.abs(mx * ux) + Math.abs(mz * uz)) + UNDERFLOW;
+        if (ahead < -aheadSlack) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double length = ux * ux + uz * uz;
+        double aside = Math.abs(ux * mz - uz * mx);
+        double slack = PRODUCT * (Math.abs(ux * mz) + Math.abs(uz * mx)) + UNDERFLOW;
+        double least = atLeastZero(aside - slack);
+        double reach = rr * length;
+        if (least * least > reach + (REACH * reach + UNDERFLOW)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double most = aside + slack;
+        if (!(most * most < reach - (REACH * reach + UNDERFLOW) && ahead > aheadSlack)
+                && !exactHit(ox, oz, ux, uz, cx, cz, r)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        return entry(ox, oz, ux, uz, cx, cz, r);
+    }
+
+    // From outside; the tangent is a hit.
+    private static boolean exactHit(double ox, double oz, double ux, double uz, double cx, double cz, double r) {
+        EXACT.count();
+        Dyadic mx = Dyadic.difference(cx, ox);
+        Dyadic mz = Dyadic.difference(cz, oz);
+        Dyadic dx = Dyadic.of(ux);
+        Dyadic dz = Dyadic.of(uz);
+        if (mx.multiply(dx).add(mz.multiply(dz)).signum() < 0) {
+            return false;
+        }
+        Dyadic aside = dx.multiply(mz).subtract(dz.multiply(mx));
+        Dyadic reach = Dyadic.of(r).square().multiply(dx.square().add(dz.square()));
+        return aside.square().compareTo(reach) <= 0;
+    }
+
+    /**
+     * Where a ray that is known to hit from outside enters.
+     *
+     * <p>(m m - r r) / (ahead + half chord) instead of the textbook's difference of the two; the power of the start and
+     * the half chord are both made of tails too, so that a disc that is grazed from afar is as good as a near one.
+     */
+    static double entry(double ox, double oz, double ux, double uz, double cx, double cz, double r) {
+        double power = atLeastZero(DiscDisc.squareGap(ox, oz, cx, cz, r, 0));
+        double mx = cx - ox;
+        double mxTail = DoubleDouble.differenceTail(cx, ox, mx);
+        double mz = cz - oz;
+        double mzTail = DoubleDouble.differenceTail(cz, oz, mz);
+        double length = Math.sqrt(ux * ux + uz * uz);
+        double ahead = atLeastZero((mx * ux + mz * uz) / length);
+        double p = ux * mz;
+        double q = uz * mx;
+        double aside = p - q;
+        double asideTail = DoubleDouble.differenceTail(p, q, aside)
+                + DoubleDouble.productTail(ux, mz, p)
+                - DoubleDouble.productTail(uz, mx, q)
+                + (ux * mzTail - uz * mxTail);
+        double chord = halfChordSquare(aside, asideTail, ux, uz, r) / (length * length);
+        double way = ahead + Math.sqrt(atLeastZero(chord));
+        return way > 0 ? power / way : 0;
+    }
+
+    /** What is hardly ever below zero: guessed right, where {@code Math.max} would be waited for. */
+    private static double atLeastZero(double number) {
+        return number > 0 ? number : 0;
+    }
+
+    // r^2 |u|^2 - aside^2 as (r |u| - |aside|)(r |u| + |aside|), with the length of the direction to twice the digits.
+    private static double halfChordSquare(double aside, double asideTail, double ux, double uz, double r) {
+        double xx = ux * ux;
+        double zz = uz * uz;
+        double square = xx + zz;
+        double squareTail = DoubleDouble.sumTail(xx, zz, square)
+                + DoubleDouble.productTail(ux, ux, xx)
+                + DoubleDouble.productTail(uz, uz, zz);
+        double length = Math.sqrt(square);
+        double root = length * length;
+        double lengthTail =
+                ((square - root) - DoubleDouble.productTail(length, length, root) + squareTail) / (2 * length);
+        double reach = r * length;
+        double reachTail = DoubleDouble.productTail(r, length, reach) + r * lengthTail;
+        double side = Math.abs(aside);
+        double sideTail = VectorMath.signed(asideTail, aside + 0.0);
+        double rest = reach - side;
+        rest += DoubleDouble.differenceTail(reach, side, rest) + (reachTail - sideTail);
+        return rest * (reach + side);
+    }
+}

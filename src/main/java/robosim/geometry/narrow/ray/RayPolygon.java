@@ -1,0 +1,129 @@
+package robosim.geometry.narrow.ray;
+
+import robosim.geometry.exact.DoubleDouble;
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.planar.ExactPlanar;
+import robosim.geometry.narrow.planar.PlanarShape;
+
+/** A ray and a convex polygon on the plane: what a box, a triangle or an octagon throws. */
+final class RayPolygon {
+    // Corners are seen from the start, and off by the shape's error; a product with the direction and the sum of
+    // two add 2u of the size. A side's direction is off by 1u; it, a product and a sum add 3u.
+    private static final double ROUNDING = 1.01;
+    private static final double FILTER = Filter.bound(ROUNDING);
+    private static final double PRODUCT = 2 * 0x1p-53;
+    private static final double DOUBTFUL = 4 * 0x1p-53;
+    private static final double SIDE_PRODUCT = 3 * 0x1p-53;
+    private static final double UNDERFLOW = 0x1p-960;
+
+    private static final Stages.Counter EXACT = Stages.counter("RayPolygon");
+
+    private RayPolygon() {}
+
+    /** Distance in world units; whether it is a hit at all is exact, but for octagons, hit where it is in doubt. */
+    static double distance(double ox, double oz, double ux, double uz, int kind, double[] b, int j, RayScratch s) {
+        PlanarShape q = s.planarB;
+        q.set(kind, b, j, ox, oz);
+        double speed = Math.abs(ux) + Math.abs(uz);
+        boolean isEnclosure = kind == Leaf.PRISM;
+        double filter = isEnclosure ? ROUNDING : FILTER;
+        double doubt = filter * (q.error + PRODUCT * q.size) * speed + UNDERFLOW;
+        double left = -Double.MAX_VALUE;
+        double right = Double.MAX_VALUE;
+        double nearest = Double.MAX_VALUE;
+        double furthest = -Double.MAX_VALUE;
+        for (int k = 0; k < q.count; k++) {
+            double aside = ux * q.z[k] - uz * q.x[k];
+            double ahead = ux * q.x[k] + uz * q.z[k];
+            left = Math.max(left, aside);
+            right = Math.min(right, aside);
+            nearest = Math.min(nearest, ahead);
+            furthest = Math.max(furthest, ahead);
+        }
+        if (left < -doubt || right > doubt || furthest < -doubt) {
+            return Double.POSITIVE_INFINITY;
+        }
+        int verdict = left > doubt && right < -doubt ? sides(q, ux, uz, speed, filter) : 0;
+        if (verdict < 0) {
+            return Double.POSITIVE_INFINITY;
+        }
+        if (verdict == 0 && !isEnclosure) {
+            EXACT.count();
+            ExactPlanar exact = ExactPlanar.of(kind, b, j);
+            if (!exact.isHitBy(ox, oz, ux, uz)) {
+                return Double.POSITIVE_INFINITY;
+            }
+            if (exact.contains(ox, oz)) {
+                return 0;
+            }
+        }
+        double square = ux * ux + uz * uz;
+        double first = kind == Leaf.BOX || kind == Leaf.UPRIGHT_BOX
+                ? RayZonogon.entry(ox, oz, ux, uz, b, j)
+                : lastCrossing(kind, q, ux, uz, speed);
+        double share = Math.min(Math.max(first, nearest / square), furthest / square);
+        return Math.max(0, share) * Math.sqrt(square);
+    }
+
+    // 1 a clear hit, -1 a clear miss, 0 in doubt, by the side normals alone
+    private static int sides(PlanarShape q, double ux, double uz, double speed, double filter) {
+        int verdict = 1;
+        for (int k = 0; k < q.count; k++) {
+            double nx = q.sideZ[k];
+            double nz = -q.sideX[k];
+            double beyond = -(nx * q.x[k] + nz * q.z[k]);
+            double nearing = -(nx * ux + nz * uz);
+            double length = Math.abs(nx) + Math.abs(nz);
+            double doubt = filter * (q.error + SIDE_PRODUCT * q.size) * length + UNDERFLOW;
+            double nearingDoubt = filter * SIDE_PRODUCT * length * speed + UNDERFLOW;
+            if (beyond > doubt && nearing < -nearingDoubt) {
+                return -1;
+            }
+            if (!(beyond < -doubt || nearing > nearingDoubt)) {
+                verdict = 0;
+            }
+        }
+        return verdict;
+    }
+
+    // The last of the sides' lines that the ray crosses inward, for a ray that is known to hit. Of a triangle's side
+    // along
+    // which the ray runs but for rounding, plain doubles do not tell which way that is.
+    private static double lastCrossing(int kind, PlanarShape q, double ux, double uz, double speed) {
+        double share = 0;
+        int last = q.count - 1;
+        for (int k = 0; k <= last; k++) {
+            int previous = k == 0 ? last : k - 1;
+            double ex = q.sideX[k];
+            double ez = q.sideZ[k];
+            double ahead = ez * q.x[k] - ex * q.z[k];
+            double way = ez * ux - ex * uz;
+            double length = Math.abs(ex) + Math.abs(ez);
+            boolean isClear = ahead > DOUBTFUL * length * q.size || way > DOUBTFUL * length * speed;
+            if (isClear || (kind == Leaf.PRISM && !(ahead < 0 && way < 0))) {
+                continue;
+            }
+            share = Math.max(share, kind == Leaf.PRISM ? ahead / way : crossing(q, previous, k, ux, uz));
+        }
+        return share;
+    }
+
+    // Where the ray crosses the line of a side: a quotient of two cross products, each good to an ulp or two of the
+    // stored corners however low the angle.
+    private static double crossing(PlanarShape q, int from, int to, double ux, double uz) {
+        double ex = q.x[to] - q.x[from];
+        double ez = q.z[to] - q.z[from];
+        double exTail = DoubleDouble.differenceTail(q.x[to], q.x[from], ex) + (q.tailX[to] - q.tailX[from]);
+        double ezTail = DoubleDouble.differenceTail(q.z[to], q.z[from], ez) + (q.tailZ[to] - q.tailZ[from]);
+        double ahead = cross(q.x[to], q.z[to], ex, ez)
+                + ((q.x[to] * ezTail - q.z[to] * exTail) + (q.tailX[to] * ez - q.tailZ[to] * ex));
+        double way = cross(ux, uz, ex, ez) + (ux * ezTail - uz * exTail);
+        return ahead < 0 && way < 0 ? ahead / way : 0;
+    }
+
+    private static double cross(double ax, double az, double bx, double bz) {
+        return DoubleDouble.differenceOfProducts(ax, bz, az, bx);
+    }
+}

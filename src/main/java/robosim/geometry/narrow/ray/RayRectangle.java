@@ -1,0 +1,143 @@
+package robosim.geometry.narrow.ray;
+
+import robosim.geometry.exact.DoubleDouble;
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.VectorMath;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.planar.DiscRectangle;
+import robosim.geometry.narrow.planar.ExactPlanar;
+
+/** A ray and the rectangle that an upright box throws on the plane. */
+public final class RayRectangle {
+    // With u = 2^-53: a coordinate of the start in the rectangle's frame is off by 3u of |dx| + |dz|, of the direction
+    // by 2u; the half size times the squared length by 3u, times such a direction and added to another by 4u;
+    // differences keep their sign. Directions of the rectangle are no longer than 1 + 1e-9.
+    private static final double FILTER = Filter.bound(4.01 * 0x1p-53);
+    private static final double UNDERFLOW = 0x1p-960;
+
+    // By which side a ray enters is told by the products of how far it starts beyond each and its way across the other,
+    // each off by two of these bounds; the quotients that stand for them by 6u, which is less than two more.
+    private static final double SURE = 16;
+
+    private static final Stages.Counter EXACT = Stages.counter("RayRectangle");
+
+    private RayRectangle() {}
+
+    /**
+     * Distance in world units; whether it is a hit at all is exact. Of the rotation only the first own axis is read, which
+     * tells the other: rows of many objects are far apart in memory.
+     */
+    static double distance(double ox, double oz, double ux, double uz, double[] row, int at) {
+        double sure = sure(ox, oz, ux, uz, row[at], row[at + 2], row[at + 3], row[at + 5], row[at + 6], row[at + 8]);
+        return Double.isNaN(sure) ? doubtful(ox, oz, ux, uz, row, at) : sure;
+    }
+
+    /** The same for a rectangle by its numbers, with the cosine and sine of its heading; NaN where doubles cannot tell. */
+    public static double sure(
+            double ox,
+            double oz,
+            double ux,
+            double uz,
+            double cx,
+            double cz,
+            double hx,
+            double hz,
+            double cos,
+            double sin) {
+        double dx = ox - cx;
+        double dz = oz - cz;
+        double square = cos * cos + sin * sin;
+        double size = Math.abs(dx) + Math.abs(dz) + hx + hz;
+        double speed = Math.abs(ux) + Math.abs(uz);
+        // The start and the direction in the rectangle's own frame.
+        double startX = dx * cos - dz * sin;
+        double startZ = dx * sin + dz * cos;
+        double wayX = ux * cos - uz * sin;
+        double wayZ = ux * sin + uz * cos;
+        double doubt = FILTER * size + UNDERFLOW;
+        double wayDoubt = FILTER * speed + UNDERFLOW;
+        double beyondX = Math.abs(startX) - hx * square;
+        double beyondZ = Math.abs(startZ) - hz * square;
+        // Positive where the ray nears the rectangle, as seen along each of its axes; not asked where the start is at
+        // 0.
+        double nearingX = VectorMath.signed(-wayX, startX);
+        double nearingZ = VectorMath.signed(-wayZ, startZ);
+        double past = Math.abs(dx * uz - dz * ux) - (hx * Math.abs(wayZ) + hz * Math.abs(wayX));
+        double pastDoubt = doubt * speed + UNDERFLOW;
+        // Comparisons by the signs of differences, all at once: one by one, half of them would be guessed wrong.
+        long insideX = bits(beyondX + doubt);
+        long insideZ = bits(beyondZ + doubt);
+        if ((insideX & insideZ) < 0) {
+            return 0;
+        }
+        long leavesX = bits(doubt - beyondX) & bits(nearingX + wayDoubt);
+        long leavesZ = bits(doubt - beyondZ) & bits(nearingZ + wayDoubt);
+        if ((bits(pastDoubt - past) | leavesX | leavesZ) < 0) {
+            return Double.POSITIVE_INFINITY;
+        }
+        // Of a side that is all but flat it may be in doubt on which side of it the ray starts.
+        long meetsX = insideX | (bits(wayDoubt - nearingX) & bits(doubt - Math.abs(startX)));
+        long meetsZ = insideZ | (bits(wayDoubt - nearingZ) & bits(doubt - Math.abs(startZ)));
+        if ((bits(past + pastDoubt) & meetsX & meetsZ) < 0) {
+            double later = beyondX * Math.abs(wayZ) - beyondZ * Math.abs(wayX);
+            // The side across the own X or the own Z: the same bits as where both are asked.
+            double nx = VectorMath.pick(later, cos, sin);
+            double nz = VectorMath.pick(later, -sin, cos);
+            double way = Math.abs(DoubleDouble.sumOfProducts(ux, nx, uz, nz));
+            double far = DiscRectangle.gap(ox, oz, cx, cz, nx, nz, VectorMath.pick(later, hx, hz))
+                    / way
+                    * Math.sqrt(ux * ux + uz * uz);
+            // Nearer than the centre: no need to ask how far the farthest corner is.
+            return Math.abs(later) > SURE * pastDoubt && far * far * (1 + 0x1p-50) + UNDERFLOW < dx * dx + dz * dz
+                    ? far
+                    : entry(ox, oz, ux, uz, cx, cz, hx, hz, cos, sin);
+        }
+        return Double.NaN;
+    }
+
+    private static long bits(double number) {
+        return Double.doubleToRawLongBits(number);
+    }
+
+    private static double doubtful(double ox, double oz, double ux, double uz, double[] row, int at) {
+        EXACT.count();
+        ExactPlanar exact = ExactPlanar.of(Leaf.UPRIGHT_BOX, row, at);
+        if (exact.contains(ox, oz)) {
+            return 0;
+        }
+        return exact.isHitBy(ox, oz, ux, uz)
+                ? entry(ox, oz, ux, uz, row[at], row[at + 2], row[at + 3], row[at + 5], row[at + 6], row[at + 8])
+                : Double.POSITIVE_INFINITY;
+    }
+
+    // The later of the two sides that the start is beyond, for a ray that is known to hit.
+    private static double entry(
+            double ox,
+            double oz,
+            double ux,
+            double uz,
+            double cx,
+            double cz,
+            double hx,
+            double hz,
+            double cos,
+            double sin) {
+        double share = 0;
+        double gapX = DiscRectangle.gap(ox, oz, cx, cz, cos, -sin, hx);
+        if (gapX > 0) {
+            double way = Math.abs(DoubleDouble.differenceOfProducts(ux, cos, uz, sin));
+            share = way > 0 ? gapX / way : 0;
+        }
+        double gapZ = DiscRectangle.gap(ox, oz, cx, cz, sin, cos, hz);
+        if (gapZ > 0) {
+            double way = Math.abs(DoubleDouble.sumOfProducts(ux, sin, uz, cos));
+            share = way > 0 ? Math.max(share, gapZ / way) : share;
+        }
+        // No point of the rectangle is further off than this: a hit along a side does not run away.
+        double dx = ox - cx;
+        double dz = oz - cz;
+        double most = Math.sqrt(dx * dx + dz * dz) + Math.sqrt(hx * hx + hz * hz) * (1 + 0x1p-29);
+        return Math.min(share * Math.sqrt(ux * ux + uz * uz), most * (1 + 0x1p-50));
+    }
+}

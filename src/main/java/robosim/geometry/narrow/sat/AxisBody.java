@@ -1,0 +1,329 @@
+package robosim.geometry.narrow.sat;
+
+import robosim.geometry.exact.Filter;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.PrismCorners;
+
+/**
+ * A polytope as the method of separating axes sees it: how far it reaches along an axis, and which axes it brings.
+ *
+ * <p>Loaded relative to an origin, in space or as its projection on XZ (all y are 0). Every coordinate is then off by at
+ * most 8 units of roundoff (2^-53) of {@link #mx}, {@link #my}, {@link #mz}, the sums of the magnitudes that it is made of.
+ */
+public final class AxisBody {
+    public static final int PLANAR = 0;
+    public static final int UPRIGHT = 1;
+    public static final int SPATIAL = 2;
+
+    public static final double ROUNDOFF = Filter.bound(32 * 0x1p-53);
+
+    /** More than any product of doubles in here loses by underflow. */
+    public static final double TINY = 0x1p-1040;
+
+    private static final int MOST_POINTS = 16;
+    private static final int MOST_AXES = 8;
+
+    /** Where the body begins and ends along the axis of the last {@link #project}. */
+    double lo;
+
+    double hi;
+
+    /** At least the magnitudes that any coordinate is summed from. */
+    double mx;
+
+    double my;
+    double mz;
+
+    /** Face normals; exact but for a triangle's, which are off by 4 units of roundoff of {@link #normalSize}. */
+    int normals;
+
+    final double[] normal = new double[3 * MOST_AXES];
+    final double[] normalSize = new double[3 * MOST_AXES];
+
+    /** How each normal came about: {@link #GIVEN}, or one of the others with the numbers of the edges that it is made of. */
+    final int[] recipe = new int[MOST_AXES];
+
+    static final int GIVEN = 0;
+
+    /** In the plane: across an edge, and along it. */
+    static final int ACROSS = 16;
+
+    static final int ALONG = 32;
+
+    /** The cross product of edges p and q, as {@code CROSS + 8 p + q}. */
+    static final int CROSS = 64;
+
+    /** Edge directions, off by at most one unit of roundoff in each coordinate. */
+    int edges;
+
+    final double[] edge = new double[3 * MOST_AXES];
+
+    /** Whether the body is a triangle in space that may have no area. */
+    boolean doubtful;
+
+    private int points;
+    private final double[] px = new double[MOST_POINTS];
+    private final double[] py = new double[MOST_POINTS];
+    private final double[] pz = new double[MOST_POINTS];
+
+    // Without points: a centre and half vectors.
+    private double cx;
+    private double cy;
+    private double cz;
+    private final double[] half = new double[9];
+    private int halves;
+
+    /** Whether a leaf of this kind is a polytope, in space or (planar) in its projection. */
+    public static boolean isPolytope(int kind) {
+        return kind == Leaf.UPRIGHT_BOX || kind == Leaf.BOX || kind == Leaf.TRIANGLE || kind == Leaf.PRISM;
+    }
+
+    void spatial(int kind, double[] row, int at, double ox, double oy, double oz) {
+        clear();
+        switch (kind) {
+            case Leaf.TRIANGLE -> {
+                corners(row, at, ox, oy, oz, 1);
+                spatialTriangle();
+            }
+            case Leaf.PRISM -> {
+                PrismCorners.load(row, at, ox, oz, px, pz);
+                double low = row[at + 8] - oy;
+                double high = row[at + 9] - oy;
+                for (int k = 0; k < 8; k++) {
+                    px[k + 8] = px[k];
+                    pz[k + 8] = pz[k];
+                    py[k] = low;
+                    py[k + 8] = high;
+                }
+                points = 16;
+                octagon();
+                my = Math.max(Math.abs(low), Math.abs(high));
+                addNormal(0, 1, 0);
+                addEdge(0, 1, 0);
+                addEdge(1, 0, 0);
+                addEdge(0, 0, 1);
+                addEdge(1, 0, 1);
+                addEdge(1, 0, -1);
+            }
+            default -> {
+                centre(row, at, ox, oy, oz);
+                for (int k = 0; k < 3; k++) {
+                    halfVector(row[at + 3 + k], row[at + 6 + k], row[at + 9 + k], row[at + 12 + k]);
+                    addEdge(row[at + 6 + k], row[at + 9 + k], row[at + 12 + k]);
+                }
+                addCross(3, 6);
+                addCross(6, 0);
+                addCross(0, 3);
+            }
+        }
+    }
+
+    /** The projection on XZ, with the heights kept out of it. */
+    void planar(int kind, double[] row, int at, double ox, double oz) {
+        clear();
+        switch (kind) {
+            case Leaf.TRIANGLE -> {
+                corners(row, at, ox, 0, oz, 0);
+                planarTriangle();
+            }
+            case Leaf.PRISM -> {
+                PrismCorners.load(row, at, ox, oz, px, pz);
+                java.util.Arrays.fill(py, 0, 8, 0);
+                points = 8;
+                octagon();
+            }
+            default -> {
+                centre(row, at, ox, row[at + 1], oz);
+                for (int k = 0; k < 3; k++) {
+                    double ux = row[at + 6 + k];
+                    double uz = row[at + 12 + k];
+                    if (ux != 0 || uz != 0) {
+                        halfVector(row[at + 3 + k], ux, 0, uz);
+                        addNormal(-uz, 0, ux);
+                    }
+                }
+            }
+        }
+    }
+
+    /** An upright polytope: the normals of its base and the vertical. */
+    void upright(int kind, double[] row, int at, double ox, double oy, double oz) {
+        planar(kind, row, at, ox, oz);
+        if (kind == Leaf.PRISM) {
+            double low = row[at + 8] - oy;
+            double high = row[at + 9] - oy;
+            for (int k = 0; k < 8; k++) {
+                px[k + 8] = px[k];
+                pz[k + 8] = pz[k];
+                py[k] = low;
+                py[k + 8] = high;
+            }
+            points = 16;
+            my = Math.max(Math.abs(low), Math.abs(high));
+        } else {
+            cy = row[at + 1] - oy;
+            my = Math.abs(cy);
+            halfVector(row[at + 4], 0, 1, 0);
+        }
+        addNormal(0, 1, 0);
+    }
+
+    /** Sets {@link #lo} and {@link #hi}. */
+    void project(double nx, double ny, double nz) {
+        if (points > 0) {
+            double least = nx * px[0] + ny * py[0] + nz * pz[0];
+            double most = least;
+            for (int k = 1; k < points; k++) {
+                double reach = nx * px[k] + ny * py[k] + nz * pz[k];
+                least = Math.min(least, reach);
+                most = Math.max(most, reach);
+            }
+            lo = least;
+            hi = most;
+        } else {
+            double middle = nx * cx + ny * cy + nz * cz;
+            double radius = 0;
+            for (int k = 0; k < halves; k += 3) {
+                radius += Math.abs(nx * half[k] + ny * half[k + 1] + nz * half[k + 2]);
+            }
+            lo = middle - radius;
+            hi = middle + radius;
+        }
+    }
+
+    private void clear() {
+        normals = 0;
+        edges = 0;
+        halves = 0;
+        points = 0;
+        doubtful = false;
+    }
+
+    private void centre(double[] row, int at, double ox, double oy, double oz) {
+        cx = row[at] - ox;
+        cy = row[at + 1] - oy;
+        cz = row[at + 2] - oz;
+        mx = Math.abs(cx);
+        my = Math.abs(cy);
+        mz = Math.abs(cz);
+    }
+
+    private void halfVector(double h, double ux, double uy, double uz) {
+        half[halves] = h * ux;
+        half[halves + 1] = h * uy;
+        half[halves + 2] = h * uz;
+        mx += Math.abs(half[halves]);
+        my += Math.abs(half[halves + 1]);
+        mz += Math.abs(half[halves + 2]);
+        halves += 3;
+    }
+
+    private void corners(double[] row, int at, double ox, double oy, double oz, double heights) {
+        mx = 0;
+        my = 0;
+        mz = 0;
+        for (int k = 0; k < 3; k++) {
+            px[k] = row[at + 3 * k] - ox;
+            py[k] = heights * (row[at + 3 * k + 1] - oy);
+            pz[k] = row[at + 3 * k + 2] - oz;
+            mx = Math.max(mx, Math.abs(px[k]));
+            my = Math.max(my, Math.abs(py[k]));
+            mz = Math.max(mz, Math.abs(pz[k]));
+        }
+        points = 3;
+        for (int k = 0; k < 3; k++) {
+            int next = 3 * ((k + 1) % 3);
+            addEdge(
+                    row[at + next] - row[at + 3 * k],
+                    heights * (row[at + next + 1] - row[at + 3 * k + 1]),
+                    row[at + next + 2] - row[at + 3 * k + 2]);
+        }
+    }
+
+    private void spatialTriangle() {
+        addCross(0, 3);
+        doubtful = isDoubtful(0);
+    }
+
+    // A wall seen from above is a segment: then its direction bounds it too, and any two axes bound a point.
+    private void planarTriangle() {
+        addCross(0, 3);
+        boolean flat = isDoubtful(0);
+        normals = 0;
+        for (int k = 0; k < 9; k += 3) {
+            addNormal(-edge[k + 2], 0, edge[k]);
+            recipe[normals - 1] = ACROSS + k / 3;
+        }
+        if (flat) {
+            for (int k = 0; k < 9; k += 3) {
+                addNormal(edge[k], 0, edge[k + 2]);
+                recipe[normals - 1] = ALONG + k / 3;
+            }
+            addNormal(1, 0, 0);
+            addNormal(0, 0, 1);
+        }
+        edges = 0;
+    }
+
+    private void octagon() {
+        double x = 0;
+        double z = 0;
+        for (int k = 0; k < 8; k++) {
+            x = Math.max(x, Math.abs(px[k]));
+            z = Math.max(z, Math.abs(pz[k]));
+        }
+        mx = 2 * (x + z);
+        mz = mx;
+        my = 0;
+        addNormal(1, 0, 0);
+        addNormal(0, 0, 1);
+        addNormal(1, 0, 1);
+        addNormal(1, 0, -1);
+    }
+
+    /** Whether rounding may have made a normal of nothing. */
+    private boolean isDoubtful(int axis) {
+        int k = 3 * axis;
+        for (int m = k; m < k + 3; m++) {
+            if (Math.abs(normal[m]) > AxisBody.ROUNDOFF * normalSize[m] + AxisBody.TINY) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private void addNormal(double x, double y, double z) {
+        recipe[normals] = GIVEN;
+        int k = 3 * normals++;
+        normal[k] = x;
+        normal[k + 1] = y;
+        normal[k + 2] = z;
+        normalSize[k] = Math.abs(x);
+        normalSize[k + 1] = Math.abs(y);
+        normalSize[k + 2] = Math.abs(z);
+    }
+
+    private void addEdge(double x, double y, double z) {
+        int k = 3 * edges++;
+        edge[k] = x;
+        edge[k + 1] = y;
+        edge[k + 2] = z;
+    }
+
+    private void addCross(int i, int j) {
+        recipe[normals] = CROSS + 8 * (i / 3) + j / 3;
+        int k = 3 * normals++;
+        double p = edge[i + 1] * edge[j + 2];
+        double q = edge[i + 2] * edge[j + 1];
+        normal[k] = p - q;
+        normalSize[k] = Math.abs(p) + Math.abs(q);
+        p = edge[i + 2] * edge[j];
+        q = edge[i] * edge[j + 2];
+        normal[k + 1] = p - q;
+        normalSize[k + 1] = Math.abs(p) + Math.abs(q);
+        p = edge[i] * edge[j + 1];
+        q = edge[i + 1] * edge[j];
+        normal[k + 2] = p - q;
+        normalSize[k + 2] = Math.abs(p) + Math.abs(q);
+    }
+}

@@ -1,0 +1,68 @@
+package robosim.geometry.narrow.sat;
+
+import robosim.geometry.exact.DoubleDoubleSum;
+import robosim.geometry.narrow.leaf.Leaf;
+
+/** One corner of a polytope in pairs of doubles. */
+public final class DoubleDoubleCorner {
+    private final DoubleDoubleCorners octagon = new DoubleDoubleCorners();
+
+    /**
+     * Writes a corner relative to an origin; in the plane the second coordinate is 0.
+     *
+     * @param source of a box the columns that count as they are, as bits, the others being turned back; of a triangle
+     *     where in its row the corner begins; of a prism the number of its corner, 8 more at the top
+     */
+    public void find(
+            boolean flat,
+            int kind,
+            double[] row,
+            int at,
+            int source,
+            double ox,
+            double oy,
+            double oz,
+            DoubleDoubleSum[] out) {
+        switch (kind) {
+            case Leaf.TRIANGLE -> {
+                difference(row[source], ox, out[0]);
+                difference(flat ? 0 : row[source + 1], flat ? 0 : oy, out[1]);
+                difference(row[source + 2], oz, out[2]);
+            }
+            case Leaf.SPHERE, Leaf.UPRIGHT_CYLINDER -> {
+                difference(row[at], ox, out[0]);
+                difference(flat ? 0 : row[at + 1], flat ? 0 : oy, out[1]);
+                difference(row[at + 2], oz, out[2]);
+            }
+            case Leaf.PRISM -> {
+                octagon.load(row, at, ox, oz);
+                out[0].set(octagon.x[source % 8]);
+                difference(flat ? 0 : row[at + 8 + source / 8], flat ? 0 : oy, out[1]);
+                out[2].set(octagon.z[source % 8]);
+            }
+            default -> {
+                difference(row[at], ox, out[0]);
+                difference(flat ? 0 : row[at + 1], flat ? 0 : oy, out[1]);
+                difference(row[at + 2], oz, out[2]);
+                for (int k = 0; k < 3; k++) {
+                    double half = (source >> k & 1) == 0 ? -row[at + 3 + k] : row[at + 3 + k];
+                    addProduct(half, row[at + 6 + k], out[0]);
+                    addProduct(half, flat ? 0 : row[at + 9 + k], out[1]);
+                    addProduct(half, row[at + 12 + k], out[2]);
+                }
+            }
+        }
+    }
+
+    public static void difference(double p, double q, DoubleDoubleSum out) {
+        out.clear();
+        out.add(p, 0);
+        out.add(-q, 0);
+    }
+
+    private static void addProduct(double p, double q, DoubleDoubleSum out) {
+        if (p != 0 && q != 0) {
+            out.addProduct(p, 0, q, 0);
+        }
+    }
+}

@@ -1,0 +1,172 @@
+package robosim.geometry.narrow.sat;
+
+import java.util.ArrayList;
+import java.util.List;
+import robosim.geometry.exact.Dyadic;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.PrismCorners;
+
+/** The exact twin of {@link AxisBody}: a polytope of the stored numbers, without rounding. */
+public final class ExactBody {
+    final List<Dyadic[]> normals = new ArrayList<>();
+    final List<Dyadic[]> edges = new ArrayList<>();
+
+    /** Corners, or a centre alone with half vectors around it. */
+    final List<Dyadic[]> points = new ArrayList<>();
+
+    private final List<Dyadic[]> halves = new ArrayList<>();
+
+    private ExactBody() {}
+
+    static ExactBody of(int mode, int kind, double[] row, int at) {
+        ExactBody body = new ExactBody();
+        boolean flat = mode == AxisBody.PLANAR;
+        switch (kind) {
+            case Leaf.TRIANGLE -> body.triangle(row, at, flat);
+            case Leaf.PRISM -> body.prism(row, at, mode);
+            case Leaf.UPRIGHT_BOX, Leaf.BOX -> body.box(row, at, mode);
+            default -> throw new IllegalArgumentException("not a polytope (got kind: " + kind + ")");
+        }
+        return body;
+    }
+
+    /** Where the body begins and ends along an axis. */
+    Dyadic[] project(Dyadic[] axis) {
+        Dyadic lo = dot(axis, points.get(0));
+        Dyadic hi = lo;
+        for (Dyadic[] point : points) {
+            Dyadic reach = dot(axis, point);
+            lo = lo.min(reach);
+            hi = hi.max(reach);
+        }
+        for (Dyadic[] half : halves) {
+            Dyadic reach = dot(axis, half).abs();
+            lo = lo.subtract(reach);
+            hi = hi.add(reach);
+        }
+        return new Dyadic[] {lo, hi};
+    }
+
+    private void triangle(double[] row, int at, boolean flat) {
+        for (int k = at; k < at + 9; k += 3) {
+            points.add(vector(row[k], flat ? 0 : row[k + 1], row[k + 2]));
+        }
+        for (int k = 0; k < 3; k++) {
+            Dyadic[] edge = subtract(points.get((k + 1) % 3), points.get(k));
+            if (flat) {
+                normals.add(new Dyadic[] {edge[2].negate(), Dyadic.ZERO, edge[0]});
+                normals.add(edge);
+            } else {
+                edges.add(edge);
+            }
+        }
+        if (flat) {
+            normals.add(vector(1, 0, 0));
+            normals.add(vector(0, 0, 1));
+        } else {
+            normals.add(cross(edges.get(0), edges.get(1)));
+        }
+    }
+
+    private void box(double[] row, int at, int mode) {
+        boolean spatial = mode == AxisBody.SPATIAL;
+        points.add(vector(row[at], mode == AxisBody.PLANAR ? 0 : row[at + 1], row[at + 2]));
+        for (int k = 0; k < 3; k++) {
+            Dyadic[] column = vector(row[at + 6 + k], spatial ? row[at + 9 + k] : 0, row[at + 12 + k]);
+            halves.add(scale(column, Dyadic.of(row[at + 3 + k])));
+            edges.add(column);
+        }
+        if (spatial) {
+            for (int k = 0; k < 3; k++) {
+                normals.add(cross(edges.get((k + 1) % 3), edges.get((k + 2) % 3)));
+            }
+            return;
+        }
+        for (Dyadic[] column : edges) {
+            normals.add(new Dyadic[] {column[2].negate(), Dyadic.ZERO, column[0]});
+        }
+        edges.clear();
+        if (mode == AxisBody.UPRIGHT) {
+            halves.add(vector(0, row[at + 4], 0));
+            normals.add(vector(0, 1, 0));
+        }
+    }
+
+    private void prism(double[] row, int at, int mode) {
+        int[] x = {1, 0, 1, 1};
+        int[] z = {0, 1, 1, -1};
+        for (int k = 0; k < 4; k++) {
+            normals.add(vector(x[k], 0, z[k]));
+        }
+        if (mode != AxisBody.PLANAR) {
+            normals.add(vector(0, 1, 0));
+        }
+        if (mode == AxisBody.SPATIAL) {
+            edges.add(vector(0, 1, 0));
+            edges.addAll(normals.subList(0, 4));
+        }
+        Dyadic low = mode == AxisBody.PLANAR ? Dyadic.ZERO : Dyadic.of(row[at + 8]);
+        Dyadic high = mode == AxisBody.PLANAR ? Dyadic.ZERO : Dyadic.of(row[at + 9]);
+        for (Dyadic[] corner : octagon(row, at)) {
+            points.add(new Dyadic[] {corner[0], low, corner[1]});
+            points.add(new Dyadic[] {corner[0], high, corner[1]});
+        }
+    }
+
+    /** The corners (x, z) of a prism's base; see {@link PrismCorners}. */
+    public static List<Dyadic[]> octagon(double[] row, int at) {
+        Dyadic x0 = Dyadic.of(row[at]);
+        Dyadic x1 = Dyadic.of(row[at + 1]);
+        Dyadic z0 = Dyadic.of(row[at + 2]);
+        Dyadic z1 = Dyadic.of(row[at + 3]);
+        Dyadic s0 = Dyadic.of(row[at + 4]);
+        Dyadic s1 = Dyadic.of(row[at + 5]);
+        Dyadic d0 = Dyadic.of(row[at + 6]);
+        Dyadic d1 = Dyadic.of(row[at + 7]);
+        Dyadic left = x0.max(s0.add(d0).scale(-1)).max(s0.subtract(z1)).max(d0.add(z0));
+        Dyadic right = x1.min(s1.add(d1).scale(-1)).min(s1.subtract(z0)).min(d1.add(z1));
+        Dyadic near = z0.max(s0.subtract(d1).scale(-1)).max(s0.subtract(x1)).max(x0.subtract(d1));
+        Dyadic far = z1.min(s1.subtract(d0).scale(-1)).min(s1.subtract(x0)).min(x1.subtract(d0));
+        s0 = s0.max(left.add(near));
+        s1 = s1.min(right.add(far));
+        d0 = d0.max(left.subtract(far));
+        d1 = d1.min(right.subtract(near));
+        return List.of(
+                new Dyadic[] {right, right.subtract(d1)},
+                new Dyadic[] {right, s1.subtract(right)},
+                new Dyadic[] {s1.subtract(far), far},
+                new Dyadic[] {d0.add(far), far},
+                new Dyadic[] {left, left.subtract(d0)},
+                new Dyadic[] {left, s0.subtract(left)},
+                new Dyadic[] {s0.subtract(near), near},
+                new Dyadic[] {d1.add(near), near});
+    }
+
+    static Dyadic[] vector(double x, double y, double z) {
+        return new Dyadic[] {Dyadic.of(x), Dyadic.of(y), Dyadic.of(z)};
+    }
+
+    static Dyadic dot(Dyadic[] a, Dyadic[] b) {
+        return a[0].multiply(b[0]).add(a[1].multiply(b[1])).add(a[2].multiply(b[2]));
+    }
+
+    static Dyadic[] cross(Dyadic[] a, Dyadic[] b) {
+        return new Dyadic[] {
+            a[1].multiply(b[2]).subtract(a[2].multiply(b[1])),
+            a[2].multiply(b[0]).subtract(a[0].multiply(b[2])),
+            a[0].multiply(b[1]).subtract(a[1].multiply(b[0]))
+        };
+    }
+
+    static Dyadic[] subtract(Dyadic[] a, Dyadic[] b) {
+        return new Dyadic[] {a[0].subtract(b[0]), a[1].subtract(b[1]), a[2].subtract(b[2])};
+    }
+
+    static Dyadic[] scale(Dyadic[] a, Dyadic factor) {
+        return new Dyadic[] {a[0].multiply(factor), a[1].multiply(factor), a[2].multiply(factor)};
+    }
+
+    static boolean isZero(Dyadic[] a) {
+        return a[0].signum() == 0 && a[1].signum() == 0 && a[2].signum() == 0;
+    }
+}

@@ -1,0 +1,97 @@
+package robosim.geometry.narrow.sat;
+
+import robosim.geometry.exact.Dyadic;
+import robosim.geometry.exact.ExactVector;
+import robosim.geometry.narrow.leaf.Leaf;
+
+/**
+ * How far a leaf reaches along a direction, without rounding: from {@code low} less a root to {@code high} and that root,
+ * where the root is that of {@code root / under}. In the plane the direction has y = 0.
+ */
+public record ExactExtent(Dyadic low, Dyadic high, Dyadic root, Dyadic under) {
+    /** Of a leaf of any convex kind, along a direction of any length. */
+    public static ExactExtent of(ExactVector n, int kind, double[] row, int at) {
+        return switch (kind) {
+            case Leaf.UPRIGHT_BOX, Leaf.BOX -> {
+                Dyadic half = Dyadic.ZERO;
+                for (int k = 0; k < 3; k++) {
+                    Dyadic along = n.dot(ExactVector.of(row, at + Leaf.ROTATION + k, 3));
+                    half = half.add(along.abs().multiply(Dyadic.of(row[at + Leaf.SIZE + k])));
+                }
+                yield around(n, row, at, half, Dyadic.ZERO, Dyadic.ONE);
+            }
+            case Leaf.SPHERE -> around(n, row, at, Dyadic.ZERO, n.square().multiply(square(row, at)), Dyadic.ONE);
+            case Leaf.UPRIGHT_CYLINDER, Leaf.CYLINDER -> {
+                ExactVector axis = axis(kind, row, at);
+                Dyadic half = n.dot(axis).abs().multiply(Dyadic.of(row[at + 4]));
+                Dyadic across = n.cross(axis).square();
+                yield around(n, row, at, half, across.multiply(square(row, at)), axis.square());
+            }
+            case Leaf.TRIANGLE -> {
+                Dyadic a = n.dot(ExactVector.of(row, at, 1));
+                Dyadic b = n.dot(ExactVector.of(row, at + 3, 1));
+                Dyadic c = n.dot(ExactVector.of(row, at + 6, 1));
+                yield new ExactExtent(a.min(b).min(c), a.max(b).max(c), Dyadic.ZERO, Dyadic.ONE);
+            }
+            case Leaf.PRISM -> prism(n, row, at);
+            default -> throw new IllegalArgumentException("kind must be convex (got: " + kind + ")");
+        };
+    }
+
+    /** The axis of a cylinder, as stored. */
+    public static ExactVector axis(int kind, double[] row, int at) {
+        return kind == Leaf.CYLINDER ? ExactVector.of(row, at + Leaf.ROTATION + 1, 3) : ExactVector.of(0, 1, 0);
+    }
+
+    /** Sign of the gap from where this ends to where another begins: at least 0 where the other lies wholly beyond. */
+    public int gapTo(ExactExtent beyond) {
+        Dyadic gap = beyond.low.subtract(high);
+        boolean plain = root.signum() == 0;
+        if (plain || beyond.root.signum() == 0) {
+            Dyadic one = plain ? beyond.root : root;
+            return signLessRoot(gap, one, plain ? beyond.under : under);
+        }
+        if (gap.signum() <= 0) {
+            return -1;
+        }
+        // gap against the root of p/s and the root of q/t: gap^2 - p/s - q/t against twice the root of pq/(st).
+        Dyadic both = under.multiply(beyond.under);
+        Dyadic rest = gap.square()
+                .multiply(both)
+                .subtract(root.multiply(beyond.under))
+                .subtract(beyond.root.multiply(under));
+        return signLessRoot(rest, root.multiply(beyond.root).multiply(both).scale(2), Dyadic.ONE);
+    }
+
+    /** Sign of a number less the root of a ratio. */
+    private static int signLessRoot(Dyadic number, Dyadic root, Dyadic under) {
+        return root.signum() == 0 || number.signum() < 0
+                ? root.signum() == 0 ? number.signum() : -1
+                : number.square().multiply(under).compareTo(root);
+    }
+
+    private static Dyadic square(double[] row, int at) {
+        return Dyadic.of(row[at + Leaf.SIZE]).square();
+    }
+
+    private static ExactExtent around(ExactVector n, double[] row, int at, Dyadic half, Dyadic root, Dyadic under) {
+        Dyadic middle = n.dot(ExactVector.of(row, at, 1));
+        return new ExactExtent(middle.subtract(half), middle.add(half), root, under);
+    }
+
+    private static ExactExtent prism(ExactVector n, double[] row, int at) {
+        Dyadic least = null;
+        Dyadic most = null;
+        for (Dyadic[] corner : ExactBody.octagon(row, at)) {
+            Dyadic reach = n.x().multiply(corner[0]).add(n.z().multiply(corner[1]));
+            least = least == null ? reach : least.min(reach);
+            most = most == null ? reach : most.max(reach);
+        }
+        if (least == null || most == null) {
+            throw new IllegalStateException("an octagon must have corners");
+        }
+        Dyadic low = n.y().multiply(Dyadic.of(row[at + 8]));
+        Dyadic high = n.y().multiply(Dyadic.of(row[at + 9]));
+        return new ExactExtent(least.add(low.min(high)), most.add(low.max(high)), Dyadic.ZERO, Dyadic.ONE);
+    }
+}

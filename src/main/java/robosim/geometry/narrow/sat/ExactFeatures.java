@@ -1,0 +1,213 @@
+package robosim.geometry.narrow.sat;
+
+import java.util.ArrayList;
+import java.util.List;
+import robosim.geometry.exact.Dyadic;
+import robosim.geometry.exact.ExactVector;
+import robosim.geometry.narrow.leaf.Leaf;
+
+/**
+ * The corners, edge directions and face normals of a leaf as stored, without rounding: of a sphere its centre, of a
+ * cylinder its axis, whose caps are its faces. In the plane all heights are 0, and what edges are across are faces.
+ */
+public final class ExactFeatures {
+    private static final ExactVector X = ExactVector.of(1, 0, 0);
+    private static final ExactVector Y = ExactVector.of(0, 1, 0);
+    private static final ExactVector Z = ExactVector.of(0, 0, 1);
+
+    public final List<ExactVector> corners = new ArrayList<>();
+    final List<ExactVector> edges = new ArrayList<>();
+    final List<ExactVector> faces = new ArrayList<>();
+
+    /** Whether it is round about its corners' hull; else it is that hull. */
+    public final boolean isRound;
+
+    private final boolean flat;
+
+    public ExactFeatures(boolean inPlane, int kind, double[] row, int at) {
+        flat = inPlane;
+        isRound = (kind == Leaf.SPHERE || kind == Leaf.CYLINDER || kind == Leaf.UPRIGHT_CYLINDER)
+                && row[at + Leaf.SIZE] > 0;
+        switch (kind) {
+            case Leaf.UPRIGHT_BOX, Leaf.BOX -> box(row, at);
+            case Leaf.SPHERE -> corners.add(level(ExactVector.of(row, at, 1)));
+            case Leaf.UPRIGHT_CYLINDER, Leaf.CYLINDER -> cylinder(kind, row, at);
+            case Leaf.TRIANGLE -> triangle(row, at);
+            case Leaf.PRISM -> prism(row, at);
+            default -> throw new IllegalArgumentException("kind must be convex (got: " + kind + ")");
+        }
+        if (flat) {
+            for (ExactVector edge : edges) {
+                faces.add(new ExactVector(edge.z().negate(), Dyadic.ZERO, edge.x()));
+            }
+            faces.addAll(edges); // where a segment ends
+            edges.clear();
+        }
+    }
+
+    private boolean isProper = true;
+
+    /** Whether it has an inside or is a triangle with an area: between two of these all planes are found by their normals. */
+    public boolean isProper() {
+        return isProper;
+    }
+
+    private ExactVector level(ExactVector v) {
+        return flat ? new ExactVector(v.x(), Dyadic.ZERO, v.z()) : v;
+    }
+
+    private void box(double[] row, int at) {
+        ExactVector[] arms = new ExactVector[3];
+        for (int k = 0; k < 3; k++) {
+            ExactVector column = level(ExactVector.of(row, at + Leaf.ROTATION + k, 3));
+            arms[k] = column.times(Dyadic.of(row[at + Leaf.SIZE + k]));
+            edges.add(column);
+        }
+        if (!flat) {
+            for (int k = 0; k < 3; k++) {
+                faces.add(edges.get((k + 1) % 3).cross(edges.get((k + 2) % 3)));
+            }
+        }
+        isProper = flat ? isAcross(arms) : !(arms[0].isZero() || arms[1].isZero() || arms[2].isZero());
+        corners.add(level(ExactVector.of(row, at, 1)));
+        for (ExactVector arm : arms) {
+            if (!arm.isZero()) {
+                both(arm);
+            }
+        }
+    }
+
+    private static boolean isAcross(ExactVector[] arms) {
+        return !arms[0].cross(arms[1]).isZero()
+                || !arms[1].cross(arms[2]).isZero()
+                || !arms[2].cross(arms[0]).isZero();
+    }
+
+    /** Each corner this way and that way of where it was. */
+    private void both(ExactVector arm) {
+        List<ExactVector> before = List.copyOf(corners);
+        corners.clear();
+        for (ExactVector corner : before) {
+            corners.add(corner.plus(arm));
+            corners.add(corner.minus(arm));
+        }
+    }
+
+    private void cylinder(int kind, double[] row, int at) {
+        ExactVector axis = ExactExtent.axis(kind, row, at);
+        corners.add(level(ExactVector.of(row, at, 1)));
+        ExactVector along = level(axis);
+        if (along.isZero()) {
+            return;
+        }
+        both(along.times(Dyadic.of(row[at + 4])));
+        edges.add(along);
+        if (!flat) {
+            faces.add(axis);
+        }
+    }
+
+    private void triangle(double[] row, int at) {
+        for (int k = 0; k < 9; k += 3) {
+            corners.add(level(ExactVector.of(row, at + k, 1)));
+        }
+        for (int k = 0; k < 3; k++) {
+            edges.add(corners.get((k + 1) % 3).minus(corners.get(k)));
+        }
+        ExactVector normal = edges.get(0).cross(edges.get(1));
+        isProper = !normal.isZero();
+        if (flat) {
+            return;
+        }
+        faces.add(normal);
+        for (int k = 0; k < 3; k++) {
+            faces.add(edges.get(k).cross(normal)); // for what lies in its plane
+        }
+    }
+
+    private void prism(double[] row, int at) {
+        Dyadic low = flat ? Dyadic.ZERO : Dyadic.of(row[at + 8]);
+        Dyadic high = flat ? Dyadic.ZERO : Dyadic.of(row[at + 9]);
+        for (Dyadic[] corner : ExactBody.octagon(row, at)) {
+            corners.add(new ExactVector(corner[0], low, corner[1]));
+            if (!flat) {
+                corners.add(new ExactVector(corner[0], high, corner[1]));
+            }
+        }
+        List<ExactVector> sides = List.of(X, Z, X.plus(Z), X.minus(Z));
+        edges.addAll(sides);
+        if (!flat) {
+            edges.add(Y);
+            faces.addAll(sides);
+            faces.add(Y);
+        }
+    }
+
+    /** Directions one of which a plane between this and another has, if they touch and are not rim against edge. */
+    List<ExactVector> normalsWith(ExactFeatures other) {
+        List<ExactVector> normals = new ArrayList<>(faces);
+        normals.addAll(other.faces);
+        for (ExactVector one : edges) {
+            for (ExactVector two : other.edges) {
+                normals.add(one.cross(two));
+            }
+        }
+        if (isRound) {
+            addTangents(other, normals);
+        }
+        if (other.isRound) {
+            other.addTangents(this, normals);
+        }
+        normals.removeIf(ExactVector::isZero);
+        return normals;
+    }
+
+    /**
+     * Of two leaves that touch and do not overlap, the directions from b to a of planes between them, of each of which there
+     * is one: all of them, or all others are between these; or none where a rim touches what is no corner.
+     */
+    public static List<ExactVector> parting(boolean flat, int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        List<ExactVector> parting = new ArrayList<>();
+        ExactFeatures mine = new ExactFeatures(flat, kindA, a, i);
+        for (ExactVector normal : mine.normalsWith(new ExactFeatures(flat, kindB, b, j))) {
+            for (int side = 1; side >= -1; side -= 2) {
+                ExactVector n = side > 0 ? normal : normal.times(Dyadic.ONE.negate());
+                if (ExactExtent.of(n, kindB, b, j).gapTo(ExactExtent.of(n, kindA, a, i)) >= 0
+                        && parting.stream().noneMatch(one -> isParallel(one, n))) {
+                    parting.add(n);
+                }
+            }
+        }
+        return parting;
+    }
+
+    private static boolean isParallel(ExactVector a, ExactVector b) {
+        return a.cross(b).isZero() && a.dot(b).signum() > 0;
+    }
+
+    /** From the corners and edges of another towards the centre or across the axis of this. */
+    private void addTangents(ExactFeatures other, List<ExactVector> normals) {
+        for (ExactVector corner : other.corners) {
+            ExactVector offset = corners.get(0).minus(corner);
+            if (!edges.isEmpty()) {
+                ExactVector radial = across(offset, edges.get(0));
+                normals.add(radial);
+                // A corner on the rim: across the rim's tangent there and an edge.
+                ExactVector tangent = edges.get(0).cross(radial);
+                for (ExactVector edge : other.edges) {
+                    normals.add(tangent.cross(edge));
+                }
+                continue;
+            }
+            normals.add(offset);
+            for (ExactVector edge : other.edges) {
+                normals.add(across(offset, edge));
+            }
+        }
+    }
+
+    /** The part of a vector that is across another, times the other's square. */
+    private static ExactVector across(ExactVector v, ExactVector along) {
+        return v.times(along.square()).minus(along.times(v.dot(along)));
+    }
+}

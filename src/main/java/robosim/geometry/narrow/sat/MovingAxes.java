@@ -1,0 +1,286 @@
+package robosim.geometry.narrow.sat;
+
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.sweep.PlanarSweep;
+
+/**
+ * A polytope moved straight on against another at rest: the method of separating axes with a velocity.
+ *
+ * <p>Along each axis the two are apart, or not, for an interval of times; the shapes touch while they do along every
+ * axis, from the latest entry to the earliest exit. The plain doubles are followed by bounds of their error:
+ *
+ * <p>A coordinate carries at most 8 units of roundoff u = 2^-53 (see {@link AxisBody}), a cross product of two edges 4, a
+ * dot product 3, the sum over half vectors 3, the difference of the two ends 1, and the later quotient 3: 22 u of the sum
+ * of magnitudes, taken as 32 u. What that leaves open goes to {@link ExactAxes}. A tenth of it lets no wrong answer
+ * through on any input that was found: of the 22 a box or a triangle has only the roundings of its own coordinates, 1 to 5
+ * and not the 8 of an octagon, and no more than one or two of the terms are as large as their sum of magnitudes at once. A
+ * time that is believed is told from pairs of doubles in any case, so that the bound costs only calls of the next stage.
+ */
+public final class MovingAxes {
+    private static final double SMALL = 0x1p-900;
+    private static final int MOST = 96;
+
+    /** Below this the squares of normals would underflow. */
+    private static final double MINUTE = 0x1p-200;
+
+    private final AxisBody first = new AxisBody();
+    private final AxisBody second = new AxisBody();
+    private final DoubleDoubleAxes fine = new DoubleDoubleAxes();
+
+    // One entry for each direction (both ways along each axis) in which the mover may lie beyond the other.
+    private int count;
+    private final double[] gap = new double[MOST];
+    private final double[] gapError = new double[MOST];
+    private final double[] speed = new double[MOST];
+    private final double[] speedError = new double[MOST];
+    private final double[] length = new double[MOST];
+    private final double[] lengthError = new double[MOST];
+
+    /** Which axis, for two entries each; see {@link DoubleDoubleAxes}. */
+    private final int[] axis = new int[MOST / 2];
+
+    private double dx;
+    private double dy;
+    private double dz;
+    private double mx;
+    private double my;
+    private double mz;
+
+    /** As {@link PlanarSweep#translation}; NaN where pairs of doubles cannot tell. */
+    public double time(
+            int mode,
+            int kindA,
+            double[] a,
+            int i,
+            double moveX,
+            double moveY,
+            double moveZ,
+            int kindB,
+            double[] b,
+            int j) {
+        double ox = kindA == Leaf.PRISM ? 0.5 * a[i] + 0.5 * a[i + 1] : a[i];
+        double oy = kindA == Leaf.PRISM ? 0.5 * a[i + 8] + 0.5 * a[i + 9] : a[i + 1];
+        double oz = kindA == Leaf.PRISM ? 0.5 * a[i + 2] + 0.5 * a[i + 3] : a[i + 2];
+        dx = moveX;
+        dy = mode == AxisBody.PLANAR ? 0 : moveY;
+        dz = moveZ;
+        load(first, mode, kindA, a, i, ox, oy, oz);
+        load(second, mode, kindB, b, j, ox, oy, oz);
+        mx = first.mx + second.mx;
+        my = mode == AxisBody.PLANAR ? 0 : first.my + second.my;
+        mz = first.mz + second.mz;
+        count = 0;
+        if (mx + my + mz < MINUTE) {
+            return Double.NaN;
+        }
+        if (separatesByNormal(first, DoubleDoubleAxes.FIRST) || separatesByNormal(second, DoubleDoubleAxes.SECOND)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        if (mode == AxisBody.SPATIAL) {
+            if (first.doubtful || second.doubtful) {
+                return Double.NaN;
+            }
+            boolean triangles = kindA == Leaf.TRIANGLE && kindB == Leaf.TRIANGLE;
+            if (separatesByEdges() || (triangles && separatesInPlane())) {
+                return Double.POSITIVE_INFINITY;
+            }
+        }
+        if (!decide()) {
+            return verdict;
+        }
+        fine.load(mode, kindA, a, i, dx, dy, dz, kindB, b, j, ox, oy, oz, mx + my + mz);
+        return enter();
+    }
+
+    private static void load(AxisBody body, int mode, int kind, double[] row, int at, double ox, double oy, double oz) {
+        switch (mode) {
+            case AxisBody.PLANAR -> body.planar(kind, row, at, ox, oz);
+            case AxisBody.UPRIGHT -> body.upright(kind, row, at, ox, oy, oz);
+            default -> body.spatial(kind, row, at, ox, oy, oz);
+        }
+    }
+
+    private boolean separatesByNormal(AxisBody body, int which) {
+        double[] n = body.normal;
+        double[] size = body.normalSize;
+        for (int k = 0; k < 3 * body.normals; k += 3) {
+            axis[count / 2] = which + k / 3;
+            if (separates(n[k], n[k + 1], n[k + 2], size[k], size[k + 1], size[k + 2])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean separatesByEdges() {
+        for (int k = 0; k < 3 * first.edges; k += 3) {
+            for (int m = 0; m < 3 * second.edges; m += 3) {
+                axis[count / 2] = DoubleDoubleAxes.ACROSS_BOTH + 8 * (k / 3) + m / 3;
+                if (separatesAcross(first.edge, k, second.edge, m, second.edge)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    // Two triangles in one plane: the normals of their edges in that plane.
+    private boolean separatesInPlane() {
+        for (int k = 0; k < 9; k += 3) {
+            axis[count / 2] = DoubleDoubleAxes.FIRST + DoubleDoubleAxes.IN_PLANE + k / 3;
+            if (separatesAcross(first.edge, k, first.normal, 0, first.normalSize)) {
+                return true;
+            }
+            axis[count / 2] = DoubleDoubleAxes.SECOND + DoubleDoubleAxes.IN_PLANE + k / 3;
+            if (separatesAcross(second.edge, k, second.normal, 0, second.normalSize)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean separatesAcross(double[] a, int i, double[] b, int j, double[] sizeOfB) {
+        double ax = a[i];
+        double ay = a[i + 1];
+        double az = a[i + 2];
+        double sx = Math.abs(sizeOfB[j]);
+        double sy = Math.abs(sizeOfB[j + 1]);
+        double sz = Math.abs(sizeOfB[j + 2]);
+        double sizeX = Math.abs(ay) * sz + Math.abs(az) * sy;
+        double sizeY = Math.abs(az) * sx + Math.abs(ax) * sz;
+        double sizeZ = Math.abs(ax) * sy + Math.abs(ay) * sx;
+        return sizeX + sizeY + sizeZ > 0
+                && separates(
+                        ay * b[j + 2] - az * b[j + 1],
+                        az * b[j] - ax * b[j + 2],
+                        ax * b[j + 1] - ay * b[j],
+                        sizeX,
+                        sizeY,
+                        sizeZ);
+    }
+
+    /** Notes both directions of an axis; answers whether one of them proves the whole way free. */
+    private boolean separates(double nx, double ny, double nz, double sizeX, double sizeY, double sizeZ) {
+        first.project(nx, ny, nz);
+        second.project(nx, ny, nz);
+        double v = nx * dx + ny * dy + nz * dz;
+        double size = sizeX * mx + sizeY * my + sizeZ * mz;
+        double speedSize = sizeX * Math.abs(dx) + sizeY * Math.abs(dy) + sizeZ * Math.abs(dz);
+        double e = AxisBody.ROUNDOFF * size + AxisBody.TINY;
+        double ev = AxisBody.ROUNDOFF * speedSize;
+        if (speedSize < SMALL && !(isNone(sizeX, dx) && isNone(sizeY, dy) && isNone(sizeZ, dz))) {
+            ev += AxisBody.TINY;
+        }
+        double ahead = first.lo - second.hi;
+        double behind = second.lo - first.hi;
+        if ((ahead > e && ahead + v > e + ev) || (behind > e && behind - v > e + ev)) {
+            return true;
+        }
+        double sizes = sizeX + sizeY + sizeZ;
+        double length = Math.sqrt(nx * nx + ny * ny + nz * nz);
+        note(ahead, e, v, ev, length, AxisBody.ROUNDOFF * sizes);
+        note(behind, e, -v, ev, length, AxisBody.ROUNDOFF * sizes);
+        return false;
+    }
+
+    private static boolean isNone(double p, double q) {
+        return p == 0 || q == 0;
+    }
+
+    private void note(double g, double e, double v, double ev, double norm, double normError) {
+        gap[count] = g;
+        gapError[count] = e;
+        speed[count] = v;
+        speedError[count] = ev;
+        length[count] = norm;
+        lengthError[count] = normError;
+        count++;
+    }
+
+    // The answer where the doubles give it, NaN where they cannot.
+    private double verdict;
+
+    // Then, the time of contact is at least this.
+    private double earliest;
+
+    /** Whether the two meet for certain on the way, at a time still to be told; else {@link #verdict} is the answer. */
+    private boolean decide() {
+        double enterLo = 0;
+        double enterHi = 0;
+        double leaveLo = Double.POSITIVE_INFINITY;
+        double leaveHi = Double.POSITIVE_INFINITY;
+        boolean apart = false;
+        boolean doubt = false;
+        for (int k = 0; k < count; k++) {
+            double g = gap[k];
+            double e = gapError[k];
+            double v = speed[k];
+            double ev = speedError[k];
+            if (g > e) {
+                apart = true;
+                enterLo = Math.max(enterLo, (g - e) / Math.max(0, ev - v));
+                enterHi = Math.max(enterHi, latest(k));
+            } else if (!(g < -e)) {
+                doubt = true;
+                enterHi = Math.max(enterHi, -v > ev ? (g + e) / (-v - ev) : v <= ev ? Double.POSITIVE_INFINITY : 0);
+                leaveLo = v > -ev ? 0 : leaveLo;
+            } else if (v > -ev && v + ev > 0) {
+                leaveLo = Math.min(leaveLo, (-g - e) / (v + ev));
+                leaveHi = Math.min(leaveHi, v > ev ? (e - g) / (v - ev) : Double.POSITIVE_INFINITY);
+            }
+        }
+        if (!apart) {
+            verdict = doubt ? Double.NaN : fromContact();
+            return false;
+        }
+        earliest = enterLo;
+        verdict = enterLo > 1 || enterLo > leaveHi ? Double.POSITIVE_INFINITY : Double.NaN;
+        return enterHi <= 1 && enterHi <= leaveLo;
+    }
+
+    /** The latest time at which the gap in a direction may close. */
+    private double latest(int k) {
+        double closing = -speed[k] - speedError[k];
+        return closing > 0 ? (gap[k] + gapError[k]) / closing : Double.POSITIVE_INFINITY;
+    }
+
+    /** The time at which the last gap closes, rounded down; NaN where pairs of doubles cannot tell. */
+    private double enter() {
+        double time = 0;
+        for (int k = 0; k < count; k++) {
+            if (gap[k] > gapError[k] && latest(k) >= earliest) {
+                double closes = fine.time(axis[k / 2], (k & 1) == 0, gapError[k], speedError[k], first, second);
+                if (Double.isNaN(closes)) {
+                    return closes;
+                }
+                time = Math.max(time, closes);
+            }
+        }
+        return time;
+    }
+
+    /** Overlapping for certain at the start: refused where the move goes against every least way out. */
+    private double fromContact() {
+        double least = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < count; k++) {
+            if (length[k] > lengthError[k]) {
+                least = Math.min(least, (gapError[k] - gap[k]) / (length[k] - lengthError[k]));
+            }
+        }
+        boolean into = false;
+        boolean away = false;
+        for (int k = 0; k < count; k++) {
+            double depth = (-gap[k] - gapError[k]) / (length[k] + lengthError[k]);
+            if (depth <= least * (1 + AxisBody.ROUNDOFF)) {
+                if (speed[k] < -speedError[k]) {
+                    into = true;
+                } else if (speed[k] >= speedError[k]) {
+                    away = true;
+                } else {
+                    return Double.NaN;
+                }
+            }
+        }
+        return into ? away ? Double.NaN : 0 : Double.POSITIVE_INFINITY;
+    }
+}

@@ -1,0 +1,62 @@
+package robosim.geometry.narrow.sweep;
+
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.sat.AxisBody;
+import robosim.geometry.narrow.sat.ExactAxes;
+
+/** The motion of one leaf's projection on XZ against another's at rest. */
+public final class PlanarSweep {
+    private PlanarSweep() {}
+
+    /**
+     * Time of the first touch when leaf a moves straight on by (dx, dz) during the time from 0 to 1.
+     *
+     * <p>What touches or overlaps at the start meets nothing later, as convex things that part on a line stay apart; it is
+     * only asked whether the motion goes deeper at once, against every direction of least penetration.
+     *
+     * @param dy ignored: heights do not count
+     * @return the time of impact, from 0 to 1, rounded down; 0 where a motion from contact goes deeper;
+     *     {@code +Infinity} where nothing is met by time 1 (touching at time 1 is meeting), or a motion from contact goes
+     *     along or away
+     */
+    public static double translation(
+            int kindA,
+            double[] a,
+            int i,
+            double dx,
+            double dy,
+            double dz,
+            int kindB,
+            double[] b,
+            int j,
+            SweepScratch s) {
+        if (AxisBody.isPolytope(kindA)) {
+            if (AxisBody.isPolytope(kindB)) {
+                double time = s.sweep().axes.time(AxisBody.PLANAR, kindA, a, i, dx, 0, dz, kindB, b, j);
+                return Double.isNaN(time) ? ExactAxes.time(AxisBody.PLANAR, kindA, a, i, dx, 0, dz, kindB, b, j) : time;
+            }
+            if (Leaf.isDisc(kindB)) {
+                return disc(b, j, -dx, -dz, kindA, a, i, s);
+            }
+        } else if (Leaf.isDisc(kindA) && (Leaf.isDisc(kindB) || AxisBody.isPolytope(kindB))) {
+            return disc(a, i, dx, dz, kindB, b, j, s);
+        }
+        return s.sweep().move.time(true, kindA, a, i, dx, 0, dz, kindB, b, j, s);
+    }
+
+    private static double disc(double[] a, int i, double dx, double dz, int kindB, double[] b, int j, SweepScratch s) {
+        double time = roughly(a, i, dx, dz, kindB, b, j, s);
+        if (!Double.isNaN(time)) {
+            return time;
+        }
+        return ExactDisc.of(a, i, dx, dz, kindB, b, j, null).time();
+    }
+
+    /** Time of contact of a disc in the plane; NaN where pairs of doubles cannot tell. */
+    static double roughly(double[] a, int i, double dx, double dz, int kindB, double[] b, int j, SweepScratch s) {
+        MovingDisc disc = s.sweep().disc;
+        return Leaf.isDisc(kindB)
+                ? disc.discs(a, i, dx, dz, b, j, s.sweep().outline)
+                : disc.polygon(a, i, dx, dz, kindB, b, j, s.sweep().outline);
+    }
+}

@@ -1,0 +1,122 @@
+package robosim.geometry.narrow.sweep;
+
+import robosim.geometry.exact.Dyadic;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.Upright;
+import robosim.geometry.narrow.overlap.Levels;
+import robosim.geometry.narrow.sat.AxisBody;
+import robosim.geometry.narrow.sat.ExactAxes;
+
+/** The motion of one leaf against another at rest, in space. */
+public final class SpatialSweep {
+    private SpatialSweep() {}
+
+    /**
+     * Time of the first touch when leaf a moves straight on by (dx, dy, dz) during the time from 0 to 1.
+     *
+     * <p>What touches or overlaps at the start meets nothing later, as convex things that part on a line stay apart; it is
+     * only asked whether the motion goes deeper at once, against every direction of least penetration.
+     *
+     * @return the time of impact, from 0 to 1, rounded down; 0 where a motion from contact goes deeper;
+     *     {@code +Infinity} where nothing is met by time 1 (touching at time 1 is meeting), or a motion from contact goes
+     *     along or away
+     */
+    public static double translation(
+            int kindA,
+            double[] a,
+            int i,
+            double dx,
+            double dy,
+            double dz,
+            int kindB,
+            double[] b,
+            int j,
+            SweepScratch s) {
+        if (Levels.parts(kindA, a, i, dy, kindB, b, j, s)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        if (AxisBody.isPolytope(kindA) && AxisBody.isPolytope(kindB)) {
+            boolean upright = Leaf.isUpright(kindA) && Leaf.isUpright(kindB);
+            int mode = upright ? AxisBody.UPRIGHT : AxisBody.SPATIAL;
+            double time = s.sweep().axes.time(mode, kindA, a, i, dx, dy, dz, kindB, b, j);
+            return Double.isNaN(time) ? ExactAxes.time(mode, kindA, a, i, dx, dy, dz, kindB, b, j) : time;
+        }
+        if (Leaf.isUpright(kindA) && Leaf.isUpright(kindB)) {
+            return kindA == Leaf.UPRIGHT_CYLINDER
+                    ? cylinder(a, i, dx, dy, dz, kindB, b, j, s)
+                    : cylinder(b, j, -dx, -dy, -dz, kindA, a, i, s);
+        }
+        if (kindA == Leaf.SPHERE) {
+            return sphere(a, i, dx, dy, dz, kindB, b, j, s);
+        }
+        if (kindB == Leaf.SPHERE) {
+            return sphere(b, j, -dx, -dy, -dz, kindA, a, i, s);
+        }
+        return s.sweep().move.time(false, kindA, a, i, dx, dy, dz, kindB, b, j, s);
+    }
+
+    /** A sphere against anything: what held axes do not prove free is found in closed form, but on a rim. */
+    private static double sphere(
+            double[] a, int i, double dx, double dy, double dz, int kindB, double[] b, int j, SweepScratch s) {
+        boolean exact =
+                kindB == Leaf.SPHERE || kindB == Leaf.TRIANGLE || kindB == Leaf.BOX || kindB == Leaf.UPRIGHT_BOX;
+        if (kindB == Leaf.UPRIGHT_BOX && MovingBall.isAbove(a, i, dy, b, j)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        TranslationAdvancement held = s.sweep().move;
+        double time = held.time(false, Leaf.SPHERE, a, i, dx, dy, dz, kindB, b, j, s);
+        if (held.contact) {
+            return exact ? ExactBall.time(a, i, dx, dy, dz, kindB, b, j) : time;
+        }
+        if (time > 1 || !(exact || kindB == Leaf.UPRIGHT_CYLINDER)) {
+            return time;
+        }
+        double found = s.sweep().ball.time(a, i, dx, dy, dz, kindB, b, j, time);
+        if (!Double.isNaN(found)) {
+            return found;
+        }
+        return exact ? ExactBall.time(a, i, dx, dy, dz, kindB, b, j) : time;
+    }
+
+    /** An upright cylinder against anything upright: a disc in the plane, while the heights touch. */
+    private static double cylinder(
+            double[] a, int i, double dx, double dy, double dz, int kindB, double[] b, int j, SweepScratch s) {
+        double middle = Upright.middle(kindB, b, j);
+        double top = Upright.top(kindB, b, j);
+        double high = Upright.halfHeight(kindB, b, j);
+        int above = Dyadic.signOfSum(a[i + 1], -a[i + 4], -top, -high);
+        int below = Dyadic.signOfSum(middle, -high, -a[i + 1], -a[i + 4]);
+        if ((above > 0 && dy >= 0) || (below > 0 && dy <= 0)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double time = PlanarSweep.roughly(a, i, dx, dz, kindB, b, j, s);
+        MovingDisc disc = s.sweep().disc;
+        if (time == Double.POSITIVE_INFINITY && !disc.contact) {
+            return time;
+        }
+        double up = a[i + 1] - a[i + 4] - top - high;
+        double down = middle - high - a[i + 1] - a[i + 4];
+        double error = AxisBody.ROUNDOFF
+                * (Math.abs(a[i + 1]) + a[i + 4] + Math.abs(top) + Math.abs(middle) + high + Math.abs(dy));
+        boolean level = above <= 0
+                && below <= 0
+                && (dy == 0 || (up + Math.max(0, dy) < -error && down - Math.min(0, dy) < -error));
+        if (level && !Double.isNaN(time)) {
+            // In contact, the shorter way out decides: sideways, or up or down, and level motion is along that.
+            double depth = -Math.max(up, down);
+            if (!disc.contact || disc.depthHi < depth - error) {
+                return time;
+            }
+            if (dy == 0 && disc.depthLo > depth + error) {
+                return Double.POSITIVE_INFINITY;
+            }
+        }
+        Dyadic mine = Dyadic.of(a[i + 1]);
+        Dyadic half = Dyadic.of(a[i + 4]);
+        ExactDisc.Heights heights = new ExactDisc.Heights(
+                mine.subtract(half).subtract(Dyadic.of(top)).subtract(Dyadic.of(high)),
+                Dyadic.of(middle).subtract(Dyadic.of(high)).subtract(mine).subtract(half),
+                Dyadic.of(dy));
+        return ExactDisc.of(a, i, dx, dz, kindB, b, j, heights).time();
+    }
+}

@@ -1,0 +1,321 @@
+package robosim.geometry.narrow.sweep;
+
+import java.util.List;
+import robosim.geometry.exact.ExactVector;
+import robosim.geometry.narrow.gjk.Gjk;
+import robosim.geometry.narrow.gjk.GjkScratch;
+import robosim.geometry.narrow.gjk.Penetration;
+import robosim.geometry.narrow.gjk.Support;
+import robosim.geometry.narrow.leaf.Facets;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.Poses;
+import robosim.geometry.narrow.sat.AxisBody;
+import robosim.geometry.narrow.sat.ExactFeatures;
+
+/**
+ * A leaf of any kind moved straight on against one at rest: held axes (conservative advancement, van den Bergen 2004).
+ *
+ * <p>The gap along a fixed axis changes evenly, so an axis that tells the two apart proves them apart until that gap is
+ * closed; there the next axis is looked for. Convex things' gap is a convex function of time, of which this is Newton's
+ * method from the near side: it never oversteps.
+ *
+ * <p><b>What is certain.</b> A time is never late, and what starts apart is free only by proof: a held axis whose gap,
+ * less the {@link Gjk#ROUNDOFF} of the extents and what may underflow, stays open to the end. A time may be early, and a motion that passes by may
+ * be stopped, by as much as {@link Gjk} leaves open: at the time answered the gap is at most {@link #EARLY} of the sum of
+ * sizes, distances and way. Where the two are closer than that at the start they count as in contact, and the least ways
+ * out of {@link Penetration}, to rounding, decide whether the motion is against them.
+ */
+final class TranslationAdvancement {
+    /** The widest gap left at the time of contact, as a share of the sum of all sizes and coordinates; seen: 2^-47. */
+    static final double EARLY = 0x1p-42;
+
+    private static final int MOST_STEPS = 200;
+
+    /** Edges this close to parallel have no direction across both. */
+    private static final double PARALLEL = 0x1p-40;
+
+    /** Whether the last question found the two in contact at the start, or in doubt of it. */
+    boolean contact;
+
+    private final Support mover = new Support();
+    private final Support rest = new Support();
+    /** A gap of so many roundings is worth another look. */
+    private static final double WORTH = 48;
+
+    /** An edge is square to a direction if this much of it is, the direction being off. */
+    private static final double SQUARE = 0.99;
+
+    // Steps of the search for the widest slab across an edge.
+    private static final double WIDE = 0x1p-6;
+    private static final double NARROW = 0x1p-24;
+
+    private final Facets facetsA = new Facets();
+    private final Facets facetsB = new Facets();
+    private final double[] pose = new double[Leaf.STRIDE];
+    private double error;
+
+    /** As {@link SpatialSweep#translation} and {@link PlanarSweep#translation}. */
+    double time(
+            boolean planar,
+            int kindA,
+            double[] a,
+            int i,
+            double dx,
+            double dy,
+            double dz,
+            int kindB,
+            double[] b,
+            int j,
+            GjkScratch s) {
+        Gjk gjk = s.gjk;
+        double vy = planar ? 0 : dy;
+        contact = false;
+        if (dx == 0 && vy == 0 && dz == 0) {
+            return Double.POSITIVE_INFINITY;
+        }
+        load(planar, kindA, a, i, kindB, b, j);
+        error = Gjk.ROUNDOFF * (mover.extent + rest.extent) + AxisBody.TINY;
+        double t = 0;
+        for (int step = 0; step < MOST_STEPS; step++) {
+            if (t > 1) {
+                return Double.POSITIVE_INFINITY;
+            }
+            Poses.moved(kindA, a, i, t * dx, t * vy, t * dz, pose);
+            if (planar) {
+                gjk.planar(kindA, pose, 0, kindB, b, j);
+            } else {
+                gjk.spatial(kindA, pose, 0, kindB, b, j);
+            }
+            double next = 0;
+            if (gjk.lower() > 0) {
+                next = until(gjk.nx(), gjk.ny(), gjk.nz(), dx, vy, dz, t);
+            }
+            if (!(next > t) && isInDoubt(gjk)) {
+                next = near(planar, kindA, a, i, dx, vy, dz, kindB, b, j, t, gjk);
+            }
+            if (!(next > t)) {
+                return step > 0 || gjk.lower() > 0 ? t : fromContact(planar, kindA, a, i, dx, vy, dz, kindB, b, j, s);
+            }
+            t = next;
+        }
+        return t;
+    }
+
+    /** Whether there is more of a gap than rounding leaves, or a depth where none can be yet. */
+    private boolean isInDoubt(Gjk gjk) {
+        return !gjk.isDeep() && (gjk.upper() > WORTH * error || gjk.reach() < -error);
+    }
+
+    private double fromContact(
+            boolean planar,
+            int kindA,
+            double[] a,
+            int i,
+            double dx,
+            double vy,
+            double dz,
+            int kindB,
+            double[] b,
+            int j,
+            GjkScratch s) {
+        contact = true;
+        Penetration ways = s.penetration();
+        if (planar) {
+            ways.planar(kindA, a, i, kindB, b, j);
+        } else {
+            ways.spatial(kindA, a, i, kindB, b, j);
+        }
+        return isAgainst(ways, planar, kindA, a, i, dx, vy, dz, kindB, b, j) ? 0 : Double.POSITIVE_INFINITY;
+    }
+
+    /** The time until which a direction from the other to the mover proves the two apart; 0 where it proves nothing at t. */
+    private double until(double nx, double ny, double nz, double dx, double dy, double dz, double t) {
+        mover.find(-nx, -ny, -nz);
+        rest.find(nx, ny, nz);
+        double gap = nx * (mover.x - rest.x)
+                + ny * (mover.y - rest.y)
+                + nz * (mover.z - rest.z)
+                - mover.margin
+                - rest.margin
+                - error;
+        double slack = Gjk.ROUNDOFF * (Math.abs(dx) + Math.abs(dy) + Math.abs(dz)) + AxisBody.TINY;
+        double closing = -(nx * dx + ny * dy + nz * dz) + slack;
+        if (closing <= 0 && gap - closing * t > 0) {
+            return Double.POSITIVE_INFINITY;
+        }
+        return gap > 0 && closing > 0 ? gap / closing * (1 - 0x1p-51) : 0;
+    }
+
+    /**
+     * The same of the directions that sides and edges have: close to contact that of {@link Gjk} is off by as much as a
+     * rounding is large beside the gap, which counts where a flat side, a cylinder's side or an edge meets something.
+     */
+    private double near(
+            boolean planar,
+            int kindA,
+            double[] a,
+            int i,
+            double dx,
+            double dy,
+            double dz,
+            int kindB,
+            double[] b,
+            int j,
+            double t,
+            Gjk gjk) {
+        if (planar) {
+            facetsA.planar(kindA, a, i);
+            facetsB.planar(kindB, b, j);
+        } else {
+            facetsA.spatial(kindA, a, i);
+            facetsB.spatial(kindB, b, j);
+        }
+        double end = Math.max(sides(facetsA, dx, dy, dz, t), sides(facetsB, dx, dy, dz, t));
+        end = Math.max(end, Math.max(edges(facetsA, gjk, dx, dy, dz, t), edges(facetsB, gjk, dx, dy, dz, t)));
+        for (int k = 0; k < facetsA.edges; k++) {
+            double px = facetsA.edgeX[k];
+            double py = facetsA.edgeY[k];
+            double pz = facetsA.edgeZ[k];
+            for (int m = 0; m < facetsB.edges; m++) {
+                double qx = facetsB.edgeX[m];
+                double qy = facetsB.edgeY[m];
+                double qz = facetsB.edgeZ[m];
+                end = Math.max(
+                        end, both(py * qz - pz * qy, pz * qx - px * qz, px * qy - py * qx, PARALLEL, dx, dy, dz, t));
+            }
+        }
+        return end;
+    }
+
+    private double sides(Facets facets, double dx, double dy, double dz, double t) {
+        double end = 0;
+        for (int k = 0; k < facets.faces; k++) {
+            end = Math.max(end, both(facets.faceX[k], facets.faceY[k], facets.faceZ[k], 0, dx, dy, dz, t));
+        }
+        return end;
+    }
+
+    /** What of the direction found is square to each edge. */
+    private double edges(Facets facets, Gjk gjk, double dx, double dy, double dz, double t) {
+        double end = 0;
+        for (int k = 0; k < facets.edges; k++) {
+            double ex = facets.edgeX[k];
+            double ey = facets.edgeY[k];
+            double ez = facets.edgeZ[k];
+            double along = gjk.nx() * ex + gjk.ny() * ey + gjk.nz() * ez;
+            double x = gjk.nx() - along * ex;
+            double y = gjk.ny() - along * ey;
+            double z = gjk.nz() - along * ez;
+            double length = Math.sqrt(x * x + y * y + z * z);
+            if (length > SQUARE) {
+                end = Math.max(end, around(ex, ey, ez, x / length, y / length, z / length, dx, dy, dz, t));
+            }
+        }
+        return end;
+    }
+
+    /** The widest slab at t across an edge, looked for from a direction on. */
+    private double around(
+            double ex,
+            double ey,
+            double ez,
+            double nx,
+            double ny,
+            double nz,
+            double dx,
+            double dy,
+            double dz,
+            double t) {
+        double x = nx;
+        double y = ny;
+        double z = nz;
+        double widest = width(x, y, z, dx, dy, dz, t);
+        for (double step = WIDE; step > NARROW; ) {
+            double sx = step * (ey * z - ez * y);
+            double sy = step * (ez * x - ex * z);
+            double sz = step * (ex * y - ey * x);
+            double less = width(x - sx, y - sy, z - sz, dx, dy, dz, t);
+            double more = width(x + sx, y + sy, z + sz, dx, dy, dz, t);
+            if (Math.max(less, more) > widest) {
+                double way = less > more ? -1 : 1;
+                widest = Math.max(less, more);
+                double length = Math.sqrt(1 + step * step);
+                x = (x + way * sx) / length;
+                y = (y + way * sy) / length;
+                z = (z + way * sz) / length;
+            } else {
+                step *= 0.25;
+            }
+        }
+        return until(x, y, z, dx, dy, dz, t);
+    }
+
+    private double width(double x, double y, double z, double dx, double dy, double dz, double t) {
+        double length = Math.sqrt(x * x + y * y + z * z);
+        mover.find(-x, -y, -z);
+        rest.find(x, y, z);
+        return (x * (mover.x - rest.x + t * dx) + y * (mover.y - rest.y + t * dy) + z * (mover.z - rest.z + t * dz))
+                        / length
+                - mover.margin
+                - rest.margin;
+    }
+
+    /** A direction of any length above a least one, and the one against it. */
+    private double both(double x, double y, double z, double least, double dx, double dy, double dz, double t) {
+        double length = Math.sqrt(x * x + y * y + z * z);
+        if (!(length > least)) {
+            return 0;
+        }
+        double nx = x / length;
+        double ny = y / length;
+        double nz = z / length;
+        return Math.max(until(nx, ny, nz, dx, dy, dz, t), until(-nx, -ny, -nz, dx, dy, dz, t));
+    }
+
+    // Both from the same place, so that what is far away loses nothing.
+    private void load(boolean planar, int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        double ox = Support.originX(kindA, a, i);
+        double oy = planar ? 0 : Support.originY(kindA, a, i);
+        double oz = Support.originZ(kindA, a, i);
+        if (planar) {
+            mover.planar(kindA, a, i, ox, oz, 1);
+            rest.planar(kindB, b, j, ox, oz, 1);
+        } else {
+            mover.spatial(kindA, a, i, ox, oy, oz, 1);
+            rest.spatial(kindB, b, j, ox, oy, oz, 1);
+        }
+    }
+
+    /**
+     * Whether a move is against all least ways out. What is across one, to rounding, is along it; but where it may be just
+     * against all and the two only touch, the planes between them decide, without rounding.
+     */
+    private static boolean isAgainst(
+            Penetration ways,
+            boolean planar,
+            int kindA,
+            double[] a,
+            int i,
+            double dx,
+            double dy,
+            double dz,
+            int kindB,
+            double[] b,
+            int j) {
+        double slack = Gjk.ROUNDOFF * (Math.abs(dx) + Math.abs(dy) + Math.abs(dz));
+        boolean isAlong = false;
+        for (int k = 0; k < ways.count(); k++) {
+            double out = ways.nx(k) * dx + ways.ny(k) * dy + ways.nz(k) * dz;
+            if (out >= 0) {
+                return false;
+            }
+            isAlong |= !(out < -slack);
+        }
+        if (!isAlong) {
+            return true;
+        }
+        List<ExactVector> parting = ExactFeatures.parting(planar, kindA, a, i, kindB, b, j);
+        ExactVector way = ExactVector.of(dx, dy, dz);
+        return !parting.isEmpty() && parting.stream().allMatch(n -> n.dot(way).signum() < 0);
+    }
+}

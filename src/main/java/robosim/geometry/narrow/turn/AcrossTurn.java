@@ -1,0 +1,154 @@
+package robosim.geometry.narrow.turn;
+
+import robosim.geometry.exact.Radians;
+import robosim.geometry.narrow.sat.AxisBody;
+
+/**
+ * Two edges, one of which turns: how long the direction across both tells their leaves apart.
+ *
+ * <p>With an edge e1 at rest and an edge e2 of the mover that direction is {@code n(t) = e1 x Re2}; where an edge passes
+ * another it follows them, and a direction held would be square to both for an instant only. For a point p of the mover
+ * and a point q at rest {@code n.Rp = e1.R(e2 x p)} and {@code n.q = (q x e1).Re2}: sinusoids, of degree one, as all that
+ * {@link TurnBody} asks. A cylinder's edge is its axis; its rims reach |n| times their radius, of which {@link RimReach}
+ * has bounds of the same form.
+ *
+ * <p>Edges that are nearly along the turn's axis w make a short n, of the size of d1 and d2 in {@code e1 = c1 w + d1} and
+ * {@code e2 = c2 w + d2}. So {@code n = c1 w x Rd2 + c2 d1 x w + d1 x Rd2} is taken in these parts, of which
+ * {@code n.Rp = c1 (w x d2).p + d1.R(e2 x p)} and {@code n.q = c2 (d1 x w).q + (q x e1).Rd2}, and all roundings, at most
+ * 64 units of roundoff for each side, are shares of {@code |c1| |d2| + |c2| |d1| + |d1| |d2|} and not of 1.
+ */
+final class AcrossTurn {
+    private static final double ROUNDOFF = 128 * 0x1p-53;
+    private static final int MOST_STEPS = 12;
+
+    private final RimReach reach = new RimReach();
+    private final TurnSum first = new TurnSum();
+    private final TurnSum second = new TurnSum();
+    private double limit;
+    private double radius;
+
+    /**
+     * Takes two edges' unit directions, (fx, fy, fz) at rest and (mx, my, mz) as the mover stands at the start, so that the
+     * direction across both, or (way -1) against it, leads from the leaf at rest to the mover.
+     */
+    void aim(
+            TurnBody rest,
+            double fx,
+            double fy,
+            double fz,
+            TurnBody mover,
+            double mx,
+            double my,
+            double mz,
+            double wx,
+            double wy,
+            double wz,
+            double way) {
+        double c1 = fx * wx + fy * wy + fz * wz;
+        double c2 = mx * wx + my * wy + mz * wz;
+        double ax = fx - c1 * wx;
+        double ay = fy - c1 * wy;
+        double az = fz - c1 * wz;
+        double bx = mx - c2 * wx;
+        double by = my - c2 * wy;
+        double bz = mz - c2 * wz;
+        double aa = Math.sqrt(ax * ax + ay * ay + az * az);
+        double bb = Math.sqrt(bx * bx + by * by + bz * bz);
+        reach.aim(fx, fy, fz, mx, my, mz, wx, wy, wz, 1);
+        radius = mover.radius + rest.radius;
+        double most = Math.abs(c1) * bb + Math.abs(c2) * aa + aa * bb;
+        limit = ROUNDOFF * most * (mover.extent + rest.extent) + AxisBody.TINY;
+
+        // The mover's points: c1 (w x d2).p + d1.R(e2 x p).
+        double sx = way * c1 * (wy * bz - wz * by);
+        double sy = way * c1 * (wz * bx - wx * bz);
+        double sz = way * c1 * (wx * by - wy * bx);
+        first.clear();
+        for (int m = 0; m < mover.points; m++) {
+            double px = mover.x[m];
+            double py = mover.y[m];
+            double pz = mover.z[m];
+            first.add(
+                    sx * px + sy * py + sz * pz,
+                    way * ax,
+                    way * ay,
+                    way * az,
+                    my * pz - mz * py,
+                    mz * px - mx * pz,
+                    mx * py - my * px,
+                    wx,
+                    wy,
+                    wz);
+        }
+        // The other's: c2 (d1 x w).q + (q x e1).Rd2, taken off.
+        sx = -way * c2 * (ay * wz - az * wy);
+        sy = -way * c2 * (az * wx - ax * wz);
+        sz = -way * c2 * (ax * wy - ay * wx);
+        second.clear();
+        for (int m = 0; m < rest.points; m++) {
+            double qx = rest.x[m];
+            double qy = rest.y[m];
+            double qz = rest.z[m];
+            second.add(
+                    sx * qx + sy * qy + sz * qz,
+                    -way * (qy * fz - qz * fy),
+                    -way * (qz * fx - qx * fz),
+                    -way * (qx * fy - qy * fx),
+                    bx,
+                    by,
+                    bz,
+                    wx,
+                    wy,
+                    wz);
+        }
+    }
+
+    /** The angle until which the direction goes on telling the two apart; t where it does not at t. */
+    double until(double t) {
+        double cos = Radians.cos(t);
+        double sin = Radians.sin(t);
+        double gap = first.least(cos, sin) + second.least(cos, sin) - limit;
+        if (!(gap - (radius == 0 ? 0 : radius * reach.at(cos, sin)) > 0)) {
+            return t;
+        }
+        return radius == 0 ? pairsUntil(limit, 0, 0, t) : rimsUntil(t);
+    }
+
+    private double rimsUntil(double from) {
+        double t = from;
+        for (int step = 0; step < MOST_STEPS && t - from < 2 * Math.PI; step++) {
+            double end = t;
+            for (int bound = 0; bound < RimReach.BOUNDS; bound++) {
+                reach.bound(bound, t);
+                double constant = limit + radius * reach.constant;
+                end = Math.max(end, pairsUntil(constant, radius * reach.cosine, radius * reach.sine, t));
+            }
+            if (!(end - t > TurnOutline.MARGIN)) {
+                break;
+            }
+            t = end;
+        }
+        return t;
+    }
+
+    private double pairsUntil(double constant, double cosine, double sine, double t) {
+        double cos = Radians.cos(t);
+        double sin = Radians.sin(t);
+        double end = Double.POSITIVE_INFINITY;
+        for (int m = 0; m < first.count; m++) {
+            for (int n = 0; n < second.count; n++) {
+                double p = first.a[m] + second.a[n] - cosine;
+                double q = first.b[m] + second.b[n] - sine;
+                double c = constant - first.k[m] - second.k[n];
+                double above = p * cos + q * sin - c;
+                if (!(above > 0)) {
+                    return t;
+                }
+                if (!(t + 0.5 * above / (Math.abs(p) + Math.abs(q)) > end)) {
+                    end = Math.min(end, t + TurnOutline.beyond(p, q, c, t));
+                }
+            }
+        }
+        return end;
+    }
+}

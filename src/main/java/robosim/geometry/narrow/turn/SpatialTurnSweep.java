@@ -1,0 +1,55 @@
+package robosim.geometry.narrow.turn;
+
+import robosim.geometry.exact.Dyadic;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.Upright;
+
+/** The turn of one leaf against another at rest, in space. */
+public final class SpatialTurnSweep {
+    private SpatialTurnSweep() {}
+
+    /**
+     * The free share of a turn of leaf a by {@code degrees}, of any size and sign, about the axis of unit length
+     * (wx, wy, wz) through (px, py, pz).
+     *
+     * <p>What touches or overlaps at the start blocks where the depth anywhere on the arc is above that at the start.
+     *
+     * @return the share that is free, from 0 up to, not including, 1, rounded down: the turn so far is proven free, and
+     *     contact may be a gap of 2^-30 of the mover's radius and 2^-43 of both leaves' distances from the pivot away;
+     *     {@code +Infinity} where all of the turn is free
+     */
+    public static double free(
+            int kindA,
+            double[] a,
+            int i,
+            double px,
+            double py,
+            double pz,
+            double wx,
+            double wy,
+            double wz,
+            double degrees,
+            int kindB,
+            double[] b,
+            int j,
+            TurnScratch s) {
+        if (degrees == 0) {
+            return Double.POSITIVE_INFINITY;
+        }
+        if (wx == 0 && wz == 0 && Leaf.isUpright(kindA) && Leaf.isUpright(kindB)) {
+            double mid = Upright.middle(kindA, a, i);
+            double half = Upright.halfHeight(kindA, a, i);
+            double top = Upright.top(kindA, a, i);
+            double otherMid = Upright.middle(kindB, b, j);
+            double otherHalf = Upright.halfHeight(kindB, b, j);
+            double otherTop = Upright.top(kindB, b, j);
+            if (Dyadic.signOfSum(mid, -half, -otherTop, -otherHalf) > 0
+                    || Dyadic.signOfSum(otherMid, -otherHalf, -top, -half) > 0) {
+                return Double.POSITIVE_INFINITY;
+            }
+            double depth = Math.min(otherTop + otherHalf - mid + half, top + half - otherMid + otherHalf);
+            return s.turns().vertical.free(kindA, a, i, px, pz, wy < 0 ? -degrees : degrees, kindB, b, j, depth);
+        }
+        return s.turns().held.free(false, kindA, a, i, px, py, pz, wx, wy, wz, degrees, kindB, b, j, s);
+    }
+}

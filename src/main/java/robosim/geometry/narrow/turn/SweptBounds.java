@@ -1,0 +1,113 @@
+package robosim.geometry.narrow.turn;
+
+import robosim.geometry.exact.Degrees;
+import robosim.geometry.narrow.leaf.LeafBounds;
+import robosim.geometry.narrow.leaf.Upright;
+
+/** Axis-aligned bounds of a leaf over a whole motion, rounded outward: the leaf never leaves them, to the bit. */
+public final class SweptBounds {
+    private static final double HALF_ROOT = 0.7071067811865476;
+
+    private SweptBounds() {}
+
+    /** Writes least x, y, z and greatest x, y, z of a leaf anywhere on a straight way. */
+    public static void translation(int kind, double[] row, int at, double dx, double dy, double dz, double[] out6) {
+        LeafBounds.of(kind, row, at, out6);
+        moved(out6, 0, dx, dy, dz, out6);
+    }
+
+    /**
+     * Writes the bounds, anywhere on a straight way, of what has these bounds at its start. Rounding outward keeps an
+     * order, so the bounds of many leaves may be moved, or those of each be taken together: the same bits.
+     */
+    private static void moved(double[] bounds, int at, double dx, double dy, double dz, double[] out6) {
+        for (int k = 0; k < 3; k++) {
+            double d = k == 0 ? dx : k == 1 ? dy : dz;
+            out6[k] = -Upright.sumUp(-bounds[at + k], Math.max(0, -d));
+            out6[k + 3] = Upright.sumUp(bounds[at + 3 + k], Math.max(0, d));
+        }
+    }
+
+    /**
+     * Writes least x, y, z and greatest x, y, z of a leaf anywhere on a turn by {@code degrees} about the axis of unit
+     * length (wx, wy, wz) through (px, py, pz).
+     *
+     * <p>A bound that the turn does not push out is that of the leaf as it stands; others are tight to rounding, for
+     * cylinders that tilt to a 2^-36th of their distance from the pivot.
+     */
+    public static void turn(
+            int kind,
+            double[] row,
+            int at,
+            double px,
+            double py,
+            double pz,
+            double wx,
+            double wy,
+            double wz,
+            double degrees,
+            double[] out6,
+            TurnScratch s) {
+        LeafBounds.of(kind, row, at, out6);
+        if (degrees == 0) {
+            return;
+        }
+        TurnBody body = s.turns().body;
+        double sign = degrees < 0 ? -1 : 1;
+        body.load(kind, row, at, px, py, pz, wx, wy, wz);
+        // The stored end is that angle to rounding.
+        double angle = Degrees.toRadians(Math.abs(degrees)) * (1 + 0x1p-50) + TurnOutline.MARGIN;
+        for (int k = 0; k < 3; k++) {
+            double x = k == 0 ? 1 : 0;
+            double y = k == 1 ? 1 : 0;
+            double z = k == 2 ? 1 : 0;
+            double pivot = k == 0 ? px : k == 1 ? py : pz;
+            body.aim(x, y, z, sign);
+            out6[k + 3] = body.greatest(angle, pivot, out6[k + 3]);
+            body.aim(-x, -y, -z, sign);
+            out6[k] = -body.greatest(angle, -pivot, -out6[k]);
+        }
+    }
+
+    /**
+     * Widens the bounds of x + z (two numbers) and of x - z (two more), which hold the leaf and whatever it is a part of as
+     * they stand, to hold it anywhere on a turn.
+     */
+    public static void turnDiagonals(
+            int kind,
+            double[] row,
+            int at,
+            double px,
+            double py,
+            double pz,
+            double wx,
+            double wy,
+            double wz,
+            double degrees,
+            double[] out4,
+            TurnScratch s) {
+        if (degrees == 0) {
+            return;
+        }
+        TurnBody body = s.turns().body;
+        double sign = degrees < 0 ? -1 : 1;
+        body.load(kind, row, at, px, py, pz, wx, wy, wz);
+        double angle = Degrees.toRadians(Math.abs(degrees)) * (1 + 0x1p-50) + TurnOutline.MARGIN;
+        for (int k = 0; k < 2; k++) {
+            double z = k == 0 ? HALF_ROOT : -HALF_ROOT;
+            double pivot = HALF_ROOT * px + z * pz;
+            double slack = 0x1p-48 * (Math.abs(px) + Math.abs(pz));
+            body.aim(HALF_ROOT, 0, z, sign);
+            out4[2 * k + 1] = diagonal(body, angle, pivot, out4[2 * k + 1], slack);
+            body.aim(-HALF_ROOT, 0, -z, sign);
+            out4[2 * k] = -diagonal(body, angle, -pivot, -out4[2 * k], slack);
+        }
+    }
+
+    // The direction has unit length; a diagonal is the root of two longer.
+    private static double diagonal(TurnBody body, double angle, double pivot, double start, double slack) {
+        double from = HALF_ROOT * start;
+        double to = body.greatest(angle, pivot, from);
+        return to > from ? (to + slack + 0x1p-48 * Math.abs(to)) / HALF_ROOT : start;
+    }
+}

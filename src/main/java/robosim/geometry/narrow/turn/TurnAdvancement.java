@@ -1,0 +1,305 @@
+package robosim.geometry.narrow.turn;
+
+import robosim.geometry.exact.Degrees;
+import robosim.geometry.exact.Radians;
+import robosim.geometry.narrow.gjk.Gjk;
+import robosim.geometry.narrow.gjk.GjkScratch;
+import robosim.geometry.narrow.gjk.Penetration;
+import robosim.geometry.narrow.leaf.Facets;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.Poses;
+
+/**
+ * A leaf of any kind turned about any axis, against one at rest: held axes.
+ *
+ * <p>At an angle an axis that tells the two apart is found, and held, once in the world, where the mover's points run on
+ * sinusoids, and once in the mover, where the other's do. The turn is free for as long as the better of the two goes on
+ * telling them apart; there the next axis is looked for. Where that is soon, the normals of sides, the directions across an
+ * edge of each ({@link AcrossTurn}), which turn with both, and what of the axis is square to each edge are tried too. For
+ * polytopes these are all axes of the method of separating axes, each for as long as it holds; for round things what is
+ * lost by holding an axis grows with the square of the angle. Only these axes prove anything, with all rounding counted;
+ * how they are found does not matter. From contact the same is done with the depth at the start allowed for.
+ *
+ * <p>Where no axis leads on there is contact, or a gap of at most 2^-30 of the mover's radius, its largest distance from
+ * the pivot, and 2^-43 of both leaves' distances from it.
+ */
+final class TurnAdvancement {
+    private static final double FULL = 2 * Math.PI;
+    private static final int MOST_STEPS = 1000;
+
+    /** An axis that is held for an arc as long as this is good enough; else those of the sides and edges are tried. */
+    private static final double FAR = 0.1;
+
+    /** A gap of this share of the mover's size that hardly lets it go on counts as contact. */
+    private static final double CLOSE = 0x1p-34;
+
+    private static final double STALLED = 0x1p-16;
+
+    /** An edge this close to a direction is not one that it is square to. */
+    private static final double SQUARE = 0.5;
+
+    // Edges that are nearly parallel: the direction across them is held too, as one that turns is told too roughly.
+    private static final double NEARLY = 0x1p-8;
+    private static final double PARALLEL = 0x1p-40;
+
+    private final TurnBody mover = new TurnBody();
+    private final TurnBody rest = new TurnBody();
+    private final double[] pose = new double[Leaf.STRIDE];
+    private final double[] box = new double[Leaf.STRIDE];
+
+    private final Facets ofRest = new Facets();
+    private final Facets ofMover = new Facets();
+    private final AcrossTurn across = new AcrossTurn();
+    private boolean haveFacets;
+    private int steps;
+
+    private boolean planar;
+    private double wx;
+    private double wy;
+    private double wz;
+
+    /** As {@link SpatialTurnSweep#free} and {@link PlanarTurnSweep#free}. */
+    double free(
+            boolean inPlane,
+            int kindA,
+            double[] a,
+            int i,
+            double px,
+            double py,
+            double pz,
+            double axisX,
+            double axisY,
+            double axisZ,
+            double degrees,
+            int kindB,
+            double[] b,
+            int j,
+            GjkScratch s) {
+        Gjk gjk = s.gjk;
+        Penetration ways = s.penetration();
+        double way = degrees < 0 ? -1 : 1;
+        planar = inPlane;
+        wx = way * axisX;
+        wy = way * axisY;
+        wz = way * axisZ;
+        mover.level = planar && wx == 0 && wz == 0;
+        rest.level = mover.level;
+        mover.load(kindA, a, i, px, py, pz, wx, wy, wz);
+        rest.load(kindB, b, j, px, py, pz, wx, wy, wz);
+        double angle = Degrees.toRadians(Math.abs(degrees));
+        double wanted = angle * (1 + 0x1p-50) + TurnOutline.MARGIN;
+        double t = 0;
+        double depth = 0;
+        haveFacets = false;
+        ask(gjk, kindA, a, i, kindB, b, j);
+        if (!(gjk.lower() > 0)) {
+            depth = Math.max(0, depth(ways, kindA, a, i, kindB, b, j));
+            t = fromContact(ways);
+            if (t == 0) {
+                return 0;
+            }
+        }
+        int kind = Poses.turnedKind(kindA);
+        for (steps = 0; steps < MOST_STEPS; steps++) {
+            if (t >= wanted || t >= FULL) {
+                return Double.POSITIVE_INFINITY;
+            }
+            pose(kindA, a, i, px, py, pz, t);
+            ask(gjk, kind, pose, 0, kindB, b, j);
+            double next = t;
+            if (gjk.lower() > 0) {
+                next = found(gjk, kindA, a, i, kindB, b, j, t, wanted, depth);
+            }
+            // A place where nothing goes on is contact, or a bracket of round things that is still open.
+            boolean isClose = gjk.upper() + depth < CLOSE * mover.extent;
+            if (!(next - t > STALLED) && depth == 0 && !isClose && !gjk.isClosed() && gjk.close() > 0) {
+                next = Math.max(next, found(gjk, kindA, a, i, kindB, b, j, t, wanted, depth));
+            }
+            double gap = gjk.lower() > 0 ? gjk.upper() : 0;
+            if (gap == 0 && depth > 0) {
+                depth(ways, kind, pose, 0, kindB, b, j);
+                for (int k = 0; k < ways.count(); k++) {
+                    next = Math.max(next, hold(ways.nx(k), ways.ny(k), ways.nz(k), t, depth));
+                }
+            }
+            if (!(next > t) || (gap + depth < CLOSE * mover.extent && next - t < STALLED)) {
+                break;
+            }
+            t = next;
+        }
+        return Math.min(Math.nextDown(1.0), Math.max(0, t / angle * (1 - 0x1p-50)));
+    }
+
+    /** How far the axis that was found, and others near it, are good for. */
+    private double found(
+            Gjk gjk,
+            int kindA,
+            double[] a,
+            int i,
+            int kindB,
+            double[] b,
+            int j,
+            double t,
+            double wanted,
+            double depth) {
+        double next = hold(gjk.nx(), gjk.ny(), gjk.nz(), t, depth);
+        if (next - t < FAR && next < wanted && !planar) {
+            if (!haveFacets) {
+                ofMover.spatial(kindA, a, i);
+                ofRest.spatial(kindB, b, j);
+                haveFacets = true;
+            }
+            next = Math.max(next, near(gjk.nx(), gjk.ny(), gjk.nz(), t, depth));
+        }
+        return next;
+    }
+
+    /** Steps that the last question took. */
+    int steps() {
+        return steps;
+    }
+
+    private void ask(Gjk gjk, int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        if (planar) {
+            gjk.planar(kindA, a, i, kindB, b, j);
+        } else {
+            gjk.spatial(kindA, a, i, kindB, b, j);
+        }
+    }
+
+    private double depth(Penetration ways, int kindA, double[] a, int i, int kindB, double[] b, int j) {
+        return planar ? ways.planar(kindA, a, i, kindB, b, j) : ways.spatial(kindA, a, i, kindB, b, j);
+    }
+
+    private void pose(int kind, double[] row, int at, double px, double py, double pz, double t) {
+        double cos = Radians.cos(t);
+        double sin = Radians.sin(t);
+        if (kind == Leaf.PRISM) {
+            // Its box, which is good enough to find axes by.
+            boxOf(row, at);
+            Poses.turned(Leaf.UPRIGHT_BOX, box, 0, px, py, pz, wx, wy, wz, cos, sin, pose);
+        } else {
+            Poses.turned(kind, row, at, px, py, pz, wx, wy, wz, cos, sin, pose);
+        }
+    }
+
+    /** The angle until which a direction from the other to the mover, found at t, tells of no more than a depth. */
+    private double hold(double nx, double ny, double nz, double t, double depth) {
+        rest.aim(-nx, -ny, -nz, 1);
+        double place = -rest.least(0) + rest.error() - depth;
+        mover.aim(nx, ny, nz, 1);
+        double end = mover.until(place, t);
+        if (!planar || mover.level) {
+            // The direction in the mover as it stood at the start.
+            turned(nx, ny, nz, Radians.cos(t), -Radians.sin(t));
+            double mx = vx;
+            double my = vy;
+            double mz = vz;
+            mover.aim(mx, my, mz, 1);
+            place = -mover.least(0) + mover.error() - depth;
+            rest.aim(-mx, -my, -mz, -1);
+            end = Math.max(end, rest.until(place, t));
+        }
+        return end;
+    }
+
+    /**
+     * The same of the directions that sides and edges have at t: close to contact that of {@link Gjk} is off by as much as
+     * a rounding is large beside the gap, which counts where a flat side or a straight edge meets something.
+     *
+     * @param nx the direction that is off
+     */
+    private double near(double nx, double ny, double nz, double t, double depth) {
+        double end = t;
+        double cos = Radians.cos(t);
+        double sin = Radians.sin(t);
+        for (int k = 0; k < ofRest.edges; k++) {
+            double ex = ofRest.edgeX[k];
+            double ey = ofRest.edgeY[k];
+            double ez = ofRest.edgeZ[k];
+            for (int m = 0; m < ofMover.edges; m++) {
+                double fx = ofMover.edgeX[m];
+                double fy = ofMover.edgeY[m];
+                double fz = ofMover.edgeZ[m];
+                turned(fx, fy, fz, cos, sin);
+                double cx = ey * vz - ez * vy;
+                double cy = ez * vx - ex * vz;
+                double cz = ex * vy - ey * vx;
+                double way = nx * cx + ny * cy + nz * cz < 0 ? -1 : 1;
+                across.aim(rest, ex, ey, ez, mover, fx, fy, fz, wx, wy, wz, way);
+                end = Math.max(end, across.until(t));
+                double length = Math.sqrt(cx * cx + cy * cy + cz * cz);
+                if (length < NEARLY && length > PARALLEL) {
+                    end = Math.max(end, side(nx, ny, nz, cx / length, cy / length, cz / length, t, depth));
+                }
+            }
+            end = Math.max(end, square(nx, ny, nz, ex, ey, ez, t, depth));
+        }
+        for (int m = 0; m < ofMover.edges; m++) {
+            turned(ofMover.edgeX[m], ofMover.edgeY[m], ofMover.edgeZ[m], cos, sin);
+            end = Math.max(end, square(nx, ny, nz, vx, vy, vz, t, depth));
+        }
+        for (int k = 0; k < ofRest.faces; k++) {
+            end = Math.max(end, side(nx, ny, nz, ofRest.faceX[k], ofRest.faceY[k], ofRest.faceZ[k], t, depth));
+        }
+        for (int m = 0; m < ofMover.faces; m++) {
+            turned(ofMover.faceX[m], ofMover.faceY[m], ofMover.faceZ[m], cos, sin);
+            end = Math.max(end, side(nx, ny, nz, vx, vy, vz, t, depth));
+        }
+        return end;
+    }
+
+    /** Holds a side's normal. */
+    private double side(double nx, double ny, double nz, double x, double y, double z, double t, double depth) {
+        double way = nx * x + ny * y + nz * z < 0 ? -1 : 1;
+        return hold(way * x, way * y, way * z, t, depth);
+    }
+
+    /** Holds what of a direction is square to an edge. */
+    private double square(double nx, double ny, double nz, double ex, double ey, double ez, double t, double depth) {
+        double along = nx * ex + ny * ey + nz * ez;
+        double x = nx - along * ex;
+        double y = ny - along * ey;
+        double z = nz - along * ez;
+        double length = Math.sqrt(x * x + y * y + z * z);
+        return length > SQUARE ? hold(x / length, y / length, z / length, t, depth) : t;
+    }
+
+    private double vx;
+    private double vy;
+    private double vz;
+
+    /** Finds (vx, vy, vz), a direction of the mover turned. */
+    private void turned(double x, double y, double z, double cos, double sin) {
+        double along = (wx * x + wy * y + wz * z) * (1 - cos);
+        vx = x * cos + (wy * z - wz * y) * sin + wx * along;
+        vy = y * cos + (wz * x - wx * z) * sin + wy * along;
+        vz = z * cos + (wx * y - wy * x) * sin + wz * along;
+    }
+
+    private double fromContact(Penetration ways) {
+        double best = 0;
+        for (int k = 0; k < ways.count(); k++) {
+            mover.aim(ways.nx(k), ways.ny(k), ways.nz(k), 1);
+            best = Math.max(best, mover.notFurtherBack());
+            if (!planar || mover.level) {
+                rest.aim(-ways.nx(k), -ways.ny(k), -ways.nz(k), -1);
+                best = Math.max(best, rest.notFurtherBack());
+            }
+        }
+        return best;
+    }
+
+    /** The upright box around a prism. */
+    private void boxOf(double[] prism, int at) {
+        for (int k = 0; k < 3; k++) {
+            int from = at + (k == 0 ? 0 : k == 1 ? 8 : 2);
+            box[k] = 0.5 * (prism[from] + prism[from + 1]);
+            box[k + 3] = 0.5 * (prism[from + 1] - prism[from]);
+        }
+        java.util.Arrays.fill(box, Leaf.ROTATION, Leaf.STRIDE, 0);
+        box[6] = 1;
+        box[10] = 1;
+        box[14] = 1;
+    }
+}

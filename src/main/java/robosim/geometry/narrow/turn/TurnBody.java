@@ -1,0 +1,392 @@
+package robosim.geometry.narrow.turn;
+
+import robosim.geometry.exact.Radians;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.PrismCorners;
+import robosim.geometry.narrow.sat.AxisBody;
+
+/**
+ * A leaf relative to a pivot, as a turn about an axis through it sees it: how long the leaf stays beyond a plane.
+ *
+ * <p>A point q at angle t lies {@code k + a cos t + b sin t} along a direction n, with k = (n.w)(w.q), a = n.q - k and
+ * b = n.(w x q). Corners and centres are such points; a cylinder is its two caps' centres with rims, which reach
+ * {@code r sqrt(1 - s^2)} further, s being the direction's cosine with the cylinder's axis, a sinusoid too.
+ */
+final class TurnBody {
+    private static final double FULL = 2 * Math.PI;
+    private static final double ROUNDOFF = 128 * 0x1p-53;
+    static final int MOST_POINTS = 16;
+    private static final int MOST_STEPS = 12;
+
+    /** An arc, and the share of it that is tried next, for rims that lie almost flat. */
+    private static final double SOON = 0x1p-6;
+
+    /** What of sqrt(1 - s^2) is lost where s is 1 to rounding. */
+    private static final double LOST = 0x1p-25;
+
+    /** Whether heights are left out: for turns about the vertical of what is seen from above. */
+    boolean level;
+
+    /** At least the distance from the pivot of every point, and all that coordinates are made of. */
+    double extent;
+
+    /** Corners, or the centres of a sphere or of two caps. */
+    int points;
+
+    final double[] x = new double[MOST_POINTS];
+    final double[] y = new double[MOST_POINTS];
+    final double[] z = new double[MOST_POINTS];
+    private double margin;
+
+    /** Radius of the rims around the points; 0 where there are none. */
+    double radius;
+
+    // A cylinder's unit axis.
+    private boolean rims;
+    private double ux;
+    private double uy;
+    private double uz;
+
+    // The turn's axis, and the direction of the last question with what its points do.
+    private double wx;
+    private double wy;
+    private double wz;
+    private final double[] k = new double[MOST_POINTS];
+    private final double[] a = new double[MOST_POINTS];
+    private final double[] b = new double[MOST_POINTS];
+    private double sk;
+    private double sa;
+    private double sb;
+    private double nx;
+    private double ny;
+    private double nz;
+    private double sign;
+    private final RimReach rim = new RimReach();
+
+    /** Loads a leaf, relative to the pivot, for turns about a unit axis. */
+    void load(
+            int kind, double[] row, int at, double px, double py, double pz, double axisX, double axisY, double axisZ) {
+        wx = axisX;
+        wy = axisY;
+        wz = axisZ;
+        points = 0;
+        margin = 0;
+        rims = false;
+        radius = 0;
+        switch (kind) {
+            case Leaf.TRIANGLE -> {
+                for (int m = at; m < at + 9; m += 3) {
+                    add(row[m] - px, row[m + 1] - py, row[m + 2] - pz);
+                }
+            }
+            case Leaf.PRISM -> {
+                PrismCorners.load(row, at, px, pz, x, z);
+                for (int m = 0; m < 8; m++) {
+                    add(x[m], row[at + 8] - py, z[m]);
+                }
+                for (int m = 0; m < 8; m++) {
+                    add(x[m], row[at + 9] - py, z[m]);
+                }
+            }
+            case Leaf.SPHERE -> {
+                add(row[at] - px, row[at + 1] - py, row[at + 2] - pz);
+                margin = row[at + 3];
+            }
+            case Leaf.CYLINDER -> cylinder(row, at, px, py, pz, row[at + 7], row[at + 10], row[at + 13]);
+            case Leaf.UPRIGHT_CYLINDER -> cylinder(row, at, px, py, pz, 0, 1, 0);
+            default -> box(row, at, px, py, pz);
+        }
+        measure();
+    }
+
+    private void box(double[] row, int at, double px, double py, double pz) {
+        for (int m = 0; m < 8; m++) {
+            double p = (m & 1) == 0 ? row[at + 3] : -row[at + 3];
+            double q = (m & 2) == 0 ? row[at + 4] : -row[at + 4];
+            double r = (m & 4) == 0 ? row[at + 5] : -row[at + 5];
+            add(
+                    row[at] - px + p * row[at + 6] + q * row[at + 7] + r * row[at + 8],
+                    row[at + 1] - py + p * row[at + 9] + q * row[at + 10] + r * row[at + 11],
+                    row[at + 2] - pz + p * row[at + 12] + q * row[at + 13] + r * row[at + 14]);
+        }
+    }
+
+    private void cylinder(double[] row, int at, double px, double py, double pz, double ax, double ay, double az) {
+        double length = Math.sqrt(ax * ax + ay * ay + az * az);
+        ux = ax / length;
+        uy = ay / length;
+        uz = az / length;
+        rims = true;
+        radius = row[at + 3];
+        for (int sign = -1; sign <= 1; sign += 2) {
+            double h = sign * row[at + 4];
+            add(row[at] - px + h * ax, row[at + 1] - py + h * ay, row[at + 2] - pz + h * az);
+        }
+    }
+
+    private void add(double px, double py, double pz) {
+        x[points] = px;
+        y[points] = level ? 0 : py;
+        z[points] = pz;
+        points++;
+    }
+
+    private void measure() {
+        extent = 0;
+        for (int m = 0; m < points; m++) {
+            extent = Math.max(extent, Math.abs(x[m]) + Math.abs(y[m]) + Math.abs(z[m]));
+        }
+        // Coordinates of a box are sums of four numbers, of which the largest may be twice what is left.
+        extent = 2 * extent + margin + (rims ? radius : 0);
+    }
+
+    /** How wrong a place along a unit direction may be. */
+    double error() {
+        return ROUNDOFF * extent + AxisBody.TINY;
+    }
+
+    /** Takes a unit direction; the turn goes by the right hand about the axis, or (sign -1) against it. */
+    void aim(double dx, double dy, double dz, double by) {
+        nx = dx;
+        ny = dy;
+        nz = dz;
+        sign = by;
+        double across = nx * wx + ny * wy + nz * wz;
+        // n.(w x q) = (n x w).q
+        double cx = ny * wz - nz * wy;
+        double cy = nz * wx - nx * wz;
+        double cz = nx * wy - ny * wx;
+        for (int m = 0; m < points; m++) {
+            k[m] = across * (wx * x[m] + wy * y[m] + wz * z[m]);
+            a[m] = nx * x[m] + ny * y[m] + nz * z[m] - k[m];
+            b[m] = sign * (cx * x[m] + cy * y[m] + cz * z[m]);
+        }
+        if (rims) {
+            sk = across * (wx * ux + wy * uy + wz * uz);
+            sa = nx * ux + ny * uy + nz * uz - sk;
+            sb = sign * (cx * ux + cy * uy + cz * uz);
+            rim.aim(nx, ny, nz, ux, uy, uz, wx, wy, wz, sign);
+        }
+    }
+
+    /** The least place along the direction at angle t. */
+    double least(double t) {
+        double cos = Radians.cos(t);
+        double sin = Radians.sin(t);
+        double best = Double.POSITIVE_INFINITY;
+        for (int m = 0; m < points; m++) {
+            best = Math.min(best, k[m] + a[m] * cos + b[m] * sin);
+        }
+        return best - margin - (rims ? radius * rim.at(cos, sin) : 0);
+    }
+
+    private static double across(double s) {
+        return Math.sqrt(Math.max(0, (1 - s) * (1 + s)));
+    }
+
+    /** The angle until which all of the leaf stays beyond a place along the direction, t if it does not at t. */
+    double until(double place, double t) {
+        double limit = place + error();
+        if (!(least(t) > limit)) {
+            return t;
+        }
+        return rims ? rimsUntil(limit, t) : pointsUntil(limit + margin, 0, 0, t);
+    }
+
+    /** How long no point falls behind the limit and a reach of {@code cosine cos t + sine sin t} more. */
+    private double pointsUntil(double limit, double cosine, double sine, double t) {
+        double cos = Radians.cos(t);
+        double sin = Radians.sin(t);
+        double end = Double.POSITIVE_INFINITY;
+        for (int m = 0; m < points; m++) {
+            double p = a[m] - cosine;
+            double q = b[m] - sine;
+            double c = limit - k[m];
+            double above = p * cos + q * sin - c;
+            if (!(above > 0)) {
+                return t;
+            }
+            // Whatever falls no faster than this comes later than another in any case.
+            if (!(t + 0.5 * above / (Math.abs(p) + Math.abs(q)) > end)) {
+                end = Math.min(end, t + TurnOutline.beyond(p, q, c, t));
+            }
+        }
+        return end;
+    }
+
+    // Each time as long as a bound of the rims' reach lets it go on: tight where the arc begins, or further on.
+    private double rimsUntil(double limit, double from) {
+        double t = from;
+        for (int step = 0; step < MOST_STEPS && t - from < FULL; step++) {
+            double end = t;
+            for (int bound = 0; bound < RimReach.BOUNDS; bound++) {
+                rim.bound(bound, t);
+                double constant = limit + radius * rim.constant;
+                end = Math.max(end, pointsUntil(constant, radius * rim.cosine, radius * rim.sine, t));
+            }
+            for (double arc = SOON; arc > end - t && arc > TurnOutline.MARGIN; arc *= SOON) {
+                end = Math.max(end, Math.min(t + arc, pointsUntil(limit + radius * rim.soon(t, arc), 0, 0, t)));
+            }
+            if (!(end - t > TurnOutline.MARGIN)) {
+                break;
+            }
+            t = end;
+        }
+        return t;
+    }
+
+    /** The greatest sqrt(1 - s^2) from one angle to another, rounded up. */
+    private double steepest(double from, double to) {
+        double s0 = sk + sa * Radians.cos(from) + sb * Radians.sin(from);
+        double s1 = sk + sa * Radians.cos(to) + sb * Radians.sin(to);
+        double low = Math.min(s0, s1);
+        double high = Math.max(s0, s1);
+        double top = StrictMath.atan2(sb, sa);
+        double swing = Math.sqrt(sa * sa + sb * sb);
+        if (passes(top, from, to)) {
+            high = sk + swing;
+        }
+        if (passes(top + Math.PI, from, to)) {
+            low = sk - swing;
+        }
+        double s = low > 0 ? low : high < 0 ? high : 0;
+        return Math.min(1, across(s) + 0x1p-48);
+    }
+
+    private static boolean passes(double angle, double from, double to) {
+        double ahead = Math.IEEEremainder(angle - from, FULL);
+        ahead = ahead < -TurnOutline.MARGIN ? ahead + FULL : ahead;
+        return ahead <= to - from + TurnOutline.MARGIN;
+    }
+
+    /** From angle 0: how long no part of the leaf lies further back along the direction than its least does now. */
+    double notFurtherBack() {
+        double floor = least(0);
+        double e = error();
+        double end = Double.POSITIVE_INFINITY;
+        double reach = rims ? radius * rim.at(1, 0) : 0;
+        for (int m = 0; m < points; m++) {
+            double above = k[m] + a[m] - margin - reach - floor;
+            if (above > 2 * e) {
+                continue;
+            }
+            end = Math.min(end, rims ? rimRising(m, e) : TurnOutline.rising(a[m], b[m], e));
+        }
+        return end > 0 ? Math.min(end, others(floor, e, end)) : 0;
+    }
+
+    // The points that are not among the hindmost now, over the arc in question.
+    private double others(double floor, double e, double end) {
+        double free = Double.POSITIVE_INFINITY;
+        double reach = rims ? radius * rim.at(1, 0) : 0;
+        double most = rims ? radius * Math.min(1, steepest(0, Math.min(end, FULL)) + LOST) : 0;
+        for (int m = 0; m < points; m++) {
+            if (k[m] + a[m] - margin - reach - floor > 2 * e) {
+                double limit = floor + margin + most + e - k[m];
+                free = Math.min(free, a[m] > limit ? TurnOutline.beyond(a[m], b[m], limit, 0) : 0);
+            }
+        }
+        return free;
+    }
+
+    /**
+     * The rim point that is hindmost rises at some speed v. A rim point at the angle psi from it lies r c (1 - cos psi)
+     * ahead, c being the sine of the tilt, and rises slower by at most r psi; no point's path bends by more than its
+     * distance d from the axis. So the least is raised by at least v t - (pi^2 r / (8 c) + d / 2) t^2.
+     */
+    private double rimRising(int m, double e) {
+        double tilt = rim.at(1, 0);
+        double swing = Math.sqrt(a[m] * a[m] + b[m] * b[m]) + radius * Math.sqrt(sa * sa + sb * sb);
+        if (swing <= e) {
+            return Double.POSITIVE_INFINITY; // turns about the direction itself
+        }
+        // The rim's reach r sqrt(1 - s^2) changes by -r s s' / tilt.
+        double speed = tilt > 0 ? b[m] + radius * (sk + sa) * sb / tilt : 0;
+        double least = tilt > 0 ? speed - e - ROUNDOFF * radius * (1 + 1 / tilt) / tilt : 0;
+        if (!(least > 0)) {
+            return 0;
+        }
+        double bend = Math.PI * Math.PI * radius / (8 * tilt) + 0.5 * extent;
+        return least / bend * (1 - 0x1p-40);
+    }
+
+    /**
+     * How far the leaf reaches along the direction anywhere from angle 0 to {@code angle}, rounded up.
+     *
+     * @param pivot where the pivot lies along the direction
+     * @param start how far the leaf reaches at angle 0, rounded up
+     */
+    double greatest(double angle, double pivot, double start) {
+        if (rims && (sa != 0 || sb != 0)) {
+            double cap = Double.NEGATIVE_INFINITY;
+            for (int m = 0; m < points; m++) {
+                cap = rimTop(m, 0, Math.min(angle, FULL), cap, 0);
+            }
+            return up(start, pivot + cap + error() + 2 * Math.ulp(pivot));
+        }
+        double best = start;
+        double beyond = margin + (rims ? radius * across(sk) : 0);
+        for (int m = 0; m < points; m++) {
+            double rho = Math.sqrt(a[m] * a[m] + b[m] * b[m]);
+            double rise;
+            double top;
+            if (angle >= FULL || passes(StrictMath.atan2(b[m], a[m]), 0, angle)) {
+                rise = rho == 0 ? 0 : a[m] > 0 ? b[m] * b[m] / (rho + a[m]) : rho - a[m];
+                top = rho;
+            } else {
+                double sin = Radians.sin(0.5 * angle);
+                double cos = Radians.cos(0.5 * angle);
+                rise = 2 * sin * (b[m] * cos - a[m] * sin);
+                top = a[m] + rise;
+                rise += ROUNDOFF * sin * rho;
+            }
+            // No further than the leaf at the start and the rise from there; nor than this point by itself.
+            if (rise > 0) {
+                double place = pivot + (k[m] + top + beyond) + error() + 2 * Math.ulp(pivot);
+                best = Math.max(best, Math.min(Math.nextUp(start + rise * (1 + ROUNDOFF)), place));
+            }
+        }
+        return best;
+    }
+
+    private static double up(double start, double place) {
+        return Math.max(start, place);
+    }
+
+    /**
+     * The greatest {@code k + a cos t + b sin t + r sqrt(1 - s^2)} of a rim over an arc, or {@code best} if that is more,
+     * rounded up by at most a 2^-36th of the extent: arcs are halved where more might hide.
+     */
+    private double rimTop(int m, double from, double to, double best, int depth) {
+        double middle = 0.5 * (from + to);
+        double half = 0.5 * (to - from);
+        double cos = Radians.cos(middle);
+        double sin = Radians.sin(middle);
+        double s = sk + sa * cos + sb * sin;
+        double slope = sb * cos - sa * sin;
+        double here = k[m] + a[m] * cos + b[m] * sin + radius * across(s);
+        double found = Math.max(best, here);
+        double swing = Math.sqrt(sa * sa + sb * sb);
+        double rho = Math.sqrt(a[m] * a[m] + b[m] * b[m]);
+        // By the steepest that the rim gets, and by how fast its reach may grow from the middle.
+        double rise = Math.min(rho, Math.abs(b[m] * cos - a[m] * sin) + 0.5 * rho * half) * half;
+        double simple = k[m] + a[m] * cos + b[m] * sin + rise + radius * steepest(from, to);
+        double flattest = flattest(Math.abs(s) + swing * half);
+        double bySlope = Double.POSITIVE_INFINITY;
+        if (flattest > 0) {
+            double speed = Math.abs(b[m] * cos - a[m] * sin - radius * s * slope / Math.max(across(s), flattest));
+            double bend = rho + radius * (swing * swing + swing) / (flattest * flattest * flattest);
+            bySlope = here + (speed + 0.5 * bend * half) * half;
+        }
+        double most = Math.min(simple, bySlope);
+        if (most <= found + 0x1p-36 * extent || depth == 48) {
+            return Math.max(found, most);
+        }
+        found = rimTop(m, from, middle, found, depth + 1);
+        return rimTop(m, middle, to, found, depth + 1);
+    }
+
+    private static double flattest(double s) {
+        return s < 1 ? across(s) : 0;
+    }
+}

@@ -1,0 +1,8 @@
+package robosim.geometry.narrow.turn;
+
+/** Working memory of turns. */
+final class TurnKernels {
+    final VerticalTurn vertical = new VerticalTurn();
+    final TurnBody body = new TurnBody();
+    final TurnAdvancement held = new TurnAdvancement();
+}

@@ -1,0 +1,16 @@
+package robosim.geometry.narrow.turn;
+
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.narrow.sweep.SweepScratch;
+
+/** The working memory of turns. */
+public class TurnScratch extends SweepScratch {
+    private @Nullable TurnKernels turns;
+
+    public TurnKernels turns() {
+        if (turns == null) {
+            turns = new TurnKernels();
+        }
+        return turns;
+    }
+}

@@ -1,0 +1,125 @@
+package robosim.geometry.narrow.turn;
+
+import robosim.geometry.exact.Degrees;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.Outline;
+import robosim.geometry.narrow.sat.AxisBody;
+import robosim.geometry.narrow.sat.ExactAxes;
+import robosim.geometry.narrow.sweep.ExactDisc;
+
+/**
+ * A leaf turned about a vertical line against one at rest, in the plane: chooses between polygons and discs, and judges
+ * what touches at the start.
+ */
+final class VerticalTurn {
+    private final Outline mover = new Outline();
+    private final Outline rest = new Outline();
+    private final Outline point = new Outline();
+    private final TurnOutline polygons = new TurnOutline();
+    private final TurnDisc disc = new TurnDisc();
+
+    // -1 where the plane is mirrored, so that the turn goes from x towards z.
+    private int sign;
+
+    static boolean isCovered(int kind) {
+        return AxisBody.isPolytope(kind) || Leaf.isDisc(kind);
+    }
+
+    /**
+     * As {@link PlanarTurnSweep#free}, by {@code degrees} about the upward vertical through (px, pz).
+     *
+     * @param heightDepth how far the heights overlap, which a turn does not change: where that is the lesser depth at the
+     *     start, nothing gets deeper; infinite where heights do not count
+     */
+    double free(
+            int kindA,
+            double[] a,
+            int i,
+            double px,
+            double pz,
+            double degrees,
+            int kindB,
+            double[] b,
+            int j,
+            double heightDepth) {
+        double angle = Degrees.toRadians(Math.abs(degrees));
+        // From x towards z is clockwise as seen from above.
+        sign = degrees > 0 ? -1 : 1;
+        load(mover, kindA, a, i, px, pz);
+        load(rest, kindB, b, j, px, pz);
+        // The stored end is that angle to rounding.
+        double wanted = angle * (1 + 0x1p-50) + TurnOutline.MARGIN;
+        double free;
+        if (Leaf.isDisc(kindA)) {
+            double radius = a[i + 3] + (Leaf.isDisc(kindB) ? b[j + 3] : 0);
+            free = round(mover.x[0], mover.z[0], rest, radius, a, i, kindB, b, j, heightDepth);
+        } else if (Leaf.isDisc(kindB)) {
+            // As the mover sees it, the disc goes round the other way.
+            mover.mirror(-1);
+            rest.mirror(-1);
+            free = round(rest.x[0], rest.z[0], mover, b[j + 3], b, j, kindA, a, i, heightDepth);
+        } else {
+            free = polygons(wanted, kindA, a, i, kindB, b, j, heightDepth);
+        }
+        return free >= wanted
+                ? Double.POSITIVE_INFINITY
+                : Math.min(Math.nextDown(1.0), Math.max(0, free / angle * (1 - 0x1p-50)));
+    }
+
+    private void load(Outline outline, int kind, double[] row, int at, double px, double pz) {
+        if (Leaf.isDisc(kind)) {
+            outline.point(row[at] - px, row[at + 2] - pz);
+        } else {
+            outline.load(kind, row, at, px, pz);
+        }
+        outline.mirror(sign);
+    }
+
+    private double polygons(
+            double wanted, int kindA, double[] a, int i, int kindB, double[] b, int j, double heightDepth) {
+        polygons.load(mover, rest);
+        if (!polygons.near) {
+            return polygons.free(wanted);
+        }
+        boolean apart = polygons.gap > -polygons.error && ExactAxes.areApart(AxisBody.PLANAR, kindA, a, i, kindB, b, j);
+        if (!apart) {
+            return -polygons.gap >= heightDepth - polygons.error ? Double.POSITIVE_INFINITY : polygons.free(wanted);
+        }
+        for (int k = 0; k < polygons.normals(); k++) {
+            if (polygons.isLeading(k)
+                    && !ExactAxes.isBeyond(kindA, a, i, polygons.unitX(k), sign * polygons.unitZ(k), kindB, b, j)) {
+                polygons.reject(k);
+            }
+        }
+        return polygons.free(wanted);
+    }
+
+    private double round(
+            double x,
+            double z,
+            Outline outline,
+            double radius,
+            double[] a,
+            int i,
+            int kindB,
+            double[] b,
+            int j,
+            double heightDepth) {
+        disc.load(x, z, outline);
+        double gap = disc.distance - radius;
+        double error = disc.error + 32 * 0x1p-53 * radius;
+        if (gap > error) {
+            return disc.free(outline, radius, false);
+        }
+        boolean apart =
+                gap >= -error && !ExactDisc.of(a, i, 0, 0, kindB, b, j, null).touches();
+        if (disc.distance > disc.error || outline.normals == 0) {
+            boolean shallow = !apart && -gap >= heightDepth - error;
+            return shallow ? Double.POSITIVE_INFINITY : disc.free(outline, disc.distance, true);
+        }
+        // The centre inside the polygon (or too near its edge to tell): the depth counts from the edges.
+        point.point(x, z);
+        polygons.load(point, outline);
+        return radius - polygons.gap >= heightDepth - error ? Double.POSITIVE_INFINITY : polygons.free(2 * Math.PI);
+    }
+}

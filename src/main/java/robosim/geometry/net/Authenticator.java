@@ -1,0 +1,37 @@
+package robosim.geometry.net;
+
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.protocol.Gate;
+import robosim.geometry.protocol.MessageChannel;
+
+/** Lets a peer in by what it speaks and what it knows; who is not in yet may not dawdle. */
+final class Authenticator implements Gate {
+    private final Access access;
+    private final PacedInput in;
+    private final Timeouts timeouts;
+    private @Nullable MessageChannel channel;
+
+    Authenticator(Access access, PacedInput in, Timeouts timeouts) {
+        this.access = access;
+        this.in = in;
+        this.timeouts = timeouts;
+        if (access.secret() != null) {
+            in.mayIdle(timeouts.stall());
+        }
+    }
+
+    /** The channel whose peer it is asked about. */
+    void watch(MessageChannel made) {
+        channel = made;
+    }
+
+    @Override
+    public boolean admits(@Nullable String offered) {
+        boolean java = channel != null && channel.encoding() == MessageChannel.Encoding.JAVA;
+        boolean admitted = java ? access.admitsJava() : access.admitsJson(offered);
+        if (admitted) {
+            in.mayIdle(timeouts.idle());
+        }
+        return admitted;
+    }
+}

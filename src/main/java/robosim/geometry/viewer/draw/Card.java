@@ -1,0 +1,88 @@
+package robosim.geometry.viewer.draw;
+
+import java.util.ArrayList;
+import java.util.List;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.SphereObject;
+import robosim.geometry.viewer.scene.Bounds;
+import robosim.geometry.viewer.scene.Labels;
+import robosim.geometry.viewer.scene.MapFrame;
+import robosim.geometry.viewer.scene.Outline;
+
+/**
+ * What is told of one object.
+ *
+ * @param heading its name
+ * @param lines   the rest
+ */
+public record Card(String heading, List<String> lines) {
+    private static final double MARGIN = 12;
+    private static final double LINE = 17;
+    private static final double HEADING_SIZE = 14;
+    private static final double SIZE = 12;
+
+    /** Name, kind, place, heading and size. */
+    public static Card of(GeometryObject object, String unit) {
+        List<String> lines = new ArrayList<>();
+        lines.add(Labels.kind(object) + (object.isMoveable() ? ", can move" : ", cannot move"));
+        String suffix = unit.isEmpty() ? "" : " " + unit;
+        lines.add("at x " + Labels.number(object.center().x()) + ", z "
+                + Labels.number(object.center().z()) + ", y "
+                + Labels.number(object.center().y()) + suffix);
+        lines.add(
+                object.pose().isUpright()
+                        ? "heading " + Labels.number(object.heading()) + " degrees"
+                        : "tipped; heading " + Labels.number(object.heading()) + " degrees");
+        lines.add(size(object) + suffix);
+        String name = object.name();
+        return new Card(name == null ? "(no name)" : Labels.name(object), lines);
+    }
+
+    private static String size(GeometryObject object) {
+        return switch (object.kind()) {
+            case BOX -> {
+                BoxObject box = (BoxObject) object;
+                yield "width " + Labels.number(box.width()) + ", length " + Labels.number(box.length()) + ", height "
+                        + Labels.number(box.height());
+            }
+            case CYLINDER -> {
+                CylinderObject cylinder = (CylinderObject) object;
+                yield "radius " + Labels.number(cylinder.radius()) + ", height " + Labels.number(cylinder.height());
+            }
+            case SPHERE -> "radius " + Labels.number(((SphereObject) object).radius());
+            case MESH -> ((MeshObject) object).triangles().size() + " triangles, " + covers(object);
+            case GROUP -> ((ObjectGroup) object).members().size() + " members, " + covers(object);
+        };
+    }
+
+    private static String covers(GeometryObject object) {
+        Bounds bounds = new Bounds();
+        Outline.of(object).forEach(bounds::add);
+        return Labels.number(bounds.width()) + " by " + Labels.number(bounds.length());
+    }
+
+    /** In the upper right corner of a map. */
+    public void paint(MapFrame frame, Canvas canvas) {
+        double widest = StrokeFont.width(heading, HEADING_SIZE);
+        for (String line : lines) {
+            widest = Math.max(widest, StrokeFont.width(line, SIZE));
+        }
+        double width = widest + 2 * MARGIN;
+        double height = MARGIN * 1.6 + LINE * (lines.size() + 1);
+        double x = frame.right() - width - MARGIN;
+        double y = frame.top() + MARGIN;
+        canvas.open("card", heading);
+        canvas.rectangle(x, y, width, height, Style.filled(Palette.FLOOR, 0.94).outlined(Palette.BORDER, 1, 0.7));
+        double at = y + MARGIN + HEADING_SIZE - 2;
+        canvas.text(x + MARGIN, at, heading, Canvas.Anchor.START, HEADING_SIZE, Palette.TEXT);
+        for (String line : lines) {
+            at += LINE;
+            canvas.text(x + MARGIN, at, line, Canvas.Anchor.START, SIZE, Palette.QUIET);
+        }
+        canvas.close();
+    }
+}

@@ -1,0 +1,155 @@
+package robosim.geometry.viewer.draw;
+
+import java.util.ArrayList;
+import java.util.List;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.viewer.scene.Bounds;
+import robosim.geometry.viewer.scene.MapFrame;
+import robosim.geometry.viewer.scene.Outline;
+import robosim.geometry.viewer.scene.Scene;
+
+/** Names beside or upon their objects, where there is room: no label covers another. */
+final class LabelPainter {
+    private static final double ROBOT_SIZE = 12;
+    private static final double STATIC_SIZE = 10;
+
+    /** The mean advance of a letter in its size; the page is laid out by it, whatever the font. */
+    private static final double ADVANCE = 0.6;
+
+    /** Places along a name at which it is asked whether something lies over it. */
+    private static final int SAMPLES = 5;
+
+    private final MapFrame frame;
+    private final Canvas canvas;
+    private final List<double[]> taken = new ArrayList<>();
+
+    LabelPainter(MapFrame frame, Canvas canvas) {
+        this.frame = frame;
+        this.canvas = canvas;
+    }
+
+    void paint(List<Scene.Thing> things) {
+        canvas.open("names", "");
+        for (Scene.Thing thing : things) {
+            if (thing.object().isMoveable()) {
+                reserve(thing.object());
+            }
+        }
+        for (Scene.Thing thing : things) {
+            if (thing.object().isMoveable()) {
+                beside(thing.object());
+            }
+        }
+        // The uppermost first: what it covers has no name there.
+        List<Cover> above = new ArrayList<>();
+        for (int k = things.size() - 1; k >= 0; k--) {
+            GeometryObject object = things.get(k).object();
+            if (!object.isMoveable()) {
+                upon(object, above);
+            }
+        }
+        canvas.close();
+    }
+
+    /** No name may cover a robot. */
+    private void reserve(GeometryObject robot) {
+        Bounds bounds = bounds(robot);
+        double halfWidth = frame.scale * bounds.width() / 2;
+        double halfHeight = frame.scale * bounds.length() / 2;
+        double x = frame.x(bounds.middleX());
+        double y = frame.y(bounds.middleZ());
+        taken.add(new double[] {x - halfWidth, y - halfHeight, x + halfWidth, y + halfHeight});
+    }
+
+    private void beside(GeometryObject robot) {
+        String name = robot.name();
+        if (name == null) {
+            return;
+        }
+        Bounds bounds = bounds(robot);
+        double half = frame.scale * Math.max(bounds.width(), bounds.length()) / 2;
+        // The arrow of a small one stands beside it.
+        double reach = (half < ThingPainter.SMALL_ARROW ? half + 2 * ThingPainter.SMALL_ARROW : half) + 5;
+        double x = frame.x(bounds.middleX());
+        double y = frame.y(bounds.middleZ());
+        double width = ADVANCE * ROBOT_SIZE * name.length();
+        double[][] places = {
+            {x + reach, y + 4}, {x - reach - width, y + 4}, {x - width / 2, y - reach}, {x - width / 2, y + reach + 10}
+        };
+        for (double[] place : places) {
+            if (take(place[0], place[1], width, ROBOT_SIZE)) {
+                canvas.text(place[0], place[1], name, Canvas.Anchor.START, ROBOT_SIZE, Palette.TEXT);
+                return;
+            }
+        }
+        canvas.text(places[0][0], places[0][1], name, Canvas.Anchor.START, ROBOT_SIZE, Palette.TEXT);
+    }
+
+    /** What lies over the things that are still to come. */
+    private record Cover(List<Outline> outlines, Bounds bounds) {}
+
+    /** A static object's name stands on it, where it fits and nothing lies over it. */
+    private void upon(GeometryObject object, List<Cover> above) {
+        List<Outline> outlines = Outline.of(object);
+        Bounds bounds = new Bounds();
+        outlines.forEach(bounds::add);
+        String name = object.name();
+        if (name != null) {
+            upon(name, bounds, above);
+        }
+        above.add(new Cover(outlines, bounds));
+    }
+
+    private void upon(String name, Bounds bounds, List<Cover> above) {
+        double width = ADVANCE * STATIC_SIZE * name.length();
+        boolean fits = frame.scale * bounds.width() > width + 6 && frame.scale * bounds.length() > STATIC_SIZE + 2;
+        double x = frame.x(bounds.middleX());
+        double y = frame.y(bounds.middleZ()) + STATIC_SIZE * 0.36;
+        if (fits && !isCovered(x - width / 2, y, width, above) && take(x - width / 2, y, width, STATIC_SIZE)) {
+            canvas.text(x, y, name, Canvas.Anchor.MIDDLE, STATIC_SIZE, Palette.TEXT);
+        }
+    }
+
+    private boolean isCovered(double x, double y, double width, List<Cover> above) {
+        double fromX = frame.worldX(x);
+        double toX = frame.worldX(x + width);
+        double fromZ = frame.worldZ(y - STATIC_SIZE);
+        double toZ = frame.worldZ(y);
+        for (Cover cover : above) {
+            if (cover.bounds.isApart(fromX, fromZ, toX, toZ)) {
+                continue;
+            }
+            for (int k = 0; k < 2 * SAMPLES; k++) {
+                int column = k / 2;
+                double at = fromX + (toX - fromX) * column / (SAMPLES - 1.0);
+                double z = k % 2 == 0 ? fromZ : toZ;
+                for (Outline outline : cover.outlines) {
+                    if (Outline.depth(outline, at, z) >= 0) {
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
+    private boolean take(double x, double y, double width, double size) {
+        double[] box = {x - 1, y - size, x + width + 1, y + 0.25 * size};
+        if (box[0] < frame.left() || box[2] > frame.right() || box[1] < frame.top() || box[3] > frame.bottom()) {
+            return false;
+        }
+        for (double[] other : taken) {
+            if (box[0] < other[2] && other[0] < box[2] && box[1] < other[3] && other[1] < box[3]) {
+                return false;
+            }
+        }
+        taken.add(box);
+        return true;
+    }
+
+    private static Bounds bounds(GeometryObject object) {
+        Bounds bounds = new Bounds();
+        Outline.of(object).forEach(bounds::add);
+        return bounds;
+    }
+}

@@ -1,0 +1,169 @@
+package robosim.geometry.viewer.draw;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import javax.imageio.ImageIO;
+import robosim.geometry.exact.Checks;
+import robosim.geometry.viewer.scene.Heights;
+import robosim.geometry.viewer.scene.MapFrame;
+import robosim.geometry.viewer.scene.Scene;
+import robosim.geometry.world.AtomicFileWriter;
+
+/** Draws a {@link Scene}. The same scene gives the same picture, to the byte in SVG. */
+public final class Painter {
+    private final Scene scene;
+    private final MapFrame frame;
+    private final Canvas canvas;
+    private final double farthest;
+
+    /** A colour for each object that moves, in the order in which they stand in the scene. */
+    private final Map<String, Ink> robots = new LinkedHashMap<>();
+
+    private Painter(Scene scene, MapFrame frame, Canvas canvas) {
+        this.scene = scene;
+        this.frame = frame;
+        this.canvas = canvas;
+        this.farthest = Math.max(
+                scene.farthest(),
+                scene.pings().stream()
+                        .mapToDouble(Scene.Ping::distance)
+                        .filter(Double::isFinite)
+                        .max()
+                        .orElse(0));
+        for (Scene.Thing thing : scene.things()) {
+            String name = thing.object().name();
+            if (thing.object().isMoveable() && name != null) {
+                robots.put(name, Palette.robot(robots.size()));
+            }
+        }
+    }
+
+    /** The scene as an SVG document that follows its reader's choice of a light or dark page. */
+    public static String svg(Scene scene) {
+        Checks.present("scene", scene);
+        MapFrame frame = new MapFrame(scene.view());
+        SvgCanvas canvas = new SvgCanvas(frame.width, frame.height, scene.title());
+        new Painter(scene, frame, canvas).paint();
+        return canvas.document();
+    }
+
+    /** The scene as an image; this needs the JDK's {@code java.desktop}, but no screen. */
+    public static BufferedImage image(Scene scene, Theme theme) {
+        Checks.present("scene", scene);
+        Checks.present("theme", theme);
+        MapFrame frame = new MapFrame(scene.view());
+        return ImageCanvas.image(frame.width, frame.height, theme, canvas -> new Painter(scene, frame, canvas).paint());
+    }
+
+    /**
+     * Writes the scene to a file, as its name ends: {@code .svg} or {@code .png}. It writes all of it or nothing.
+     *
+     * @throws IllegalArgumentException where it ends otherwise
+     * @throws IOException where the file cannot be written
+     */
+    public static void write(Scene scene, Theme theme, Path file) throws IOException {
+        Checks.present("scene", scene);
+        Checks.present("theme", theme);
+        Checks.present("file", file);
+        String name = file.toString().toLowerCase(Locale.ROOT);
+        if (name.endsWith(".svg")) {
+            byte[] document = svg(scene).getBytes(StandardCharsets.UTF_8);
+            AtomicFileWriter.write(file, out -> out.write(document));
+        } else if (name.endsWith(".png")) {
+            BufferedImage image = image(scene, theme);
+            AtomicFileWriter.write(file, out -> ImageIO.write(image, "png", out));
+        } else {
+            throw new IllegalArgumentException("a picture's name must end in .svg or .png (got: " + file + ")");
+        }
+    }
+
+    /** Draws what changes with the place that is looked at alone: the floor, what cannot move, its names. */
+    public static void ground(Scene scene, MapFrame frame, Canvas canvas) {
+        Painter painter = new Painter(scene, frame, canvas);
+        painter.paintFloor();
+        painter.clip();
+        painter.paintStatics();
+        canvas.unclip();
+        new LabelPainter(frame, canvas).paint(painter.statics());
+    }
+
+    /** Draws over that what changes with each step: what moves, what is measured and refused, and the legend. */
+    public static void life(Scene scene, MapFrame frame, Canvas canvas) {
+        Painter painter = new Painter(scene, frame, canvas);
+        painter.clip();
+        painter.paintLife();
+        canvas.unclip();
+        new LabelPainter(frame, canvas).paint(painter.movers());
+        new LegendPainter(scene, frame, canvas, painter.farthest).paint();
+    }
+
+    private void paint() {
+        paintFloor();
+        new GridPainter(scene, frame, canvas).title();
+        clip();
+        paintStatics();
+        paintLife();
+        canvas.unclip();
+        List<Scene.Thing> all = new ArrayList<>(statics());
+        all.addAll(movers());
+        new LabelPainter(frame, canvas).paint(all);
+        new LegendPainter(scene, frame, canvas, farthest).paint();
+    }
+
+    private void clip() {
+        canvas.clip(frame.left(), frame.top(), frame.right() - frame.left(), frame.bottom() - frame.top());
+    }
+
+    private void paintFloor() {
+        canvas.open("page", "");
+        canvas.rectangle(0, 0, frame.width, frame.height, Style.filled(Palette.PAPER, 1));
+        canvas.close();
+        new GridPainter(scene, frame, canvas).paint();
+    }
+
+    private List<Scene.Thing> movers() {
+        return scene.things().stream()
+                .filter(thing -> thing.object().isMoveable())
+                .toList();
+    }
+
+    private List<Scene.Thing> statics() {
+        return Heights.fromBelow(scene.things().stream()
+                .filter(thing -> !thing.object().isMoveable())
+                .toList());
+    }
+
+    private void paintStatics() {
+        canvas.open("objects", "");
+        for (Scene.Thing thing : statics()) {
+            ThingPainter.paintStatic(thing, frame, canvas);
+        }
+        canvas.close();
+    }
+
+    private void paintLife() {
+        TracePainter traces = new TracePainter(scene, frame, canvas, farthest);
+        traces.trails(robots);
+        traces.pings();
+        canvas.open("moveables", "");
+        for (Scene.Thing thing : movers()) {
+            Ink ink = robots.getOrDefault(thing.object().name(), Palette.robot(0));
+            ThingPainter.paintMoveable(thing, ink, frame, canvas);
+        }
+        canvas.close();
+        if (!scene.blocked().isEmpty()) {
+            traces.blocked();
+        }
+        traces.refusals();
+        if (!scene.marks().isEmpty()) {
+            traces.marks();
+        }
+    }
+}

@@ -1,0 +1,160 @@
+package robosim.geometry.viewer.draw;
+
+import java.util.ArrayList;
+import java.util.List;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.viewer.scene.Bounds;
+import robosim.geometry.viewer.scene.MapFrame;
+import robosim.geometry.viewer.scene.Outline;
+import robosim.geometry.viewer.scene.Scene;
+
+/** Objects: what they cover of the floor, and for those that move where forward is. */
+final class ThingPainter {
+    /** Pixels of the light edge around what moves. */
+    private static final double HALO = 1;
+
+    /** Pixels from the middle of the smallest dot that can be seen. */
+    private static final double DOT = 2.5;
+
+    /** Pixels ahead of the centre: below that, an arrow upon a part is a speck. */
+    private static final double LEAST_ARROW = 4;
+
+    /** Pixels ahead of its middle, of an arrow on the floor. */
+    static final double SMALL_ARROW = 8;
+
+    private ThingPainter() {}
+
+    static void paintStatic(Scene.Thing thing, MapFrame frame, Canvas canvas) {
+        GeometryObject object = thing.object();
+        Integer colour = thing.colour();
+        Ink ink = colour == null ? Palette.of(object.kind()) : new Ink(colour, Shade.dimmed(colour));
+        Ink edge = new Ink(Shade.mix(ink.light(), 0x000000, 0.38), Shade.mix(ink.dark(), 0xffffff, 0.35));
+        canvas.open("object " + role(object), text(object));
+        draw(object, Style.filled(ink, 1).outlined(edge, 1, 0.9), frame, canvas);
+        canvas.close();
+    }
+
+    static void paintMoveable(Scene.Thing thing, Ink ink, MapFrame frame, Canvas canvas) {
+        GeometryObject object = thing.object();
+        List<Outline> outlines = Outline.of(object);
+        canvas.open("moveable " + role(object), text(object));
+        // The light edge lies below the colour and can hide none of it, however small the object is.
+        draw(outlines, Style.line(Palette.FLOOR, 2 * HALO, 1), frame, canvas);
+        draw(outlines, Style.filled(ink, 0.92), frame, canvas);
+        Bounds bounds = new Bounds();
+        outlines.forEach(bounds::add);
+        if (frame.scale * Math.max(bounds.width(), bounds.length()) < 2 * DOT) {
+            double x = frame.x(bounds.middleX());
+            double y = frame.y(bounds.middleZ());
+            canvas.circle(x, y, DOT, Style.filled(ink, 0.92));
+        }
+        paintHeading(object, outlines, ink, frame, canvas);
+        canvas.close();
+    }
+
+    /**
+     * An arrow about the object's own centre: light on the part that is there, if it has room for one, and no larger than
+     * that part; else a small one in the object's colour, which can be seen on the floor.
+     */
+    private static void paintHeading(
+            GeometryObject object, List<Outline> outlines, Ink ink, MapFrame frame, Canvas canvas) {
+        double[] rotation = object.rotation();
+        // Forward is the own X; what looks straight up shows no arrow.
+        double fx = rotation[0];
+        double fz = rotation[6];
+        double length = Math.sqrt(fx * fx + fz * fz);
+        if (!(length > 1e-9)) {
+            return;
+        }
+        double depth = 0;
+        for (Outline outline : outlines) {
+            depth = Math.max(
+                    depth,
+                    Outline.depth(outline, object.center().x(), object.center().z()));
+        }
+        double room = 0.72 * frame.scale * depth;
+        double x = frame.x(object.center());
+        double y = frame.y(object.center());
+        if (room >= LEAST_ARROW) {
+            canvas.polygons(
+                    List.of(arrow(x, y, fx / length * room, fz / length * room)), Style.filled(Palette.FLOOR, 0.95));
+            return;
+        }
+        // Beside a small part, so that it does not cover it; upon the centre where nothing is there.
+        double away = depth > 0 ? frame.scale * depth + SMALL_ARROW + 1 : 0;
+        double[] small = arrow(
+                x + fx / length * away, y + fz / length * away, fx / length * SMALL_ARROW, fz / length * SMALL_ARROW);
+        canvas.polygons(List.of(small), Style.filled(ink, 0.92));
+    }
+
+    /** An arrow head about a place of the page, so far ahead along each axis. */
+    private static double[] arrow(double x, double y, double ux, double uz) {
+        return new double[] {
+            x + ux,
+            y + uz,
+            x - 0.7 * ux - 0.6 * uz,
+            y - 0.7 * uz + 0.6 * ux,
+            x - 0.35 * ux,
+            y - 0.35 * uz,
+            x - 0.7 * ux + 0.6 * uz,
+            y - 0.7 * uz - 0.6 * ux
+        };
+    }
+
+    static void draw(GeometryObject object, Style style, MapFrame frame, Canvas canvas) {
+        draw(Outline.of(object), style, frame, canvas);
+    }
+
+    private static void draw(List<Outline> outlines, Style style, MapFrame frame, Canvas canvas) {
+        List<double[]> polygons = new ArrayList<>();
+        for (Outline outline : outlines) {
+            if (outline instanceof Outline.Disc disc) {
+                // No smaller than a dot that can be seen.
+                double radius = Math.max(1.2, disc.radius() * frame.scale);
+                canvas.circle(frame.x(disc.x()), frame.y(disc.z()), radius, style);
+            } else if (outline instanceof Outline.Polygon polygon) {
+                polygons.add(frame.toPage(polygon.corners()));
+            }
+        }
+        if (!polygons.isEmpty()) {
+            boolean many = polygons.size() > 8;
+            Style drawn = many ? new Style(style.fill(), style.fillOpacity(), style.stroke(), 0.5, 0.5, 0) : style;
+            canvas.polygons(polygons, drawn);
+        }
+    }
+
+    private static String role(GeometryObject object) {
+        return switch (object.kind()) {
+            case BOX -> "box";
+            case CYLINDER -> "cylinder";
+            case SPHERE -> "sphere";
+            case MESH -> "mesh";
+            case GROUP -> "group";
+        };
+    }
+
+    private static String text(GeometryObject object) {
+        String name = object.name();
+        return name == null ? "" : name;
+    }
+
+    /** Mixtures of colours, for edges and for dark paper. */
+    static final class Shade {
+        private Shade() {}
+
+        /** A share of one colour and the rest of another. */
+        static int mix(int rgb, int other, double share) {
+            int mixed = 0;
+            for (int shift = 16; shift >= 0; shift -= 8) {
+                int a = rgb >> shift & 0xff;
+                int b = other >> shift & 0xff;
+                mixed |= (int) Math.round(a + share * (b - a)) << shift;
+            }
+            return mixed;
+        }
+
+        static int dimmed(int rgb) {
+            return mix(rgb, Palette.FLOOR.dark(), 0.3);
+        }
+    }
+}

@@ -1,0 +1,42 @@
+package robosim.geometry.viewer.playback;
+
+import java.util.HashMap;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.viewer.scene.Scene;
+import robosim.geometry.world.World;
+
+/**
+ * The colours that a world file has for its objects. One with a name keeps its colour wherever it went and whatever else
+ * changed about it; one without is known by all that it is.
+ */
+public final class Colours {
+    public static final Colours NONE = new Colours();
+
+    private final Map<String, Integer> named = new HashMap<>();
+    private final Map<GeometryObject, Integer> nameless = new HashMap<>();
+
+    private Colours() {}
+
+    public static Colours of(World world) {
+        Colours colours = new Colours();
+        for (Scene.Thing thing : Pictures.things(world)) {
+            String name = thing.object().name();
+            Integer colour = thing.colour();
+            if (colour != null && name != null) {
+                colours.named.put(name, colour);
+            } else if (colour != null) {
+                colours.nameless.put(thing.object(), colour);
+            }
+        }
+        return colours;
+    }
+
+    /** 0xRRGGBB; null where the file has none for it. */
+    @Nullable
+    public Integer of(GeometryObject object) {
+        String name = object.name();
+        return name != null ? named.get(name) : nameless.get(object);
+    }
+}

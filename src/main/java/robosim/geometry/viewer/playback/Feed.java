@@ -1,0 +1,114 @@
+package robosim.geometry.viewer.playback;
+
+import java.io.IOException;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.Semaphore;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.scenario.ScenarioHeader;
+import robosim.geometry.scenario.Step;
+import robosim.geometry.scenario.StepReader;
+
+/** Reads a conversation on a thread of its own, so that nobody waits for it. */
+public final class Feed implements AutoCloseable {
+    private static final int QUEUE = 2048;
+
+    /** Weight of what may wait; a single frame may have more. */
+    private static final int ROOM = 1_000_000;
+
+    private final StepReader reader;
+    private final Colours colours;
+    private final Supplier<String> state;
+    private final BlockingQueue<Frame> queue = new ArrayBlockingQueue<>(QUEUE);
+    private final Semaphore room = new Semaphore(ROOM);
+    private final Thread thread;
+    private volatile boolean ended;
+    private volatile @Nullable String problem;
+
+    /** Begins to read; closes the reader at its end. */
+    public Feed(StepReader reader) {
+        this(reader, Colours.NONE, () -> "");
+    }
+
+    /**
+     * Begins to read; closes the reader at its end.
+     *
+     * @param colours of objects that a world file has a colour for
+     * @param state what is wrong with the reader for now, for people; empty where nothing is
+     */
+    public Feed(StepReader reader, Colours colours, Supplier<String> state) {
+        this.reader = reader;
+        this.colours = colours;
+        this.state = state;
+        this.thread = new Thread(this::read, "viewer-feed");
+        thread.setDaemon(true);
+        thread.start();
+    }
+
+    private void read() {
+        try (reader) {
+            ScenarioHeader header = reader.header();
+            Replayer stage = new Replayer(header.options(), colours);
+            for (Step step = reader.next(); step != null; step = reader.next()) {
+                if (!header.equals(reader.header())) { // another server, which leaves open something else
+                    header = reader.header();
+                    stage = new Replayer(header.options(), colours);
+                }
+                Frame frame = stage.play(step);
+                room.acquire(room(frame));
+                queue.put(frame);
+            }
+        } catch (IOException | RuntimeException e) {
+            problem = String.valueOf(e.getMessage());
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        } finally {
+            ended = true;
+        }
+    }
+
+    private static int room(Frame frame) {
+        return (int) Math.min(ROOM, frame.weight());
+    }
+
+    /**
+     * Moves to a film what has been read, so many frames at most.
+     *
+     * @return how many
+     */
+    public int drain(StateHistory film, int most) {
+        int drained = 0;
+        for (Frame frame = queue.poll(); frame != null; frame = queue.poll()) {
+            room.release(room(frame));
+            film.append(frame);
+            drained++;
+            if (drained == most) {
+                break;
+            }
+        }
+        return drained;
+    }
+
+    /** Whether nothing more will come. */
+    public boolean isEnded() {
+        return ended && queue.isEmpty();
+    }
+
+    /** Why no more could be read, or cannot for now; empty where nothing is wrong. */
+    public String problem() {
+        String end = problem;
+        return end != null ? end : state.get();
+    }
+
+    /** Reads no more. */
+    @Override
+    public void close() {
+        thread.interrupt();
+        try {
+            reader.close();
+        } catch (IOException e) {
+            problem = String.valueOf(e.getMessage());
+        }
+    }
+}

@@ -1,0 +1,168 @@
+package robosim.geometry.viewer.playback;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.Geometry;
+import robosim.geometry.MoveResult;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.Pose;
+import robosim.geometry.scenario.Timing;
+import robosim.geometry.viewer.scene.Labels;
+import robosim.geometry.viewer.scene.Scene;
+import robosim.geometry.world.World;
+
+/**
+ * What one step of a conversation changed.
+ *
+ * @param opening the new world; null where it is the one before
+ * @param placed  where moveable objects went, by name, in the order in which they did
+ * @param bumps   moves that were refused
+ * @param heard   measured distances by the name of who measured; none where that is not what the step was about
+ * @param words   what happened, for people
+ * @param notes   of the step
+ * @param timing  null where it was not recorded
+ */
+public record Frame(
+        @Nullable Setting opening,
+        Map<String, Pose> placed,
+        List<Bump> bumps,
+        Map<String, List<Scene.Ping>> heard,
+        String words,
+        List<String> notes,
+        @Nullable Timing timing) {
+
+    /** Of nothing but a world. */
+    public static Frame of(Setting opening, String words) {
+        return new Frame(opening, Map.of(), List.of(), Map.of(), words, List.of(), null);
+    }
+
+    /** How much of memory it takes, in places, distances, and objects of its world with their vertices and triangles. */
+    long weight() {
+        long weight = 1L + placed.size() + bumps.size();
+        if (opening != null) {
+            weight += opening.weight();
+        }
+        for (List<Scene.Ping> pings : heard.values()) {
+            weight += pings.size();
+        }
+        return weight;
+    }
+
+    /**
+     * A move that was refused.
+     *
+     * @param mover   where it stayed
+     * @param heading degrees about the vertical from the world's X to where it wanted to go
+     * @param result  what blocked it; null where that cannot be told
+     */
+    record Bump(
+            GeometryObject mover, double heading, @Nullable MoveResult result) {
+        /** What was in the way, in words. */
+        String obstacle() {
+            if (result == null) {
+                return "something";
+            }
+            GeometryObject obstacle = result.obstacle();
+            return obstacle == null ? "the border of the world" : Labels.name(obstacle);
+        }
+    }
+
+    /**
+     * A world as it begins.
+     *
+     * @param width   of the world, along X
+     * @param height  along Y
+     * @param length  along Z
+     * @param statics what cannot move
+     * @param movers  what can, where it begins
+     */
+    public record Setting(
+            double width,
+            double height,
+            double length,
+            Dimension dimension,
+            Accuracy accuracy,
+            List<Scene.Thing> statics,
+            List<Scene.Thing> movers) {
+
+        public static Setting of(Geometry world) {
+            return of(world, Colours.NONE);
+        }
+
+        /**
+         * As it is.
+         *
+         * @param colours of objects that a world file has a colour for
+         */
+        public static Setting of(Geometry world, Colours colours) {
+            List<Scene.Thing> statics = new ArrayList<>();
+            List<Scene.Thing> movers = new ArrayList<>();
+            for (GeometryObject object : world.objects()) {
+                (object.isMoveable() ? movers : statics).add(new Scene.Thing(object, colours.of(object)));
+            }
+            return new Setting(
+                    world.width(),
+                    world.height(),
+                    world.length(),
+                    world.dimension(),
+                    world.accuracy(),
+                    List.copyOf(statics),
+                    List.copyOf(movers));
+        }
+
+        /** As a file has it. */
+        public static Setting of(World world) {
+            List<Scene.Thing> statics = new ArrayList<>();
+            List<Scene.Thing> movers = new ArrayList<>();
+            for (Scene.Thing thing : Pictures.things(world)) {
+                (thing.object().isMoveable() ? movers : statics).add(thing);
+            }
+            return new Setting(
+                    world.width(),
+                    world.height(),
+                    world.length(),
+                    world.dimension(),
+                    world.accuracy(),
+                    List.copyOf(statics),
+                    List.copyOf(movers));
+        }
+
+        /** Its objects with their members, vertices and triangles. */
+        private long weight() {
+            Deque<GeometryObject> left = new ArrayDeque<>();
+            things().forEach(thing -> left.push(thing.object()));
+            long weight = 0;
+            while (!left.isEmpty()) {
+                GeometryObject object = left.pop();
+                weight++;
+                if (object instanceof ObjectGroup group) {
+                    group.members().forEach(left::push);
+                } else if (object instanceof MeshObject mesh) {
+                    weight += (long) mesh.triangles().vertices()
+                            + mesh.triangles().size();
+                }
+            }
+            return weight;
+        }
+
+        /** Its edge. */
+        public Scene.View border() {
+            return Scene.View.world(width, length);
+        }
+
+        /** All of it, what can move last. */
+        public List<Scene.Thing> things() {
+            List<Scene.Thing> things = new ArrayList<>(statics);
+            things.addAll(movers);
+            return things;
+        }
+    }
+}

@@ -1,0 +1,111 @@
+package robosim.geometry.viewer.playback;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.scenario.Scenario;
+import robosim.geometry.scenario.Step;
+import robosim.geometry.scenario.StepReader;
+import robosim.geometry.viewer.draw.Painter;
+import robosim.geometry.viewer.draw.Theme;
+import robosim.geometry.viewer.scene.Scene;
+import robosim.geometry.world.Unit;
+import robosim.geometry.world.World;
+import robosim.geometry.world.WorldObject;
+
+/** From world files and conversations to what the painter draws. */
+public final class Pictures {
+    /** Steps that are the last moments of a conversation. */
+    private static final int MOMENTS = 60;
+
+    private Pictures() {}
+
+    /** A world as its file has it. */
+    public static Scene of(World world, String title) {
+        Checks.present("world", world);
+        Checks.present("title", title);
+        List<Scene.Thing> things = things(world);
+        String subtitle = things.size()
+                + (things.size() == 1 ? " object, " : " objects, ")
+                + world.dimension().name().toLowerCase(Locale.ROOT);
+        Scene.View view = Scene.View.of(world.width(), world.length(), things);
+        return Scene.of(title, view, things).described(subtitle, unit(world));
+    }
+
+    /** What a world unit is called beside a scale bar; empty where that is open. */
+    public static String unit(World world) {
+        Unit unit = world.unit();
+        return unit == null ? "" : unit.symbol();
+    }
+
+    static List<Scene.Thing> things(World world) {
+        List<Scene.Thing> things = new ArrayList<>();
+        for (WorldObject object : world.objects()) {
+            things.add(new Scene.Thing(object.object(), colour(object)));
+        }
+        return things;
+    }
+
+    private static @Nullable Integer colour(WorldObject object) {
+        String color = object.color();
+        return color == null ? null : Integer.valueOf(color.substring(1), 16);
+    }
+
+    /** The name of a file without its folder and endings. */
+    public static String title(Path file) {
+        Path name = file.getFileName();
+        return name == null ? file.toString() : name.toString().replaceFirst("(\\.scenario)?\\.[^.]*$", "");
+    }
+
+    /**
+     * The whole of a conversation in a world that is drawn already: its trails, its last distances, its refused moves.
+     *
+     * @param world its things take the places that they have at the end
+     */
+    public static Scene whole(StepReader conversation, Scene world) throws IOException {
+        StateHistory film = new StateHistory();
+        Replayer stage = new Replayer(conversation.header().options());
+        for (Step step = conversation.next(); step != null; step = conversation.next()) {
+            film.append(stage.play(step));
+        }
+        return film.over(world, film.size() - 1);
+    }
+
+    /**
+     * The end of a conversation: the robots where it left them, with the way of their last steps, their last distances and
+     * what refused their last moves. The same conversation gives the same picture.
+     */
+    public static Scene lastMoments(Scenario scenario) {
+        StateHistory film = new StateHistory();
+        Replayer stage = new Replayer(scenario.header().options());
+        for (Step step : scenario.steps()) {
+            film.append(stage.play(step));
+        }
+        return film.at(film.size() - 1, new StateHistory.Look(MOMENTS, MOMENTS))
+                .titled(scenario.header().title());
+    }
+
+    /**
+     * Draws the end of a conversation, as {@link #lastMoments(Scenario)} has it, to a file whose name ends in {@code .svg}
+     * or {@code .png}.
+     *
+     * @param goals where something was to come; within the picture
+     * @throws IOException where the file cannot be written
+     */
+    public static void lastMoments(Scenario scenario, List<GeometryObject> goals, Path file) throws IOException {
+        Scene scene = lastMoments(scenario);
+        Scene.View view = scene.view();
+        for (GeometryObject goal : goals) {
+            view = view.with(goal);
+        }
+        List<Scene.Mark> marks = goals.stream()
+                .map(goal -> new Scene.Mark(goal, Scene.Mark.Why.GOAL))
+                .toList();
+        Painter.write(scene.viewed(view).marked(marks, scene.farthest()), Theme.LIGHT, file);
+    }
+}

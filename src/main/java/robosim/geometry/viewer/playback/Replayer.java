@@ -1,0 +1,242 @@
+package robosim.geometry.viewer.playback;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.ResourceBundle;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.Geometry;
+import robosim.geometry.MoveResult;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+import robosim.geometry.net.Session;
+import robosim.geometry.net.SessionListener;
+import robosim.geometry.net.SessionOptions;
+import robosim.geometry.protocol.Beam;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.DistanceBundle;
+import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.protocol.MoveRequest;
+import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.SonarRequest;
+import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.scenario.Step;
+import robosim.geometry.viewer.scene.Labels;
+import robosim.geometry.viewer.scene.Scene;
+
+/**
+ * Carries a conversation out beside its record, to see what the record does not tell: where the robots are, and what
+ * refused them. Where the two differ, as with a record by another version, the record is shown.
+ */
+public final class Replayer {
+    private final SessionOptions options;
+    private final Colours colours;
+    private final Session session;
+    private @Nullable MoveResult tried;
+
+    public Replayer(SessionOptions options) {
+        this(options, Colours.NONE);
+    }
+
+    /**
+     * With colours.
+     *
+     * @param colours of objects that a world file has a colour for
+     */
+    public Replayer(SessionOptions options, Colours colours) {
+        this.options = options;
+        this.colours = colours;
+        SessionListener listener = new SessionListener() {
+            @Override
+            public void tried(MoveRequest request, MoveResult result) {
+                tried = result;
+            }
+        };
+        this.session = new Session(options, listener, "viewer", new Silence());
+    }
+
+    /** Carries out a step and tells what it changed. */
+    public Frame play(Step step) {
+        try {
+            if (step.request() instanceof InitBundle init) {
+                return open(step, init);
+            }
+            return step.request() instanceof MoveBundle moves
+                    ? move(step, moves.moves())
+                    : measure(step, (SonarRequestBundle) step.request());
+        } catch (RuntimeException | StackOverflowError e) { // a recording may be of just that: a failure of the module
+            return frame(step, null, Map.of(), List.of(), Map.of(), "the module failed at this: " + e);
+        }
+    }
+
+    private static Frame frame(
+            Step step,
+            Frame.@Nullable Setting opening,
+            Map<String, Pose> placed,
+            List<Frame.Bump> bumps,
+            Map<String, List<Scene.Ping>> heard,
+            String words) {
+        return new Frame(opening, placed, bumps, heard, words, step.notes(), step.timing());
+    }
+
+    private Frame open(Step step, InitBundle init) {
+        Geometry before = session.world();
+        session.reply(init);
+        Geometry world = session.world();
+        if (world == null || world == before) {
+            return frame(step, null, Map.of(), List.of(), Map.of(), "a world that cannot be");
+        }
+        Frame.Setting setting = Frame.Setting.of(world, colours);
+        String words = "a new world of " + count(setting.things().size(), "object");
+        return frame(step, setting, Map.of(), List.of(), Map.of(), words);
+    }
+
+    private Frame move(Step step, List<MoveRequest> asked) {
+        Reply expected = step.expected();
+        List<MoveRequest> made = expected == null ? null : ((MoveBundle) expected.bundle()).moves();
+        Map<String, Pose> placed = new LinkedHashMap<>();
+        List<Frame.Bump> bumps = new ArrayList<>();
+        int next = 0;
+        for (MoveRequest request : asked) {
+            GeometryObject mover = mover(request.objectName());
+            boolean recorded =
+                    made != null && next < made.size() && made.get(next).equals(request);
+            next += recorded ? 1 : 0;
+            if (mover == null) {
+                continue;
+            }
+            tried = null;
+            boolean allowed = isMade(session.answer(new MoveBundle(List.of(request))));
+            boolean shown = made == null ? allowed : recorded;
+            Pose went = went(mover.pose(), request);
+            if (shown != allowed) {
+                put(mover.at(shown ? went : mover.pose()));
+            }
+            if (shown) {
+                placed.put(request.objectName(), present(request.objectName()).pose());
+            } else {
+                MoveResult result = tried != null && !tried.allowed() ? tried : null;
+                bumps.add(new Frame.Bump(mover, direction(mover.pose(), request), result));
+            }
+        }
+        return frame(step, null, placed, bumps, Map.of(), moved(asked.size(), bumps));
+    }
+
+    private static boolean isMade(@Nullable Bundle answer) {
+        return answer instanceof MoveBundle made && !made.moves().isEmpty();
+    }
+
+    /** Where a move leads, without asking what is in the way. */
+    private static Pose went(Pose pose, MoveRequest move) {
+        Point c = pose.center();
+        Point place =
+                new Point(c.x() + along(pose, 0, move), c.y() + along(pose, 3, move), c.z() + along(pose, 6, move));
+        return pose.movedTo(place).turned(StrictMath.toDegrees(move.rx()), StrictMath.toDegrees(move.ry()));
+    }
+
+    private static double along(Pose pose, int row, MoveRequest move) {
+        return pose.rotation(row) * move.x() + pose.rotation(row + 1) * move.y() + pose.rotation(row + 2) * move.z();
+    }
+
+    /** Where it wanted to go; where it only turns, its heading. */
+    private static double direction(Pose pose, MoveRequest move) {
+        double dx = along(pose, 0, move);
+        double dz = along(pose, 6, move);
+        return dx == 0 && dz == 0 ? pose.heading() : degrees(dx, dz);
+    }
+
+    /** The heading of a direction in the world. */
+    private static double degrees(double dx, double dz) {
+        return StrictMath.toDegrees(StrictMath.atan2(0 - dz, dx));
+    }
+
+    /** Puts an object where the record has it, whatever stands there. */
+    private void put(GeometryObject object) {
+        Geometry world = session.world();
+        if (world != null && world.removeObject(String.valueOf(object.name()))) {
+            world.addObjectUnchecked(object);
+        }
+    }
+
+    private static String moved(int asked, List<Frame.Bump> bumps) {
+        String words = count(asked, "move");
+        if (bumps.isEmpty()) {
+            return words;
+        }
+        Frame.Bump first = bumps.get(0);
+        return words + ", " + bumps.size() + " refused: " + Labels.name(first.mover()) + " by " + first.obstacle()
+                + (bumps.size() > 1 ? ", ..." : "");
+    }
+
+    private Frame measure(Step step, SonarRequestBundle sonars) {
+        Reply reply = step.expected() == null ? session.reply(sonars) : step.expected();
+        List<Double> distances =
+                reply != null && reply.bundle() instanceof DistanceBundle told ? told.distances() : List.of();
+        Map<String, List<Scene.Ping>> heard = new LinkedHashMap<>();
+        int k = 0;
+        for (SonarRequest request : sonars.requests()) {
+            double distance = k < distances.size() ? distances.get(k) : Double.NaN;
+            k++;
+            GeometryObject mover = mover(request.objectName());
+            if (mover == null || Double.isNaN(distance)) {
+                continue;
+            }
+            Beam beam = request.beam() == null ? options.beam() : request.beam();
+            Scene.Ping ping = new Scene.Ping(
+                    mover.center(),
+                    mover.heading() + degrees(request.xOffset(), request.zOffset()),
+                    StrictMath.toDegrees(beam.width()),
+                    beam.max(),
+                    distance);
+            heard.computeIfAbsent(request.objectName(), unseen -> new ArrayList<>())
+                    .add(ping);
+        }
+        return frame(
+                step, null, Map.of(), List.of(), heard, count(sonars.requests().size(), "distance"));
+    }
+
+    private @Nullable GeometryObject mover(String name) {
+        Geometry world = session.world();
+        if (world == null || !world.hasObject(name)) {
+            return null;
+        }
+        GeometryObject object = world.getObject(name);
+        return object.isMoveable() ? object : null;
+    }
+
+    private GeometryObject present(String name) {
+        GeometryObject object = mover(name);
+        if (object == null) {
+            throw new IllegalStateException("the record puts " + name + " out of the world");
+        }
+        return object;
+    }
+
+    private static String count(int number, String what) {
+        return number + " " + what + (number == 1 ? "" : "s");
+    }
+
+    /** What a session warns of was told when it was held. */
+    private static final class Silence implements System.Logger {
+        @Override
+        public String getName() {
+            return "viewer";
+        }
+
+        @Override
+        public boolean isLoggable(Level level) {
+            return false;
+        }
+
+        @Override
+        public void log(
+                Level level, @Nullable ResourceBundle bundle, @Nullable String message, @Nullable Throwable thrown) {}
+
+        @Override
+        public void log(
+                Level level, @Nullable ResourceBundle bundle, @Nullable String format, @Nullable Object... parts) {}
+    }
+}

@@ -1,0 +1,171 @@
+package robosim.geometry.viewer.playback;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.Geometry;
+import robosim.geometry.MoveResult;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Move;
+import robosim.geometry.model.Point;
+import robosim.geometry.viewer.scene.Labels;
+import robosim.geometry.viewer.scene.Scene;
+
+/**
+ * A world of the viewer's own, in which robots can be pushed about: a world file's, or a copy of a moment of a
+ * conversation. What happens here happens nowhere else.
+ */
+public final class Sandbox {
+    private final Geometry geometry;
+    private final Frame.Setting setting;
+
+    /** Those that can move and stand beyond the border, by name; each is no part of the world until it is put there. */
+    private final Map<String, GeometryObject> outside = new LinkedHashMap<>();
+
+    /** What was refused last; null where nothing was. */
+    private @Nullable Refused refused;
+
+    /**
+     * A place that was refused.
+     *
+     * @param ghost     the object as it would stand there
+     * @param obstacles what is in the way; empty where that is the world's border
+     */
+    public record Refused(GeometryObject ghost, List<GeometryObject> obstacles) {
+        /** What is in the way, in words. */
+        public String words() {
+            if (obstacles.isEmpty()) {
+                return "the border of the world";
+            }
+            String first = Labels.name(obstacles.get(0));
+            return obstacles.size() == 1 ? first : first + " and " + (obstacles.size() - 1) + " more";
+        }
+    }
+
+    /** How a robot is pushed. */
+    public enum Push {
+        /** Put there, whatever is between. */
+        PLACE,
+        /** Moved there straight, where the whole way is free. */
+        MOVE
+    }
+
+    private Sandbox(Geometry geometry, Frame.Setting setting) {
+        this.geometry = geometry;
+        this.setting = setting;
+    }
+
+    /** A world of its own with those movers where they are. */
+    public static Sandbox of(Frame.Setting setting, List<Scene.Thing> movers) {
+        Geometry geometry = empty(setting);
+        for (Scene.Thing thing : setting.statics()) {
+            geometry.addObjectUnchecked(thing.object());
+        }
+        Sandbox sandbox = new Sandbox(geometry, setting);
+        for (Scene.Thing thing : movers) {
+            GeometryObject object = thing.object();
+            if (!geometry.addObjectUnchecked(object)) {
+                sandbox.outside.put(String.valueOf(object.name()), object);
+            }
+        }
+        return sandbox;
+    }
+
+    private static Geometry empty(Frame.Setting setting) {
+        return new Geometry(
+                setting.width(), setting.height(), setting.length(), setting.dimension(), setting.accuracy());
+    }
+
+    /** Pushes a robot to a place on its own height; where that is refused it stays. */
+    public void push(String name, double x, double z, Push push) {
+        GeometryObject beyond = outside.get(name);
+        if (beyond != null) {
+            enter(name, beyond.movedTo(new Point(x, beyond.center().y(), z)));
+            return;
+        }
+        GeometryObject before = geometry.getObject(name);
+        Point from = before.center();
+        Point to = new Point(x, from.y(), z);
+        if (push == Push.PLACE && before.pose().isUpright()) {
+            boolean placed = geometry.placeObject(name, to, before.heading());
+            refused = placed ? null : refusal(before.movedTo(to));
+            return;
+        }
+        MoveResult result = geometry.moveGlobal(name, new Move(x - from.x(), 0, z - from.z(), 0, 0));
+        refused = result.allowed() ? null : refusal(before.movedTo(to), result);
+    }
+
+    /** Turns a robot in place; where that is refused it stays. */
+    public void turn(String name, double degrees) {
+        GeometryObject beyond = outside.get(name);
+        if (beyond != null) {
+            enter(name, beyond.turned(0, degrees));
+            return;
+        }
+        GeometryObject before = geometry.getObject(name);
+        MoveResult result = geometry.move(name, new Move(0, 0, 0, 0, degrees));
+        refused = result.allowed() ? null : refusal(before.turned(0, degrees), result);
+    }
+
+    /** Puts one that stands beyond the border into the world, however it is pushed: it has no way there. */
+    private void enter(String name, GeometryObject there) {
+        if (geometry.addObject(there)) {
+            outside.remove(name);
+            refused = null;
+        } else {
+            refused = refusal(there);
+        }
+    }
+
+    private static Refused refusal(GeometryObject ghost, MoveResult result) {
+        GeometryObject obstacle = result.obstacle();
+        return new Refused(ghost, obstacle == null ? List.of() : List.of(obstacle));
+    }
+
+    /** Asks each object whether it would touch the ghost. */
+    private Refused refusal(GeometryObject ghost) {
+        List<GeometryObject> obstacles = new ArrayList<>();
+        Geometry alone = empty(setting);
+        if (alone.addObjectUnchecked(ghost)) {
+            for (GeometryObject object : geometry.objects()) {
+                boolean self = object.name() != null && object.name().equals(ghost.name());
+                if (!self && alone.testObject(object)) {
+                    obstacles.add(object);
+                }
+            }
+        }
+        return new Refused(ghost, obstacles);
+    }
+
+    /** Forgets what was refused. */
+    public void release() {
+        refused = null;
+    }
+
+    @Nullable
+    public Refused refused() {
+        return refused;
+    }
+
+    /** The objects that can move and stand beyond the border of the world. */
+    public List<GeometryObject> outside() {
+        return List.copyOf(outside.values());
+    }
+
+    /** The objects that can move, where they are. */
+    public List<Scene.Thing> movers() {
+        List<Scene.Thing> movers = new ArrayList<>();
+        for (Scene.Thing thing : setting.movers()) {
+            String name = thing.object().name();
+            GeometryObject beyond = outside.get(name);
+            if (beyond != null) {
+                movers.add(new Scene.Thing(beyond, thing.colour()));
+            } else if (name != null && geometry.hasObject(name)) {
+                movers.add(new Scene.Thing(geometry.getObject(name), thing.colour()));
+            }
+        }
+        return movers;
+    }
+}

@@ -1,0 +1,371 @@
+package robosim.geometry.viewer.playback;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+import robosim.geometry.viewer.scene.Scene;
+
+/**
+ * A conversation to go back and forth in: frames by their number, from 0, and the world at any of them without playing it
+ * from its beginning. It belongs to one thread at a time.
+ */
+public final class StateHistory {
+    /** Frames for which a refused move is seen to be fresh. */
+    static final int FRESH = 8;
+
+    /** Places and distances that are kept, some 400 MB; the oldest quarter of a longer film is let go. */
+    private static final int MOST = 4_000_000;
+
+    private final List<Frame> frames = new ArrayList<>();
+    private final List<Chapter> chapters = new ArrayList<>();
+
+    /** Frames in which a move was refused, in order. */
+    private final List<Integer> refused = new ArrayList<>();
+
+    private final int most;
+    private int first;
+    private long weight;
+
+    public StateHistory() {
+        this(MOST);
+    }
+
+    /** That keeps another number of places and distances. */
+    public StateHistory(int most) {
+        this.most = most;
+    }
+
+    /**
+     * How much of the past a picture shows.
+     *
+     * @param trail    frames of the ways, {@code Integer.MAX_VALUE} for all of them
+     * @param refusals frames of the marks of refused moves
+     * @param most     places of a way and marks, at least 4; of a longer way's older part every so many places are left
+     */
+    public record Look(int trail, int refusals, int most) {
+        static final Look WHOLE = new Look(Integer.MAX_VALUE, Integer.MAX_VALUE);
+
+        /** All places. */
+        Look(int trail, int refusals) {
+            this(trail, refusals, Integer.MAX_VALUE);
+        }
+    }
+
+    /** Adds what happened last. */
+    public void append(Frame frame) {
+        int number = size();
+        frames.add(frame);
+        weight += frame.weight();
+        if (!frame.bumps().isEmpty()) {
+            refused.add(number);
+        }
+        if (frame.opening() != null) {
+            chapters.add(new Chapter(number, frame.opening()));
+        }
+        if (!chapters.isEmpty()) {
+            chapters.get(chapters.size() - 1).append(number, frame);
+        }
+        while (weight > most && frames.size() > 1) {
+            forget(first + Math.max(1, frames.size() / 4));
+        }
+    }
+
+    /** Lets all frames before one go. */
+    private void forget(int before) {
+        List<Frame> past = frames.subList(0, before - first);
+        for (Frame frame : past) {
+            weight -= frame.weight();
+        }
+        past.clear();
+        first = before;
+        refused.subList(0, at(refused, before)).clear();
+        int over = 0;
+        while (over + 1 < chapters.size() && chapters.get(over + 1).begin <= before) {
+            over++;
+        }
+        chapters.subList(0, over).clear();
+        if (!chapters.isEmpty()) {
+            chapters.get(0).forget(before);
+        }
+    }
+
+    /** One more than the number of the last frame. */
+    public int size() {
+        return first + frames.size();
+    }
+
+    /** The number of the first frame that is kept. */
+    public int first() {
+        return first;
+    }
+
+    public Frame frame(int number) {
+        return frames.get(number - first);
+    }
+
+    /** The longest distance that was measured in the world of a frame; 0 where none was. */
+    double farthest(int number) {
+        Chapter chapter = chapter(number);
+        return chapter == null ? 0 : chapter.farthest;
+    }
+
+    /** The first frame from one on in which a move was refused; {@link #size()} where there is none. */
+    public int nextRefused(int from) {
+        int at = at(refused, from);
+        return at < refused.size() ? refused.get(at) : size();
+    }
+
+    /** Where in a sorted list without twins a number stands or would stand. */
+    private static int at(List<Integer> sorted, int number) {
+        int found = Collections.binarySearch(sorted, number);
+        return found >= 0 ? found : -found - 1;
+    }
+
+    /** The world of a frame; null before the first. */
+    public Frame.@Nullable Setting setting(int number) {
+        Chapter chapter = chapter(number);
+        return chapter == null ? null : chapter.setting;
+    }
+
+    /** Which world that is: the number of the frame that it began with; -1 before the first. */
+    public int world(int number) {
+        Chapter chapter = chapter(number);
+        return chapter == null ? -1 : chapter.begin;
+    }
+
+    /** The objects that can move, where they are after a frame. */
+    public List<Scene.Thing> movers(int number) {
+        Chapter chapter = chapter(number);
+        return chapter == null ? List.of() : chapter.movers(number);
+    }
+
+    private @Nullable Chapter chapter(int number) {
+        int from = 0;
+        int to = chapters.size(); // the first that begins later
+        while (from < to) {
+            int middle = (from + to) >>> 1;
+            if (chapters.get(middle).begin <= number) {
+                from = middle + 1;
+            } else {
+                to = middle;
+            }
+        }
+        return from == 0 ? null : chapters.get(from - 1);
+    }
+
+    /** All that there is to see after a frame; nothing before the first world. */
+    Scene at(int number, Look look) {
+        Chapter chapter = chapter(number);
+        if (chapter == null) {
+            return Scene.of("", new Scene.View(-0.5, -0.5, 0.5, 0.5, false), List.of());
+        }
+        List<Scene.Thing> things = new ArrayList<>(chapter.setting.statics());
+        things.addAll(chapter.movers(number));
+        Scene.View view = Scene.View.of(chapter.setting.width(), chapter.setting.length(), things);
+        return happened(chapter, number, look, Scene.of("", view, things)).described(moment(number), "");
+    }
+
+    /** What there is to see of what moves, after a frame; nothing before the first world. */
+    public Scene life(int number, Look look) {
+        Chapter chapter = chapter(number);
+        if (chapter == null) {
+            return Scene.of("", new Scene.View(-0.5, -0.5, 0.5, 0.5, false), List.of());
+        }
+        Scene movers = Scene.of("", chapter.setting.border(), chapter.movers(number));
+        return happened(chapter, number, look, movers).marked(List.of(), chapter.farthest);
+    }
+
+    /** All that happened up to a frame, in a world that is drawn already: its things take their places. */
+    Scene over(Scene world, int number) {
+        Chapter chapter = chapter(number);
+        if (chapter == null) {
+            return world;
+        }
+        Map<String, Pose> places = new LinkedHashMap<>();
+        for (Scene.Thing mover : chapter.movers(number)) {
+            places.put(String.valueOf(mover.object().name()), mover.object().pose());
+        }
+        List<Scene.Thing> things = new ArrayList<>();
+        for (Scene.Thing thing : world.things()) {
+            String name = thing.object().name();
+            Pose pose = name == null ? null : places.get(name);
+            things.add(pose == null ? thing : new Scene.Thing(thing.object().at(pose), thing.colour()));
+        }
+        Scene placed = Scene.of(world.title(), world.view(), things).described(world.subtitle(), world.unit());
+        return happened(chapter, number, Look.WHOLE, placed).blocked(List.of());
+    }
+
+    /** A scene with trails, distances, refused moves and what refused those that are fresh. */
+    private static Scene happened(Chapter chapter, int number, Look look, Scene scene) {
+        List<Scene.Trail> trails = new ArrayList<>();
+        List<Scene.Ping> pings = new ArrayList<>();
+        for (Map.Entry<String, Track> each : chapter.tracks.entrySet()) {
+            List<Point> path = each.getValue().path(earliest(number, look.trail()), number, look.most());
+            trails.add(new Scene.Trail(each.getKey(), path));
+            pings.addAll(each.getValue().heard(number));
+        }
+        List<Scene.Refusal> refusals = new ArrayList<>();
+        List<Scene.Blocked> blocked = new ArrayList<>();
+        int from = earliest(number, Math.max(look.refusals(), FRESH));
+        for (int k = chapter.bumpsUpTo(number) - 1; k >= 0 && refusals.size() < look.most(); k--) {
+            NumberedBump numbered = chapter.bumps.get(k);
+            if (numbered.number < from) {
+                break;
+            }
+            Frame.Bump bump = numbered.bump;
+            if (numbered.number >= earliest(number, look.refusals())) {
+                refusals.add(new Scene.Refusal(bump.mover().center(), bump.heading()));
+            }
+            int age = number - numbered.number;
+            if (age < FRESH && bump.result() != null) {
+                blocked.add(new Scene.Blocked(bump.mover(), bump.result().obstacle(), 1 - (double) age / FRESH));
+            }
+        }
+        return scene.with(trails, pings, refusals).blocked(blocked);
+    }
+
+    /** The first of so many frames up to a number. */
+    private static int earliest(int number, int count) {
+        return (int) Math.max(0, (long) number + 1 - count);
+    }
+
+    /** Which frame that is and what happened, for people. */
+    public String moment(int number) {
+        return "step " + (number + 1) + " of " + size() + ": " + story(number);
+    }
+
+    /** What happened in a frame; where nothing was refused there, also the last refusal while it is fresh. */
+    private String story(int number) {
+        Frame frame = frame(number);
+        StringBuilder story = new StringBuilder(frame.words());
+        for (int k = number - 1; frame.bumps().isEmpty() && k >= first && k > number - FRESH; k--) {
+            if (!frame(k).bumps().isEmpty()) {
+                return story.append("; before, ").append(frame(k).words()).toString();
+            }
+        }
+        return story.toString();
+    }
+
+    private record NumberedBump(int number, Frame.Bump bump) {}
+
+    /** One world, and what happened in it. */
+    private static final class Chapter {
+        private final int begin;
+        private final Frame.Setting setting;
+        private final Map<String, Track> tracks = new LinkedHashMap<>();
+        private final List<NumberedBump> bumps = new ArrayList<>();
+        private double farthest;
+
+        Chapter(int begin, Frame.Setting setting) {
+            this.begin = begin;
+            this.setting = setting;
+            for (Scene.Thing mover : setting.movers()) {
+                GeometryObject object = mover.object();
+                tracks.put(String.valueOf(object.name()), new Track(begin, object.pose()));
+            }
+        }
+
+        void append(int number, Frame frame) {
+            frame.placed().forEach((name, pose) -> {
+                Track track = tracks.get(name);
+                if (track != null) {
+                    track.poses.add(number, pose);
+                }
+            });
+            frame.heard().forEach((name, pings) -> {
+                Track track = tracks.get(name);
+                if (track != null) {
+                    track.pings.add(number, pings);
+                    farthest = Math.max(farthest, longest(pings));
+                }
+            });
+            frame.bumps().forEach(bump -> bumps.add(new NumberedBump(number, bump)));
+        }
+
+        private static double longest(List<Scene.Ping> pings) {
+            double longest = 0;
+            for (Scene.Ping ping : pings) {
+                longest = Double.isFinite(ping.distance()) ? Math.max(longest, ping.distance()) : longest;
+            }
+            return longest;
+        }
+
+        void forget(int before) {
+            bumps.removeIf(bump -> bump.number < before);
+            for (Track track : tracks.values()) {
+                track.poses.forget(before);
+                track.pings.forget(before);
+            }
+        }
+
+        /** How many of its bumps were in a frame or before it. */
+        int bumpsUpTo(int number) {
+            int from = 0;
+            int to = bumps.size();
+            while (from < to) {
+                int middle = (from + to) >>> 1;
+                if (bumps.get(middle).number <= number) {
+                    from = middle + 1;
+                } else {
+                    to = middle;
+                }
+            }
+            return from;
+        }
+
+        List<Scene.Thing> movers(int number) {
+            List<Scene.Thing> movers = new ArrayList<>();
+            for (Scene.Thing mover : setting.movers()) {
+                Track track = tracks.get(String.valueOf(mover.object().name()));
+                Pose pose = track == null ? null : track.poses.at(number);
+                movers.add(pose == null ? mover : new Scene.Thing(mover.object().at(pose), mover.colour()));
+            }
+            return movers;
+        }
+    }
+
+    /** One object that can move. */
+    private static final class Track {
+        private final Column<Pose> poses = new Column<>();
+        private final Column<List<Scene.Ping>> pings = new Column<>();
+
+        Track(int begin, Pose pose) {
+            poses.add(begin, pose);
+        }
+
+        /**
+         * Its places from before a frame to another. Where there are more than so many, the newer half of them are as they
+         * are, and of the older ones the first and those whose number a power of two divides, so that they stay the same
+         * ones as the way goes on.
+         */
+        List<Point> path(int from, int to, int most) {
+            List<Point> path = new ArrayList<>();
+            int first = Math.max(0, poses.index(from - 1));
+            int last = poses.index(to);
+            int whole = last - first < most ? first : last - most / 2 + 1;
+            int stride = 1;
+            while ((long) stride * (most - most / 2 - 1) < (long) whole - first) {
+                stride *= 2;
+            }
+            for (int k = first; k < whole; k += stride - k % stride) {
+                path.add(poses.value(k).center());
+            }
+            for (int k = whole; k <= last; k++) {
+                path.add(poses.value(k).center());
+            }
+            return path;
+        }
+
+        /** The distances that it heard last. */
+        List<Scene.Ping> heard(int number) {
+            List<Scene.Ping> heard = pings.at(number);
+            return heard == null ? List.of() : heard;
+        }
+    }
+}

@@ -1,0 +1,67 @@
+package robosim.geometry.viewer.scene;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.TriangleMesh;
+
+/** How high things reach: seen from above, what reaches higher covers what lies below it. In plain doubles. */
+public final class Heights {
+    private Heights() {}
+
+    private record Ranked(Scene.Thing thing, double top) {}
+
+    /** Things in the order in which they are painted: the lowest top first, and as they came where tops are equal. */
+    public static List<Scene.Thing> fromBelow(List<Scene.Thing> things) {
+        List<Ranked> ranked = new ArrayList<>();
+        for (Scene.Thing thing : things) {
+            ranked.add(new Ranked(thing, top(thing.object())));
+        }
+        ranked.sort(Comparator.comparingDouble(Ranked::top)); // stable
+        return ranked.stream().map(Ranked::thing).toList();
+    }
+
+    /** The largest Y of an object. */
+    public static double top(GeometryObject object) {
+        return top(object, new Outline.Frame(new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1}, new Point()));
+    }
+
+    private static double top(GeometryObject object, Outline.Frame outer) {
+        Outline.Frame frame = outer.then(object);
+        return switch (object.kind()) {
+            case BOX -> {
+                BoxObject box = (BoxObject) object;
+                yield frame.reach(box.width() / 2, box.height() / 2, box.length() / 2);
+            }
+            case CYLINDER -> {
+                CylinderObject cylinder = (CylinderObject) object;
+                yield frame.top(cylinder.radius(), cylinder.height() / 2);
+            }
+            case SPHERE -> frame.top(0, 0) + ((SphereObject) object).radius();
+            case MESH -> {
+                TriangleMesh mesh = ((MeshObject) object).triangles();
+                double most = Double.NEGATIVE_INFINITY;
+                for (int corner = 0; corner < 3 * mesh.size(); corner++) {
+                    int v = mesh.vertex(corner / 3, corner % 3);
+                    most = Math.max(
+                            most, frame.height(mesh.coordinate(v, 0), mesh.coordinate(v, 1), mesh.coordinate(v, 2)));
+                }
+                yield most;
+            }
+            case GROUP -> {
+                double most = Double.NEGATIVE_INFINITY;
+                for (GeometryObject member : ((ObjectGroup) object).members()) {
+                    most = Math.max(most, top(member, frame));
+                }
+                yield most;
+            }
+        };
+    }
+}

@@ -1,0 +1,144 @@
+package robosim.geometry.viewer.scene;
+
+import robosim.geometry.model.Point;
+
+/** Where the world stands on the page: a scale, and margins for the title, the marks along the edge and the legend. */
+public final class MapFrame {
+    /** The longest sides of the map; a page then fits a screen. */
+    private static final double MAX_WIDTH = 1500;
+
+    private static final double MAX_HEIGHT = 1050;
+
+    /** Room for the legend; a narrower map is widened to it. */
+    private static final double MIN_WIDTH = 760;
+
+    static final double SIDE = 56;
+    static final double TOP = 74;
+    static final double BOTTOM = 116;
+
+    /** Room along the edges of a window: numbers on the left, and below them the legend. */
+    private static final double SCREEN_LEFT = 46;
+
+    private static final double SCREEN_TOP = 10;
+    private static final double SCREEN_RIGHT = 12;
+    private static final double SCREEN_BOTTOM = 82;
+
+    public final double scale;
+    public final double width;
+    public final double height;
+    private final Scene.View visible;
+    private final double left;
+    private final double top;
+    private final double below;
+
+    /** A page around a part of the world. */
+    public MapFrame(Scene.View view) {
+        this.visible = view;
+        double across = view.maxX() - view.minX();
+        double down = view.maxZ() - view.minZ();
+        this.scale = Math.min(MAX_WIDTH / across, MAX_HEIGHT / down);
+        this.width = Math.ceil(Math.max(MIN_WIDTH, across * scale) + 2 * SIDE);
+        this.height = Math.ceil(down * scale + TOP + BOTTOM);
+        this.left = (width - across * scale) / 2;
+        this.top = TOP;
+        this.below = 64;
+    }
+
+    private MapFrame(double width, double height, double centerX, double centerZ, double scale) {
+        this.scale = scale;
+        this.width = width;
+        this.height = height;
+        this.left = SCREEN_LEFT;
+        this.top = SCREEN_TOP;
+        this.below = 54;
+        double across = Math.max(1, width - SCREEN_LEFT - SCREEN_RIGHT) / scale;
+        double down = Math.max(1, height - SCREEN_TOP - SCREEN_BOTTOM) / scale;
+        this.visible = new Scene.View(
+                centerX - across / 2, centerZ - down / 2, centerX + across / 2, centerZ + down / 2, false);
+    }
+
+    /** A window of that size in pixels, with a place of the world in the middle of its map. */
+    public static MapFrame screen(double width, double height, double centerX, double centerZ, double scale) {
+        return new MapFrame(width, height, centerX, centerZ, scale);
+    }
+
+    /** What a window of that size leaves for its map, in pixels. */
+    public static double screenWidth(double width) {
+        return Math.max(1, width - SCREEN_LEFT - SCREEN_RIGHT);
+    }
+
+    public static double screenHeight(double height) {
+        return Math.max(1, height - SCREEN_TOP - SCREEN_BOTTOM);
+    }
+
+    /** The part of the world that is on the map. */
+    public Scene.View visible() {
+        return visible;
+    }
+
+    public double x(double worldX) {
+        return left + (worldX - visible.minX()) * scale;
+    }
+
+    public double y(double worldZ) {
+        return top + (worldZ - visible.minZ()) * scale;
+    }
+
+    public double x(Point p) {
+        return x(p.x());
+    }
+
+    public double y(Point p) {
+        return y(p.z());
+    }
+
+    public double worldX(double x) {
+        return visible.minX() + (x - left) / scale;
+    }
+
+    public double worldZ(double y) {
+        return visible.minZ() + (y - top) / scale;
+    }
+
+    public double top() {
+        return top;
+    }
+
+    public double right() {
+        return x(visible.maxX());
+    }
+
+    public double left() {
+        return left;
+    }
+
+    public double bottom() {
+        return y(visible.maxZ());
+    }
+
+    /** The line on which the legend stands, below the map. */
+    public double legend() {
+        return bottom() + below;
+    }
+
+    /** A polygon of the world on the page. */
+    public double[] toPage(double[] corners) {
+        double[] page = new double[corners.length];
+        for (int k = 0; k < corners.length; k += 2) {
+            page[k] = x(corners[k]);
+            page[k + 1] = y(corners[k + 1]);
+        }
+        return page;
+    }
+
+    /** The largest of 1, 2 and 5 times a power of ten that is at most so many world units; at least the least double. */
+    public static double roundLength(double atMost) {
+        double power = StrictMath.pow(10, Math.floor(StrictMath.log10(atMost)));
+        for (double factor : new double[] {10, 5, 2, 1}) {
+            if (factor * power <= atMost) {
+                return factor * power;
+            }
+        }
+        return power;
+    }
+}

@@ -1,0 +1,211 @@
+package robosim.geometry.viewer.scene;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.TriangleMesh;
+
+/** A convex piece of what an object covers of the XZ plane; for pictures, in plain doubles. */
+public sealed interface Outline {
+    /** A disc. */
+    record Disc(double x, double z, double radius) implements Outline {}
+
+    /** A convex polygon of x, z, x, z ... with positive area, or a segment or a point. */
+    final class Polygon implements Outline {
+        private final double[] corners;
+
+        Polygon(double[] corners) {
+            this.corners = corners;
+        }
+
+        public double[] corners() {
+            return corners;
+        }
+    }
+
+    /** Corners of the rim of a tipped cylinder. */
+    int RIM = 64;
+
+    /**
+     * How far a place is within a piece: its distance from the piece's edge, below 0 outside, where it is only a bound.
+     */
+    static double depth(Outline outline, double x, double z) {
+        if (outline instanceof Disc disc) {
+            return disc.radius() - Math.sqrt((x - disc.x()) * (x - disc.x()) + (z - disc.z()) * (z - disc.z()));
+        }
+        double[] corners = ((Polygon) outline).corners();
+        double least = corners.length < 6 ? -1 : Double.POSITIVE_INFINITY;
+        for (int k = 0; k < corners.length && corners.length >= 6; k += 2) {
+            int next = (k + 2) % corners.length;
+            double ex = corners[next] - corners[k];
+            double ez = corners[next + 1] - corners[k + 1];
+            double size = Math.sqrt(ex * ex + ez * ez);
+            if (size > 0) {
+                least = Math.min(least, (ex * (z - corners[k + 1]) - ez * (x - corners[k])) / size);
+            }
+        }
+        return least;
+    }
+
+    /** The pieces of an object at its place. */
+    static List<Outline> of(GeometryObject object) {
+        List<Outline> outlines = new ArrayList<>();
+        add(object, new Frame(new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1}, new Point()), outlines);
+        return outlines;
+    }
+
+    private static void add(GeometryObject object, Frame outer, List<Outline> outlines) {
+        Frame frame = outer.then(object);
+        switch (object.kind()) {
+            case BOX -> outlines.add(box((BoxObject) object, frame));
+            case CYLINDER -> outlines.add(cylinder((CylinderObject) object, frame));
+            case SPHERE -> outlines.add(new Disc(frame.origin.x(), frame.origin.z(), ((SphereObject) object).radius()));
+            case MESH -> mesh(((MeshObject) object).triangles(), frame, outlines);
+            case GROUP -> {
+                for (GeometryObject member : ((ObjectGroup) object).members()) {
+                    add(member, frame, outlines);
+                }
+            }
+        }
+    }
+
+    private static Outline box(BoxObject box, Frame frame) {
+        double[] corners = new double[16];
+        for (int k = 0; k < 8; k++) {
+            double x = (k & 1) == 0 ? -box.width() / 2 : box.width() / 2;
+            double y = (k & 2) == 0 ? -box.height() / 2 : box.height() / 2;
+            double z = (k & 4) == 0 ? -box.length() / 2 : box.length() / 2;
+            frame.project(x, y, z, corners, 2 * k);
+        }
+        return new Polygon(hull(corners));
+    }
+
+    private static Outline cylinder(CylinderObject cylinder, Frame frame) {
+        if (frame.isUpright()) {
+            return new Disc(frame.origin.x(), frame.origin.z(), cylinder.radius());
+        }
+        double[] rims = new double[4 * RIM];
+        for (int k = 0; k < RIM; k++) {
+            double angle = 2 * Math.PI * k / RIM;
+            double x = cylinder.radius() * StrictMath.cos(angle);
+            double z = cylinder.radius() * StrictMath.sin(angle);
+            frame.project(x, cylinder.height() / 2, z, rims, 4 * k);
+            frame.project(x, -cylinder.height() / 2, z, rims, 4 * k + 2);
+        }
+        return new Polygon(hull(rims));
+    }
+
+    private static void mesh(TriangleMesh mesh, Frame frame, List<Outline> outlines) {
+        for (int t = 0; t < mesh.size(); t++) {
+            double[] corners = new double[6];
+            for (int corner = 0; corner < 3; corner++) {
+                int v = mesh.vertex(t, corner);
+                frame.project(mesh.coordinate(v, 0), mesh.coordinate(v, 1), mesh.coordinate(v, 2), corners, 2 * corner);
+            }
+            outlines.add(new Polygon(hull(corners)));
+        }
+    }
+
+    /** The convex hull of points x, z, x, z ...: Andrew's monotone chain. */
+    private static double[] hull(double[] points) {
+        int count = points.length / 2;
+        Integer[] order = new Integer[count];
+        Arrays.setAll(order, k -> k);
+        Arrays.sort(order, (a, b) -> {
+            int byX = Double.compare(points[2 * a], points[2 * b]);
+            return byX != 0 ? byX : Double.compare(points[2 * a + 1], points[2 * b + 1]);
+        });
+        double[] hull = new double[4 * count + 2];
+        int size = 0;
+        for (int k = 0; k < count; k++) {
+            size = append(hull, size, 2, points, order[k]);
+        }
+        int lower = size + 1;
+        for (int k = count - 2; k >= 0; k--) {
+            size = append(hull, size, lower, points, order[k]);
+        }
+        return Arrays.copyOf(hull, 2 * Math.max(1, size - 1));
+    }
+
+    /** Puts a point on a chain of which at least {@code keep - 1} points stay. */
+    private static int append(double[] hull, int size, int keep, double[] points, int point) {
+        double x = points[2 * point];
+        double z = points[2 * point + 1];
+        int n = size;
+        while (n >= keep) {
+            double bx = hull[2 * n - 2];
+            double bz = hull[2 * n - 1];
+            double ax = hull[2 * n - 4];
+            double az = hull[2 * n - 3];
+            if ((bx - ax) * (z - az) - (bz - az) * (x - ax) > 0) {
+                break;
+            }
+            n--;
+        }
+        hull[2 * n] = x;
+        hull[2 * n + 1] = z;
+        return n + 1;
+    }
+
+    /** Where an own frame is in the world. */
+    final class Frame {
+        private final double[] rotation;
+        private final Point origin;
+
+        Frame(double[] rotation, Point origin) {
+            this.rotation = rotation;
+            this.origin = origin;
+        }
+
+        Frame then(GeometryObject object) {
+            double[] own = object.rotation();
+            double[] product = new double[9];
+            for (int row = 0; row < 3; row++) {
+                for (int column = 0; column < 3; column++) {
+                    product[3 * row + column] = rotation[3 * row] * own[column]
+                            + rotation[3 * row + 1] * own[3 + column]
+                            + rotation[3 * row + 2] * own[6 + column];
+                }
+            }
+            Point c = object.center();
+            return new Frame(
+                    product, new Point(along(0, c) + origin.x(), along(1, c) + origin.y(), along(2, c) + origin.z()));
+        }
+
+        private double along(int row, Point p) {
+            return rotation[3 * row] * p.x() + rotation[3 * row + 1] * p.y() + rotation[3 * row + 2] * p.z();
+        }
+
+        boolean isUpright() {
+            return rotation[1] == 0 && rotation[7] == 0;
+        }
+
+        /** The world's Y of an own place. */
+        double height(double x, double y, double z) {
+            return rotation[3] * x + rotation[4] * y + rotation[5] * z + origin.y();
+        }
+
+        /** The largest Y of a box of these half sizes about the own origin. */
+        double reach(double x, double y, double z) {
+            return origin.y() + Math.abs(rotation[3]) * x + Math.abs(rotation[4]) * y + Math.abs(rotation[5]) * z;
+        }
+
+        /** The largest Y of a cylinder about the own origin. */
+        double top(double radius, double half) {
+            double across = Math.sqrt(rotation[3] * rotation[3] + rotation[5] * rotation[5]);
+            return origin.y() + Math.abs(rotation[4]) * half + across * radius;
+        }
+
+        void project(double x, double y, double z, double[] into, int at) {
+            into[at] = rotation[0] * x + rotation[1] * y + rotation[2] * z + origin.x();
+            into[at + 1] = rotation[6] * x + rotation[7] * y + rotation[8] * z + origin.z();
+        }
+    }
+}

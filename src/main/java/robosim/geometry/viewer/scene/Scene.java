@@ -1,0 +1,209 @@
+package robosim.geometry.viewer.scene;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+
+/**
+ * Everything that a picture shows, in world units: what the painter draws, whoever asks.
+ *
+ * @param title    above the picture
+ * @param subtitle below the title; may be empty
+ * @param unit     what a world unit is called beside the scale bar; may be empty
+ * @param view     the part of the world that is shown
+ * @param things   objects at their present places, drawn in this order, those that move last
+ * @param trails   where moveable objects have been
+ * @param pings    measured distances
+ * @param refusals moves that were not made
+ * @param blocked  what refused those of them that are fresh
+ * @param marks    objects that a viewer points at
+ * @param farthest the least distance at the end of the ramp of colours, so that it does not change with each step; or 0
+ */
+public record Scene(
+        String title,
+        String subtitle,
+        String unit,
+        View view,
+        List<Thing> things,
+        List<Trail> trails,
+        List<Ping> pings,
+        List<Refusal> refusals,
+        List<Blocked> blocked,
+        List<Mark> marks,
+        double farthest) {
+
+    /** Copies the lists. */
+    public Scene {
+        Checks.present("title", title);
+        Checks.present("subtitle", subtitle);
+        Checks.present("unit", unit);
+        Checks.present("view", view);
+        things = Checks.list("things", things);
+        trails = Checks.list("trails", trails);
+        pings = Checks.list("pings", pings);
+        refusals = Checks.list("refusals", refusals);
+        blocked = Checks.list("blocked", blocked);
+        marks = Checks.list("marks", marks);
+    }
+
+    /** A world and what stands in it. */
+    public static Scene of(String title, View view, List<Thing> things) {
+        return new Scene(title, "", "", view, things, List.of(), List.of(), List.of(), List.of(), List.of(), 0);
+    }
+
+    /** This scene with a line below its title and with the name of its unit. */
+    public Scene described(String newSubtitle, String newUnit) {
+        return new Scene(title, newSubtitle, newUnit, view, things, trails, pings, refusals, blocked, marks, farthest);
+    }
+
+    /** This scene under another title. */
+    public Scene titled(String newTitle) {
+        return new Scene(newTitle, subtitle, unit, view, things, trails, pings, refusals, blocked, marks, farthest);
+    }
+
+    /** This scene with another part of its world. */
+    public Scene viewed(View newView) {
+        return new Scene(title, subtitle, unit, newView, things, trails, pings, refusals, blocked, marks, farthest);
+    }
+
+    /** This scene with what happened in it. */
+    public Scene with(List<Trail> newTrails, List<Ping> newPings, List<Refusal> newRefusals) {
+        return new Scene(
+                title, subtitle, unit, view, things, newTrails, newPings, newRefusals, blocked, marks, farthest);
+    }
+
+    /** This scene with what refused its fresh moves. */
+    public Scene blocked(List<Blocked> newBlocked) {
+        return new Scene(title, subtitle, unit, view, things, trails, pings, refusals, newBlocked, marks, farthest);
+    }
+
+    /** This scene with objects pointed at, and with a ramp of colours that ends no nearer than that. */
+    public Scene marked(List<Mark> newMarks, double newFarthest) {
+        return new Scene(title, subtitle, unit, view, things, trails, pings, refusals, blocked, newMarks, newFarthest);
+    }
+
+    /**
+     * A rectangle of the XZ plane; closed, and larger than a point.
+     *
+     * @param bordered whether its edge is the world's border
+     */
+    public record View(double minX, double minZ, double maxX, double maxZ, boolean bordered) {
+        /** Refuses a rectangle without an area. */
+        public View {
+            if (!(maxX > minX) || !(maxZ > minZ) || !Double.isFinite(maxX - minX) || !Double.isFinite(maxZ - minZ)) {
+                throw new IllegalArgumentException("view must have a finite area (got: x " + minX + " to " + maxX
+                        + ", z " + minZ + " to " + maxZ + ")");
+            }
+        }
+
+        /** A whole world of that width and length, centred at the origin. */
+        public static View world(double width, double length) {
+            return new View(-width / 2, -length / 2, width / 2, length / 2, true);
+        }
+
+        /** A whole world; where its things fill less than a quarter of it, only what holds them. */
+        public static View of(double width, double length, List<Thing> things) {
+            View around = around(things.stream().map(Thing::object).toList());
+            double across = around.maxX() - around.minX();
+            double down = around.maxZ() - around.minZ();
+            boolean whole = things.isEmpty() || across * down * 4 >= width * length;
+            return whole ? world(width, length) : around;
+        }
+
+        /** This part, and where an object is not within it as much more as holds the object too. */
+        public View with(GeometryObject object) {
+            Bounds bounds = new Bounds();
+            Outline.of(object).forEach(bounds::add);
+            boolean within = bounds.isWithin(this);
+            bounds.add(this);
+            return within ? this : bounds.view();
+        }
+
+        /** What holds every object, and a margin around them. */
+        public static View around(List<GeometryObject> objects) {
+            Bounds bounds = new Bounds();
+            for (GeometryObject object : objects) {
+                Outline.of(object).forEach(bounds::add);
+            }
+            return bounds.view();
+        }
+    }
+
+    /**
+     * An object.
+     *
+     * @param colour 0xRRGGBB; null for a colour by its kind
+     */
+    public record Thing(GeometryObject object, @Nullable Integer colour) {
+        /** Refuses nothing for an object. */
+        public Thing {
+            Checks.present("object", object);
+        }
+    }
+
+    /**
+     * Where a moveable object has been.
+     *
+     * @param name of the object
+     * @param path its places in order; at least one
+     */
+    public record Trail(String name, List<Point> path) {
+        /** Copies the path. */
+        public Trail {
+            path = List.copyOf(path);
+            if (path.isEmpty()) {
+                throw new IllegalArgumentException("path must hold at least one place (got: none)");
+            }
+        }
+    }
+
+    /**
+     * A measured distance.
+     *
+     * @param start    where the sensor is
+     * @param heading  degrees about the vertical from the world's X to the middle of the beam
+     * @param width    full opening angle in degrees, from 0 (a line) up to, not including, 180
+     * @param range    the largest distance that can be measured; may be infinite
+     * @param distance what was answered; infinite where nothing echoed
+     */
+    public record Ping(Point start, double heading, double width, double range, double distance) {}
+
+    /**
+     * A move that was not made.
+     *
+     * @param place   where the object stayed
+     * @param heading degrees about the vertical from the world's X to where it wanted to go
+     */
+    public record Refusal(Point place, double heading) {}
+
+    /**
+     * What refused a move just now.
+     *
+     * @param mover    where it stayed
+     * @param obstacle null for the border of the world
+     * @param strength from 0 to 1; the fresher, the stronger it is marked
+     */
+    public record Blocked(GeometryObject mover, @Nullable GeometryObject obstacle, double strength) {
+        /** Refuses a strength that is none. */
+        public Blocked {
+            if (!(strength >= 0 && strength <= 1)) {
+                throw new IllegalArgumentException("strength must be 0 to 1 (got: " + strength + ")");
+            }
+        }
+    }
+
+    /** An object that a viewer points at. */
+    public record Mark(GeometryObject object, Why why) {
+        /** What for. */
+        public enum Why {
+            /** It is looked at. */
+            PICKED,
+            /** It may not stand there. */
+            REFUSED,
+            /** Something is to come there. */
+            GOAL
+        }
+    }
+}

@@ -1,0 +1,5 @@
+/** What is to be seen from above: shapes, labels, bounds, and a map's frame. */
+@NullMarked
+package robosim.geometry.viewer.scene;
+
+import org.jspecify.annotations.NullMarked;

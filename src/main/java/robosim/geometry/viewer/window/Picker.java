@@ -1,0 +1,85 @@
+package robosim.geometry.viewer.window;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.viewer.scene.Heights;
+import robosim.geometry.viewer.scene.Outline;
+import robosim.geometry.viewer.scene.Scene;
+
+/** Finds what is at a place of the floor. */
+final class Picker {
+    private Picker() {}
+
+    /**
+     * The object there that is drawn last: one that can move before one that cannot.
+     *
+     * @param slack world units by which one may miss it; what is hit goes before what is missed
+     * @return null where there is none
+     */
+    static @Nullable GeometryObject at(List<Scene.Thing> things, double x, double z, double slack) {
+        GeometryObject found = null;
+        double best = Double.POSITIVE_INFINITY;
+        for (Scene.Thing thing : things) {
+            GeometryObject object = thing.object();
+            double rank = rank(object.isMoveable(), distance(object, x, z, slack), slack);
+            if (rank < best || (rank == best && found != null && isOver(object, found))) {
+                found = object;
+                best = rank;
+            }
+        }
+        return found;
+    }
+
+    /** Whether of two things at the same place the second to come is painted over the first. */
+    private static boolean isOver(GeometryObject later, GeometryObject earlier) {
+        return later.isMoveable() || Heights.top(later) >= Heights.top(earlier);
+    }
+
+    /** The lower, the sooner it is taken: what is hit, then what is missed by little; each time what moves first. */
+    private static double rank(boolean moveable, double distance, double slack) {
+        if (distance > slack) {
+            return Double.POSITIVE_INFINITY;
+        }
+        return (distance == 0 ? 0 : 2 + distance / slack) + (moveable ? 0 : 1.5);
+    }
+
+    /** From a place to what an object covers of the floor; 0 on it. Only what is below {@code limit} is exact. */
+    private static double distance(GeometryObject object, double x, double z, double limit) {
+        double least = Double.POSITIVE_INFINITY;
+        for (Outline outline : Outline.of(object)) {
+            if (outline instanceof Outline.Disc disc) {
+                least = Math.min(least, Math.max(0, StrictMath.hypot(x - disc.x(), z - disc.z()) - disc.radius()));
+            } else if (outline instanceof Outline.Polygon polygon) {
+                least = Math.min(least, distance(polygon.corners(), x, z));
+            }
+            if (least == 0) {
+                return 0;
+            }
+        }
+        return least <= limit ? least : Double.POSITIVE_INFINITY;
+    }
+
+    /** To a convex polygon of x, z, x, z ..., a segment or a point. */
+    private static double distance(double[] corners, double x, double z) {
+        int count = corners.length / 2;
+        boolean left = false;
+        boolean right = false;
+        double least = Double.POSITIVE_INFINITY;
+        for (int k = 0; k < count; k++) {
+            double ax = corners[2 * k];
+            double az = corners[2 * k + 1];
+            int next = (k + 1) % count;
+            double dx = corners[2 * next] - ax;
+            double dz = corners[2 * next + 1] - az;
+            double side = dx * (z - az) - dz * (x - ax);
+            left |= side > 0;
+            right |= side < 0;
+            double square = dx * dx + dz * dz;
+            double along = square > 0 ? Math.max(0, Math.min(1, ((x - ax) * dx + (z - az) * dz) / square)) : 0;
+            least = Math.min(least, StrictMath.hypot(x - ax - along * dx, z - az - along * dz));
+        }
+        boolean inside = count > 2 && !(left && right);
+        return inside ? 0 : least;
+    }
+}

@@ -1,0 +1,400 @@
+package robosim.geometry.viewer.window;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.viewer.draw.Card;
+import robosim.geometry.viewer.playback.Feed;
+import robosim.geometry.viewer.playback.Frame;
+import robosim.geometry.viewer.playback.Pictures;
+import robosim.geometry.viewer.playback.Player;
+import robosim.geometry.viewer.playback.Sandbox;
+import robosim.geometry.viewer.playback.StateHistory;
+import robosim.geometry.viewer.scene.Bounds;
+import robosim.geometry.viewer.scene.Labels;
+import robosim.geometry.viewer.scene.MapFrame;
+import robosim.geometry.viewer.scene.Scene;
+import robosim.geometry.world.World;
+
+/**
+ * What somebody looks at and does: a film or a world, a camera on it, an object that is picked, a robot that is dragged.
+ * It knows no window: pixels and time come from outside. It belongs to one thread at a time.
+ */
+final class ViewerModel {
+    /** Frames read at a time, so that the window stays awake. */
+    private static final int AT_ONCE = 500;
+
+    /** Pixels within which a press is no drag, and a miss is a hit. */
+    private static final double SLACK = 4;
+
+    /** Places of all ways together that are drawn, so that a long conversation is drawn as soon as a short one. */
+    private static final int MARKS = 20_000;
+
+    /** Of one of many robots. */
+    private static final int LEAST_MARKS = 100;
+
+    /** Times the size of a world that is shown at most to show what stands beyond it. */
+    private static final double FAR = 3;
+
+    private static final int[] TRAILS = {400, Integer.MAX_VALUE, 0};
+
+    final StateHistory film = new StateHistory();
+    final Player player;
+    final Camera camera = new Camera();
+    private final String title;
+    private final String unit;
+    private final @Nullable Feed feed;
+    private final boolean live;
+
+    /** What was told of the feed's end last. */
+    private String told = "";
+
+    private int trails;
+    private Frame.@Nullable Setting shown;
+    private int world = -1;
+    private @Nullable Sandbox sandbox;
+
+    /** What is picked: an object with a name is found again where it went, one without stays where it is. */
+    private @Nullable GeometryObject picked;
+
+    /** The world in which it was. */
+    private int pickedIn;
+
+    private @Nullable Grip grip;
+
+    /** A button that is held: where it was pressed and where the mouse was last, and what is dragged by it. */
+    private static final class Grip {
+        private final double beginX;
+        private final double beginY;
+        private double x;
+        private double y;
+        private boolean moved;
+        private final @Nullable String robot;
+        private double offsetX;
+        private double offsetZ;
+
+        Grip(double x, double y, @Nullable String robot) {
+            this.beginX = x;
+            this.beginY = y;
+            this.x = x;
+            this.y = y;
+            this.robot = robot;
+        }
+    }
+
+    private ViewerModel(String title, String unit, @Nullable Feed feed, boolean live) {
+        this.title = title;
+        this.unit = unit;
+        this.feed = feed;
+        this.live = live;
+        this.player = live ? Player.ofLive(film) : Player.ofRecording(film);
+    }
+
+    /** A world's own; its robots can be dragged. */
+    static ViewerModel ofWorld(World world, String title) {
+        ViewerModel viewing = new ViewerModel(title, Pictures.unit(world), null, false);
+        Frame.Setting setting = Frame.Setting.of(world);
+        viewing.film.append(Frame.of(setting, "as in the file"));
+        viewing.sandbox = Sandbox.of(setting, setting.movers());
+        viewing.player.pause();
+        viewing.tick(0);
+        return viewing;
+    }
+
+    /** A recording, from its beginning. */
+    static ViewerModel ofRecording(Feed feed, String title, String unit) {
+        return new ViewerModel(title, unit, feed, false);
+    }
+
+    /** A session that is held, as it goes. */
+    static ViewerModel ofLive(Feed feed, String title, String unit) {
+        return new ViewerModel(title, unit, feed, true);
+    }
+
+    String title() {
+        return title;
+    }
+
+    /** Whether there are steps to go back and forth in. */
+    boolean hasSteps() {
+        return feed != null;
+    }
+
+    /**
+     * So much time went by.
+     *
+     * @return whether there is anything new to be seen
+     */
+    boolean tick(long nanos) {
+        int before = player.position();
+        int size = film.size();
+        if (feed != null) {
+            feed.drain(film, AT_ONCE);
+        }
+        if (sandbox == null || feed == null) {
+            player.tick(nanos);
+        }
+        Frame.Setting setting = film.setting(player.position());
+        int now = film.world(player.position());
+        if (setting != null && now != world) {
+            camera.look(seen(setting));
+            shown = setting;
+            world = now;
+        }
+        String end = end();
+        boolean changed = before != player.position() || size != film.size() || !end.equals(told);
+        told = end;
+        return changed;
+    }
+
+    /** A world with those of its robots that stand beyond its border, unless they are so far off that it would be small. */
+    private Scene.View seen(Frame.Setting setting) {
+        Scene.View view = Scene.View.of(setting.width(), setting.length(), setting.things());
+        if (sandbox == null || sandbox.outside().isEmpty()) {
+            return view;
+        }
+        Bounds bounds = new Bounds();
+        bounds.add(setting.border());
+        bounds.add(Scene.View.around(sandbox.outside()));
+        boolean near = bounds.width() <= FAR * setting.width() && bounds.length() <= FAR * setting.length();
+        return near ? bounds.view() : view;
+    }
+
+    /** Which world is shown; another number where it is another world, -1 for none. */
+    int world() {
+        return world;
+    }
+
+    /** The floor and what cannot move. */
+    Scene ground() {
+        Frame.Setting setting = shown;
+        return setting == null
+                ? Scene.of("", new Scene.View(-0.5, -0.5, 0.5, 0.5, false), List.of())
+                : Scene.of("", setting.border(), setting.statics()).described("", unit);
+    }
+
+    /** What moves, where it is now, and all that is told about it. */
+    Scene life() {
+        Scene scene;
+        if (sandbox != null && shown != null) {
+            scene = Scene.of("", shown.border(), sandbox.movers());
+        } else {
+            int trail = TRAILS[trails];
+            int robots = shown == null ? 1 : Math.max(1, shown.movers().size());
+            StateHistory.Look look = new StateHistory.Look(trail, trail, Math.max(LEAST_MARKS, MARKS / robots));
+            scene = film.life(player.position(), look);
+        }
+        return scene.blocked(blocked(scene)).marked(marks(), scene.farthest()).described("", unit);
+    }
+
+    private List<Scene.Blocked> blocked(Scene scene) {
+        Sandbox.Refused refused = sandbox == null ? null : sandbox.refused();
+        if (refused == null) {
+            return scene.blocked();
+        }
+        List<Scene.Blocked> blocked = new ArrayList<>();
+        if (refused.obstacles().isEmpty()) {
+            blocked.add(new Scene.Blocked(refused.ghost(), null, 1));
+        }
+        refused.obstacles().forEach(each -> blocked.add(new Scene.Blocked(refused.ghost(), each, 1)));
+        return blocked;
+    }
+
+    private List<Scene.Mark> marks() {
+        List<Scene.Mark> marks = new ArrayList<>();
+        Sandbox.Refused refused = sandbox == null ? null : sandbox.refused();
+        if (sandbox != null) {
+            sandbox.outside().forEach(each -> marks.add(new Scene.Mark(each, Scene.Mark.Why.REFUSED)));
+        }
+        if (refused != null) {
+            marks.add(new Scene.Mark(refused.ghost(), Scene.Mark.Why.REFUSED));
+        }
+        GeometryObject object = picked();
+        if (object != null) {
+            marks.add(new Scene.Mark(object, Scene.Mark.Why.PICKED));
+        }
+        return marks;
+    }
+
+    private List<Scene.Thing> movers() {
+        return sandbox != null ? sandbox.movers() : film.movers(player.position());
+    }
+
+    /** What is picked, where it is now; null where nothing is, or it is no longer there. */
+    @Nullable
+    GeometryObject picked() {
+        GeometryObject before = picked;
+        if (before == null || !before.isMoveable()) {
+            return before != null && pickedIn == world ? before : null;
+        }
+        for (Scene.Thing thing : movers()) {
+            if (Objects.equals(thing.object().name(), before.name())) {
+                return thing.object();
+            }
+        }
+        return null;
+    }
+
+    /** What is told of the picked object; null where nothing is picked. */
+    @Nullable
+    Card card() {
+        GeometryObject object = picked();
+        return object == null ? null : Card.of(object, unit);
+    }
+
+    /** A line for people about what is shown. */
+    String status() {
+        if (sandbox != null) {
+            Sandbox.Refused refused = sandbox.refused();
+            String words = refused == null
+                    ? "drag what moves" + outside(sandbox.outside())
+                    : Labels.name(refused.ghost()) + " may not be there: " + refused.words() + " is in the way";
+            return feed == null
+                    ? words
+                    : "a local copy of step " + (player.position() + 1) + ", Esc goes back: " + words;
+        }
+        String end = end();
+        if (film.size() == 0) {
+            return (feed != null && feed.isEnded() ? "nothing was recorded" : "waiting for a world") + end;
+        }
+        List<String> notes = film.frame(player.position()).notes();
+        String note = notes.isEmpty() ? "" : " (" + String.join("; ", notes) + ")";
+        return film.moment(player.position()) + note + end;
+    }
+
+    private static String outside(List<GeometryObject> robots) {
+        if (robots.isEmpty()) {
+            return "";
+        }
+        String first = Labels.name(robots.get(0));
+        return robots.size() == 1
+                ? "; " + first + " is not in the world, it stands beyond its border: drag it in"
+                : "; " + first + " and " + (robots.size() - 1)
+                        + " more are not in the world, they stand beyond its border: drag them in";
+    }
+
+    /** How fast it goes, for people. */
+    String pace() {
+        if (live) {
+            return player.isFollowing() ? "live" : "paused";
+        }
+        return Labels.number(player.speed()) + " steps/s";
+    }
+
+    private String end() {
+        String problem = feed == null ? "" : feed.problem();
+        if (!problem.isEmpty()) {
+            return "; " + problem;
+        }
+        return live && feed != null && feed.isEnded() ? "; the session is over" : "";
+    }
+
+    /** The wheel was turned at a pixel; up is in. */
+    void wheel(double x, double y, double notches) {
+        camera.zoom(x, y, StrictMath.pow(Camera.STEP, -notches));
+    }
+
+    /** A button was pressed at a pixel: what is there is picked. */
+    void press(double x, double y) {
+        MapFrame frame = camera.frame();
+        double worldX = frame.worldX(x);
+        double worldZ = frame.worldZ(y);
+        List<Scene.Thing> things = new ArrayList<>(shown == null ? List.of() : shown.statics());
+        things.addAll(movers());
+        GeometryObject object = Picker.at(things, worldX, worldZ, SLACK / camera.scale());
+        Grip held = new Grip(x, y, object != null && object.isMoveable() ? object.name() : null);
+        if (object != null) {
+            held.offsetX = object.center().x() - worldX;
+            held.offsetZ = object.center().z() - worldZ;
+            picked = object;
+            pickedIn = world;
+        }
+        grip = held;
+    }
+
+    /** The mouse moved with its button held: a robot is pushed, or the ground. */
+    void drag(double x, double y, Sandbox.Push push) {
+        Grip held = grip;
+        if (held == null) {
+            return;
+        }
+        held.moved |= StrictMath.hypot(x - held.beginX, y - held.beginY) > SLACK;
+        if (!held.moved) {
+            return;
+        }
+        if (held.robot == null) {
+            camera.pan(x - held.x, y - held.y);
+        } else {
+            MapFrame frame = camera.frame();
+            Sandbox own = own();
+            if (own != null) {
+                own.push(held.robot, frame.worldX(x) + held.offsetX, frame.worldZ(y) + held.offsetZ, push);
+            }
+        }
+        held.x = x;
+        held.y = y;
+    }
+
+    /** The button was let go; where nothing was hit or dragged, nothing is picked any more. */
+    void release() {
+        Grip held = grip;
+        grip = null;
+        if (held == null) {
+            return;
+        }
+        if (sandbox != null) {
+            sandbox.release();
+        }
+        MapFrame frame = camera.frame();
+        boolean missed = !held.moved && pickedAt(frame.worldX(held.x), frame.worldZ(held.y)) == null;
+        if (missed) {
+            picked = null;
+        }
+    }
+
+    private @Nullable GeometryObject pickedAt(double x, double z) {
+        GeometryObject object = picked();
+        return object == null ? null : Picker.at(List.of(new Scene.Thing(object, null)), x, z, SLACK / camera.scale());
+    }
+
+    /** Turns the picked robot in place. */
+    void turnPicked(double degrees) {
+        GeometryObject object = picked();
+        Sandbox own = object == null || !object.isMoveable() ? null : own();
+        if (own != null && object != null) {
+            own.turn(String.valueOf(object.name()), degrees);
+        }
+    }
+
+    /** The world in which robots can be pushed; of a conversation it is a copy of the moment that is shown. */
+    private @Nullable Sandbox own() {
+        if (sandbox == null && shown != null) {
+            player.pause();
+            sandbox = Sandbox.of(shown, film.movers(player.position()));
+        }
+        return sandbox;
+    }
+
+    /** Leaves the local copy; where there is none, picks nothing. */
+    void escape() {
+        if (sandbox != null && feed != null) {
+            sandbox = null;
+        } else {
+            picked = null;
+        }
+    }
+
+    /** Before going elsewhere in a conversation: its local copy is left. */
+    void leaveCopy() {
+        if (feed != null) {
+            sandbox = null;
+        }
+    }
+
+    /** Longer trails, all of them, none, and so on. */
+    void nextTrails() {
+        trails = (trails + 1) % TRAILS.length;
+    }
+}

@@ -1,0 +1,222 @@
+package robosim.geometry.viewer.window;
+
+import java.awt.BorderLayout;
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.event.ActionEvent;
+import java.io.Serial;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import javax.swing.AbstractAction;
+import javax.swing.BorderFactory;
+import javax.swing.Box;
+import javax.swing.BoxLayout;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.KeyStroke;
+import robosim.geometry.viewer.draw.Palette;
+import robosim.geometry.viewer.draw.Theme;
+
+/** All that is in a viewer's window: the map, below it a line of words, and for a conversation its controls. */
+final class ViewerPane extends JPanel {
+    @Serial
+    private static final long serialVersionUID = 1;
+
+    private static final int TURN = 15;
+    private static final int FAR = 10;
+
+    private final transient ViewerModel viewing;
+    private final MapPanel map;
+    private final Timeline timeline;
+    private final JPanel below = new JPanel();
+    private final JPanel bar = new JPanel();
+    private final JLabel status = new JLabel(" ");
+    private final JLabel speed = new JLabel(" ");
+    private final transient List<JButton> buttons = new ArrayList<>();
+    private final JButton play;
+    private Theme theme;
+
+    ViewerPane(ViewerModel viewing, Theme theme) {
+        super(new BorderLayout());
+        this.viewing = viewing;
+        this.theme = theme;
+        this.map = new MapPanel(viewing, theme, this::refresh);
+        this.timeline = new Timeline(viewing, theme, this::refresh);
+        this.play = button("play", ControlIcon.Shape.PLAY, "Play or pause (Space)", this::togglePlay);
+        add(map, BorderLayout.CENTER);
+        lay();
+        keys();
+        paintAs(theme);
+        refresh();
+    }
+
+    private void lay() {
+        status.setName("status");
+        for (JLabel label : List.of(status, speed)) {
+            label.putClientProperty("html.disable", true); // a name is shown as it is, whatever a peer put in it
+        }
+        speed.setName("speed");
+        below.setLayout(new BoxLayout(below, BoxLayout.Y_AXIS));
+        below.setBorder(BorderFactory.createEmptyBorder(0, 12, 8, 12));
+        bar.setLayout(new BoxLayout(bar, BoxLayout.X_AXIS));
+        bar.setAlignmentX(LEFT_ALIGNMENT);
+        status.setAlignmentX(LEFT_ALIGNMENT);
+        if (viewing.hasSteps()) {
+            bar.add(button("first", ControlIcon.Shape.FIRST, "First step (Home)", () -> seek(Integer.MIN_VALUE)));
+            bar.add(button("back", ControlIcon.Shape.BACK, "One step back (Left)", () -> step(-1)));
+            bar.add(play);
+            bar.add(button("forward", ControlIcon.Shape.FORWARD, "One step forward (Right)", () -> step(1)));
+            bar.add(button("last", ControlIcon.Shape.LAST, "Last step (End)", () -> seek(Integer.MAX_VALUE)));
+            bar.add(Box.createHorizontalStrut(8));
+            bar.add(timeline);
+            bar.add(Box.createHorizontalStrut(8));
+            bar.add(button("slower", ControlIcon.Shape.SLOWER, "Slower (Down)", () -> faster(-1)));
+            bar.add(speed);
+            bar.add(button("faster", ControlIcon.Shape.FASTER, "Faster (Up)", () -> faster(1)));
+            below.add(bar);
+            below.add(Box.createVerticalStrut(4));
+        }
+        below.add(status);
+        add(below, BorderLayout.SOUTH);
+    }
+
+    private JButton button(String name, ControlIcon.Shape shape, String tip, Runnable action) {
+        JButton button = new JButton(new ControlIcon(shape));
+        button.setName(name);
+        button.setToolTipText(tip);
+        button.setFocusable(false);
+        button.setContentAreaFilled(false);
+        button.setBorder(BorderFactory.createEmptyBorder(4, 6, 4, 6));
+        button.setPreferredSize(new Dimension(34, 28));
+        button.getAccessibleContext().setAccessibleName(tip);
+        button.addActionListener(event -> {
+            action.run();
+            refresh();
+        });
+        buttons.add(button);
+        return button;
+    }
+
+    private void togglePlay() {
+        viewing.leaveCopy();
+        viewing.player.toggle();
+    }
+
+    private void step(int steps) {
+        viewing.leaveCopy();
+        viewing.player.step(steps);
+    }
+
+    private void seek(int number) {
+        viewing.leaveCopy();
+        viewing.player.seek(number);
+    }
+
+    private void faster(int steps) {
+        viewing.player.faster(steps);
+    }
+
+    private void keys() {
+        if (viewing.hasSteps()) {
+            key("SPACE", this::togglePlay);
+            key("LEFT", () -> step(-1));
+            key("RIGHT", () -> step(1));
+            key("shift LEFT", () -> step(-FAR));
+            key("shift RIGHT", () -> step(FAR));
+            key("HOME", () -> seek(Integer.MIN_VALUE));
+            key("END", () -> seek(Integer.MAX_VALUE));
+            key("UP", () -> faster(1));
+            key("DOWN", () -> faster(-1));
+            typed('t', viewing::nextTrails);
+        }
+        typed('+', () -> zoom(1));
+        typed('=', () -> zoom(1));
+        typed('-', () -> zoom(-1));
+        typed('f', viewing.camera::fit);
+        typed('d', () -> paintAs(theme == Theme.LIGHT ? Theme.DARK : Theme.LIGHT));
+        typed('q', () -> viewing.turnPicked(TURN));
+        typed('e', () -> viewing.turnPicked(-TURN));
+        key("ESCAPE", viewing::escape);
+    }
+
+    private void zoom(int steps) {
+        viewing.wheel(map.getWidth() / 2.0, map.getHeight() / 2.0, -steps);
+    }
+
+    private void key(String stroke, Runnable action) {
+        bind(KeyStroke.getKeyStroke(stroke), action);
+    }
+
+    private void typed(char letter, Runnable action) {
+        bind(KeyStroke.getKeyStroke(letter), action);
+        bind(KeyStroke.getKeyStroke(Character.toUpperCase(letter)), action);
+    }
+
+    private void bind(KeyStroke stroke, Runnable action) {
+        getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW).put(stroke, stroke);
+        getActionMap().put(stroke, new Action(event -> {
+            action.run();
+            refresh();
+        }));
+    }
+
+    private static final class Action extends AbstractAction {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        private final transient Consumer<ActionEvent> action;
+
+        Action(Consumer<ActionEvent> action) {
+            this.action = action;
+        }
+
+        @Override
+        public void actionPerformed(ActionEvent event) {
+            action.accept(event);
+        }
+    }
+
+    /** So much time went by; shows what is new. */
+    void tick(long nanos) {
+        if (viewing.tick(nanos)) {
+            refresh();
+        }
+    }
+
+    /** Shows all as it is now. */
+    private void refresh() {
+        String words = viewing.status();
+        if (!words.equals(status.getText())) {
+            status.setText(words);
+        }
+        speed.setText(viewing.pace());
+        play.setIcon(new ControlIcon(viewing.player.isPlaying() ? ControlIcon.Shape.PAUSE : ControlIcon.Shape.PLAY));
+        repaint();
+    }
+
+    private void paintAs(Theme other) {
+        theme = other;
+        Color paper = new Color(Palette.PAPER.in(theme));
+        Color text = new Color(Palette.TEXT.in(theme));
+        Color quiet = new Color(Palette.QUIET.in(theme));
+        setBackground(paper);
+        below.setBackground(paper);
+        bar.setBackground(paper);
+        status.setForeground(text);
+        speed.setForeground(quiet);
+        Font plain = status.getFont().deriveFont(Font.PLAIN, 13f);
+        status.setFont(plain);
+        speed.setFont(plain);
+        for (JButton button : buttons) {
+            button.setForeground(text);
+            button.setBackground(paper);
+        }
+        map.setTheme(theme);
+        timeline.setTheme(theme);
+        repaint();
+    }
+}

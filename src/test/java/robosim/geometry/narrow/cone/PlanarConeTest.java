@@ -1,0 +1,316 @@
+package robosim.geometry.narrow.cone;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import robosim.geometry.Geometry;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Ray;
+import robosim.geometry.model.SphereObject;
+import robosim.geometry.narrow.PlanarRows;
+import robosim.geometry.narrow.PlanarSampling;
+import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.planar.PlanarShape;
+import robosim.geometry.narrow.ray.PlanarRay;
+import robosim.geometry.narrow.ray.PlanarRayTest;
+
+class PlanarConeTest {
+    private final Scratch scratch = new Scratch();
+
+    private double cone(double ox, double oz, double aim, double half, int kind, double[] row) {
+        return PlanarCone.distance(
+                ox,
+                oz,
+                StrictMath.cos(aim),
+                StrictMath.sin(aim),
+                StrictMath.cos(half),
+                StrictMath.sin(half),
+                kind,
+                row,
+                0,
+                scratch);
+    }
+
+    private static boolean isCurved(int kind) {
+        return PlanarShape.family(kind) != PlanarShape.POLYGON;
+    }
+
+    @Test
+    void nearestPointWithinTheSectorIsThatOfTheShapeCutByIt() {
+        PlanarRows rows = new PlanarRows(21);
+        int hits = 0;
+        int edges = 0;
+        int inside = 0;
+        int count = 7000;
+        for (int k = 0; k < count; k++) {
+            int kind = k % 7;
+            double[] row = rows.row(kind, 1, 1);
+            double ox = rows.between(2);
+            double oz = rows.between(2);
+            double aim = rows.between(3.2);
+            double half = 0.01 + 1.5 * rows.random().nextDouble();
+            List<double[]> outline = PlanarSampling.points(kind, row);
+            double truth = PlanarSampling.cone(ox, oz, aim, half, outline);
+            double distance = cone(ox, oz, aim, half, kind, row);
+            String text = PlanarRayTest.text(ox, oz, aim, half, kind, row);
+            if (truth < Double.POSITIVE_INFINITY) {
+                assertThat(distance).as(text).isLessThanOrEqualTo(truth + 1e-11);
+                // an inscribed outline, and an edge of the sector that grazes it
+                double looser = isCurved(kind) ? PlanarSampling.cone(ox, oz, aim, half + 2e-3, outline) : truth;
+                assertThat(distance).as(text).isGreaterThanOrEqualTo(looser - (isCurved(kind) ? 1e-4 : 1e-11));
+                hits++;
+                inside += distance == 0 ? 1 : 0;
+                edges += distance > PlanarSampling.distance(ox, oz, PlanarSampling.hull(outline)) + 1e-3 ? 1 : 0;
+            } else if (isCurved(kind)) {
+                double looser = PlanarSampling.cone(ox, oz, aim, half + 2e-2, outline);
+                assertThat(distance).as(text).isGreaterThanOrEqualTo(looser - 1e-2);
+            } else {
+                assertThat(distance).as(text).isInfinite();
+            }
+        }
+        assertThat(hits).isBetween(count * 3 / 10, count * 8 / 10);
+        assertThat(edges).isGreaterThan(count / 20);
+        assertThat(inside).isGreaterThan(count / 50);
+    }
+
+    @Test
+    void noRayWithinIsShorter() {
+        PlanarRows rows = new PlanarRows(22);
+        int hits = 0;
+        int close = 0;
+        for (int k = 0; k < 1400; k++) {
+            int kind = k % 7;
+            double[] row = rows.row(kind, 1, 1);
+            double ox = rows.between(3);
+            double oz = 3;
+            double aim = -1.5 + rows.between(0.5);
+            double half = 0.3;
+            double distance = cone(ox, oz, aim, half, kind, row);
+            double least = Double.POSITIVE_INFINITY;
+            for (int n = 0; n <= 400; n++) {
+                double at = aim - half + 2 * half * n / 400;
+                least = Math.min(
+                        least,
+                        PlanarRay.distance(ox, oz, StrictMath.cos(at), StrictMath.sin(at), kind, row, 0, scratch));
+            }
+            String text = PlanarRayTest.text(ox, oz, aim, half, kind, row);
+            assertThat(distance).as(text).isLessThanOrEqualTo(least + 1e-12);
+            if (distance < Double.POSITIVE_INFINITY) {
+                hits++;
+                close += least - distance < 1e-2 ? 1 : 0;
+            }
+        }
+        assertThat(hits).isBetween(300, 1300);
+        assertThat(close).isGreaterThan(hits * 8 / 10);
+    }
+
+    @Test
+    void aThinPoleBetweenAllRaysIsHeard() {
+        double[] pole = new double[Leaf.STRIDE];
+        pole[0] = 100 * StrictMath.cos(0.1234);
+        pole[2] = 100 * StrictMath.sin(0.1234);
+        pole[3] = 1e-6;
+        assertThat(cone(0, 0, 0, 0.2, Leaf.UPRIGHT_CYLINDER, pole)).isBetween(100 - 1.1e-6, 100 - 0.9e-6);
+        assertThat(cone(0, 0, 0, 0.12, Leaf.UPRIGHT_CYLINDER, pole)).isInfinite();
+        pole[3] = 0;
+        assertThat(cone(0, 0, 0, 0.2, Leaf.SPHERE, pole)).isBetween(100 - 1e-13, 100 + 1e-13);
+        pole[3] = 1;
+        assertThat(cone(0, 0, Math.PI, 0.2, Leaf.SPHERE, pole)).isInfinite();
+        assertThat(cone(pole[0], pole[2], 0, 0.2, Leaf.SPHERE, pole)).isZero();
+    }
+
+    /** Of a thin cylinder the nearest point is within the sector by 2e-8 radian: half of it is nearer than where edges cut it. */
+    @Test
+    void theNearestPointOfAThinTippedCylinderJustWithin() {
+        Geometry world = new Geometry(1e6, 1e6, 1e6, Dimension.PLANAR, Accuracy.EXACT);
+        double c = 0.19822396935131023;
+        double s = 0.9801567517364816;
+        world.addObjectUnchecked(new CylinderObject(
+                        new Point(26014.48327229044, 0, 5245.556404148815), 1.9686211026532975E-7, 2.3462392314694314)
+                .oriented(new double[] {c, s, 0, 0, 0, -1, -s, c, 0}));
+        Ray ray = new Ray(new Point(), new Point(0.7842446722995322, 0, -0.6204516854435962));
+        assertThat(world.getRayDistance(ray, 0, Double.POSITIVE_INFINITY, 99.49874525957496))
+                .isBetween(26536.8, 26536.8977);
+    }
+
+    /** Whatever the axis meets is heard, though a sector be as narrow as rounding of the direction. */
+    @Test
+    void whatTheAxisMeetsIsHeardHoweverNarrowTheSector() {
+        SplittableRandom random = new SplittableRandom(24);
+        int met = 0;
+        for (int k = 0; k < 4000; k++) {
+            double dx = random.nextInt(-40, 41);
+            double dz = random.nextInt(-40, 41);
+            if (dx == 0 && dz == 0) {
+                continue;
+            }
+            double times = random.nextInt(1, 30) / (random.nextBoolean() ? 1.0 : 3.0);
+            PlanarRows rows = new PlanarRows(k);
+            int kind = k % 6;
+            double[] row = rows.row(kind, 0, random.nextBoolean() ? 1e-3 : 1);
+            if (kind == Leaf.SPHERE || kind == Leaf.UPRIGHT_CYLINDER) {
+                row[3] = 0;
+            }
+            for (int corner = 0; corner < (kind == Leaf.TRIANGLE ? 9 : 3); corner += 3) {
+                row[corner] += times * dx;
+                row[corner + 2] += times * dz;
+            }
+            double axis = PlanarRay.distance(0, 0, dx, dz, kind, row, 0, scratch);
+            for (double half : new double[] {1e-3, 1e-9, 1e-15, 1e-200}) {
+                double heard = PlanarCone.distance(
+                        0, 0, dx, dz, StrictMath.cos(half), StrictMath.sin(half), kind, row, 0, scratch);
+                assertThat(heard)
+                        .as("kind %d along (%s, %s), half angle %s: %s", kind, dx, dz, half, Arrays.toString(row))
+                        .isLessThanOrEqualTo(axis * (1 + 0x1p-48));
+            }
+            met += axis < Double.POSITIVE_INFINITY ? 1 : 0;
+        }
+        assertThat(met).isGreaterThan(1000);
+        Geometry world = new Geometry(100, 100, 100, Dimension.PLANAR, Accuracy.EXACT);
+        world.addObjectUnchecked(new SphereObject(new Point(1, 0, 3), 0));
+        Ray ray = new Ray(new Point(), new Point(1, 0, 3));
+        double line = world.getRayDistance(ray, 0, 100, 0);
+        assertThat(line).isCloseTo(Math.sqrt(10), within(1e-15));
+        for (double width : new double[] {1e-3, 1e-6, 1e-9, 1e-12, 1e-15, Double.MIN_VALUE}) {
+            assertThat(world.getRayDistance(ray, 0, 100, width))
+                    .as("width " + width)
+                    .isCloseTo(line, within(1e-15));
+        }
+    }
+
+    @Test
+    void aCornerOnTheEdgeOfTheSectorIsWithin() {
+        double[] row = new double[Leaf.STRIDE];
+        row[0] = 5;
+        row[2] = 2;
+        row[3] = 1;
+        row[5] = 1;
+        for (int quarter = 0; quarter < 4; quarter++) {
+            PlanarRows.upright(row, 90 * quarter);
+            // the nearest corner (4, 1) is on one edge, the rest beyond
+            double half = StrictMath.atan2(1, 4);
+            assertThat(cone(0, 0, 0, half, Leaf.UPRIGHT_BOX, row))
+                    .isBetween(Math.sqrt(17) - 1e-15, Math.sqrt(17) + 1e-12);
+        }
+        // 3, 4, 5: the nearest corner is on an edge of the sector, but for the rounding of the cosine, which decides
+        double[] far = triangle(4, 3, 5, 8, 0, 9);
+        assertThat(PlanarCone.distance(0, 0, 1, 0, 0.8, 0.6, Leaf.TRIANGLE, far, 0, scratch))
+                .isInfinite(); // 0.8 is stored as a little more
+        assertThat(PlanarCone.distance(0, 0, 1, 0, Math.nextDown(0.8), 0.6, Leaf.TRIANGLE, far, 0, scratch))
+                .isBetween(5 - 1e-15, 5 + 1e-15);
+    }
+
+    /** A box of 1e-14 seen from 3e-11 away: 1,000 ulp too near while its foot was taken from the product of two corners. */
+    @Test
+    void aShortSideFarAwayIsAsFarAsItIs() {
+        double[] box = {
+            -8.663945152728643E-13,
+            -2.7370550793081655E-16,
+            9.531610107526493E-13,
+            0.0,
+            8.123408717164015E-15,
+            2.7195137119011268E-15,
+            0.9457495619676907,
+            -0.322141398179341,
+            -0.04222186183697213,
+            0.2960991396515765,
+            0.9081027469373674,
+            -0.2960991396515766,
+            0.13372757956202322,
+            0.26753377466007344,
+            0.9542235659847308,
+            0.0
+        };
+        double half = 1.305;
+        double distance = PlanarCone.distance(
+                1.6739333017957895E-11,
+                2.2160537056585827E-11,
+                -0.018906939144769708,
+                -0.022766126703541056,
+                StrictMath.cos(half),
+                StrictMath.sin(half),
+                Leaf.BOX,
+                box,
+                0,
+                scratch);
+        double corner = 2.756099438844037991918081911386361370588574992677922998494749844508841E-11;
+        assertThat(distance).isBetween(corner - 8 * Math.ulp(corner), corner + 8 * Math.ulp(corner));
+    }
+
+    /** Small triangles wholly within the sector: the nearest point is theirs, by 60 digits. */
+    @Test
+    void whatIsWhollyWithinIsAsFarAsItsNearestPointWithinEightUlp() {
+        SplittableRandom random = new SplittableRandom(23);
+        int corners = 0;
+        int count = 6000;
+        double worst = 0;
+        for (int n = 0; n < count; n++) {
+            double size = Math.scalb(1.0, -random.nextInt(1, 40));
+            double aim = random.nextDouble(-3, 3);
+            double ox = random.nextDouble(-1, 1);
+            double oz = random.nextDouble(-1, 1);
+            double x = ox + 2 * StrictMath.cos(aim);
+            double z = oz + 2 * StrictMath.sin(aim);
+            // A side square to the way to it, so that its foot is near an end.
+            double along =
+                    random.nextInt(2) == 0 ? random.nextDouble(-0.6, 0.6) : 0.5 + random.nextDouble(-4, 4) * size;
+            double px = -size * StrictMath.sin(aim);
+            double pz = size * StrictMath.cos(aim);
+            double[] row = triangle(
+                    x + (along - 0.5) * px,
+                    z + (along - 0.5) * pz,
+                    x + (along + 0.5) * px,
+                    z + (along + 0.5) * pz,
+                    x + size * StrictMath.cos(aim),
+                    z + size * StrictMath.sin(aim));
+            BigDecimal truth = nearest(ox, oz, row);
+            double distance = cone(ox, oz, aim, 1.2, Leaf.TRIANGLE, row);
+            double largest = Math.max(distance, Math.max(Math.abs(x), Math.abs(z)) + size);
+            double ulps = new BigDecimal(distance).subtract(truth).abs().doubleValue() / Math.ulp(largest);
+            assertThat(ulps)
+                    .as(PlanarRayTest.text(ox, oz, aim, 1.2, Leaf.TRIANGLE, row))
+                    .isLessThanOrEqualTo(8);
+            worst = Math.max(worst, ulps);
+            corners += Math.abs(along) > 0.5 ? 1 : 0;
+        }
+        assertThat(worst).isGreaterThan(0.8);
+        assertThat(corners).isBetween(count / 10, count * 9 / 10);
+    }
+
+    private static BigDecimal nearest(double ox, double oz, double[] row) {
+        MathContext digits = new MathContext(60);
+        BigDecimal least = null;
+        for (int k = 0; k < 9; k += 3) {
+            int next = (k + 3) % 9;
+            BigDecimal ax = new BigDecimal(row[k]).subtract(new BigDecimal(ox));
+            BigDecimal az = new BigDecimal(row[k + 2]).subtract(new BigDecimal(oz));
+            BigDecimal ex = new BigDecimal(row[next]).subtract(new BigDecimal(row[k]));
+            BigDecimal ez = new BigDecimal(row[next + 2]).subtract(new BigDecimal(row[k + 2]));
+            BigDecimal square = ex.multiply(ex).add(ez.multiply(ez));
+            BigDecimal ahead = ax.multiply(ex).add(az.multiply(ez)).negate();
+            BigDecimal share = square.signum() == 0
+                    ? BigDecimal.ZERO
+                    : ahead.divide(square, digits).max(BigDecimal.ZERO).min(BigDecimal.ONE);
+            BigDecimal px = ax.add(ex.multiply(share));
+            BigDecimal pz = az.add(ez.multiply(share));
+            BigDecimal distance = px.multiply(px).add(pz.multiply(pz)).sqrt(digits);
+            least = least == null ? distance : least.min(distance);
+        }
+        return Objects.requireNonNull(least);
+    }
+
+    private static double[] triangle(double ax, double az, double bx, double bz, double cx, double cz) {
+        return new double[] {ax, 0, az, bx, 0, bz, cx, 0, cz, 0, 0, 0, 0, 0, 0, 0};
+    }
+}

@@ -1,0 +1,78 @@
+package robosim.geometry.narrow.distance;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import robosim.geometry.narrow.PlanarRows;
+import robosim.geometry.narrow.PlanarSampling;
+import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.overlap.PlanarOverlapTest;
+
+class PlanarContactTest {
+    private final Scratch scratch = new Scratch();
+
+    private double[] between(int kindA, double[] a, int kindB, double[] b) {
+        double[] out = new double[6];
+        PlanarContact.between(kindA, a, 0, kindB, b, 0, out, scratch);
+        return out;
+    }
+
+    @Test
+    void normalsAreOfUnitLengthAndTurnRoundWithTheOrder() {
+        PlanarRows rows = new PlanarRows(61);
+        int apart = 0;
+        int count = 2100;
+        for (int k = 0; k < count; k++) {
+            int kindA = k % 7;
+            int kindB = k / 7 % 7;
+            double[] a = rows.row(kindA, 1, 1);
+            double[] b = rows.row(kindB, 1, 1);
+            double[] out = between(kindA, a, kindB, b);
+            double[] back = between(kindB, b, kindA, a);
+            String text = PlanarOverlapTest.pair(kindA, a, kindB, b);
+            assertThat(StrictMath.hypot(out[3], out[5])).as(text).isBetween(1 - 1e-15, 1 + 1e-15);
+            assertThat(out[4]).isZero();
+            assertThat(new double[] {back[0], back[1], back[2], 0 - back[3], back[4], 0 - back[5]})
+                    .as(text)
+                    .containsExactly(out);
+            // Along the normal they are as far apart, or as shallow, as along any other.
+            List<double[]> p = PlanarSampling.points(kindA, a);
+            List<double[]> q = PlanarSampling.points(kindB, b);
+            double gap = gap(p, q, out[3], out[5]);
+            double best = Double.NEGATIVE_INFINITY;
+            for (int n = 0; n < 360; n++) {
+                best = Math.max(best, gap(p, q, StrictMath.cos(n * Math.PI / 180), StrictMath.sin(n * Math.PI / 180)));
+            }
+            assertThat(gap).as(text).isGreaterThanOrEqualTo(best - 1e-4);
+            apart += gap > 0 ? 1 : 0;
+            // The point is between the two, or in both, to within what parts them.
+            double near = Math.abs(gap) / 2 + 1e-4;
+            assertThat(outside(p, out)).as(text).isLessThanOrEqualTo(near);
+            assertThat(outside(q, out)).as(text).isLessThanOrEqualTo(near);
+        }
+        assertThat(apart).isBetween(count * 3 / 10, count * 7 / 10);
+    }
+
+    @Test
+    void sideOnSideTouchesInTheMiddleOfWhatTheyShare() {
+        double[] wall = {0, 0, 0, 5, 2, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+        PlanarRows.upright(wall, 0);
+        double[] robot = {4.5, 1, 2, 1, 0.5, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+        PlanarRows.upright(robot, 90);
+        // x: 3.5 to 5 is shared; y: 0.5 to 1.5; z: the wall's side
+        assertThat(between(Leaf.UPRIGHT_BOX, robot, Leaf.UPRIGHT_BOX, wall)).containsExactly(4.25, 1, 1, 0, 0, 1);
+        double[] disc = {-2, 0, -1.5, 0.5, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+        assertThat(between(Leaf.UPRIGHT_CYLINDER, disc, Leaf.UPRIGHT_BOX, wall)).containsExactly(-2, 0, -1, 0, 0, -1);
+    }
+
+    private static double gap(List<double[]> p, List<double[]> q, double nx, double nz) {
+        return -PlanarSampling.support(p, -nx, -nz) - PlanarSampling.support(q, nx, nz);
+    }
+
+    private static double outside(List<double[]> points, double[] out) {
+        List<double[]> hull = points.size() > 2 ? PlanarSampling.hull(points) : points;
+        return PlanarSampling.distance(out[0], out[2], hull);
+    }
+}

@@ -1,0 +1,107 @@
+package robosim.geometry.narrow.gjk;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.Rows;
+import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.overlap.ConvexOverlap;
+
+/** What is called deep overlaps by exact decision, also when drawn apart a little; what overlaps by more is called deep. */
+class HullOverlapTest {
+    private static final int PAIRS = 600;
+    private static final double LITTLE = 0x1p-30;
+
+    private final Scratch s = new Scratch();
+
+    @ParameterizedTest
+    @EnumSource(Dimension.class)
+    void deepPairsOverlapAndMostThatOverlapAreDeep(Dimension dimension) {
+        SplittableRandom random = new SplittableRandom(20261122);
+        for (int kindA = 0; kindA < Leaf.KINDS; kindA++) {
+            for (int kindB = 0; kindB < Leaf.KINDS; kindB++) {
+                int overlaps = 0;
+                int deep = 0;
+                for (int n = 0; n < PAIRS; n++) {
+                    double[] a = Rows.random(kindA, random, 1.2);
+                    double[] b = Rows.random(kindB, random, 1.2);
+                    if (n % 2 == 0 && kindA != Leaf.TRIANGLE && kindB != Leaf.TRIANGLE) {
+                        level(kindA, a);
+                        level(kindB, b);
+                    }
+                    String pair = kindA + " " + Arrays.toString(a) + " with " + kindB + " " + Arrays.toString(b);
+                    boolean isDeep = ConvexOverlap.isDeep(dimension, kindA, a, 0, kindB, b, 0, s);
+                    boolean overlap = ConvexOverlap.test(dimension, kindA, a, 0, kindB, b, 0, s);
+                    assertThat(overlap || !isDeep).as(pair).isTrue();
+                    if (isDeep) {
+                        assertThat(ConvexOverlap.test(dimension, kindA, apart(kindA, a, b), 0, kindB, b, 0, s))
+                                .as(pair)
+                                .isTrue();
+                    }
+                    overlaps += overlap ? 1 : 0;
+                    deep += isDeep ? 1 : 0;
+                }
+                String kinds = dimension + " " + kindA + " with " + kindB;
+                assertThat(overlaps).as(kinds).isBetween(PAIRS / 20, PAIRS * 98 / 100);
+                assertThat(deep).as(kinds).isBetween(overlaps * 8 / 10, overlaps);
+            }
+        }
+    }
+
+    /** Boxes and cylinders of one heading that stand on each other, or side by side: never deep, by any last bit. */
+    @ParameterizedTest
+    @EnumSource(Dimension.class)
+    void whatTouchesIsNotDeep(Dimension dimension) {
+        SplittableRandom random = new SplittableRandom(3);
+        for (int n = 0; n < 5000; n++) {
+            int kind = n % 2 == 0 ? Leaf.UPRIGHT_BOX : Leaf.UPRIGHT_CYLINDER;
+            double[] a = {0, 0, 0, half(random), half(random), half(random), 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+            double[] b = {0, 0, 0, half(random), half(random), half(random), 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+            if (dimension == Dimension.SPATIAL && random.nextBoolean()) {
+                b[1] = a[4] + b[4];
+            } else {
+                b[0] = a[3] + b[3];
+            }
+            assertThat(ConvexOverlap.test(dimension, kind, a, 0, kind, b, 0, s)).isTrue();
+            assertThat(ConvexOverlap.isDeep(dimension, kind, a, 0, kind, b, 0, s))
+                    .as(Arrays.toString(a) + Arrays.toString(b))
+                    .isFalse();
+        }
+    }
+
+    private static double half(SplittableRandom random) {
+        return random.nextInt(1, 1 << 20) * 0x1p-18;
+    }
+
+    /** Gives it the height at which all stand. */
+    private static void level(int kind, double[] row) {
+        if (kind == Leaf.PRISM) {
+            double half = 0.5 * (row[9] - row[8]);
+            row[8] = -half;
+            row[9] = half;
+        } else {
+            row[1] = 0;
+        }
+    }
+
+    /** The first, drawn away from the other by a little. */
+    private static double[] apart(int kind, double[] a, double[] b) {
+        double[] moved = a.clone();
+        if (kind == Leaf.PRISM) {
+            moved[8] += LITTLE;
+            moved[9] += LITTLE;
+        } else if (kind == Leaf.TRIANGLE) {
+            for (int k = 0; k < 9; k += 3) {
+                moved[k] += LITTLE;
+            }
+        } else {
+            moved[0] += a[0] >= b[0] ? LITTLE : -LITTLE;
+        }
+        return moved;
+    }
+}

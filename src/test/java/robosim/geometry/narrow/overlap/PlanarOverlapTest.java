@@ -1,0 +1,277 @@
+package robosim.geometry.narrow.overlap;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import org.junit.jupiter.api.Test;
+import robosim.geometry.narrow.PlanarReference;
+import robosim.geometry.narrow.PlanarRows;
+import robosim.geometry.narrow.PlanarSampling;
+import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.distance.PlanarDistance;
+import robosim.geometry.narrow.leaf.Leaf;
+
+public class PlanarOverlapTest {
+    private final Scratch scratch = new Scratch();
+
+    private boolean test(int kindA, double[] a, int kindB, double[] b) {
+        boolean verdict = PlanarOverlap.test(kindA, a, 0, kindB, b, 0, scratch);
+        assertThat(PlanarOverlap.test(kindB, b, 0, kindA, a, 0, scratch))
+                .as(() -> pair(kindA, a, kindB, b) + " swapped")
+                .isEqualTo(verdict);
+        return verdict;
+    }
+
+    private boolean checked(int kindA, double[] a, int kindB, double[] b) {
+        boolean truth = PlanarReference.overlap(PlanarReference.of(kindA, a, 0), PlanarReference.of(kindB, b, 0));
+        assertThat(test(kindA, a, kindB, b)).as(() -> pair(kindA, a, kindB, b)).isEqualTo(truth);
+        return truth;
+    }
+
+    public static String pair(int kindA, double[] a, int kindB, double[] b) {
+        return "kind %d %s, kind %d %s".formatted(kindA, Arrays.toString(a), kindB, Arrays.toString(b));
+    }
+
+    @Test
+    void randomPairsAgreeWithTheReference() {
+        PlanarRows rows = new PlanarRows(1);
+        int hits = 0;
+        int count = 4000;
+        for (int k = 0; k < count; k++) {
+            int kindA = rows.exactKind();
+            int kindB = rows.exactKind();
+            double[] a = rows.row(kindA, 1, 1);
+            double[] b = rows.row(kindB, 1, 1);
+            hits += checked(kindA, a, kindB, b) ? 1 : 0;
+        }
+        assertThat(hits).isBetween(count * 3 / 10, count * 7 / 10);
+    }
+
+    @Test
+    void pairsOnAGridThatOftenTouchAgreeWithTheReference() {
+        PlanarRows rows = new PlanarRows(2);
+        int hits = 0;
+        int touches = 0;
+        int count = 4000;
+        for (int k = 0; k < count; k++) {
+            int kindA = rows.exactKind();
+            int kindB = rows.exactKind();
+            double[] a = rows.gridRow(kindA);
+            double[] b =
+                    PlanarRows.moved(kindB, rows.gridRow(kindB), rows.random().nextInt(5), 0);
+            if (checked(kindA, a, kindB, b)) {
+                hits++;
+                touches += checked(kindA, a, kindB, PlanarRows.moved(kindB, b, 0x1p-40, 0x1p-41)) ? 0 : 1;
+            }
+        }
+        assertThat(hits).isBetween(count * 3 / 10, count * 7 / 10);
+        assertThat(touches).isGreaterThan(count / 50);
+    }
+
+    /** Slides one leaf until a step of one ulp changes the verdict, and asks the reference about the steps around. */
+    @Test
+    void neighboursAcrossTheContactAgreeWithTheReference() {
+        PlanarRows rows = new PlanarRows(3);
+        int hits = 0;
+        int count = 0;
+        for (int k = 0; k < 600; k++) {
+            int kindA = rows.exactKind();
+            int kindB = rows.exactKind();
+            double factor = Math.scalb(1.0, rows.random().nextInt(-40, 41));
+            double[] a = PlanarRows.scaled(kindA, rows.row(kindA, 1, 1), factor);
+            double[] b = PlanarRows.scaled(kindB, rows.row(kindB, 1, 1), factor);
+            double in = 0;
+            double out = 8 * factor;
+            if (!test(kindA, a, kindB, b)) {
+                continue;
+            }
+            while (Math.nextUp(in) < out) {
+                double middle = in + (out - in) / 2;
+                if (test(kindA, a, kindB, PlanarRows.moved(kindB, b, middle, 0))) {
+                    in = middle;
+                } else {
+                    out = middle;
+                }
+            }
+            for (int step = -2; step <= 3; step++) {
+                double shift = in + step * Math.ulp(in);
+                hits += checked(kindA, a, kindB, PlanarRows.moved(kindB, b, shift, 0)) ? 1 : 0;
+                count++;
+            }
+        }
+        assertThat(count).isGreaterThan(500);
+        assertThat(hits).isBetween(count * 3 / 10, count * 7 / 10);
+    }
+
+    @Test
+    void pythagoreanDiscsTouchAndOneUlpApartDoNot() {
+        int[][] triples = {{3, 4, 5}, {5, 12, 13}, {8, 15, 17}, {7, 24, 25}, {20, 21, 29}, {9, 40, 41}};
+        for (int[] t : triples) {
+            for (int exponent = -40; exponent <= 40; exponent += 20) {
+                double f = Math.scalb(1.0, exponent);
+                double[] a = disc(0, 0, 1 * f);
+                double[] b = disc(t[0] * f, t[1] * f, (t[2] - 1) * f);
+                assertThat(checked(Leaf.SPHERE, a, Leaf.UPRIGHT_CYLINDER, b)).isTrue();
+                b[0] = Math.nextUp(b[0]);
+                assertThat(checked(Leaf.SPHERE, a, Leaf.UPRIGHT_CYLINDER, b)).isFalse();
+                // the corner of a box at the origin
+                double[] box = new double[Leaf.STRIDE];
+                box[0] = -2 * f;
+                box[2] = -3 * f;
+                box[3] = 2 * f;
+                box[5] = 3 * f;
+                PlanarRows.upright(box, 180);
+                double[] c = disc(t[0] * f, t[1] * f, t[2] * f);
+                assertThat(checked(Leaf.SPHERE, c, Leaf.UPRIGHT_BOX, box)).isTrue();
+                c[3] = Math.nextDown(c[3]);
+                assertThat(checked(Leaf.SPHERE, c, Leaf.UPRIGHT_BOX, box)).isFalse();
+            }
+        }
+    }
+
+    @Test
+    void ofNoSizeAndInOnePlaceAllTouch() {
+        double[][] rows = new double[5][];
+        PlanarRows make = new PlanarRows(4);
+        for (int k = 0; k < 5; k++) {
+            rows[k] = make.row(PlanarRows.EXACT_KINDS[k], 1, 1);
+            int corners = PlanarRows.EXACT_KINDS[k] == Leaf.TRIANGLE ? 9 : 3;
+            for (int n = 0; n < corners; n++) {
+                rows[k][n] = 0.1 * (n % 3);
+            }
+            for (int n = corners; n < 6; n++) {
+                rows[k][n] = 0;
+            }
+        }
+        for (int k = 0; k < 5; k++) {
+            for (int m = 0; m < 5; m++) {
+                int kindA = PlanarRows.EXACT_KINDS[k];
+                int kindB = PlanarRows.EXACT_KINDS[m];
+                assertThat(checked(kindA, rows[k], kindB, rows[m])).isTrue();
+                double[] moved = PlanarRows.moved(kindB, rows[m], 0, 0x1p-54);
+                assertThat(checked(kindA, rows[k], kindB, moved)).isFalse();
+            }
+        }
+    }
+
+    @Test
+    void subnormalAndHugeNumbersAreDecidedExactly() {
+        PlanarRows rows = new PlanarRows(5);
+        int hits = 0;
+        int count = 0;
+        for (int exponent : new int[] {-1060, -1000, -540, -300, 90, 97}) {
+            for (int k = 0; k < 60; k++) {
+                int kindA = rows.exactKind();
+                int kindB = rows.exactKind();
+                double factor = Math.scalb(1.0, exponent);
+                double[] a = PlanarRows.scaled(kindA, rows.gridRow(kindA), factor);
+                double[] b = PlanarRows.scaled(kindB, rows.gridRow(kindB), factor);
+                hits += checked(kindA, a, kindB, b) ? 1 : 0;
+                count++;
+            }
+        }
+        assertThat(hits).isBetween(count * 3 / 10, count * 8 / 10);
+    }
+
+    /** An upright box whose axes are square only to 1e-9, as a caller may give them. */
+    @Test
+    void skewedBoxesAreTheParallelogramsThatTheyAre() {
+        PlanarRows rows = new PlanarRows(6);
+        int hits = 0;
+        int count = 1000;
+        for (int k = 0; k < count; k++) {
+            int kind = rows.exactKind();
+            double[] a = rows.row(Leaf.UPRIGHT_BOX, 1, 1);
+            a[6] *= 1 + 5e-10;
+            a[12] += 4e-10;
+            double[] b = rows.row(kind, 1, 1);
+            hits += checked(Leaf.UPRIGHT_BOX, a, kind, b) ? 1 : 0;
+        }
+        assertThat(hits).isBetween(count * 3 / 10, count * 7 / 10);
+    }
+
+    @Test
+    void octagonsAndOvalsAreCertified() {
+        PlanarRows rows = new PlanarRows(7);
+        int[] kinds = {0, 1, 2, 3, 4, 5, 6};
+        int hits = 0;
+        int count = 1000;
+        for (int k = 0; k < count; k++) {
+            int kindA = k % 2 == 0 ? Leaf.CYLINDER : Leaf.PRISM;
+            int kindB = kinds[rows.random().nextInt(kinds.length)];
+            double[] a = rows.row(kindA, 1, 1);
+            double[] b = rows.row(kindB, 1, 1);
+            boolean verdict = test(kindA, a, kindB, b);
+            double gap = PlanarSampling.gap(kindA, a, kindB, b);
+            // the sampled gap is found along some line, and so is certain up to rounding; a hit is a missing line
+            if (gap > 1e-12) {
+                assertThat(verdict).as(pair(kindA, a, kindB, b)).isFalse();
+            } else if (gap < -1e-2) {
+                assertThat(verdict).as(pair(kindA, a, kindB, b)).isTrue();
+            }
+            hits += verdict ? 1 : 0;
+        }
+        assertThat(hits).isBetween(count * 3 / 10, count * 8 / 10);
+    }
+
+    private static double[] disc(double x, double z, double r) {
+        double[] row = new double[Leaf.STRIDE];
+        row[0] = x;
+        row[2] = z;
+        row[3] = r;
+        return row;
+    }
+
+    /** A pair that a world told apart by its bounds and together without a look at them: octagons are in no doubt. */
+    @Test
+    void octagonsAreApartWhereOneOfTheirDirectionsPartsThem() {
+        double[] still = {
+            -2.0000000000001705,
+            1.7053025658242404E-13,
+            -3.0000000000001705,
+            -0.9999999999998295,
+            -4.414213562373277,
+            -1.5857864376267226,
+            -0.41421356237327744,
+            2.4142135623732774,
+            -3.0000000000001705,
+            -0.9999999999998295,
+            0,
+            0,
+            0,
+            0,
+            0,
+            0
+        };
+        double[] other = {
+            2.48694250966913E-13,
+            1.000000000000584,
+            -5.085786437626606,
+            -2.0857864376262136,
+            -5.085786437626203,
+            -1.0857864376257826,
+            2.085786437626616,
+            6.0857864376270365,
+            -2.8125000000001354,
+            0.18750000000025646,
+            0,
+            0,
+            0,
+            0,
+            0,
+            0
+        };
+        Scratch s = new Scratch();
+        assertThat(PlanarOverlap.test(Leaf.PRISM, still, 0, Leaf.PRISM, other, 0, s))
+                .isFalse();
+        assertThat(PlanarOverlap.test(Leaf.PRISM, other, 0, Leaf.PRISM, still, 0, s))
+                .isFalse();
+        assertThat(PlanarDistance.between(Leaf.PRISM, other, 0, Leaf.PRISM, still, 0, s))
+                .isBetween(0.0, 1e-12);
+        still[1] = other[0];
+        assertThat(PlanarOverlap.test(Leaf.PRISM, still, 0, Leaf.PRISM, other, 0, s))
+                .isTrue();
+        assertThat(PlanarDistance.between(Leaf.PRISM, other, 0, Leaf.PRISM, still, 0, s))
+                .isZero();
+    }
+}

@@ -1,0 +1,323 @@
+package robosim.geometry.narrow.ray;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import robosim.geometry.narrow.PlanarReference;
+import robosim.geometry.narrow.PlanarRows;
+import robosim.geometry.narrow.PlanarSampling;
+import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.planar.DiscRectangle;
+
+public class PlanarRayTest {
+    private final Scratch scratch = new Scratch();
+    private double worst;
+
+    private double ray(double ox, double oz, double ux, double uz, int kind, double[] row) {
+        return PlanarRay.distance(ox, oz, ux, uz, kind, row, 0, scratch);
+    }
+
+    public static String text(double ox, double oz, double ux, double uz, int kind, double[] row) {
+        return "ray (%s, %s) -> (%s, %s), kind %d %s".formatted(ox, oz, ux, uz, kind, Arrays.toString(row));
+    }
+
+    /** True where it hits; also compares the distance, in ulp of the largest number that went in. */
+    private boolean checked(double ox, double oz, double ux, double uz, int kind, double[] row, double ulps) {
+        PlanarReference.Place o = PlanarReference.place(ox, oz);
+        PlanarReference.Place u = PlanarReference.place(ux, uz);
+        PlanarReference.Shape shape = PlanarReference.of(kind, row, 0);
+        boolean truth = PlanarReference.hit(o, u, shape);
+        double distance = ray(ox, oz, ux, uz, kind, row);
+        String text = text(ox, oz, ux, uz, kind, row);
+        assertThat(distance < Double.POSITIVE_INFINITY).as(text).isEqualTo(truth);
+        assertThat(distance).as(text).isGreaterThanOrEqualTo(0);
+        if (truth) {
+            double right = PlanarReference.distance(o, u, shape);
+            double size = Math.max(right, Math.max(Math.abs(ox), Math.abs(oz)));
+            for (int k = 0; k < (kind == Leaf.TRIANGLE ? 9 : 6); k++) {
+                size = Math.max(size, Math.abs(row[k]));
+            }
+            double off = Math.abs(distance - right) / Math.ulp(size);
+            worst = Math.max(worst, off);
+            assertThat(off).as(text + " is " + distance + ", not " + right).isLessThanOrEqualTo(ulps);
+            if (right == 0) {
+                assertThat(distance).as(text).isZero();
+            }
+        }
+        return truth;
+    }
+
+    @Test
+    void randomRaysAgreeWithTheReference() {
+        PlanarRows rows = new PlanarRows(11);
+        int hits = 0;
+        int count = 4000;
+        for (int k = 0; k < count; k++) {
+            int kind = rows.exactKind();
+            double[] row = rows.row(kind, 1, 1);
+            double t = rows.between(4);
+            double ox = row[0] + 2 * StrictMath.cos(t) + rows.between(0.5);
+            double oz = row[2] + 2 * StrictMath.sin(t) + rows.between(0.5);
+            double aim = Math.toRadians(rows.between(35));
+            double ux = -StrictMath.cos(t + aim) * 3;
+            double uz = -StrictMath.sin(t + aim) * 3;
+            hits += checked(ox, oz, ux, uz, kind, row, 4) ? 1 : 0;
+        }
+        assertThat(hits).isBetween(count * 3 / 10, count * 7 / 10);
+    }
+
+    @Test
+    void raysOnAGridThroughCornersAndAlongSidesAgree() {
+        PlanarRows rows = new PlanarRows(12);
+        SplittableRandom random = rows.random();
+        int hits = 0;
+        int count = 4000;
+        for (int k = 0; k < count; k++) {
+            int kind = rows.exactKind();
+            double[] row = rows.gridRow(kind);
+            double ux = random.nextInt(-2, 3);
+            double uz = random.nextInt(-2, 3);
+            if (ux == 0 && uz == 0) {
+                uz = -1;
+            }
+            ux = ux == 0 && random.nextBoolean() ? -0.0 : ux;
+            hits += checked(random.nextInt(-6, 7), random.nextInt(-6, 7), ux, uz, kind, row, 4) ? 1 : 0;
+        }
+        assertThat(hits).isBetween(count * 2 / 10, count * 7 / 10);
+    }
+
+    @Test
+    void raysAimedAtCornersAndOneUlpBesideAgree() {
+        PlanarRows rows = new PlanarRows(13);
+        int hits = 0;
+        int count = 0;
+        for (int k = 0; k < 1000; k++) {
+            int kind = k % 2 == 0 ? Leaf.TRIANGLE : Leaf.UPRIGHT_BOX;
+            double factor = Math.scalb(1.0, rows.random().nextInt(-40, 41));
+            double[] row = PlanarRows.scaled(kind, rows.gridRow(kind), factor);
+            double ox = rows.random().nextInt(-40, 41) * factor;
+            double oz = rows.random().nextInt(5, 41) * factor;
+            double cornerX = row[0];
+            double cornerZ = row[2];
+            if (kind == Leaf.UPRIGHT_BOX) {
+                cornerX += DiscRectangle.alignedX(row, 0);
+                cornerZ -= DiscRectangle.alignedZ(row, 0);
+            }
+            double ux = cornerX - ox;
+            double uz = cornerZ - oz;
+            for (int step = -1; step <= 1; step++) {
+                hits += checked(ox, oz, ux + step * Math.ulp(ux), uz, kind, row, 4) ? 1 : 0;
+                count++;
+            }
+        }
+        assertThat(hits).isBetween(count * 5 / 10, count * 9 / 10);
+    }
+
+    @Test
+    void tangentsOfDiscsAreHitAndOneUlpBesideAreNot() {
+        int[][] triples = {{3, 4, 5}, {5, 12, 13}, {8, 15, 17}, {7, 24, 25}, {20, 21, 29}};
+        for (int[] t : triples) {
+            for (int exponent = -40; exponent <= 40; exponent += 10) {
+                double f = Math.scalb(1.0, exponent);
+                double[] row = new double[Leaf.STRIDE];
+                row[3] = t[2] * f;
+                // the tangent point is (a, b), the direction across it
+                double ox = (t[0] - 2 * t[1]) * f;
+                double oz = (t[1] + 2 * t[0]) * f;
+                assertThat(checked(ox, oz, t[1], -t[0], Leaf.SPHERE, row, 4)).isTrue();
+                row[3] = Math.nextDown(row[3]);
+                assertThat(checked(ox, oz, t[1], -t[0], Leaf.SPHERE, row, 4)).isFalse();
+                assertThat(checked(ox, oz, -t[1], t[0], Leaf.SPHERE, row, 4)).isFalse();
+            }
+        }
+    }
+
+    @Test
+    void discsGrazedFromAfarAreAsGoodAsNearOnes() {
+        PlanarRows rows = new PlanarRows(14);
+        int hits = 0;
+        int count = 2000;
+        for (int k = 0; k < count; k++) {
+            double[] row = new double[Leaf.STRIDE];
+            row[3] = 1;
+            double angle = rows.between(3.2);
+            double far = 2 + StrictMath.exp(rows.random().nextDouble() * 16);
+            double aim = angle + StrictMath.asin((1 + rows.between(1e-9)) / far);
+            hits += checked(
+                            far * StrictMath.cos(angle),
+                            far * StrictMath.sin(angle),
+                            -StrictMath.cos(aim),
+                            -StrictMath.sin(aim),
+                            Leaf.UPRIGHT_CYLINDER,
+                            row,
+                            4)
+                    ? 1
+                    : 0;
+        }
+        assertThat(hits).isBetween(count * 3 / 10, count * 7 / 10);
+        assertThat(worst).isGreaterThan(0.2);
+    }
+
+    @Test
+    void rectanglesMetAtLowAnglesAreAsGood() {
+        PlanarRows rows = new PlanarRows(15);
+        int hits = 0;
+        int count = 2000;
+        for (int k = 0; k < count; k++) {
+            double heading = rows.between(180);
+            double[] row = rows.row(Leaf.UPRIGHT_BOX, 10, 5);
+            PlanarRows.upright(row, heading);
+            double c = row[6];
+            double s = row[8];
+            double along = 20 + 1000 * rows.random().nextDouble();
+            double off = row[5] + rows.between(8e-3);
+            double slope = rows.random().nextDouble() * 1e-5;
+            double ox = row[0] - along * c + off * s;
+            double oz = row[2] + along * s + off * c;
+            double ux = c - slope * s;
+            double uz = -s - slope * c;
+            hits += checked(ox, oz, ux, uz, Leaf.UPRIGHT_BOX, row, 4) ? 1 : 0;
+        }
+        assertThat(hits).isBetween(count * 3 / 10, count * 8 / 10);
+    }
+
+    @Test
+    void boxesAtAnAttitudeAndTrianglesMetAtLowAnglesAreAsGood() {
+        PlanarRows rows = new PlanarRows(19);
+        int hits = 0;
+        int count = 2000;
+        for (int k = 0; k < count; k++) {
+            int kind = k % 2 == 0 ? Leaf.BOX : Leaf.TRIANGLE;
+            double[] row = rows.row(kind, 10, 5);
+            double dirX = kind == Leaf.BOX ? row[6] : row[3] - row[0];
+            double dirZ = kind == Leaf.BOX ? row[12] : row[5] - row[2];
+            if (dirX == 0 && dirZ == 0) {
+                continue;
+            }
+            // towards a point of the leaf at a low angle to a side
+            double along = 20 + 1000 * rows.random().nextDouble();
+            double slope = rows.between(1e-5);
+            double offX = kind == Leaf.BOX ? row[5] * row[8] + row[4] * row[7] : 0;
+            double offZ = kind == Leaf.BOX ? row[5] * row[14] + row[4] * row[13] : 0;
+            double ux = dirX - slope * dirZ;
+            double uz = dirZ + slope * dirX;
+            double ox = row[0] + offX - along * ux + rows.between(1e-4);
+            double oz = row[2] + offZ - along * uz + rows.between(1e-4);
+            hits += checked(ox, oz, ux, uz, kind, row, 4) ? 1 : 0;
+        }
+        assertThat(hits).isBetween(count * 3 / 10, count * 8 / 10);
+    }
+
+    /** Shifts the start until a step of one ulp changes hit to miss, and asks the reference about the steps around. */
+    @Test
+    void neighboursAcrossTheOutlineAgreeWithTheReference() {
+        PlanarRows rows = new PlanarRows(20);
+        int hits = 0;
+        int count = 0;
+        for (int k = 0; k < 1000; k++) {
+            int kind = rows.exactKind();
+            double[] row = rows.row(kind, 1, 1);
+            double ux = rows.between(0.3);
+            double oz = rows.between(1);
+            double in = rows.between(1);
+            double out = 9;
+            if (ray(in, oz, ux, 1, kind, row) == Double.POSITIVE_INFINITY) {
+                continue;
+            }
+            while (true) {
+                double middle = in + (out - in) / 2;
+                if (middle == in || middle == out) {
+                    break;
+                }
+                if (ray(middle, oz, ux, 1, kind, row) < Double.POSITIVE_INFINITY) {
+                    in = middle;
+                } else {
+                    out = middle;
+                }
+            }
+            for (int step = -2; step <= 3; step++) {
+                hits += checked(in + step * Math.ulp(in), oz, ux, 1, kind, row, 1e9) ? 1 : 0;
+                count++;
+            }
+        }
+        assertThat(count).isGreaterThan(500);
+        assertThat(hits).isBetween(count * 3 / 10, count * 7 / 10);
+    }
+
+    @Test
+    void directionsOfAnyLengthGiveTheSame() {
+        PlanarRows rows = new PlanarRows(16);
+        int hits = 0;
+        int[] kinds = {0, 1, 2, 3, 4, 5, 6};
+        for (int k = 0; k < 500; k++) {
+            int kind = kinds[k % 7];
+            double[] row = rows.row(kind, 1, 1);
+            double ux = rows.random().nextInt(-8, 9);
+            double uz = rows.random().nextInt(1, 9);
+            double distance = ray(-ux, -uz, ux, uz, kind, row);
+            for (int exponent : new int[] {-1070, -700, -190, 90}) {
+                double scaled = ray(-ux, -uz, Math.scalb(ux, exponent), Math.scalb(uz, exponent), kind, row);
+                assertThat(scaled).as(text(-ux, -uz, ux, uz, kind, row)).isEqualTo(distance);
+            }
+            hits += distance < Double.POSITIVE_INFINITY ? 1 : 0;
+        }
+        assertThat(hits).isBetween(100, 400);
+    }
+
+    @Test
+    void ovalsAndOctagonsAreMetWhereTheirOutlineIs() {
+        PlanarRows rows = new PlanarRows(17);
+        int hits = 0;
+        int count = 3000;
+        for (int k = 0; k < count; k++) {
+            int kind = k % 2 == 0 ? Leaf.CYLINDER : Leaf.PRISM;
+            double[] row = rows.row(kind, 0, 1);
+            if (kind == Leaf.CYLINDER && row[3] == 0) {
+                row[3] = 0.25; // a hull of some area
+            }
+            double angle = rows.between(3.2);
+            double far = k % 10 == 0 ? 1e5 : 3;
+            double ox = far * StrictMath.cos(angle);
+            double oz = far * StrictMath.sin(angle);
+            double tx = rows.between(1.2);
+            double tz = rows.between(1.2);
+            double length = StrictMath.hypot(tx - ox, tz - oz);
+            double ux = (tx - ox) / length;
+            double uz = (tz - oz) / length;
+            double distance = ray(ox, oz, ux, uz, kind, row);
+            double truth = PlanarSampling.ray(ox, oz, ux, uz, PlanarSampling.points(kind, row));
+            String text = text(ox, oz, ux, uz, kind, row);
+            if (truth < Double.POSITIVE_INFINITY) {
+                hits++;
+                // The sampled outline is inscribed.
+                assertThat(distance).as(text).isLessThanOrEqualTo(truth + 1e-9);
+                double inwards =
+                        PlanarSampling.depth(ox + distance * ux, oz + distance * uz, PlanarSampling.points(kind, row));
+                assertThat(Math.abs(inwards)).as(text).isLessThan(1e-4);
+            } else if (distance < Double.POSITIVE_INFINITY) {
+                double inwards =
+                        PlanarSampling.depth(ox + distance * ux, oz + distance * uz, PlanarSampling.points(kind, row));
+                assertThat(Math.abs(inwards)).as(text).isLessThan(1e-4);
+            }
+        }
+        assertThat(hits).isBetween(count * 3 / 10, count * 8 / 10);
+    }
+
+    @Test
+    void startsInsideAreAtNoDistance() {
+        PlanarRows rows = new PlanarRows(18);
+        for (int k = 0; k < 700; k++) {
+            int kind = k % 7;
+            double[] row = rows.row(kind, 1, 1);
+            double x = kind == Leaf.TRIANGLE ? (row[0] + row[3] + row[6]) / 3 : row[0];
+            double z = kind == Leaf.TRIANGLE ? (row[2] + row[5] + row[8]) / 3 : row[2];
+            if (kind == Leaf.PRISM || (kind == Leaf.TRIANGLE && row[0] == row[3])) {
+                continue;
+            }
+            assertThat(ray(x, z, rows.between(1), 1, kind, row)).isZero();
+        }
+    }
+}

@@ -1,0 +1,84 @@
+package robosim.geometry.narrow.sweep;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.math.BigDecimal;
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import robosim.geometry.narrow.FlatTwin;
+import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.SweepRows;
+import robosim.geometry.narrow.leaf.Leaf;
+
+class PlanarSweepTest {
+    private static final int[] KINDS = {
+        Leaf.UPRIGHT_BOX, Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE, Leaf.BOX, Leaf.TRIANGLE, Leaf.PRISM
+    };
+
+    private final Scratch scratch = new Scratch();
+    private final SplittableRandom random = new SplittableRandom(20051);
+    private int contacts;
+    private int blocked;
+    private int hits;
+    private int misses;
+
+    @Test
+    void agreesWithTheExactTwinAtRandom() {
+        for (int k = 0; k < 12; k++) {
+            for (int kindA : KINDS) {
+                for (int kindB : KINDS) {
+                    double[] a = SweepRows.random(kindA, 2, random);
+                    double[] b = SweepRows.random(kindB, 2, random);
+                    check(kindA, a, random.nextDouble(-4, 4), random.nextDouble(-4, 4), kindB, b);
+                }
+            }
+        }
+        assertMix(432);
+    }
+
+    @Test
+    void agreesWithTheExactTwinOnAGridFullOfTies() {
+        for (int k = 0; k < 12; k++) {
+            for (int kindA : KINDS) {
+                for (int kindB : KINDS) {
+                    double[] a = SweepRows.onGrid(kindA, 3, random);
+                    double[] b = SweepRows.onGrid(kindB, 3, random);
+                    check(kindA, a, random.nextInt(-5, 6), random.nextInt(-5, 6), kindB, b);
+                }
+            }
+        }
+        assertMix(432);
+        assertThat(blocked).isGreaterThan(10);
+    }
+
+    private void assertMix(int count) {
+        assertThat(hits + misses + contacts).isEqualTo(count);
+        assertThat(hits).isGreaterThan(count / 10);
+        assertThat(misses).isGreaterThan(count / 10);
+        assertThat(contacts).isGreaterThan(count / 10);
+    }
+
+    private void check(int kindA, double[] a, double dx, double dz, int kindB, double[] b) {
+        String what = "kind %d %s by (%s, %s), kind %d %s"
+                .formatted(kindA, Arrays.toString(a), dx, dz, kindB, Arrays.toString(b));
+        double time = PlanarSweep.translation(kindA, a, 0, dx, 17, dz, kindB, b, 0, scratch);
+        FlatTwin twin = new FlatTwin(kindA, a, dx, dz, kindB, b);
+        if (twin.touchesAtStart()) {
+            contacts++;
+            boolean deeper = twin.goesDeeper();
+            blocked += deeper ? 1 : 0;
+            assertThat(time).as(what).isEqualTo(deeper ? 0 : Double.POSITIVE_INFINITY);
+        } else if (twin.meetsBy(1)) {
+            hits++;
+            assertThat(time).as(what).isBetween(0.0, 1.0);
+            // Rounded down, and to nothing but the next double: not yet there any earlier, there by the next one.
+            BigDecimal justBefore = new BigDecimal(time).multiply(BigDecimal.ONE.subtract(new BigDecimal(0x1p-200)));
+            assertThat(twin.meetsBy(justBefore)).as(what).isFalse();
+            assertThat(twin.meetsBy(Math.nextUp(time))).as(what).isTrue();
+        } else {
+            misses++;
+            assertThat(time).as(what).isEqualTo(Double.POSITIVE_INFINITY);
+        }
+    }
+}

@@ -1,0 +1,57 @@
+package robosim.geometry.viewer.playback;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayInputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import javax.xml.parsers.DocumentBuilderFactory;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import robosim.geometry.net.SessionOptions;
+import robosim.geometry.scenario.Scenario;
+import robosim.geometry.scenario.ScenarioHeader;
+import robosim.geometry.viewer.Talk;
+import robosim.geometry.viewer.draw.Painter;
+import robosim.geometry.viewer.scene.Scene;
+
+class PicturesTest {
+    @Test
+    void theLastMomentsShowWhatRefusedTheLastMove(@TempDir Path folder) throws Exception {
+        Scenario scenario =
+                Talk.begun().drives(2, true).looks(3.5).drives(9, false).scenario();
+        Path file = folder.resolve("last.svg");
+        Pictures.lastMoments(scenario, List.of(), file);
+        String svg = Files.readString(file);
+        DocumentBuilderFactory.newInstance()
+                .newDocumentBuilder()
+                .parse(new ByteArrayInputStream(svg.getBytes(StandardCharsets.UTF_8)));
+        assertThat(svg).contains("a talk", "step 4 of 4: 1 move, 1 refused: drum by wall");
+        assertThat(svg).containsOnlyOnce("class=\"block\"").containsOnlyOnce("class=\"trail\"");
+        assertThat(svg).containsOnlyOnce("class=\"ping\"");
+        assertThat(svg).isEqualTo(Painter.svg(Pictures.lastMoments(scenario)));
+    }
+
+    @Test
+    void aStoredScenarioHasItsLastMoments() throws Exception {
+        Scenario scenario = Scenario.read(Path.of("worlds/scenarios/by-hand.scenario.jsonl"));
+        Scene scene = Pictures.lastMoments(scenario);
+        assertThat(scene.things()).hasSizeGreaterThan(50);
+        assertThat(scene.refusals()).hasSize(1);
+        assertThat(scene.blocked()).hasSize(1);
+    }
+
+    @Test
+    void aConversationOfNothingIsAPictureToo() {
+        Scenario empty = new Scenario(new ScenarioHeader("nothing", SessionOptions.ROBOSIM), new Talk().steps());
+        assertThat(Painter.svg(Pictures.lastMoments(empty))).contains("nothing");
+    }
+
+    @Test
+    void titlesAreNamesOfFiles() {
+        assertThat(Pictures.title(Path.of("worlds/rooms.xml"))).isEqualTo("rooms");
+        assertThat(Pictures.title(Path.of("a.b.scenario.jsonl"))).isEqualTo("a.b");
+    }
+}
