@@ -153,10 +153,14 @@ final class MovingDisc {
         double ex = o.x[next] - o.x[k];
         double ez = o.z[next] - o.z[k];
         double square = ex * ex + ez * ez;
-        double share = (lo * dx - o.x[k]) * ex + (lo * dz - o.z[k]) * ez;
+        double wx = lo * dx - o.x[k];
+        double wz = lo * dz - o.z[k];
+        double share = wx * ex + wz * ez;
+        // A short edge has the roundings of its corners in its direction.
         double e = (Math.abs(ex) + Math.abs(ez))
                         * (2 * ROUNDOFF * (o.size + lo * (Math.abs(dx) + Math.abs(dz)))
                                 + (hi - lo) * (Math.abs(dx) + Math.abs(dz)))
+                + ROUNDOFF * o.size * (Math.abs(wx) + Math.abs(wz))
                 + TINY;
         if (share < -e) {
             return BEFORE;
@@ -303,7 +307,7 @@ final class MovingDisc {
             double cross = ex * o.z[k] - ez * o.x[k];
             double distance = beside ? cross * cross / square : fromCorner;
             if (distance < nearest) {
-                double e = 2 * ROUNDOFF * (Math.abs(ex) + Math.abs(ez)) * o.size + TINY;
+                double e = 2 * ROUNDOFF * (Math.abs(ex) + Math.abs(ez)) * o.size + ROUNDOFF * o.size * o.size + TINY;
                 nearest = distance;
                 place = k;
                 face = beside;

@@ -44,9 +44,11 @@ public final class PlanarSweep {
      * (wx, wy, wz) through (px, py, pz).
      *
      * <p>What touches or overlaps at the start blocks where the depth anywhere on the arc is above that at the start.
+     * What starts nearer than 2^-44 of the sizes may count as touching, and what touches may get deeper by as much.
      *
      * @return the share that is free, from 0 up to, not including, 1, rounded down: the turn so far is proven free, and
-     *     contact may be a gap of 2^-30 of the mover's radius away; {@code +Infinity} where all of the turn is free
+     *     contact may be a gap of 2^-30 of the mover's radius and 2^-43 of both leaves' distances from the pivot away;
+     *     {@code +Infinity} where all of the turn is free
      */
     public static double turn(
             int kindA,

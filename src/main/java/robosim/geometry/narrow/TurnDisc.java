@@ -87,8 +87,15 @@ final class TurnDisc {
             // The distance grows as -cos(t - phase) does.
             return TurnOutline.rising(-dot, -cross, error * Math.max(rho, v));
         }
+        return entry(vx, vz, limit + error);
+    }
+
+    /** When the point comes within a reach of a corner, at a turn that begins beyond that. */
+    private double entry(double vx, double vz, double reach) {
+        double v = TurnOutline.length(vx, vz);
+        double cross = px * vz - pz * vx;
+        double dot = px * vx + pz * vz;
         double off = Math.abs(v - rho);
-        double reach = limit + error;
         if (off > reach) {
             return Double.POSITIVE_INFINITY;
         }
@@ -114,7 +121,16 @@ final class TurnDisc {
         double phase = StrictMath.atan2(b, a);
         double t;
         double slack;
-        if (closed && isBeside(px, pz, x0, z0, ex, ez, length, 2 * error) && Math.abs(a - c - limit) <= 2 * error) {
+        boolean isOn = closed && Math.abs(a - c - limit) <= 2 * error;
+        boolean isPast = isOn && !isBeside(px, pz, x0, z0, ex, ez, length, 2 * error);
+        if (isPast) {
+            double first = intoEdge(x0, z0, -ex / length, -ez / length, a, b);
+            double into = Math.min(first, intoEdge(x1, z1, ex / length, ez / length, a, b));
+            if (into < Double.POSITIVE_INFINITY) {
+                return into;
+            }
+        }
+        if (isOn && !isPast) {
             double free = TurnOutline.rising(a, b, error);
             if (free == 0 || free >= FULL) {
                 return free;
@@ -132,8 +148,36 @@ final class TurnDisc {
         }
         double cos = Radians.cos(t);
         double sin = Radians.sin(t);
-        return isBeside(px * cos - pz * sin, px * sin + pz * cos, x0, z0, ex, ez, length, slack)
-                ? ahead(t)
+        double x = px * cos - pz * sin;
+        double z = px * sin + pz * cos;
+        if (isBeside(x, z, x0, z0, ex, ez, length, Math.min(slack, 8 * error))) {
+            return ahead(t);
+        }
+        return isBeside(x, z, x0, z0, ex, ez, length, slack)
+                ? pastEnd(t, x0, z0, x0 + ex, z0 + ez)
+                : Double.POSITIVE_INFINITY;
+    }
+
+    /**
+     * A point that grazes an edge's offset line is as high as the edge for a while, in which it comes past an end of it: at
+     * that end it is within reach of the corner.
+     */
+    private double pastEnd(double t, double x0, double z0, double x1, double z1) {
+        double reach = limit + 8 * error;
+        double near = Math.min(TurnOutline.length(px - x0, pz - z0), TurnOutline.length(px - x1, pz - z1));
+        return near <= reach ? ahead(t) : Math.min(entry(x0, z0, reach), entry(x1, z1, reach));
+    }
+
+    /**
+     * A point on an edge's offset line hardly past an end of it, where the corner is as near as the edge: it goes deeper
+     * where the line falls and it comes back beside the edge. (ux, uz) leads out past that end.
+     */
+    private double intoEdge(double vx, double vz, double ux, double uz, double a, double b) {
+        double along = ux * px + uz * pz;
+        double rate = uz * px - ux * pz;
+        boolean isCorner = along > ux * vx + uz * vz && TurnOutline.length(px - vx, pz - vz) <= limit + 2 * error;
+        return isCorner && rate < 0 && TurnOutline.rising(a, b, error) == 0
+                ? TurnOutline.beyond(along, rate, ux * vx + uz * vz + error, 0)
                 : Double.POSITIVE_INFINITY;
     }
 

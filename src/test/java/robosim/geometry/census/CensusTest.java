@@ -72,7 +72,7 @@ class CensusTest {
     }
 
     private static String page(List<Count> counts) {
-        long cases = 2 * CASES * counts.size();
+        long cases = counts.stream().mapToLong(Count::cases).sum();
         long wrong = counts.stream()
                 .flatMap(count -> count.rows.values().stream())
                 .mapToLong(row -> row.wrong)

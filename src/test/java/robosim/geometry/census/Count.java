@@ -33,17 +33,24 @@ final class Count {
         }
     }
 
-    /** Asks as many plain cases and as many adversarial ones. */
+    /** Asks as many plain cases and as many adversarial ones, times the effort. */
     static Count of(Kernel kernel, long seed, long cases) {
         Count count = new Count(kernel);
         for (boolean adversarial : new boolean[] {false, true}) {
             SplittableRandom random =
                     new SplittableRandom(seed * 31 + kernel.name().hashCode() * 2L + (adversarial ? 1 : 0));
-            for (long k = 0; k < cases; k++) {
+            for (long k = 0; k < Math.round(cases * kernel.effort()); k++) {
                 count.add(kernel.ask(random.split(), adversarial), adversarial);
             }
         }
         return count;
+    }
+
+    /** How many cases were asked. */
+    long cases() {
+        return rows.values().stream()
+                .mapToLong(row -> row.random + row.adversarial)
+                .sum();
     }
 
     private void add(Visit visit, boolean adversarial) {

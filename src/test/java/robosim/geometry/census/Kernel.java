@@ -17,6 +17,11 @@ public interface Kernel {
     /** Every regime that a case can fall into. Each must be met. */
     List<String> regimes();
 
+    /** How many times as many cases as the other kernels it takes until every regime is met often enough. */
+    default double effort() {
+        return 1;
+    }
+
     /**
      * Makes up one case, asks the product and the twin, and tells how they compare.
      *

@@ -51,5 +51,12 @@ final class Kernels {
         all.add(new PlanarBeam("a disc", Form.SPHERE));
         all.add(new PlanarBeam("a box or a triangle", Form.UPRIGHT_BOX, Form.BOX, Form.TRIANGLE));
         all.add(new PlanarBeam("a tipped cylinder", Form.CYLINDER));
+        all.add(new PlanarWay("discs", DISC, DISC));
+        all.add(new PlanarWay("a disc and a box or a triangle", DISC, POLYGONS));
+        all.add(new PlanarWay("boxes and triangles", POLYGONS, POLYGONS));
+        all.add(new PlanarOvalWay(OVAL, ANY));
+        all.add(new PlanarSpin("discs", DISC, DISC));
+        all.add(new PlanarSpin("a disc and a box or a triangle", DISC, POLYGONS));
+        all.add(new PlanarSpin("boxes and triangles", POLYGONS, POLYGONS));
     }
 }

@@ -34,6 +34,11 @@ final class PlanarBeam implements Kernel {
     }
 
     @Override
+    public double effort() {
+        return forms[0] == Form.CYLINDER ? 0.45 : 0.7; // the twin is slow, the regimes are few
+    }
+
+    @Override
     public List<String> regimes() {
         List<String> all = new ArrayList<>(List.of(
                 "from within", "the nearest point within", "cut by an edge", "nothing within", "an edge grazes it"));

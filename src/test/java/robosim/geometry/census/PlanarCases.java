@@ -82,6 +82,30 @@ final class PlanarCases {
         }
     }
 
+    /** Turns a row about a point, from x towards z. */
+    static void turn(Form form, double[] row, double px, double pz, double angle) {
+        double c = StrictMath.cos(angle);
+        double s = StrictMath.sin(angle);
+        for (int k = 0; k < (form == Form.TRIANGLE ? 9 : 3); k += 3) {
+            double x = row[k] - px;
+            double z = row[k + 2] - pz;
+            row[k] = px + (c * x - s * z);
+            row[k + 2] = pz + (s * x + c * z);
+        }
+        if (form == Form.TRIANGLE || form == Form.SPHERE) {
+            return;
+        }
+        for (int k = 6; k < 9; k++) {
+            double x = row[k];
+            row[k] = c * x - s * row[k + 6];
+            row[k + 6] = s * x + c * row[k + 6];
+        }
+        if (form == Form.UPRIGHT_BOX) {
+            row[12] = -row[8];
+            row[14] = row[6];
+        }
+    }
+
     /** A direction: anywhere, or square to a side of the form, or nearly. */
     static double[] direction(PlanarTwin twin, SplittableRandom random, boolean adversarial) {
         int side = random.nextInt(twin.x.length);

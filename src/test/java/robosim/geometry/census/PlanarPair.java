@@ -40,6 +40,11 @@ final class PlanarPair implements Kernel {
     }
 
     @Override
+    public double effort() {
+        return hasOval() || second[0] == Form.SPHERE ? 0.5 : hasSides() && first[0] != Form.SPHERE ? 1 : 0.75;
+    }
+
+    @Override
     public List<String> regimes() {
         List<String> all = new ArrayList<>();
         for (String feature : hasSides() ? new String[] {", a corner", ", a side"} : new String[] {""}) {

@@ -28,6 +28,11 @@ final class PlanarSight implements Kernel {
     }
 
     @Override
+    public double effort() {
+        return forms[0] == Form.CYLINDER ? 0.5 : 1;
+    }
+
+    @Override
     public List<String> regimes() {
         List<String> all = new ArrayList<>(List.of("from within", "missed beside", "missed behind", "met"));
         if (forms[0] == Form.CYLINDER || forms[0] == Form.SPHERE) {

@@ -27,6 +27,11 @@ final class PlanarTwin {
     Twofold reach = Twofold.ZERO;
     Twofold minor = Twofold.ZERO;
 
+    /** What it is drawn along, so that all places on a way are one shape. */
+    private Twofold wayX = Twofold.ZERO;
+
+    private Twofold wayZ = Twofold.ZERO;
+
     private PlanarTwin(int corners, double radius, boolean isOval) {
         x = new Twofold[corners];
         z = new Twofold[corners];
@@ -75,6 +80,35 @@ final class PlanarTwin {
         twin.axisZ = axisZ;
         twin.reach = reach.plus(Twofold.of(by));
         twin.minor = minor.plus(Twofold.of(by));
+        twin.wayX = wayX;
+        twin.wayZ = wayZ;
+        return twin;
+    }
+
+    /** The same, moved by a share of a way. */
+    PlanarTwin moved(double dx, double dz, double share) {
+        return seenFrom(Twofold.of(dx).times(-share), Twofold.of(dz).times(-share));
+    }
+
+    /** The same, turned about a point by an angle of these, from x towards z. */
+    PlanarTwin turned(double px, double pz, double cos, double sin) {
+        PlanarTwin twin = grown(0);
+        for (int k = 0; k < x.length; k++) {
+            Twofold wx = x[k].minus(Twofold.of(px));
+            Twofold wz = z[k].minus(Twofold.of(pz));
+            twin.x[k] = wx.times(cos).minus(wz.times(sin)).plus(Twofold.of(px));
+            twin.z[k] = wx.times(sin).plus(wz.times(cos)).plus(Twofold.of(pz));
+        }
+        twin.axisX = axisX.times(cos).minus(axisZ.times(sin));
+        twin.axisZ = axisX.times(sin).plus(axisZ.times(cos));
+        return twin;
+    }
+
+    /** All places on a share of a way. */
+    PlanarTwin swept(double dx, double dz, double share) {
+        PlanarTwin twin = grown(0);
+        twin.wayX = Twofold.of(dx).times(share);
+        twin.wayZ = Twofold.of(dz).times(share);
         return twin;
     }
 
@@ -202,6 +236,27 @@ final class PlanarTwin {
         return seenFrom(x[0], z[0]).near(other.seenFrom(x[0], z[0]));
     }
 
+    /** The same in plain doubles. */
+    double partedRoughly(PlanarTwin other) {
+        double[] best = {Double.NEGATIVE_INFINITY, 0};
+        for (int k = 0; k < 32; k++) {
+            offer(other, 2 * Math.PI * k / 32, best);
+        }
+        for (PlanarTwin of : new PlanarTwin[] {this, other}) {
+            for (int m = 0; m < of.x.length; m++) {
+                int n = (m + 1) % of.x.length;
+                double ex = of.isOval ? of.axisX.head() : of.x[n].head() - of.x[m].head();
+                double ez = of.isOval ? of.axisZ.head() : of.z[n].head() - of.z[m].head();
+                double angle = Math.atan2(-ex, ez);
+                offer(other, angle, best);
+                offer(other, angle + Math.PI, best);
+            }
+        }
+        climb(other, best[1], 0.2, best);
+        climb(other, best[1], 0x1p-12, best);
+        return best[0];
+    }
+
     // From nearby, so that doubles lead to the right direction.
     private PlanarTwin seenFrom(Twofold px, Twofold pz) {
         PlanarTwin twin = grown(0);
@@ -231,8 +286,20 @@ final class PlanarTwin {
                 }
             }
         }
+        for (PlanarTwin of : new PlanarTwin[] {this, other}) {
+            for (int side = -1; side <= 1; side += 2) {
+                if (of.wayX.signum() != 0 || of.wayZ.signum() != 0) {
+                    Twofold here = exactLines(other, of.wayZ.times(side), of.wayX.times(-side));
+                    most = most == null ? here : larger(most, here);
+                }
+                if (of.isOval) { // an end that is all but flat
+                    Twofold here = exactLines(other, of.axisX.times(side), of.axisZ.times(side));
+                    most = most == null ? here : larger(most, here);
+                }
+            }
+        }
         double from = best[1];
-        for (double step = 0.1; step > 1e-15; step *= 0.03) {
+        for (double step = 0.1; step > 1e-15; step *= 1e-4) {
             climb(other, from, step, best);
         }
         Twofold slope = exactLines(other, Twofold.of(Math.cos(best[1])), Twofold.of(Math.sin(best[1])));
@@ -279,6 +346,7 @@ final class PlanarTwin {
         for (int k = 0; k < x.length; k++) {
             most = Math.max(most, nx * x[k].head() + nz * z[k].head());
         }
+        most += Math.max(0, nx * wayX.head() + nz * wayZ.head());
         if (!isOval) {
             return most + radius.head();
         }
@@ -301,6 +369,7 @@ final class PlanarTwin {
         for (int k = 1; k < x.length; k++) {
             most = larger(most, dot(nx, nz, x[k], z[k]));
         }
+        most = most.plus(larger(Twofold.ZERO, dot(nx, nz, wayX, wayZ)));
         if (!isOval) {
             return most.plus(radius);
         }
@@ -396,8 +465,9 @@ final class PlanarTwin {
                 best = k;
             }
         }
-        double px = x[best].head();
-        double pz = z[best].head();
+        boolean isOn = nx * wayX.head() + nz * wayZ.head() > 0;
+        double px = x[best].head() + (isOn ? wayX.head() : 0);
+        double pz = z[best].head() + (isOn ? wayZ.head() : 0);
         double length = Math.hypot(nx, nz);
         if (!isOval) {
             return new double[] {px + radius.head() * nx / length, pz + radius.head() * nz / length};

@@ -90,7 +90,8 @@ class ClearanceTest {
         }
         double least = 1;
         for (GeometryObject part : group.members()) {
-            GeometryObject alone = new ObjectGroup(List.of(part)).moveable("robot").movedTo(robot.center());
+            GeometryObject alone =
+                    new ObjectGroup(List.of(part)).moveable("robot").movedTo(robot.center());
             MoveResult result = world(dimension, alone, post).moveToContact("robot", move, clearance);
             least = Math.min(least, move.ry() == 0 ? result.fraction() : result.turnFraction());
         }

@@ -157,6 +157,37 @@ class HardMovesTest {
         }
     }
 
+    /** A box as thin as 3e-11: which way its short side goes is known to 1e-6 only, beside a disc of 0.7. */
+    @Test
+    void aThinBoxThatStopsShortOfADiscIsFree() {
+        double[] box = new double[Leaf.STRIDE];
+        double[] numbers = {
+            -0.4520917945561488,
+            0,
+            0.9190414800219684,
+            1.723272222690831E-11,
+            1,
+            0.9587533202454728,
+            0.7944327876230206,
+            0,
+            -0.6073520774225742,
+            0,
+            1,
+            0,
+            0.6073520774225742,
+            0,
+            0.7944327876230206
+        };
+        System.arraycopy(numbers, 0, box, 0, numbers.length);
+        double[] disc = SweepRows.disc(-1.8648802081807432, 0, 2.2666946041694307, 0.7004127975969017, 1);
+        double dx = -0.40508976883743814;
+        double dz = 0.029557661789241907;
+        assertThat(new FlatTwin(Leaf.UPRIGHT_BOX, box, dx, dz, Leaf.UPRIGHT_CYLINDER, disc).meetsBy(1))
+                .isFalse();
+        assertThat(planar(Leaf.UPRIGHT_BOX, box, dx, dz, Leaf.UPRIGHT_CYLINDER, disc))
+                .isEqualTo(FREE);
+    }
+
     @Test
     void tinyTurnsAreSeen() {
         double[] arm = SweepRows.uprightBox(0, 0, 0, 1, 1, 0.25, 0);

@@ -40,6 +40,67 @@ class PlanarTurnTest {
         assertThat(blocked).isGreaterThan(count / 20);
     }
 
+    /** It grazes the line of a side beyond the side's end: the way along that line is no part of the contact. */
+    @Test
+    void aDiscThatPassesTheEndOfASideIsNotStoppedBeforeIt() {
+        double[] disc = SweepRows.disc(0.39700994351509666, 0, 0.3582216939049856, 1.5301727349261678E-12, 1);
+        double[] box = new double[Leaf.STRIDE];
+        System.arraycopy(
+                new double[] {-0.24879647073707784, 0, 1.7267438464416869, 0.8904104402857016, 1, 0.8536647401457984},
+                0,
+                box,
+                0,
+                6);
+        System.arraycopy(
+                new double[] {
+                    0.8831513958390621, 0, 0.4690880642560801, 0, 1, 0, -0.4690880642560801, 0, 0.8831513958390621
+                },
+                0,
+                box,
+                Leaf.ROTATION,
+                9);
+        double px = -0.3423529954203559;
+        double pz = -0.34756818533578415;
+        double degrees = -51.102608853458996;
+        double share =
+                PlanarSweep.turn(Leaf.SPHERE, disc, 0, px, 0, pz, 0, 1, 0, degrees, Leaf.UPRIGHT_BOX, box, 0, scratch);
+        double gap = new FlatPair(Leaf.SPHERE, disc, px, pz, Leaf.UPRIGHT_BOX, box).gap(degrees * Math.min(1, share));
+        assertThat(share > 1 || gap < 0x1p-30)
+                .as("share %s, gap %s", share, gap)
+                .isTrue();
+    }
+
+    /** It starts 10^-16 from a corner, a hair past the end of a side of 8e-5, and comes over that side and into it. */
+    @Test
+    void aDiscThatComesOverTheEndOfASideIsStoppedThere() {
+        double[] disc = SweepRows.disc(0.13796715898997713, 0, -0.42254734082377676, 0.49036815246453935, 1);
+        double[] box = new double[Leaf.STRIDE];
+        double[] numbers = {
+            0.9044714254705242,
+            0.8957468915180091,
+            0.031897122313213844,
+            1.1401566519911221E-11,
+            4.6333573064585746E-5,
+            0.6074092857512731,
+            -0.31587400384114317,
+            0.6261313156859153,
+            -0.712869685997932,
+            0.5120134852191277,
+            -0.520057470334932,
+            -0.6836537270450542,
+            -0.7987902131668412,
+            -0.5809473324375075,
+            -0.15631504176699187
+        };
+        System.arraycopy(numbers, 0, box, 0, numbers.length);
+        double px = 1.5984062612296086;
+        double pz = 1.1514794349385777;
+        double share = PlanarSweep.turn(
+                Leaf.SPHERE, disc, 0, px, 0, pz, 0, 1, 0, 35.23771176608052, Leaf.BOX, box, 0, scratch);
+        double gap = new FlatPair(Leaf.SPHERE, disc, px, pz, Leaf.BOX, box).gap(35.23771176608052 * share);
+        assertThat(gap).as("share %s", share).isGreaterThan(-1e-14);
+    }
+
     private static double centre(int kind, double[] row, int axis) {
         return kind == Leaf.PRISM ? 0.5 * (row[axis] + row[axis + 1]) : row[axis];
     }

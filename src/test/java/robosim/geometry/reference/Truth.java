@@ -158,7 +158,7 @@ public final class Truth {
         return Vectors.of(n, row[0], row[1], row[2]);
     }
 
-    private static Quantity[] flat(Arithmetic n, double[] row) {
+    static Quantity[] flat(Arithmetic n, double[] row) {
         return Vectors.of(n, row[0], 0, row[2]);
     }
 }

@@ -24,9 +24,27 @@ public final class WayTruth {
 
     /** In the plane: rounds and polygons. */
     public static boolean planar(Arithmetic n, Form formA, double[] a, double dx, double dz, Form formB, double[] b) {
-        Quantity[] way = Vectors.of(n, dx, 0, dz);
+        return planar(n, formA, a, Vectors.of(n, dx, 0, dz), formB, b);
+    }
+
+    /** The same for the first part of a way, that is, for {@code share - less} of it. */
+    public static boolean planarBy(
+            Arithmetic n,
+            Form formA,
+            double[] a,
+            double dx,
+            double dz,
+            double share,
+            double less,
+            Form formB,
+            double[] b) {
+        Quantity part = n.of(share).minus(n.of(less));
+        return planar(n, formA, a, Vectors.times(Vectors.of(n, dx, 0, dz), part), formB, b);
+    }
+
+    private static boolean planar(Arithmetic n, Form formA, double[] a, Quantity[] way, Form formB, double[] b) {
         if (!formA.isRound() && formB.isRound()) {
-            return planar(n, formB, b, -dx, -dz, formA, a);
+            return planar(n, formB, b, Vectors.negate(way), formA, a);
         }
         if (!formA.isRound()) {
             return cornersMeet(Truth.outline(n, formA, a), way, Truth.outline(n, formB, b));
