@@ -270,7 +270,8 @@ final class MovingBall {
         double time = ball.edge();
         double share = (time * dx - x[c]) * ex + (time * dy - y[c]) * ey + (time * dz - z[c]) * ez;
         double square = ex * ex + ey * ey + ez * ez;
-        double e = 8 * ROUNDOFF * reach(time) * (Math.abs(ex) + Math.abs(ey) + Math.abs(ez) + ROUNDOFF * size);
+        // A short edge has the roundings of its corners in its direction.
+        double e = 8 * ROUNDOFF * reach(time) * (Math.abs(ex) + Math.abs(ey) + Math.abs(ez) + size);
         if (!(share > e && share < square - e)) {
             return Double.NaN;
         }
