@@ -54,8 +54,7 @@ public final class Degrees {
     }
 
     // What is left of an angle without the nearest number of whole turns, of two as near the even one. Exact: taking
-    // off one
-    // turn is (Sterbenz).
+    // off one turn is (Sterbenz).
     private static double remainder(double degrees) {
         double size = Math.abs(degrees);
         if (size <= 180) {

@@ -1,6 +1,6 @@
 package robosim.geometry.exact;
 
-/** What the ray kernels share: rounding units, and the last step from a parameter to a distance. */
+/** Lengths and largest coordinates of plain vectors, the unit of rounding, and the step from a ray's parameter to a distance. */
 public final class VectorMath {
     /** The unit of rounding: a double operation is off by at most this share of its result. */
     public static final double U = 0x1p-53;

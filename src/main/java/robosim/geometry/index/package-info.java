@@ -1,5 +1,6 @@
 /**
- * Trees over boxes: {@link robosim.geometry.index.QuadTree} for what stands still in a world,
+ * Trees over boxes: {@link robosim.geometry.index.QuadTree} for what is in a world, over tiles and regions of the plane;
+ * {@link robosim.geometry.index.boxes.OctTree} for what is stacked in space, and
  * {@link robosim.geometry.index.boxes.BoxTree} for the triangles of a mesh.
  *
  * <p>They know numbers and boxes, no shapes. Boxes are closed and given as already rounded outward, so a query never loses

@@ -67,8 +67,7 @@ public final class Cast {
         double level = dimension == Dimension.PLANAR ? 0 : ay;
         double sum = Math.abs(ax) + Math.abs(level) + Math.abs(az);
         // A power of two near the greatest takes away what could overflow; where nothing could, a coordinate that is
-        // all
-        // but zero keeps its bits.
+        // all but zero keeps its bits.
         double scale = sum >= 0x1p-98 && sum <= 0x1p100 ? 1 : scale(VectorMath.largest(ax, level, az));
         dx = ax * scale;
         dy = level * scale;

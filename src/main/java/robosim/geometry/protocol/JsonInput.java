@@ -74,8 +74,7 @@ final class JsonInput implements Closeable {
     }
 
     // Not createParser(bytes, at, length): where names are not canonicalized, that of Jackson 2.22 takes at + length
-    // for
-    // the length of more than 8,000 bytes, and reads what stands behind the line.
+    // for the length of more than 8,000 bytes, and reads what stands behind the line.
     private static JsonParser parser(byte[] bytes, int at, int length) throws IOException {
         return length <= LineInput.BUFFER
                 ? FACTORY.createParser(new String(bytes, at, length, StandardCharsets.UTF_8))

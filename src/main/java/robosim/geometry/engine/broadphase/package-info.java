@@ -1,4 +1,4 @@
-/** What may be near: the leaves of a world's objects at each accuracy, and the tiles and trees over them. */
+/** The broad phase, which tells candidates: the leaves of a world's objects at each accuracy, and the tiles and trees over them. */
 @NullMarked
 package robosim.geometry.engine.broadphase;
 

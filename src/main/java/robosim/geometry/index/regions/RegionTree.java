@@ -1,10 +1,9 @@
 package robosim.geometry.index.regions;
 
 import java.util.Arrays;
-import robosim.geometry.index.QuadTree;
 
 /**
- * The regions of a {@link QuadTree} as a tree, for what has no one way through the world: the nearest of a point. An object
+ * The regions of a {@code QuadTree} as a tree, for what has no one way through the world: the nearest of a point. An object
  * lives in the one region that holds its box's centre, and every region knows the tight bounds of all that lives in it:
  * nothing is refused or lost where it lies across a border, or outside of the world. A region is cut until it holds one
  * object, or several that have their centres in one cell of {@code 2^-52} of the world. Cuts that would leave all in one

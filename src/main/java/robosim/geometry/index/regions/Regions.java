@@ -1,9 +1,7 @@
 package robosim.geometry.index.regions;
 
-import robosim.geometry.index.QuadTree;
-
 /**
- * The regions of a {@link QuadTree} in flat arrays. Region 0 is the whole world; a cut c gives the four regions 4c + 1 to
+ * The regions of a {@code QuadTree} in flat arrays. Region 0 is the whole world; a cut c gives the four regions 4c + 1 to
  * 4c + 4, which stand together so that a query reads them together.
  */
 public final class Regions {

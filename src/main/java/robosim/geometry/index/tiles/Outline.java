@@ -1,9 +1,7 @@
 package robosim.geometry.index.tiles;
 
-import robosim.geometry.index.QuadTree;
-
 /**
- * What a column of rows tells a {@link QuadTree} about each of its objects: a rectangle on the XZ plane that encloses it,
+ * What a column of rows tells a {@code QuadTree} about each of its objects: a rectangle on the XZ plane that encloses it,
  * anywhere and at any heading. Row id has {@link #STRIDE} doubles; those not named here are the owner's.
  */
 public final class Outline {

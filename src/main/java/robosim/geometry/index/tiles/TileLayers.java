@@ -1,9 +1,7 @@
 package robosim.geometry.index.tiles;
 
-import robosim.geometry.index.QuadTree;
-
 /**
- * The {@link Tiles} of a {@link QuadTree}: finer ones for the many, coarser ones for what is too large for them, and one
+ * The {@link Tiles} of a {@code QuadTree}: finer ones for the many, coarser ones for what is too large for them, and one
  * that takes everything else. Stale at first, and again when the number of objects has outgrown them.
  *
  * <p>An object is given by its id and its box, six numbers from six times the id on.

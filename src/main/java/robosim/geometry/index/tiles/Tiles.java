@@ -1,10 +1,9 @@
 package robosim.geometry.index.tiles;
 
 import java.util.Arrays;
-import robosim.geometry.index.QuadTree;
 
 /**
- * Regions of one depth of a {@link QuadTree}, all of one size, found by arithmetic instead of a descent: row after row. Each
+ * Regions of one depth of a {@code QuadTree}, all of one size, found by arithmetic instead of a descent: row after row. Each
  * tile lists the objects whose boxes meet it.
  *
  * <p>Tiles cover a window. What reaches out of it or lies on too many tiles does not fit. Boxes are listed as if they were

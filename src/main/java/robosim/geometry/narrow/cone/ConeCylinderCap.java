@@ -29,9 +29,8 @@ final class ConeCylinderCap {
 
     double betweenQ;
 
-    // Of the plane, turned so that it is above the apex: its height, the cone's axis along it, and the angles at which
-    // the
-    // conic begins and ends, seen from the apex: sines and cosines, not of length 1.
+    // Of the plane, turned so that it is above the apex: its height, the cone's axis along it, and the angles at
+    // which the conic begins and ends, seen from the apex: sines and cosines, not of length 1.
     private double level;
     private double beginCos;
     private double beginSin;

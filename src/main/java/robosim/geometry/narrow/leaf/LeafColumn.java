@@ -86,7 +86,7 @@ public final class LeafColumn {
         }
     }
 
-    /** The half rows of all objects, which are an {@link Outline} of each. */
+    /** The half rows of all objects, which are an {@link robosim.geometry.index.tiles.Outline} of each. */
     public double[] outlines() {
         return upright.rows();
     }

@@ -1,7 +1,6 @@
 package robosim.geometry.narrow.leaf;
 
 import robosim.geometry.exact.Orientation;
-import robosim.geometry.narrow.sat.DoubleDoubleCorner;
 
 /**
  * The projection of a polytope on XZ as a convex polygon: corners in order (from x towards z), relative to an origin, and
@@ -26,7 +25,7 @@ public final class Outline {
     /** At least the sum of the magnitudes that any coordinate of a corner is made of. */
     public double size;
 
-    /** What each corner is made of; see {@link DoubleDoubleCorner}. */
+    /** What each corner is made of; see {@code DoubleDoubleCorner}. */
     public final int[] source = new int[MOST_CORNERS];
 
     private static final int[] OCTAGON_X = {1, 1, 0, -1, -1, -1, 0, 1};

@@ -7,7 +7,7 @@ import robosim.geometry.index.tiles.Outline;
 /**
  * Upright boxes and cylinders and spheres that stay where they are, beside each other in half of a {@link Leaf}'s row: what
  * a world has most of. A box has its cosine and sine at {@link #COS} and {@link #SIN} in place of the nine numbers that
- * they make; the others stand as in a row. Every row is an {@link Outline} too, also at the places of other objects, of
+ * they make; the others stand as in a row. Every row is an {@link robosim.geometry.index.tiles.Outline} too, also at the places of other objects, of
  * which nothing else stands here.
  */
 public final class UprightRows {

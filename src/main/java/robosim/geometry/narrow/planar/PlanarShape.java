@@ -311,9 +311,8 @@ public final class PlanarShape {
     }
 
     // Keeps the spans in the order of their directions, and those of one direction as one. Compared exactly, and as
-    // they
-    // are stored: a long span that is taken for parallel to one that is all but nothing would come out of order among
-    // the others, and a corner between two in the wrong order would be none of the real ones.
+    // they are stored: a long span that is taken for parallel to one that is all but nothing would come out of order
+    // among the others, and a corner between two in the wrong order would be none of the real ones.
     private int insert(int spans, double ux, double uz, double gx, double gz) {
         int to = 0;
         while (to < spans && turn(to, ux, uz) > 0) {

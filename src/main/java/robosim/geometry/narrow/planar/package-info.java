@@ -1,4 +1,4 @@
-/** Discs and polygons in the plane: exact and certified decisions about projections. */
+/** Discs and polygons in the plane: exact and certified decisions about projections, and discs that move. */
 @NullMarked
 package robosim.geometry.narrow.planar;
 

@@ -89,8 +89,7 @@ final class RayPolygon {
     }
 
     // The last of the sides' lines that the ray crosses inward, for a ray that is known to hit. Of a triangle's side
-    // along
-    // which the ray runs but for rounding, plain doubles do not tell which way that is.
+    // along which the ray runs but for rounding, plain doubles do not tell which way that is.
     private static double lastCrossing(int kind, PlanarShape q, double ux, double uz, double speed) {
         double share = 0;
         int last = q.count - 1;

@@ -7,7 +7,6 @@ import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactMath;
 import robosim.geometry.exact.Stages;
 import robosim.geometry.narrow.leaf.Leaf;
-import robosim.geometry.narrow.sweep.PlanarSweep;
 
 /** The exact twin of {@link MovingAxes}: the same axes, whatever their number, decided without rounding. */
 public final class ExactAxes {
@@ -28,7 +27,7 @@ public final class ExactAxes {
         this.move = move;
     }
 
-    /** As {@link PlanarSweep#translation}, for polytopes. */
+    /** As {@code PlanarSweep.translation}, for polytopes. */
     public static double time(
             int mode, int kindA, double[] a, int i, double dx, double dy, double dz, int kindB, double[] b, int j) {
         EXACT.count();

@@ -1,7 +1,6 @@
 package robosim.geometry.narrow.sat;
 
 import robosim.geometry.narrow.leaf.Leaf;
-import robosim.geometry.narrow.sweep.PlanarSweep;
 
 /**
  * A polytope moved straight on against another at rest: the method of separating axes with a velocity.
@@ -46,7 +45,7 @@ public final class MovingAxes {
     private double my;
     private double mz;
 
-    /** As {@link PlanarSweep#translation}; NaN where pairs of doubles cannot tell. */
+    /** As {@code PlanarSweep.translation}; NaN where pairs of doubles cannot tell. */
     public double time(
             int mode,
             int kindA,
