@@ -429,7 +429,7 @@ public final class Geometry {
     }
 
     /**
-     * A sweep of single rays from the middle of a moveable object, level with it: ray k goes at
+     * A scan: single rays from the middle of a moveable object, level with it: ray k goes at
      * {@code firstDegrees + k * stepDegrees} counter-clockwise from forward.
      *
      * @param count how many rays; at least 0
@@ -441,13 +441,13 @@ public final class Geometry {
         return distances;
     }
 
-    /** A sweep of single rays into a given array, as many as it has room for. */
+    /** A scan into a given array, as many as it has room for. */
     public void scan(String name, double firstDegrees, double stepDegrees, double min, double max, double[] out) {
         beams.scan(level, registry.mover(name), 0, 0, 0, firstDegrees, stepDegrees, min, max, out);
     }
 
     /**
-     * A sweep of single rays from a sensor that is mounted elsewhere.
+     * A scan from a sensor that is mounted elsewhere.
      *
      * @param mount where the sensor stands in the object's own frame
      */

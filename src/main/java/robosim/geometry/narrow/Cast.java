@@ -191,10 +191,10 @@ public final class Cast {
         // Only a small distance may have been spoiled by what underflowed.
         if (distance > UnderflowScaling.SMALL
                 || isFarFromOrigin
-                || !s.magnified.take(VectorMath.largest(ox, oy, oz), kind, row, at)) {
+                || !s.scaling.take(VectorMath.largest(ox, oy, oz), kind, row, at)) {
             return distance;
         }
-        UnderflowScaling m = s.magnified;
+        UnderflowScaling m = s.scaling;
         return m.down(convex(m.up(ox), m.up(oy), m.up(oz), kind, m.a, 0));
     }
 

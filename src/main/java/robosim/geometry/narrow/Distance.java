@@ -60,10 +60,10 @@ public final class Distance {
     private double convex(Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j) {
         double distance = asStored(dimension, kindA, a, i, kindB, b, j);
         // Only a small distance may have been spoiled by what underflowed.
-        if (distance > UnderflowScaling.SMALL || !s.magnified.take(kindA, a, i, kindB, b, j)) {
+        if (distance > UnderflowScaling.SMALL || !s.scaling.take(kindA, a, i, kindB, b, j)) {
             return distance;
         }
-        UnderflowScaling m = s.magnified;
+        UnderflowScaling m = s.scaling;
         return m.down(asStored(dimension, kindA, m.a, 0, kindB, m.b, 0));
     }
 

@@ -373,7 +373,7 @@ public final class Sweep {
         double z = turns ? pz : dz;
         double largest = VectorMath.largest(x, y, z);
         return largest < UnderflowScaling.SMALL && isTakenUp(largest, kindA, a, i, kindB, b, j)
-                ? magnified(x, y, z, kindA, kindB)
+                ? scaled(x, y, z, kindA, kindB)
                 : convex(x, y, z, kindA, a, i, kindB, b, j);
     }
 
@@ -384,12 +384,12 @@ public final class Sweep {
 
     private boolean isTakenUp(double largest, int kindA, double[] a, int i, int kindB, double[] b, int j) {
         return isLevel()
-                ? s.magnified.takeLevel(largest, kindA, a, i, kindB, b, j)
-                : s.magnified.take(largest, kindA, a, i, kindB, b, j);
+                ? s.scaling.takeLevel(largest, kindA, a, i, kindB, b, j)
+                : s.scaling.take(largest, kindA, a, i, kindB, b, j);
     }
 
-    private double magnified(double x, double y, double z, int kindA, int kindB) {
-        UnderflowScaling m = s.magnified;
+    private double scaled(double x, double y, double z, int kindA, int kindB) {
+        UnderflowScaling m = s.scaling;
         return convex(m.up(x), m.up(y), m.up(z), kindA, m.a, 0, kindB, m.b, 0);
     }
 

@@ -27,7 +27,7 @@ public final class AccuracyView {
     public final Dimension dimension;
     public final QuadTree tree;
     public final QuadCursor cursor;
-    public final StaticSpaceIndex stacks;
+    public final StaticSpaceIndex spaceIndex;
 
     /** More than any place or size in the plane. */
     public final double extent;
@@ -95,7 +95,7 @@ public final class AccuracyView {
         this.dimension = dimension;
         tree = new QuadTree(-width / 2, -length / 2, width / 2, length / 2, this::trim);
         cursor = tree.cursor();
-        stacks = new StaticSpaceIndex(dimension == Dimension.SPATIAL);
+        spaceIndex = new StaticSpaceIndex(dimension == Dimension.SPATIAL);
         extent = width + length;
         isFlat = dimension == Dimension.PLANAR && accuracy == Accuracy.EXACT;
     }
@@ -109,7 +109,7 @@ public final class AccuracyView {
         mark = ObjectTable.SHARED;
         tree = of.tree.view();
         cursor = tree.cursor();
-        stacks = of.stacks.view();
+        spaceIndex = of.spaceIndex.view();
         leaves = of.leaves.view();
         spans = of.spans;
         shapes = of.shapes;
@@ -206,7 +206,7 @@ public final class AccuracyView {
             movers++;
             countMovers(id);
         } else {
-            stacks.add(id, tree);
+            spaceIndex.add(id, tree);
         }
     }
 
@@ -266,7 +266,7 @@ public final class AccuracyView {
 
     void remove(int id) {
         if (!bodies.isMoveable(id)) {
-            stacks.remove(id, tree);
+            spaceIndex.remove(id, tree);
         } else {
             movers--;
             tree.remove(id);

@@ -49,7 +49,7 @@ public final class Candidates {
                 add(id | mark);
             }
         }
-        OctTree.@Nullable Cursor stacked = level.stacks.cursor();
+        OctTree.@Nullable Cursor stacked = level.spaceIndex.cursor();
         if (stacked != null) {
             keys.startBox(box);
             stacked.start(level.bounds(), keys);

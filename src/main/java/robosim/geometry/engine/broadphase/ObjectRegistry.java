@@ -165,7 +165,7 @@ public final class ObjectRegistry {
     }
 
     private boolean touchesAny(AccuracyView at) {
-        if (at.stacks.cursor() != null) {
+        if (at.spaceIndex.cursor() != null) {
             return collidesAnywhere(at, -1);
         }
         int near =
@@ -297,7 +297,7 @@ public final class ObjectRegistry {
 
     private boolean collidesIn(AccuracyView at, int but) {
         int near = QuadCursor.TOO_MANY;
-        if (at.stacks.cursor() == null) {
+        if (at.spaceIndex.cursor() == null) {
             ask(at);
             double x = box[0] / 2 + box[3] / 2;
             double z = box[2] / 2 + box[5] / 2;

@@ -135,7 +135,7 @@ public final class TranslationFastPath {
                 return true;
             }
         }
-        OctTree.@Nullable Cursor stacked = of.stacks.cursor();
+        OctTree.@Nullable Cursor stacked = of.spaceIndex.cursor();
         if (stacked != null) {
             keys.startBox(box);
             stacked.start(of.bounds(), keys);
@@ -217,7 +217,7 @@ public final class TranslationFastPath {
                 return false;
             }
         }
-        OctTree.@Nullable Cursor stacked = of.stacks.cursor();
+        OctTree.@Nullable Cursor stacked = of.spaceIndex.cursor();
         if (stacked != null) {
             keys.startBox(box);
             stacked.start(of.bounds(), keys);

@@ -251,14 +251,14 @@ public final class BeamQuery {
         if (level.dimension == Dimension.PLANAR) {
             return limit;
         }
-        OctTree.@Nullable Cursor stacked = level.stacks.cursor();
+        OctTree.@Nullable Cursor stacked = level.spaceIndex.cursor();
         hasHeights = stacked != null || level.tree.size() > FEW;
         if (!hasHeights) {
             return limit;
         }
         takeUnit();
         double uy = cast.unit(1);
-        highest = 0x1p-44 * (level.stacks.most() + Math.abs(oy));
+        highest = 0x1p-44 * (level.spaceIndex.most() + Math.abs(oy));
         if (width > 0) {
             keys.startCone(ox, oy, oz, ux, uy, uz, halfCos, halfSin);
         } else {

@@ -7,7 +7,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
 
-/** Beams as callers ask for them: from a place or from a sensor on an object, one or a sweep, between two ranges. */
+/** Beams as callers ask for them: from a place or from a sensor on an object, one or a scan, between two ranges. */
 public final class Beams {
     private final Dimension dimension;
     private final ObjectTable bodies;
@@ -89,7 +89,7 @@ public final class Beams {
         oz = places[at + 2] + vector[2];
     }
 
-    /** A sweep of single rays from a point of an object's own frame, level with it, as many as there is room for. */
+    /** A scan: single rays from a point of an object's own frame, level with it, as many as there is room for. */
     public void scan(
             AccuracyView seen,
             int id,

@@ -68,7 +68,7 @@ public final class ProximityQuery {
                 reach = tryPair(level, other, reach);
             }
         }
-        OctTree.@Nullable Cursor stacked = level.stacks.cursor();
+        OctTree.@Nullable Cursor stacked = level.spaceIndex.cursor();
         if (stacked == null) {
             return reach;
         }

@@ -5,7 +5,7 @@ import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
 
 /**
- * The directions of the rays of a sweep, level, in the frame of what looks. Those of the last sweep are kept: a scanner
+ * The directions of the rays of a scan, level, in the frame of what looks. Those of the last scan are kept: a scanner
  * looks in the same directions again and again.
  */
 final class ScanDirections {
@@ -22,7 +22,7 @@ final class ScanDirections {
     private double x;
     private double z;
 
-    /** Aims at the direction of a ray of a sweep: counter-clockwise seen from above, in degrees. */
+    /** Aims at the direction of a ray of a scan: counter-clockwise seen from above, in degrees. */
     void aim(double firstDegrees, double stepDegrees, int ray) {
         if (firstDegrees != first || stepDegrees != step) {
             first = firstDegrees;

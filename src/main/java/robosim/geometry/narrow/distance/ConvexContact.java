@@ -22,7 +22,7 @@ public final class ConvexContact {
             int j,
             double[] out,
             DistanceScratch s) {
-        UnderflowScaling m = s.magnified;
+        UnderflowScaling m = s.scaling;
         if (m.take(kindA, a, i, kindB, b, j)) {
             storedContact(dimension, kindA, m.a, 0, kindB, m.b, 0, out, s);
             for (int axis = 0; axis < 3; axis++) {

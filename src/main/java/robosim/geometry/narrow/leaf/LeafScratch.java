@@ -18,7 +18,7 @@ public class LeafScratch {
     public final double[] flat = new double[Leaf.STRIDE];
 
     /** Leaves whose lengths would underflow. */
-    public final UnderflowScaling magnified = new UnderflowScaling();
+    public final UnderflowScaling scaling = new UnderflowScaling();
 
     public final double[] box = new double[6];
     public final double[] triangleBox = new double[6];

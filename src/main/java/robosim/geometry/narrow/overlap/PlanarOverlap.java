@@ -65,7 +65,7 @@ public final class PlanarOverlap {
     }
 
     private static boolean oval(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
-        UnderflowScaling m = s.magnified;
+        UnderflowScaling m = s.scaling;
         return m.take(kindA, a, i, kindB, b, j)
                 ? storedOval(kindA, m.a, 0, kindB, m.b, 0, s)
                 : storedOval(kindA, a, i, kindB, b, j, s);

@@ -38,6 +38,6 @@ public final class PlanarTurnSweep {
                     .vertical
                     .free(kindA, a, i, px, pz, wy < 0 ? -degrees : degrees, kindB, b, j, Double.POSITIVE_INFINITY);
         }
-        return s.turns().held.free(true, kindA, a, i, px, py, pz, wx, wy, wz, degrees, kindB, b, j, s);
+        return s.turns().advancement.free(true, kindA, a, i, px, py, pz, wx, wy, wz, degrees, kindB, b, j, s);
     }
 }

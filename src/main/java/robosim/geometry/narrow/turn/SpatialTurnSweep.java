@@ -50,6 +50,6 @@ public final class SpatialTurnSweep {
             double depth = Math.min(otherTop + otherHalf - mid + half, top + half - otherMid + otherHalf);
             return s.turns().vertical.free(kindA, a, i, px, pz, wy < 0 ? -degrees : degrees, kindB, b, j, depth);
         }
-        return s.turns().held.free(false, kindA, a, i, px, py, pz, wx, wy, wz, degrees, kindB, b, j, s);
+        return s.turns().advancement.free(false, kindA, a, i, px, py, pz, wx, wy, wz, degrees, kindB, b, j, s);
     }
 }

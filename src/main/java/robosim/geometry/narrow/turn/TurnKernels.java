@@ -4,5 +4,5 @@ package robosim.geometry.narrow.turn;
 final class TurnKernels {
     final VerticalTurn vertical = new VerticalTurn();
     final TurnBody body = new TurnBody();
-    final TurnAdvancement held = new TurnAdvancement();
+    final TurnAdvancement advancement = new TurnAdvancement();
 }

@@ -39,7 +39,7 @@ class TurnAdvancementTest {
                 assertThat(turn(Leaf.TRIANGLE, mover, 0, 1, 0, 120, Leaf.TRIANGLE, still))
                         .as(what)
                         .isInfinite();
-                assertThat(scratch.turns().held.steps()).as(what).isLessThan(FEW);
+                assertThat(scratch.turns().advancement.steps()).as(what).isLessThan(FEW);
                 // Through the waist, where the edges cross, and no further.
                 double[] cut = SweepRows.triangle(1 - gap, -1, slope, 1 - gap, 1, -slope, 3, 0, 0);
                 assertThat(turn(Leaf.TRIANGLE, mover, 0, 1, 0, 120, Leaf.TRIANGLE, cut))
@@ -80,7 +80,7 @@ class TurnAdvancementTest {
                 if (radius < gap) {
                     assertThat(share).as(what).isInfinite();
                 }
-                assertThat(scratch.turns().held.steps()).as(what).isLessThan(FEW);
+                assertThat(scratch.turns().advancement.steps()).as(what).isLessThan(FEW);
             }
         }
     }
@@ -134,7 +134,7 @@ class TurnAdvancementTest {
             double degrees = random.nextDouble(-180, 180);
             double share = SpatialTurnSweep.free(
                     kindA, a, 0, 0.1, 0.2, 0.3, about[6], about[9], about[12], degrees, kindB, b, 0, scratch);
-            most = Math.max(most, scratch.turns().held.steps());
+            most = Math.max(most, scratch.turns().advancement.steps());
             if (share > 1) {
                 continue;
             }
