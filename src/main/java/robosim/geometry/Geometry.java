@@ -24,9 +24,12 @@ import robosim.geometry.narrow.Scratch;
  * A world: a box centred at the origin with objects in it, and the answers to three questions. May this object be here?
  * How far may it move? How far away is the next surface?
  *
- * <p>Static objects stand in a quadtree, moveable ones in a list. Nothing may be added or moved so that any part of it
- * leaves the world, on the way or at the end: such a call answers false. The border is closed (touching it is inside),
- * is always judged on the exact shape, and echoes nothing. In {@link Dimension#PLANAR} it has no heights.
+ * <p>Static objects stand in a quadtree or, where heights count and the scene is stacked, in an octree. Up to 16 moveable
+ * objects are in a list; where there are more, they are in the quadtree too. No answer depends on that.
+ *
+ * <p>Nothing may be added or moved so that any part of it leaves the world, on the way or at the end: such a call answers
+ * false. The border is closed (touching it is inside), is always judged on the exact shape, and echoes nothing. In
+ * {@link Dimension#PLANAR} it has no heights.
  *
  * <pre>{@code
  * Geometry geometry = new Geometry(20, 5, 20);
