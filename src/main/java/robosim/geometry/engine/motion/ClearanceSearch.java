@@ -49,7 +49,7 @@ final class ClearanceSearch implements Sweep.Stop {
         return this;
     }
 
-    /** The greatest share up to contact at which the two are still as far apart as the clearance. */
+    /** The greatest share up to contact at which the two, and all other parts of the mover, are as far away as the clearance. */
     @Override
     public double share(int t, int u, double contact, double least) {
         other.setPiece(level.leaves(), otherLeaf, u);
@@ -66,7 +66,7 @@ final class ClearanceSearch implements Sweep.Stop {
     }
 
     /**
-     * Conservative advancement (Mirtich 1996, 2.3): up to a share by steps in none of which the gap can be used up. Where the
+     * Conservative advancement (Mirtich 1996): up to a share by steps in none of which the gap can be used up. Where the
      * other parts of a mover come nearer than the clearance first, they end it.
      */
     private double ofPassing(int part, double contact) {

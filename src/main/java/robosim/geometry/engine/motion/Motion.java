@@ -27,6 +27,7 @@ public final class Motion {
     private static final double FIRST_STEP = 0x1p-52;
 
     private static final double HALF_ROOT = 0.7071067811865476;
+
     /** The largest share of what is refused. */
     private static final double MOST = Math.nextDown(1.0);
 
