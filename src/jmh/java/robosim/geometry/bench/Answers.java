@@ -15,6 +15,7 @@ import java.util.List;
 import robosim.geometry.Geometry;
 import robosim.geometry.bench.Questions.Family;
 import robosim.geometry.bench.Questions.Subject;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** The answers to many {@link Questions}, of this JVM or of another that is started with the same classes. */
 public final class Answers {
@@ -84,8 +85,8 @@ public final class Answers {
         return new Family(
                 Subject.valueOf(parts[0]),
                 Boolean.parseBoolean(parts[1]),
-                Integer.parseInt(parts[2]),
-                Integer.parseInt(parts[3]));
+                LeafKind.valueOf(parts[2]),
+                LeafKind.valueOf(parts[3]));
     }
 
     /** Writes the answers to a file: its name, the seed, how many of each family, the families. */

@@ -6,6 +6,7 @@ import robosim.geometry.exact.Rotations;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.distance.SpatialDistance;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * Two leaves, or a leaf and a ray, somewhere between far apart and deep inside each other, most often within a few last
@@ -31,7 +32,7 @@ final class NearContacts {
     private boolean coarse;
     private double scale;
 
-    void pair(int kindA, int kindB, boolean planar, SplittableRandom source) {
+    void pair(LeafKind kindA, LeafKind kindB, boolean planar, SplittableRandom source) {
         begin(source);
         fill(kindA, a);
         fill(kindB, b);
@@ -45,7 +46,7 @@ final class NearContacts {
     }
 
     /** The first leaf may come to a contact from afar, slide along in contact, or pass through. */
-    void motion(int kindA, int kindB, boolean planar, SplittableRandom source) {
+    void motion(LeafKind kindA, LeafKind kindB, boolean planar, SplittableRandom source) {
         pair(kindA, kindB, planar, source);
         for (int k = 0; k < 3; k++) {
             way[k] = scale * (coarse ? random.nextInt(-8, 9) / 4.0 : random.nextDouble(-2, 2));
@@ -71,7 +72,7 @@ final class NearContacts {
     }
 
     /** A ray at, along, past or out of a leaf. */
-    void ray(int kind, boolean planar, SplittableRandom source) {
+    void ray(LeafKind kind, boolean planar, SplittableRandom source) {
         begin(source);
         fill(kind, a);
         scaleAndMove(kind, a, kind, b);
@@ -107,7 +108,7 @@ final class NearContacts {
     }
 
     /** A leaf that all but touches the border of a world, whose sizes are left in the way. */
-    void border(int kind, SplittableRandom source) {
+    void border(LeafKind kind, SplittableRandom source) {
         begin(source);
         fill(kind, a);
         scaleAndMove(kind, a, kind, b);
@@ -121,7 +122,7 @@ final class NearContacts {
     }
 
     /** The largest magnitude among the coordinates and sizes of two leaves, or of the first and a ray's start. */
-    double size(int kindA, int kindB, boolean isRay) {
+    double size(LeafKind kindA, LeafKind kindB, boolean isRay) {
         double size = isRay ? Math.max(Math.abs(start[0]), Math.max(Math.abs(start[1]), Math.abs(start[2]))) : 0;
         for (int k = 0; k < places(kindA); k++) {
             size = Math.max(size, Math.abs(a[k]));
@@ -133,7 +134,7 @@ final class NearContacts {
     }
 
     /** The sum of the magnitudes of the coordinates and sizes of two leaves, and of the way. */
-    double sum(int kindA, int kindB) {
+    double sum(LeafKind kindA, LeafKind kindB) {
         double sum = Math.abs(way[0]) + Math.abs(way[1]) + Math.abs(way[2]);
         for (int k = 0; k < 10; k++) {
             sum += (k < places(kindA) ? Math.abs(a[k]) : 0) + (k < places(kindB) ? Math.abs(b[k]) : 0);
@@ -142,7 +143,7 @@ final class NearContacts {
     }
 
     /** How far apart the leaves are in space after a share of the way. */
-    double gap(int kindA, int kindB, double share, Scratch scratch) {
+    double gap(LeafKind kindA, LeafKind kindB, double share, Scratch scratch) {
         double[] moved = a.clone();
         shift(kindA, moved, share, way);
         return SpatialDistance.between(kindA, moved, 0, kindB, b, 0, scratch);
@@ -156,8 +157,8 @@ final class NearContacts {
     }
 
     // What of a row is a length, the first numbers.
-    private static int places(int kind) {
-        return kind == Leaf.TRIANGLE ? 9 : kind == Leaf.PRISM ? 10 : 6;
+    private static int places(LeafKind kind) {
+        return kind == LeafKind.TRIANGLE ? 9 : kind == LeafKind.PRISM ? 10 : 6;
     }
 
     private double coordinate(double reach) {
@@ -176,22 +177,22 @@ final class NearContacts {
         return variant < 2 ? 90 * random.nextInt(4) : variant == 2 ? 45 : random.nextDouble(-180, 180);
     }
 
-    private void fill(int kind, double[] row) {
+    private void fill(LeafKind kind, double[] row) {
         Arrays.fill(row, 0);
         switch (kind) {
-            case Leaf.TRIANGLE -> triangle(row);
-            case Leaf.PRISM -> prism(row);
+            case TRIANGLE -> triangle(row);
+            case PRISM -> prism(row);
             default -> {
                 for (int k = 0; k < 3; k++) {
                     row[k] = coordinate(1.5);
                     row[3 + k] = length();
                 }
-                if (kind == Leaf.SPHERE || kind == Leaf.UPRIGHT_CYLINDER) {
+                if (kind == LeafKind.SPHERE || kind == LeafKind.UPRIGHT_CYLINDER) {
                     row[5] = 0;
-                    row[4] = kind == Leaf.SPHERE ? 0 : row[4];
+                    row[4] = kind == LeafKind.SPHERE ? 0 : row[4];
                 } else {
                     Rotations.yaw(degrees(), 0, row, Leaf.ROTATION);
-                    if (kind != Leaf.UPRIGHT_BOX) {
+                    if (kind != LeafKind.UPRIGHT_BOX) {
                         Rotations.turnOwnX(row, Leaf.ROTATION, random.nextDouble(1, 89));
                         Rotations.turnOwnY(row, Leaf.ROTATION, degrees());
                     }
@@ -233,14 +234,14 @@ final class NearContacts {
     }
 
     // Gives both the same attitude, or nearly.
-    private void align(int kindA, int kindB) {
-        boolean turned = kindA == Leaf.BOX || kindA == Leaf.CYLINDER;
-        if (turned && (kindB == Leaf.BOX || kindB == Leaf.CYLINDER)) {
+    private void align(LeafKind kindA, LeafKind kindB) {
+        boolean turned = kindA == LeafKind.BOX || kindA == LeafKind.CYLINDER;
+        if (turned && (kindB == LeafKind.BOX || kindB == LeafKind.CYLINDER)) {
             System.arraycopy(a, Leaf.ROTATION, b, Leaf.ROTATION, 9);
             if (random.nextBoolean()) {
                 Rotations.turnOwnX(b, Leaf.ROTATION, StrictMath.pow(10, -random.nextInt(2, 16)));
             }
-        } else if (kindA == Leaf.UPRIGHT_BOX && kindB == Leaf.UPRIGHT_BOX) {
+        } else if (kindA == LeafKind.UPRIGHT_BOX && kindB == LeafKind.UPRIGHT_BOX) {
             System.arraycopy(a, Leaf.ROTATION, b, Leaf.ROTATION, 9);
             if (random.nextBoolean()) {
                 Rotations.turnOwnY(b, Leaf.ROTATION, StrictMath.pow(10, -random.nextInt(2, 16)));
@@ -248,7 +249,7 @@ final class NearContacts {
         }
     }
 
-    private void scaleAndMove(int kindA, double[] first, int kindB, double[] second) {
+    private void scaleAndMove(LeafKind kindA, double[] first, LeafKind kindB, double[] second) {
         int variant = random.nextInt(10);
         scale = variant == 0 ? 0x1p-40 : variant == 1 ? 0x1p40 : 1;
         for (int k = 0; k < 10; k++) {
@@ -263,18 +264,18 @@ final class NearContacts {
         }
     }
 
-    private static void shift(int kind, double[] row, double sign, double[] by) {
+    private static void shift(LeafKind kind, double[] row, double sign, double[] by) {
         double x = sign * by[0];
         double y = sign * by[1];
         double z = sign * by[2];
-        if (kind == Leaf.PRISM) {
+        if (kind == LeafKind.PRISM) {
             double[] offsets = {x, x, z, z, x + z, x + z, x - z, x - z, y, y};
             for (int k = 0; k < 10; k++) {
                 row[k] += offsets[k];
             }
             return;
         }
-        for (int k = 0; k < (kind == Leaf.TRIANGLE ? 9 : 3); k += 3) {
+        for (int k = 0; k < (kind == LeafKind.TRIANGLE ? 9 : 3); k += 3) {
             row[k] += x;
             row[k + 1] += y;
             row[k + 2] += z;
@@ -282,7 +283,7 @@ final class NearContacts {
     }
 
     /** Moves b so that the two touch along a direction, but for rounding, and aside by as much as may be. */
-    private void touch(int kindA, int kindB, boolean planar) {
+    private void touch(LeafKind kindA, LeafKind kindB, boolean planar) {
         direction(kindA, a, kindB, b, planar);
         support(kindA, a, n, p);
         for (int k = 0; k < 3; k++) {
@@ -320,7 +321,7 @@ final class NearContacts {
     }
 
     // A direction of contact: a side's normal, across two edges, or anywhere.
-    private void direction(int kindA, double[] first, int kindB, double[] second, boolean planar) {
+    private void direction(LeafKind kindA, double[] first, LeafKind kindB, double[] second, boolean planar) {
         int variant = random.nextInt(5);
         double[] u = new double[3];
         double[] v = new double[3];
@@ -358,13 +359,13 @@ final class NearContacts {
     }
 
     // An axis of a leaf: an edge or a side's normal.
-    private void axis(int kind, double[] row, double[] v) {
+    private void axis(LeafKind kind, double[] row, double[] v) {
         switch (kind) {
-            case Leaf.UPRIGHT_BOX, Leaf.BOX -> {
+            case UPRIGHT_BOX, BOX -> {
                 int k = Leaf.ROTATION + random.nextInt(3);
                 set(v, row[k], row[k + 3], row[k + 6]);
             }
-            case Leaf.CYLINDER -> {
+            case CYLINDER -> {
                 if (random.nextBoolean()) {
                     set(v, row[7], row[10], row[13]);
                 } else {
@@ -373,7 +374,7 @@ final class NearContacts {
                     cross(new double[] {row[7], row[10], row[13]}, away, v);
                 }
             }
-            case Leaf.TRIANGLE -> {
+            case TRIANGLE -> {
                 double[] e = new double[3];
                 double[] f = new double[3];
                 int k = 3 * random.nextInt(3);
@@ -387,7 +388,7 @@ final class NearContacts {
                     cross(e, f, v);
                 }
             }
-            case Leaf.SPHERE -> anywhere(v);
+            case SPHERE -> anywhere(v);
             default -> {
                 if (random.nextBoolean()) {
                     set(v, 0, 1, 0);
@@ -414,21 +415,21 @@ final class NearContacts {
     }
 
     /** The point of a leaf that is farthest along a direction, to rounding. */
-    private static void support(int kind, double[] row, double[] n, double[] out) {
+    private static void support(LeafKind kind, double[] row, double[] n, double[] out) {
         switch (kind) {
-            case Leaf.TRIANGLE -> {
+            case TRIANGLE -> {
                 int best = 0;
                 for (int k = 3; k < 9; k += 3) {
                     best = along(row, k, n) > along(row, best, n) ? k : best;
                 }
                 System.arraycopy(row, best, out, 0, 3);
             }
-            case Leaf.PRISM -> {
+            case PRISM -> {
                 double x = row[n[0] > 0 ? 1 : 0];
                 double z = n[0] > 0 ? (n[2] > 0 ? row[5] - x : x - row[7]) : n[2] > 0 ? x - row[6] : row[4] - x;
                 set(out, x, row[n[1] > 0 ? 9 : 8], z);
             }
-            case Leaf.UPRIGHT_BOX, Leaf.BOX -> {
+            case UPRIGHT_BOX, BOX -> {
                 System.arraycopy(row, 0, out, 0, 3);
                 for (int k = 0; k < 3; k++) {
                     int r = Leaf.ROTATION + k;
@@ -438,8 +439,8 @@ final class NearContacts {
                     }
                 }
             }
-            case Leaf.SPHERE -> round(row, 0, 0, 0, n, out);
-            case Leaf.UPRIGHT_CYLINDER -> round(row, 0, 1, 0, n, out);
+            case SPHERE -> round(row, 0, 0, 0, n, out);
+            case UPRIGHT_CYLINDER -> round(row, 0, 1, 0, n, out);
             default -> round(row, row[7], row[10], row[13], n, out);
         }
     }

@@ -3,6 +3,7 @@ package robosim.geometry.bench;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.SplittableRandom;
 import robosim.geometry.engine.objects.WorldBounds;
 import robosim.geometry.exact.Orientation;
@@ -14,6 +15,7 @@ import robosim.geometry.narrow.distance.PlanarDistance;
 import robosim.geometry.narrow.distance.SpatialDistance;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
 import robosim.geometry.narrow.ray.PlanarRay;
@@ -48,21 +50,24 @@ public final class Questions {
      * @param planar whether they are about projections
      * @param kindA  the first leaf's kind; the only one of a ray or a cone
      */
-    public record Family(Subject subject, boolean planar, int kindA, int kindB) {
+    public record Family(Subject subject, boolean planar, LeafKind kindA, LeafKind kindB) {
         @Override
         public String toString() {
-            return (planar ? "planar " : "spatial ") + subject + " " + KINDS[kindA] + " " + KINDS[kindB];
+            return (planar ? "planar " : "spatial ") + subject + " " + name(kindA) + " " + name(kindB);
+        }
+
+        private static String name(LeafKind kind) {
+            return kind.name().toLowerCase(Locale.ROOT).replace('_', ' ');
         }
     }
 
-    private static final String[] KINDS = {
-        "upright box", "upright cylinder", "sphere", "box", "cylinder", "triangle", "prism"
-    };
+    private static final LeafKind[] KINDS =
+            Arrays.stream(LeafKind.values()).filter(kind -> !kind.isMesh()).toArray(LeafKind[]::new);
 
     private final Scratch scratch = new Scratch();
     private final NearContacts pairs = new NearContacts();
     private final double[] numbers = new double[12];
-    private Family family = new Family(Subject.SIDE, true, 0, 0);
+    private Family family = new Family(Subject.SIDE, true, LeafKind.UPRIGHT_BOX, LeafKind.UPRIGHT_BOX);
     private double angle;
 
     /** All families of some subjects, each unordered pair of kinds once but for motions. */
@@ -80,29 +85,33 @@ public final class Questions {
         switch (subject) {
             case SIDE, PRODUCTS -> {
                 if (planar) {
-                    families.add(new Family(subject, true, 0, 0));
+                    families.add(new Family(subject, true, LeafKind.UPRIGHT_BOX, LeafKind.UPRIGHT_BOX));
                 }
             }
             case VOLUME -> {
                 if (!planar) {
-                    families.add(new Family(subject, false, 0, 0));
+                    families.add(new Family(subject, false, LeafKind.UPRIGHT_BOX, LeafKind.UPRIGHT_BOX));
                 }
             }
             case BORDER -> {
-                for (int kind = 0; kind <= Leaf.CYLINDER && !planar; kind++) {
-                    families.add(new Family(subject, false, kind, kind));
+                for (LeafKind kind : KINDS) {
+                    if (!planar && kind.compareTo(LeafKind.CYLINDER) <= 0) {
+                        families.add(new Family(subject, false, kind, kind));
+                    }
                 }
             }
             case RAY, CONE -> {
-                for (int kind = 0; kind < Leaf.KINDS; kind++) {
+                for (LeafKind kind : KINDS) {
                     families.add(new Family(subject, planar, kind, kind));
                 }
             }
             default -> {
                 boolean ordered = subject == Subject.TRANSLATION || subject == Subject.TURN;
-                for (int a = 0; a < Leaf.KINDS; a++) {
-                    for (int b = ordered ? 0 : a; b < Leaf.KINDS; b++) {
-                        families.add(new Family(subject, planar, a, b));
+                for (LeafKind a : KINDS) {
+                    for (LeafKind b : KINDS) {
+                        if (ordered || a.compareTo(b) <= 0) {
+                            families.add(new Family(subject, planar, a, b));
+                        }
                     }
                 }
             }
@@ -115,8 +124,8 @@ public final class Questions {
         SplittableRandom random = new SplittableRandom(seed * 0x9E3779B97F4A7C15L
                 + 1_000_003L * number
                 + 31L * asked.subject().ordinal()
-                + 1009L * asked.kindA()
-                + 10_007L * asked.kindB()
+                + 1009L * asked.kindA().ordinal()
+                + 10_007L * asked.kindB().ordinal()
                 + (asked.planar() ? 1 : 0));
         angle = random.nextDouble();
         switch (asked.subject()) {
@@ -151,8 +160,8 @@ public final class Questions {
     public double ask() {
         double[] a = pairs.a;
         double[] b = pairs.b;
-        int kindA = family.kindA();
-        int kindB = family.kindB();
+        LeafKind kindA = family.kindA();
+        LeafKind kindB = family.kindB();
         boolean planar = family.planar();
         double[] n = numbers;
         return switch (family.subject()) {
@@ -177,7 +186,7 @@ public final class Questions {
         };
     }
 
-    private boolean border(int kind, double[] row) {
+    private boolean border(LeafKind kind, double[] row) {
         LeafColumn column = new LeafColumn(1);
         column.append(1);
         System.arraycopy(row, 0, column.rows(), 0, Leaf.STRIDE);
@@ -186,13 +195,13 @@ public final class Questions {
         return new WorldBounds(size[0], size[1], size[2], Dimension.SPATIAL).holds(column, 0, 1);
     }
 
-    private double ray(double[] o, double[] d, int kind, double[] row) {
+    private double ray(double[] o, double[] d, LeafKind kind, double[] row) {
         return family.planar()
                 ? PlanarRay.distance(o[0], o[2], d[0], d[2], kind, row, 0, scratch)
                 : SpatialRay.distance(o[0], o[1], o[2], d[0], d[1], d[2], kind, row, 0, scratch);
     }
 
-    private double cone(double[] o, double[] d, int kind, double[] row) {
+    private double cone(double[] o, double[] d, LeafKind kind, double[] row) {
         double half = 0.01 + 1.5 * angle;
         double cos = StrictMath.cos(half);
         double sin = StrictMath.sin(half);
@@ -201,13 +210,13 @@ public final class Questions {
                 : SpatialCone.distance(o[0], o[1], o[2], d[0], d[1], d[2], cos, sin, kind, row, 0, scratch);
     }
 
-    private double translation(double[] d, int kindA, double[] a, int kindB, double[] b) {
+    private double translation(double[] d, LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
         return family.planar()
                 ? PlanarSweep.translation(kindA, a, 0, d[0], d[1], d[2], kindB, b, 0, scratch)
                 : SpatialSweep.translation(kindA, a, 0, d[0], d[1], d[2], kindB, b, 0, scratch);
     }
 
-    private double turn(int kindA, double[] a, int kindB, double[] b) {
+    private double turn(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
         double degrees = 720 * angle - 360;
         return family.planar()
                 ? PlanarTurnSweep.free(kindA, a, 0, a[0], a[1], a[2], 0, 1, 0, degrees, kindB, b, 0, scratch)

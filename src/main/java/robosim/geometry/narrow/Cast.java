@@ -5,8 +5,8 @@ import robosim.geometry.index.tiles.Outline;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.cone.PlanarCone;
 import robosim.geometry.narrow.cone.SpatialCone;
-import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.UnderflowScaling;
 import robosim.geometry.narrow.leaf.UprightRows;
 import robosim.geometry.narrow.mesh.Inside;
@@ -125,8 +125,8 @@ public final class Cast {
     /** Distance from the start to the leaf; +Infinity where it is missed; what is beyond the limit may be too. */
     public double distance(LeafColumn column, int leaf, double limit) {
         triangle = -1;
-        int kind = column.kind(leaf);
-        if (!Leaf.isMesh(kind)) {
+        LeafKind kind = column.kind(leaf);
+        if (!kind.isMesh()) {
             return convex(kind, column.rows(leaf), column.at(leaf));
         }
         takeUnit();
@@ -174,7 +174,7 @@ public final class Cast {
 
     private double judge(int place) {
         s.outer.corners(place, s.triangleA, 0);
-        double distance = convex(Leaf.TRIANGLE, s.triangleA, 0);
+        double distance = convex(LeafKind.TRIANGLE, s.triangleA, 0);
         if (distance < nearest || (distance == nearest && isLower(place))) {
             nearest = distance;
             triangle = place;
@@ -186,7 +186,7 @@ public final class Cast {
         return triangle >= 0 && s.outer.triangle(place) < s.outer.triangle(triangle);
     }
 
-    private double convex(int kind, double[] row, int at) {
+    private double convex(LeafKind kind, double[] row, int at) {
         double distance = convex(ox, oy, oz, kind, row, at);
         // Only a small distance may have been spoiled by what underflowed.
         if (distance > UnderflowScaling.SMALL
@@ -198,7 +198,7 @@ public final class Cast {
         return m.down(convex(m.up(ox), m.up(oy), m.up(oz), kind, m.a, 0));
     }
 
-    private double convex(double x, double y, double z, int kind, double[] row, int at) {
+    private double convex(double x, double y, double z, LeafKind kind, double[] row, int at) {
         if (dimension == Dimension.PLANAR) {
             return cone
                     ? PlanarCone.distance(x, z, dx, dz, halfCos, halfSin, kind, row, at, s)
@@ -220,10 +220,10 @@ public final class Cast {
         double px = ox + distance * ux;
         double py = oy + distance * uy;
         double pz = oz + distance * uz;
-        int kind = column.kind(leaf);
+        LeafKind kind = column.kind(leaf);
         double[] row = column.rows(leaf);
         int at = column.at(leaf);
-        if (Leaf.isMesh(kind)) {
+        if (kind.isMesh()) {
             distance(column, leaf, Double.POSITIVE_INFINITY);
             if (triangle < 0) { // inside a solid mesh
                 out[0] = -ux;
@@ -232,7 +232,7 @@ public final class Cast {
                 return;
             }
             s.outer.corners(triangle, s.triangleA, 0);
-            kind = Leaf.TRIANGLE;
+            kind = LeafKind.TRIANGLE;
             row = s.triangleA;
             at = 0;
         }

@@ -4,9 +4,9 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.distance.ConvexContact;
 import robosim.geometry.narrow.distance.PlanarDistance;
 import robosim.geometry.narrow.distance.SpatialDistance;
-import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.UnderflowScaling;
 import robosim.geometry.narrow.mesh.Inside;
 
@@ -40,24 +40,24 @@ public final class Distance {
     public double between(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, double limit) {
         triangleA = -1;
         triangleB = -1;
-        int kindA = a.kind(i);
-        int kindB = b.kind(j);
-        if (Leaf.isMesh(kindA) && Leaf.isMesh(kindB)) {
+        LeafKind kindA = a.kind(i);
+        LeafKind kindB = b.kind(j);
+        if (kindA.isMesh() && kindB.isMesh()) {
             return meshes(dimension, a, i, b, j, limit);
         }
-        if (Leaf.isMesh(kindA)) {
+        if (kindA.isMesh()) {
             double distance = mesh(dimension, a, i, kindB, b.rows(j), b.at(j), limit);
             triangleA = triangleB;
             triangleB = -1;
             return distance;
         }
-        if (Leaf.isMesh(kindB)) {
+        if (kindB.isMesh()) {
             return mesh(dimension, b, j, kindA, a.rows(i), a.at(i), limit);
         }
         return convex(dimension, kindA, a.rows(i), a.at(i), kindB, b.rows(j), b.at(j));
     }
 
-    private double convex(Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    private double convex(Dimension dimension, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         double distance = asStored(dimension, kindA, a, i, kindB, b, j);
         // Only a small distance may have been spoiled by what underflowed.
         if (distance > UnderflowScaling.SMALL || !s.scaling.take(kindA, a, i, kindB, b, j)) {
@@ -67,13 +67,14 @@ public final class Distance {
         return m.down(asStored(dimension, kindA, m.a, 0, kindB, m.b, 0));
     }
 
-    private double asStored(Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    private double asStored(Dimension dimension, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         return dimension == Dimension.PLANAR
                 ? PlanarDistance.between(kindA, a, i, kindB, b, j, s)
                 : SpatialDistance.between(kindA, a, i, kindB, b, j, s);
     }
 
-    private double mesh(Dimension dimension, LeafColumn mesh, int leaf, int kind, double[] row, int at, double limit) {
+    private double mesh(
+            Dimension dimension, LeafColumn mesh, int leaf, LeafKind kind, double[] row, int at, double limit) {
         if (Inside.counts(dimension, mesh, leaf) && Inside.holdsLeaf(mesh, leaf, kind, row, at, s)) {
             return 0;
         }
@@ -84,7 +85,7 @@ public final class Distance {
         double best = Double.POSITIVE_INFINITY;
         for (int t = s.outer.next(reach(limit, sizes)); t >= 0; t = s.outer.next(reach(Math.min(limit, best), sizes))) {
             s.outer.corners(t, s.triangleA, 0);
-            double distance = convex(dimension, Leaf.TRIANGLE, s.triangleA, 0, kind, row, at);
+            double distance = convex(dimension, LeafKind.TRIANGLE, s.triangleA, 0, kind, row, at);
             if (distance < best || (distance == best && isLower(t))) {
                 best = distance;
                 triangleB = t;
@@ -127,13 +128,14 @@ public final class Distance {
         double best = Double.POSITIVE_INFINITY;
         for (int t = s.outer.next(reach(limit, sizes)); t >= 0; t = s.outer.next(reach(Math.min(limit, best), sizes))) {
             s.outer.corners(t, s.triangleA, 0);
-            LeafBounds.of(Leaf.TRIANGLE, s.triangleA, 0, s.triangleBox);
+            LeafBounds.of(LeafKind.TRIANGLE, s.triangleA, 0, s.triangleBox);
             overMesh(dimension, b, j, s.triangleBox);
             s.inner.startNearest(b, j, s.triangleBox);
             double left = reach(Math.min(limit, best), sizes);
             for (int u = s.inner.next(left); u >= 0; u = s.inner.next(reach(Math.min(limit, best), sizes))) {
                 s.inner.corners(u, s.triangleB, 0);
-                double distance = convex(dimension, Leaf.TRIANGLE, s.triangleA, 0, Leaf.TRIANGLE, s.triangleB, 0);
+                double distance =
+                        convex(dimension, LeafKind.TRIANGLE, s.triangleA, 0, LeafKind.TRIANGLE, s.triangleB, 0);
                 if (distance < best || (distance == best && areLower(t, u))) {
                     best = distance;
                     triangleA = t;
@@ -159,29 +161,29 @@ public final class Distance {
      * @param out six numbers: point, normal
      */
     public void contact(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, double[] out) {
-        int kindA = a.kind(i);
-        int kindB = b.kind(j);
+        LeafKind kindA = a.kind(i);
+        LeafKind kindB = b.kind(j);
         double[] rowA = a.rows(i);
         double[] rowB = b.rows(j);
         int atA = a.at(i);
         int atB = b.at(j);
-        if (Leaf.isMesh(kindA) || Leaf.isMesh(kindB)) {
+        if (kindA.isMesh() || kindB.isMesh()) {
             between(dimension, a, i, b, j, Double.POSITIVE_INFINITY);
             if (triangleA >= 0) {
                 s.outer.open(a, i);
                 s.outer.corners(triangleA, s.triangleA, 0);
-                kindA = Leaf.TRIANGLE;
+                kindA = LeafKind.TRIANGLE;
                 rowA = s.triangleA;
                 atA = 0;
             }
             if (triangleB >= 0) {
                 s.outer.open(b, j);
                 s.outer.corners(triangleB, s.triangleB, 0);
-                kindB = Leaf.TRIANGLE;
+                kindB = LeafKind.TRIANGLE;
                 rowB = s.triangleB;
                 atB = 0;
             }
-            if (Leaf.isMesh(kindA) || Leaf.isMesh(kindB)) {
+            if (kindA.isMesh() || kindB.isMesh()) {
                 inside(rowA, atA, out);
                 return;
             }

@@ -4,6 +4,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.UprightRows;
 import robosim.geometry.narrow.mesh.Inside;
 import robosim.geometry.narrow.overlap.ConvexOverlap;
@@ -17,24 +18,24 @@ public final class Overlap {
 
     /** Whether leaf i of a touches or overlaps leaf j of b. */
     public static boolean test(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, Scratch s) {
-        int kindA = a.kind(i);
-        int kindB = b.kind(j);
-        if (dimension == Dimension.PLANAR && LeafColumn.isUpright(j) && Leaf.isDisc(kindA)) {
+        LeafKind kindA = a.kind(i);
+        LeafKind kindB = b.kind(j);
+        if (dimension == Dimension.PLANAR && LeafColumn.isUpright(j) && kindA.isDisc()) {
             return disc(kindA, a.rows(i), a.at(i), kindB, b, j, s);
         }
-        if (Leaf.isMesh(kindA)) {
-            return Leaf.isMesh(kindB)
+        if (kindA.isMesh()) {
+            return kindB.isMesh()
                     ? meshes(dimension, a, i, b, j, s)
                     : mesh(dimension, a, i, kindB, b.rows(j), b.at(j), s);
         }
-        if (Leaf.isMesh(kindB)) {
+        if (kindB.isMesh()) {
             return mesh(dimension, b, j, kindA, a.rows(i), a.at(i), s);
         }
         return ConvexOverlap.test(dimension, kindA, a.rows(i), a.at(i), kindB, b.rows(j), b.at(j), s);
     }
 
     /** A disc, as seen from above, and a leaf of half a row: without a whole one where doubles can tell. */
-    private static boolean disc(int kindA, double[] a, int i, int kindB, LeafColumn b, int j, Scratch s) {
+    private static boolean disc(LeafKind kindA, double[] a, int i, LeafKind kindB, LeafColumn b, int j, Scratch s) {
         int sure = sure(a[i], a[i + 2], a[i + Leaf.SIZE], b.uprightRows(), LeafColumn.uprightAt(j));
         return sure == 0 ? PlanarOverlap.test(kindA, a, i, kindB, b.rows(j), b.at(j), s) : sure < 0;
     }
@@ -69,12 +70,12 @@ public final class Overlap {
     }
 
     private static boolean mesh(
-            Dimension dimension, LeafColumn mesh, int leaf, int kind, double[] row, int at, Scratch s) {
+            Dimension dimension, LeafColumn mesh, int leaf, LeafKind kind, double[] row, int at, Scratch s) {
         bounds(dimension, kind, row, at, s.box);
         s.outer.startBox(mesh, leaf, s.box);
         for (int t = s.outer.next(0); t >= 0; t = s.outer.next(0)) {
             s.outer.corners(t, s.triangleA, 0);
-            if (ConvexOverlap.test(dimension, Leaf.TRIANGLE, s.triangleA, 0, kind, row, at, s)) {
+            if (ConvexOverlap.test(dimension, LeafKind.TRIANGLE, s.triangleA, 0, kind, row, at, s)) {
                 return true;
             }
         }
@@ -82,7 +83,7 @@ public final class Overlap {
     }
 
     /** The bounds of a leaf, over all heights in PLANAR. */
-    static void bounds(Dimension dimension, int kind, double[] row, int at, double[] out) {
+    static void bounds(Dimension dimension, LeafKind kind, double[] row, int at, double[] out) {
         LeafBounds.of(kind, row, at, out);
         widen(dimension, out);
     }
@@ -96,8 +97,8 @@ public final class Overlap {
 
     /** Whether two leaves, neither of them a mesh, certainly overlap by more than rounding; false where that is not told. */
     public static boolean isDeep(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, Scratch s) {
-        return !Leaf.isMesh(a.kind(i))
-                && !Leaf.isMesh(b.kind(j))
+        return !a.kind(i).isMesh()
+                && !b.kind(j).isMesh()
                 && ConvexOverlap.isDeep(dimension, a.kind(i), a.rows(i), a.at(i), b.kind(j), b.rows(j), b.at(j), s);
     }
 }

@@ -1,9 +1,9 @@
 package robosim.geometry.narrow;
 
 import robosim.geometry.model.Dimension;
-import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** The pairs of convex pieces of two leaves that may touch: a mesh's triangles are pieces of their own. */
 final class PiecePairs {
@@ -16,7 +16,7 @@ final class PiecePairs {
          * @param u the same of the second
          * @return whether that was enough
          */
-        boolean visit(int kindA, double[] a, int i, int t, int kindB, double[] b, int j, int u);
+        boolean visit(LeafKind kindA, double[] a, int i, int t, LeafKind kindB, double[] b, int j, int u);
     }
 
     private final Scratch s;
@@ -29,8 +29,8 @@ final class PiecePairs {
 
     /** Visits pairs until one is enough; answers whether one was. */
     boolean any(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, Visitor visitor) {
-        int kindA = a.kind(i);
-        if (!Leaf.isMesh(kindA)) {
+        LeafKind kindA = a.kind(i);
+        if (!kindA.isMesh()) {
             return anyOf(dimension, kindA, a.rows(i), a.at(i), -1, b, j, visitor);
         }
         b.bounds(j, other);
@@ -38,7 +38,7 @@ final class PiecePairs {
         s.outer.startBox(a, i, other);
         for (int t = s.outer.next(0); t >= 0; t = s.outer.next(0)) {
             s.outer.corners(t, s.triangleA, 0);
-            if (anyOf(dimension, Leaf.TRIANGLE, s.triangleA, 0, t, b, j, visitor)) {
+            if (anyOf(dimension, LeafKind.TRIANGLE, s.triangleA, 0, t, b, j, visitor)) {
                 return true;
             }
         }
@@ -46,9 +46,9 @@ final class PiecePairs {
     }
 
     private boolean anyOf(
-            Dimension dimension, int kind, double[] row, int at, int t, LeafColumn b, int j, Visitor visitor) {
-        int kindB = b.kind(j);
-        if (!Leaf.isMesh(kindB)) {
+            Dimension dimension, LeafKind kind, double[] row, int at, int t, LeafColumn b, int j, Visitor visitor) {
+        LeafKind kindB = b.kind(j);
+        if (!kindB.isMesh()) {
             return visitor.visit(kind, row, at, t, kindB, b.rows(j), b.at(j), -1);
         }
         LeafBounds.of(kind, row, at, own);
@@ -56,7 +56,7 @@ final class PiecePairs {
         s.inner.startBox(b, j, own);
         for (int u = s.inner.next(0); u >= 0; u = s.inner.next(0)) {
             s.inner.corners(u, s.triangleB, 0);
-            if (visitor.visit(kind, row, at, t, Leaf.TRIANGLE, s.triangleB, 0, u)) {
+            if (visitor.visit(kind, row, at, t, LeafKind.TRIANGLE, s.triangleB, 0, u)) {
                 return true;
             }
         }

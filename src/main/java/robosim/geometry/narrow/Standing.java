@@ -5,6 +5,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.gjk.HullOverlap;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MeshWalk;
 import robosim.geometry.narrow.overlap.ConvexOverlap;
 import robosim.geometry.narrow.overlap.Levels;
@@ -42,7 +43,7 @@ public final class Standing {
     /** For each contact: the mover's piece at the start and at the end, the other's piece; and their kinds. */
     private double[] rows = new double[4 * ROWS];
 
-    private int[] kinds = new int[4 * 3];
+    private LeafKind[] kinds = new LeafKind[4 * 3];
     private StandingPlanes[] planes = new StandingPlanes[4];
     private int count;
 
@@ -85,7 +86,7 @@ public final class Standing {
         }
     }
 
-    private boolean gather(int kindA, double[] a, int i, int t, int kindB, double[] b, int j, int u) {
+    private boolean gather(LeafKind kindA, double[] a, int i, int t, LeafKind kindB, double[] b, int j, int u) {
         if (!touch(kindA, a, i, kindB, b, j) || ConvexOverlap.isDeep(dimension, kindA, a, i, kindB, b, j, s)) {
             return false; // no plane is between what overlaps deeply
         }
@@ -96,7 +97,7 @@ public final class Standing {
         }
         int at = count * ROWS;
         copy(a, i, at);
-        int kindEnd = kindA;
+        LeafKind kindEnd = kindA;
         if (t >= 0) {
             elsewhere.open(end, leaf);
             elsewhere.corners(t, rows, at + Leaf.STRIDE);
@@ -124,7 +125,7 @@ public final class Standing {
     }
 
     /** Notes the level that parts a contact, if one does and the mover keeps to its side; what lies in it is on both. */
-    private void noteLevel(int at, int kindA, int kindEnd, int kindB) {
+    private void noteLevel(int at, LeafKind kindA, LeafKind kindEnd, LeafKind kindB) {
         if (dimension == Dimension.PLANAR
                 || !Levels.has(kindA)
                 || !Levels.has(kindB)
@@ -163,7 +164,16 @@ public final class Standing {
      *
      * @param kindTo the mover's piece where it goes to, which is the end or a place before it
      */
-    boolean isBehind(int kind, double[] from, int at, int kindTo, double[] to, int atTo, int kindB, double[] b, int j) {
+    boolean isBehind(
+            LeafKind kind,
+            double[] from,
+            int at,
+            LeafKind kindTo,
+            double[] to,
+            int atTo,
+            LeafKind kindB,
+            double[] b,
+            int j) {
         if (isBehindLevel(kind, from, at, kindTo, to, atTo, kindB, b, j)) {
             return true;
         }
@@ -199,7 +209,15 @@ public final class Standing {
     }
 
     private boolean isBehindLevel(
-            int kind, double[] from, int at, int kindTo, double[] to, int atTo, int kindB, double[] b, int j) {
+            LeafKind kind,
+            double[] from,
+            int at,
+            LeafKind kindTo,
+            double[] to,
+            int atTo,
+            LeafKind kindB,
+            double[] b,
+            int j) {
         if (levelCount > 0
                 && Levels.has(kind)
                 && Levels.has(kindTo)
@@ -219,7 +237,7 @@ public final class Standing {
     }
 
     /** Whether it is behind a level that is stood on: what needs no exact numbers of {@link #isBehind}, and answers most. */
-    boolean isBehindLevel(int i, int kind, double[] from, int at, int t, int kindB, double[] b, int j) {
+    boolean isBehindLevel(int i, LeafKind kind, double[] from, int at, int t, LeafKind kindB, double[] b, int j) {
         if (levelCount == 0) {
             return false;
         }
@@ -232,7 +250,7 @@ public final class Standing {
     }
 
     /** The same for a leaf of the mover, or the triangle of a mesh at a place, on its way to the end. */
-    boolean isBehind(int i, int kind, double[] from, int at, int t, int kindB, double[] b, int j) {
+    boolean isBehind(int i, LeafKind kind, double[] from, int at, int t, LeafKind kindB, double[] b, int j) {
         if (t < 0) {
             return isBehind(kind, from, at, end.kind(i), end.rows(i), end.at(i), kindB, b, j);
         }
@@ -270,12 +288,12 @@ public final class Standing {
         return !isMet && !Overlap.test(dimension, start, i, b, j, s);
     }
 
-    private boolean isAnew(int kindA, double[] a, int i, int t, int kindB, double[] b, int j, int u) {
+    private boolean isAnew(LeafKind kindA, double[] a, int i, int t, LeafKind kindB, double[] b, int j, int u) {
         if (!touch(kindA, a, i, kindB, b, j)) {
             return false;
         }
         isMet = true;
-        int kind = kindA;
+        LeafKind kind = kindA;
         double[] from = there;
         int at = 0;
         if (t >= 0) {
@@ -294,7 +312,7 @@ public final class Standing {
         return true;
     }
 
-    private boolean touch(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    private boolean touch(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         int known = dimension == Dimension.PLANAR ? 0 : Levels.touch(kindA, a, i, kindB, b, j, s);
         return known == 0 ? ConvexOverlap.test(dimension, kindA, a, i, kindB, b, j, s) : known > 0;
     }

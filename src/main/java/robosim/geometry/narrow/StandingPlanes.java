@@ -9,6 +9,7 @@ import robosim.geometry.exact.ExactVector;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.gjk.Penetration;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.Levels;
 import robosim.geometry.narrow.sat.ExactBetween;
 import robosim.geometry.narrow.sat.ExactExtent;
@@ -36,15 +37,15 @@ final class StandingPlanes {
             Sweep motion,
             double[] rows,
             int at,
-            int[] kinds,
+            LeafKind[] kinds,
             int kindAt,
-            int kind,
+            LeafKind kind,
             double[] from,
             int fromAt,
-            int kindTo,
+            LeafKind kindTo,
             double[] to,
             int toAt,
-            int kindB,
+            LeafKind kindB,
             double[] b,
             int j,
             Scratch s) {
@@ -130,16 +131,16 @@ final class StandingPlanes {
 
     /** Whether a level plane is certainly the only one. */
     private static boolean hasOnlyLevel(
-            Dimension dimension, double[] rows, int at, int[] kinds, int kindAt, Scratch s) {
-        int kindA = kinds[kindAt];
-        int kindB = kinds[kindAt + 2];
+            Dimension dimension, double[] rows, int at, LeafKind[] kinds, int kindAt, Scratch s) {
+        LeafKind kindA = kinds[kindAt];
+        LeafKind kindB = kinds[kindAt + 2];
         int rest = at + 2 * Leaf.STRIDE;
         if (dimension == Dimension.PLANAR || Levels.side(kindA, rows, at, kindB, rows, rest) == 0) {
             return false;
         }
         // A ball has but one plane where it touches; what has an inside within the level, none other.
-        if ((kindA == Leaf.SPHERE && rows[at + Leaf.SIZE] > 0)
-                || (kindB == Leaf.SPHERE && rows[rest + Leaf.SIZE] > 0)) {
+        if ((kindA == LeafKind.SPHERE && rows[at + Leaf.SIZE] > 0)
+                || (kindB == LeafKind.SPHERE && rows[rest + Leaf.SIZE] > 0)) {
             return true;
         }
         int side = Levels.side(kindA, rows, at, kindB, rows, rest);
@@ -170,7 +171,7 @@ final class StandingPlanes {
     /** Whether every plane between the two is one of those found or between these. */
     private boolean isSpanned;
 
-    private List<Plane> find(boolean flat, Sweep motion, double[] rows, int at, int[] kinds, int kindAt) {
+    private List<Plane> find(boolean flat, Sweep motion, double[] rows, int at, LeafKind[] kinds, int kindAt) {
         int end = at + Leaf.STRIDE;
         int rest = end + Leaf.STRIDE;
         ExactFeatures mover = new ExactFeatures(flat, kinds[kindAt], rows, at);

@@ -8,6 +8,7 @@ import robosim.geometry.exact.VectorMath;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MeshWalk;
 import robosim.geometry.narrow.leaf.UnderflowScaling;
 import robosim.geometry.narrow.sat.ExactExtent;
@@ -59,7 +60,7 @@ public final class Sweep {
     }
 
     /** Whether a leaf that starts on one side of a plane stays there if it ends there: exact. */
-    boolean keeps(ExactVector normal, int kind, double[] row, int at) {
+    boolean keeps(ExactVector normal, LeafKind kind, double[] row, int at) {
         if (!turns) {
             return true;
         }
@@ -67,20 +68,20 @@ public final class Sweep {
     }
 
     /** The same of a level plane. */
-    boolean keepsLevel(int kind, double[] row, int at) {
+    boolean keepsLevel(LeafKind kind, double[] row, int at) {
         return !turns || (wx == 0 && wz == 0) || isTurnedIntoItself(kind, row, at);
     }
 
-    private boolean isTurnedIntoItself(int kind, double[] row, int at) {
+    private boolean isTurnedIntoItself(LeafKind kind, double[] row, int at) {
         boolean flat = dimension == Dimension.PLANAR;
         boolean isLevel = wx == 0 && wz == 0;
         if (row[at] != px || row[at + 2] != pz || (row[at + 1] != py && !(isLevel || flat))) {
             return false;
         }
         return switch (kind) {
-            case Leaf.SPHERE -> true;
-            case Leaf.UPRIGHT_CYLINDER -> isLevel;
-            case Leaf.CYLINDER ->
+            case SPHERE -> true;
+            case UPRIGHT_CYLINDER -> isLevel;
+            case CYLINDER ->
                 ExactExtent.axis(kind, row, at)
                         .cross(ExactVector.of(wx, wy, wz))
                         .isZero();
@@ -120,8 +121,8 @@ public final class Sweep {
 
     /** The outward bounds of all places of a leaf during the motion. */
     public void bounds(LeafColumn column, int leaf, double[] out) {
-        int kind = column.kind(leaf);
-        if (!Leaf.isMesh(kind)) {
+        LeafKind kind = column.kind(leaf);
+        if (!kind.isMesh()) {
             bounds(kind, column.rows(leaf), column.at(leaf), out);
             return;
         }
@@ -129,12 +130,12 @@ public final class Sweep {
         column.bounds(leaf, box);
         double[] row = s.triangleB; // the mesh's bounds, as a box that moves
         boxRow(box, row);
-        bounds(Leaf.UPRIGHT_BOX, row, 0, out);
+        bounds(LeafKind.UPRIGHT_BOX, row, 0, out);
     }
 
     /** The same by each triangle of a mesh for itself, where the bounds that move with it would reach too far. */
     public void tightBounds(LeafColumn column, int leaf, double[] out) {
-        if (!Leaf.isMesh(column.kind(leaf))) {
+        if (!column.kind(leaf).isMesh()) {
             bounds(column, leaf, out);
             return;
         }
@@ -144,7 +145,7 @@ public final class Sweep {
         s.outer.startBox(column, leaf, s.meshBox);
         for (int t = s.outer.next(0); t >= 0; t = s.outer.next(0)) {
             s.outer.corners(t, s.triangleA, 0);
-            bounds(Leaf.TRIANGLE, s.triangleA, 0, swept);
+            bounds(LeafKind.TRIANGLE, s.triangleA, 0, swept);
             for (int k = 0; k < 3; k++) {
                 out[k] = Math.min(out[k], swept[k]);
                 out[3 + k] = Math.max(out[3 + k], swept[3 + k]);
@@ -157,8 +158,8 @@ public final class Sweep {
      * at the start, to hold it anywhere on a turn.
      */
     public void turnDiagonals(LeafColumn column, int leaf, double[] out4) {
-        int kind = column.kind(leaf);
-        if (!Leaf.isMesh(kind)) {
+        LeafKind kind = column.kind(leaf);
+        if (!kind.isMesh()) {
             turnDiagonals(kind, column.rows(leaf), column.at(leaf), out4);
             return;
         }
@@ -168,7 +169,7 @@ public final class Sweep {
             s.outer.startBox(column, leaf, box);
             for (int t = s.outer.next(0); t >= 0; t = s.outer.next(0)) {
                 s.outer.corners(t, s.triangleA, 0);
-                turnDiagonals(Leaf.TRIANGLE, s.triangleA, 0, out4);
+                turnDiagonals(LeafKind.TRIANGLE, s.triangleA, 0, out4);
             }
             return;
         }
@@ -177,10 +178,10 @@ public final class Sweep {
         out4[2] = Math.min(out4[2], Math.nextDown(box[0] - box[5]));
         out4[3] = Math.max(out4[3], Math.nextUp(box[3] - box[2]));
         boxRow(box, s.triangleB);
-        turnDiagonals(Leaf.UPRIGHT_BOX, s.triangleB, 0, out4);
+        turnDiagonals(LeafKind.UPRIGHT_BOX, s.triangleB, 0, out4);
     }
 
-    private void turnDiagonals(int kind, double[] row, int at, double[] out4) {
+    private void turnDiagonals(LeafKind kind, double[] row, int at, double[] out4) {
         SweptBounds.turnDiagonals(kind, row, at, px, py, pz, wx, wy, wz, degrees, out4, s);
     }
 
@@ -192,7 +193,7 @@ public final class Sweep {
         Rotations.identity(row, Leaf.ROTATION);
     }
 
-    private void bounds(int kind, double[] row, int at, double[] out) {
+    private void bounds(LeafKind kind, double[] row, int at, double[] out) {
         if (turns) {
             SweptBounds.turn(kind, row, at, px, py, pz, wx, wy, wz, degrees, out, s);
         } else {
@@ -246,12 +247,12 @@ public final class Sweep {
         own = -1;
         ownPiece = -1;
         otherPiece = -1;
-        int kindA = a.kind(i);
-        int kindB = b.kind(j);
-        if (!Leaf.isMesh(kindA) && !Leaf.isMesh(kindB)) {
+        LeafKind kindA = a.kind(i);
+        LeafKind kindB = b.kind(j);
+        if (!kindA.isMesh() && !kindB.isMesh()) {
             return piece(kindA, a.rows(i), a.at(i), kindB, b.rows(j), b.at(j), -1, Double.POSITIVE_INFINITY);
         }
-        if (!Leaf.isMesh(kindA)) {
+        if (!kindA.isMesh()) {
             return againstMesh(kindA, a.rows(i), a.at(i), b, j);
         }
         double least = Double.POSITIVE_INFINITY;
@@ -260,13 +261,13 @@ public final class Sweep {
         s.outer.startBox(a, i, reach(a, i));
         for (int t = s.outer.next(0); t >= 0; t = s.outer.next(0)) {
             s.outer.corners(t, s.triangleA, 0);
-            bounds(Leaf.TRIANGLE, s.triangleA, 0, swept);
+            bounds(LeafKind.TRIANGLE, s.triangleA, 0, swept);
             if (meets(swept, s.triangleBox)) {
                 own = t;
                 int before = otherPiece;
-                double share = Leaf.isMesh(kindB)
-                        ? againstMesh(Leaf.TRIANGLE, s.triangleA, 0, b, j)
-                        : piece(Leaf.TRIANGLE, s.triangleA, 0, kindB, b.rows(j), b.at(j), -1, least);
+                double share = kindB.isMesh()
+                        ? againstMesh(LeafKind.TRIANGLE, s.triangleA, 0, b, j)
+                        : piece(LeafKind.TRIANGLE, s.triangleA, 0, kindB, b.rows(j), b.at(j), -1, least);
                 boolean isFirst = share < least || (share == least && ownPiece >= 0 && isLower(s.outer, t, ownPiece));
                 if (share != Double.POSITIVE_INFINITY && isFirst) {
                     least = share;
@@ -322,7 +323,7 @@ public final class Sweep {
                 && (dimension == Dimension.PLANAR || (a[1] <= b[4] && b[1] <= a[4]));
     }
 
-    private double againstMesh(int kind, double[] row, int at, LeafColumn mesh, int of) {
+    private double againstMesh(LeafKind kind, double[] row, int at, LeafColumn mesh, int of) {
         bounds(kind, row, at, swept);
         if (dimension == Dimension.PLANAR) {
             swept[1] = Double.NEGATIVE_INFINITY;
@@ -333,7 +334,7 @@ public final class Sweep {
         s.inner.startBox(mesh, of, swept);
         for (int t = s.inner.next(0); t >= 0; t = s.inner.next(0)) {
             s.inner.corners(t, s.triangleB, 0);
-            double share = piece(kind, row, at, Leaf.TRIANGLE, s.triangleB, 0, t, least);
+            double share = piece(kind, row, at, LeafKind.TRIANGLE, s.triangleB, 0, t, least);
             if (share < least || (share == least && first >= 0 && isLower(s.inner, t, first))) {
                 least = share;
                 first = t;
@@ -353,7 +354,7 @@ public final class Sweep {
      * @param u      the other's triangle, or -1
      * @param before the share above which the answer does not matter
      */
-    private double piece(int kindA, double[] a, int i, int kindB, double[] b, int j, int u, double before) {
+    private double piece(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, int u, double before) {
         if (standing != null && standing.isBehindLevel(leaf, kindA, a, i, own, kindB, b, j)) {
             return Double.POSITIVE_INFINITY;
         }
@@ -367,7 +368,7 @@ public final class Sweep {
         return stop == null ? share : stop.share(own, u, Math.min(share, 1), before);
     }
 
-    private double convex(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    private double convex(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         double x = turns ? px : dx;
         double y = isLevel() ? 0 : turns ? py : dy;
         double z = turns ? pz : dz;
@@ -382,19 +383,20 @@ public final class Sweep {
         return dimension == Dimension.PLANAR && !(turns && (wx != 0 || wz != 0));
     }
 
-    private boolean isTakenUp(double largest, int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    private boolean isTakenUp(double largest, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         return isLevel()
                 ? s.scaling.takeLevel(largest, kindA, a, i, kindB, b, j)
                 : s.scaling.take(largest, kindA, a, i, kindB, b, j);
     }
 
-    private double scaled(double x, double y, double z, int kindA, int kindB) {
+    private double scaled(double x, double y, double z, LeafKind kindA, LeafKind kindB) {
         UnderflowScaling m = s.scaling;
         return convex(m.up(x), m.up(y), m.up(z), kindA, m.a, 0, kindB, m.b, 0);
     }
 
     /** With the pivot of a turn, or the displacement of a translation. */
-    private double convex(double x, double y, double z, int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    private double convex(
+            double x, double y, double z, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         if (dimension == Dimension.PLANAR) {
             return turns
                     ? PlanarTurnSweep.free(kindA, a, i, x, y, z, wx, wy, wz, degrees, kindB, b, j, s)

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** A convex leaf as the twin sees it: support, projection, corners and edges in plain doubles. Shares no code with the kernels. */
 final class Body {
@@ -17,7 +17,7 @@ final class Body {
     }
 
     final Type type;
-    final int kind;
+    final LeafKind kind;
     final double[] row;
 
     /** The centre; a triangle's first corner. */
@@ -29,14 +29,14 @@ final class Body {
     final double[][] corners;
     final double[][] edges;
 
-    private Body(Type type, int kind, double[] row) {
+    private Body(Type type, LeafKind kind, double[] row) {
         this.type = type;
         this.kind = kind;
         this.row = row;
         c = new double[] {row[0], row[1], row[2]};
         axes = new double[3][];
         for (int k = 0; k < 3; k++) {
-            axes[k] = kind == Leaf.UPRIGHT_CYLINDER || type == Type.SPHERE
+            axes[k] = kind == LeafKind.UPRIGHT_CYLINDER || type == Type.SPHERE
                     ? new double[] {k == 0 ? 1 : 0, k == 1 ? 1 : 0, k == 2 ? 1 : 0}
                     : new double[] {row[6 + k], row[9 + k], row[12 + k]};
         }
@@ -45,21 +45,24 @@ final class Body {
     }
 
     static Body box(double[] centre, double[] half, double[] r, boolean upright) {
-        return new Body(Type.BOX, upright ? Leaf.UPRIGHT_BOX : Leaf.BOX, row(centre, r, half[0], half[1], half[2]));
+        return new Body(
+                Type.BOX, upright ? LeafKind.UPRIGHT_BOX : LeafKind.BOX, row(centre, r, half[0], half[1], half[2]));
     }
 
     static Body cylinder(double[] centre, double radius, double half, double[] r, boolean upright) {
         return new Body(
-                Type.CYLINDER, upright ? Leaf.UPRIGHT_CYLINDER : Leaf.CYLINDER, row(centre, r, radius, half, 0));
+                Type.CYLINDER,
+                upright ? LeafKind.UPRIGHT_CYLINDER : LeafKind.CYLINDER,
+                row(centre, r, radius, half, 0));
     }
 
     static Body sphere(double[] centre, double radius) {
-        return new Body(Type.SPHERE, Leaf.SPHERE, row(centre, new double[9], radius, 0, 0));
+        return new Body(Type.SPHERE, LeafKind.SPHERE, row(centre, new double[9], radius, 0, 0));
     }
 
     static Body triangle(double[] corners) {
         double[] row = Arrays.copyOf(corners, 16);
-        return new Body(Type.TRIANGLE, Leaf.TRIANGLE, row);
+        return new Body(Type.TRIANGLE, LeafKind.TRIANGLE, row);
     }
 
     private static double[] row(double[] centre, double[] r, double p, double q, double s) {
@@ -103,7 +106,7 @@ final class Body {
     }
 
     boolean isUpright() {
-        return kind == Leaf.UPRIGHT_BOX || kind == Leaf.UPRIGHT_CYLINDER;
+        return kind == LeafKind.UPRIGHT_BOX || kind == LeafKind.UPRIGHT_CYLINDER;
     }
 
     /** The sum of the half sizes. */

@@ -6,11 +6,12 @@ import robosim.geometry.exact.Rotations;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.cone.SpatialCone;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.ray.SpatialRay;
 
 /** A cone in space and a leaf, made up so that the cone's border comes near some place of the leaf. */
 final class ConeQuestion {
-    int kind;
+    LeafKind kind;
     final double[] row = new double[Leaf.STRIDE];
     final double[] apex = new double[3];
     double[] way = new double[3];
@@ -19,7 +20,7 @@ final class ConeQuestion {
 
     private final Scratch scratch = new Scratch();
 
-    ConeQuestion(int kind) {
+    ConeQuestion(LeafKind kind) {
         this.kind = kind;
     }
 
@@ -41,7 +42,7 @@ final class ConeQuestion {
 
     /** To paste into a test. */
     String paste(double answer, String truth) {
-        return "kind %d, apex %s, way %s, half %s, row %s: %s, truth %s"
+        return "kind %s, apex %s, way %s, half %s, row %s: %s, truth %s"
                 .formatted(
                         kind, Arrays.toString(apex), Arrays.toString(way), half, Arrays.toString(row), answer, truth);
     }
@@ -50,7 +51,7 @@ final class ConeQuestion {
     double extent() {
         double largest = 0;
         for (int k = 0; k < 9; k++) {
-            largest = Math.max(largest, k < 6 || kind == Leaf.TRIANGLE ? Math.abs(row[k]) : 0);
+            largest = Math.max(largest, k < 6 || kind == LeafKind.TRIANGLE ? Math.abs(row[k]) : 0);
         }
         for (double x : apex) {
             largest = Math.max(largest, Math.abs(x));
@@ -88,7 +89,7 @@ final class ConeQuestion {
         System.arraycopy(work, 0, r, 0, 9);
         rotate(r, apex, 0);
         rotate(r, way, 0);
-        if (kind == Leaf.TRIANGLE) {
+        if (kind == LeafKind.TRIANGLE) {
             for (int k = 0; k < 9; k += 3) {
                 rotate(r, row, k);
             }

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** How far a cone in space hears a cylinder. */
 final class CylinderCone implements Kernel {
@@ -20,7 +21,7 @@ final class CylinderCone implements Kernel {
     /** A cone hears no later than the ray along its axis, whose distance is so good. */
     private static final double RAY_ULPS = 4;
 
-    private final ConeQuestion q = new ConeQuestion(Leaf.CYLINDER);
+    private final ConeQuestion q = new ConeQuestion(LeafKind.CYLINDER);
 
     @Override
     public String name() {
@@ -111,7 +112,7 @@ final class CylinderCone implements Kernel {
     private void make(SplittableRandom random, boolean adversarial) {
         Arrays.fill(q.row, 0);
         Rotations.identity(q.row, Leaf.ROTATION);
-        q.kind = Leaf.UPRIGHT_CYLINDER;
+        q.kind = LeafKind.UPRIGHT_CYLINDER;
         double radius = random.nextDouble(0.05, 2);
         double half = random.nextDouble(0.05, 2);
         int shape = random.nextInt(6);
@@ -140,7 +141,7 @@ final class CylinderCone implements Kernel {
         }
         if (random.nextInt(3) > 0) {
             q.turn(random);
-            q.kind = Leaf.CYLINDER;
+            q.kind = LeafKind.CYLINDER;
         }
     }
 

@@ -1,7 +1,7 @@
 package robosim.geometry.census;
 
 import robosim.geometry.census.Twofold.Vector;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * The distance of a cylinder in a cone from both sides, by a search that knows nothing of caps and mantles: the largest
@@ -52,7 +52,7 @@ final class CylinderConeTwin {
     boolean isWithin;
 
     CylinderConeTwin(ConeQuestion q) {
-        boolean isUpright = q.kind == Leaf.UPRIGHT_CYLINDER;
+        boolean isUpright = q.kind == LeafKind.UPRIGHT_CYLINDER;
         double[] row = q.row;
         double[] axis = isUpright ? new double[] {0, 1, 0} : new double[] {row[7], row[10], row[13]};
         Vector long3 = Vector.of(axis[0], axis[1], axis[2]);

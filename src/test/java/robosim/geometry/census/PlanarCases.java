@@ -4,20 +4,21 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.stream.Collectors;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.reference.Truth.Form;
 
 /** Rows of forms for kernels in the plane, and what a failure prints of them. */
 final class PlanarCases {
     private PlanarCases() {}
 
-    static int kind(Form form) {
+    static LeafKind kind(Form form) {
         return switch (form) {
-            case UPRIGHT_BOX -> Leaf.UPRIGHT_BOX;
-            case BOX -> Leaf.BOX;
-            case TRIANGLE -> Leaf.TRIANGLE;
-            case SPHERE -> Leaf.SPHERE;
-            case UPRIGHT_CYLINDER -> Leaf.UPRIGHT_CYLINDER;
-            case CYLINDER -> Leaf.CYLINDER;
+            case UPRIGHT_BOX -> LeafKind.UPRIGHT_BOX;
+            case BOX -> LeafKind.BOX;
+            case TRIANGLE -> LeafKind.TRIANGLE;
+            case SPHERE -> LeafKind.SPHERE;
+            case UPRIGHT_CYLINDER -> LeafKind.UPRIGHT_CYLINDER;
+            case CYLINDER -> LeafKind.CYLINDER;
         };
     }
 

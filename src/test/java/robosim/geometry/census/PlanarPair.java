@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.distance.PlanarDistance;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.reference.Truth;
 import robosim.geometry.reference.Truth.Form;
@@ -88,8 +89,8 @@ final class PlanarPair implements Kernel {
     }
 
     private Visit compare(double[] a, double[] b, PlanarTwin one, PlanarTwin two) {
-        int kindA = PlanarCases.kind(formA);
-        int kindB = PlanarCases.kind(formB);
+        LeafKind kindA = PlanarCases.kind(formA);
+        LeafKind kindB = PlanarCases.kind(formB);
         boolean touch = PlanarOverlap.test(kindA, a, 0, kindB, b, 0, scratch);
         double distance = PlanarDistance.between(kindA, a, 0, kindB, b, 0, scratch);
         String text = PlanarCases.paste(formA, a) + " and " + PlanarCases.paste(formB, b);

@@ -13,6 +13,7 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** How far a cone in space hears a box, a triangle or a mesh. */
 final class PolytopeCone implements Kernel {
@@ -37,7 +38,7 @@ final class PolytopeCone implements Kernel {
     };
 
     private final Shape shape;
-    private ConeQuestion q = new ConeQuestion(Leaf.BOX);
+    private ConeQuestion q = new ConeQuestion(LeafKind.BOX);
     private double[][] mesh = new double[6][3];
     private double degrees;
     private boolean isAimed;
@@ -194,7 +195,7 @@ final class PolytopeCone implements Kernel {
     }
 
     private void make(SplittableRandom random, boolean adversarial) {
-        q = new ConeQuestion(shape == Shape.BOX ? Leaf.BOX : Leaf.TRIANGLE);
+        q = new ConeQuestion(shape == Shape.BOX ? LeafKind.BOX : LeafKind.TRIANGLE);
         degrees = 2 * (adversarial ? StrictMath.pow(10, random.nextDouble(-1, 1.95)) : random.nextDouble(1, 89));
         q.widen(StrictMath.toRadians(degrees / 2));
         if (shape == Shape.MESH) {
@@ -224,7 +225,7 @@ final class PolytopeCone implements Kernel {
             q.aim(target, off, random);
         }
         if (shape == Shape.BOX && random.nextInt(3) == 0) {
-            q.kind = Leaf.UPRIGHT_BOX;
+            q.kind = LeafKind.UPRIGHT_BOX;
         } else if (shape == Shape.BOX) {
             q.turn(random);
         }

@@ -1,7 +1,7 @@
 package robosim.geometry.census;
 
 import java.util.SplittableRandom;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** A convex leaf as the twins see it: corners with edges and sides, or a centre, an axis and a radius. */
 final class Solid {
@@ -12,7 +12,7 @@ final class Solid {
     private static final int[][] BOX_SIDES = {{0, 2, 4}, {1, 3, 5}, {0, 1, 4}, {2, 3, 6}, {0, 1, 2}, {4, 5, 6}};
     private static final int[][] TRIANGLE_SIDES = {{0, 1, 2}};
 
-    final int kind;
+    final LeafKind kind;
     final double[][] corners;
     final int[][] edges;
 
@@ -31,11 +31,11 @@ final class Solid {
     final double[][] sideMiddles;
     final double[] sideReaches;
 
-    private Solid(int kind, double[][] corners, double[] centre, double[] axis, double radius, double half) {
+    private Solid(LeafKind kind, double[][] corners, double[] centre, double[] axis, double radius, double half) {
         this.kind = kind;
         this.corners = corners;
-        edges = kind == Leaf.BOX ? BOX_EDGES : kind == Leaf.TRIANGLE ? TRIANGLE_EDGES : new int[0][];
-        sides = kind == Leaf.BOX ? BOX_SIDES : kind == Leaf.TRIANGLE ? TRIANGLE_SIDES : new int[0][];
+        edges = kind == LeafKind.BOX ? BOX_EDGES : kind == LeafKind.TRIANGLE ? TRIANGLE_EDGES : new int[0][];
+        sides = kind == LeafKind.BOX ? BOX_SIDES : kind == LeafKind.TRIANGLE ? TRIANGLE_SIDES : new int[0][];
         this.centre = centre;
         this.axis = axis;
         this.radius = radius;
@@ -66,10 +66,10 @@ final class Solid {
     }
 
     /** A row's solid, seen from an origin. */
-    static Solid of(int kind, double[] row, double[] origin) {
+    static Solid of(LeafKind kind, double[] row, double[] origin) {
         double[] c = {row[0] - origin[0], row[1] - origin[1], row[2] - origin[2]};
         return switch (kind) {
-            case Leaf.BOX -> {
+            case BOX -> {
                 double[][] corners = new double[8][3];
                 for (int m = 0; m < 8; m++) {
                     for (int k = 0; k < 3; k++) {
@@ -81,14 +81,14 @@ final class Solid {
                 }
                 yield new Solid(kind, corners, c, new double[3], 0, 0);
             }
-            case Leaf.TRIANGLE -> {
+            case TRIANGLE -> {
                 double[][] corners = new double[3][3];
                 for (int m = 0; m < 9; m++) {
                     corners[m / 3][m % 3] = row[m] - origin[m % 3];
                 }
                 yield new Solid(kind, corners, c, new double[3], 0, 0);
             }
-            case Leaf.CYLINDER -> {
+            case CYLINDER -> {
                 double[] axis = Space.unit(new double[] {row[7], row[10], row[13]});
                 yield new Solid(kind, new double[0][], c, axis, row[3], row[4]);
             }
@@ -125,8 +125,8 @@ final class Solid {
             double along = Space.dot(n, axis);
             double[] across = Space.sum(n, axis, -along);
             double length = Space.length(across);
-            double[] p = Space.sum(centre, kind == Leaf.SPHERE ? n : across, radius / Math.max(length, 1e-300));
-            if (kind == Leaf.SPHERE) {
+            double[] p = Space.sum(centre, kind == LeafKind.SPHERE ? n : across, radius / Math.max(length, 1e-300));
+            if (kind == LeafKind.SPHERE) {
                 return Space.sum(centre, n, radius);
             }
             if (length < 1e-9) {
@@ -158,13 +158,13 @@ final class Solid {
             int[] edge = edges[random.nextInt(edges.length)];
             return Space.unit(Space.sum(corners[edge[1]], corners[edge[0]], -1));
         }
-        return kind == Leaf.CYLINDER ? axis : Space.direction(random);
+        return kind == LeafKind.CYLINDER ? axis : Space.direction(random);
     }
 
     /** The normal of a side or a cap, one way or the other; of a sphere any direction. */
     double[] normal(SplittableRandom random) {
         double way = random.nextBoolean() ? 1 : -1;
-        double[] n = kind == Leaf.CYLINDER ? axis : Space.direction(random);
+        double[] n = kind == LeafKind.CYLINDER ? axis : Space.direction(random);
         if (isPolytope()) {
             int[] side = sides[random.nextInt(sides.length)];
             n = Space.cross(

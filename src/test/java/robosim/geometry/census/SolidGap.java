@@ -1,6 +1,6 @@
 package robosim.geometry.census;
 
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * The distance of two solids from one pair of features after the other, in closed form or by a bracketed search in one
@@ -28,9 +28,9 @@ final class SolidGap {
 
     double between(Solid a, Solid b) {
         distance = Double.POSITIVE_INFINITY;
-        if (a.kind == Leaf.SPHERE) {
-            take(fromPoint(b, a.centre) - a.radius - (b.kind == Leaf.SPHERE ? b.radius : 0), Meeting.SPHERE);
-        } else if (b.kind == Leaf.SPHERE) {
+        if (a.kind == LeafKind.SPHERE) {
+            take(fromPoint(b, a.centre) - a.radius - (b.kind == LeafKind.SPHERE ? b.radius : 0), Meeting.SPHERE);
+        } else if (b.kind == LeafKind.SPHERE) {
             take(fromPoint(a, b.centre) - b.radius, Meeting.SPHERE);
         } else if (a.isPolytope() && b.isPolytope()) {
             sides(a, b, Meeting.CORNER_ON_SIDE);
@@ -87,8 +87,10 @@ final class SolidGap {
         double[] w = Space.sum(p, on.corners[side[0]], -1);
         double s = Space.dot(Space.cross(w, v), n);
         double t = Space.dot(Space.cross(u, w), n);
-        boolean inside =
-                s >= 0 && t >= 0 && (on.kind == Leaf.BOX ? s <= square && t <= square : s + t <= square) && square > 0;
+        boolean inside = s >= 0
+                && t >= 0
+                && (on.kind == LeafKind.BOX ? s <= square && t <= square : s + t <= square)
+                && square > 0;
         return inside ? Math.abs(Space.dot(w, n)) / Math.sqrt(square) : Double.POSITIVE_INFINITY;
     }
 
@@ -121,17 +123,17 @@ final class SolidGap {
     /** From a point to a solid, 0 inside; a sphere counts as its centre. */
     private static double fromPoint(Solid to, double[] p) {
         double[] w = Space.sum(p, to.centre, -1);
-        if (to.kind == Leaf.CYLINDER) {
+        if (to.kind == LeafKind.CYLINDER) {
             double along = Space.dot(w, to.axis);
             double out = Math.max(0, Space.length(Space.sum(w, to.axis, -along)) - to.radius);
             double up = Math.max(0, Math.abs(along) - to.half);
             return up == 0 ? out : out == 0 ? up : Math.sqrt(up * up + out * out);
         }
-        if (to.kind == Leaf.SPHERE) {
+        if (to.kind == LeafKind.SPHERE) {
             return Space.length(w);
         }
         double best = Double.POSITIVE_INFINITY;
-        boolean inside = to.kind == Leaf.BOX;
+        boolean inside = to.kind == LeafKind.BOX;
         for (int k = 0; k < 3 && inside; k++) {
             double[] e = Space.sum(to.corners[1 << k], to.corners[0], -1);
             double along = Space.dot(Space.sum(p, to.corners[0], -1), e);

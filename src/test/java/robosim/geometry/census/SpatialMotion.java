@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
 
 /**
@@ -16,35 +17,35 @@ import robosim.geometry.narrow.overlap.SpatialOverlap;
  */
 abstract class SpatialMotion implements Kernel {
     // Pairs of kinds, and for each the ways to aim, as often as it takes to meet every regime often enough.
-    private static final int[][] PAIRS = {
-        {Leaf.BOX, Leaf.BOX},
-        {Leaf.BOX, Leaf.TRIANGLE},
-        {Leaf.TRIANGLE, Leaf.BOX},
-        {Leaf.TRIANGLE, Leaf.TRIANGLE},
-        {Leaf.BOX, Leaf.TRIANGLE},
-        {Leaf.TRIANGLE, Leaf.BOX},
-        {Leaf.BOX, Leaf.BOX},
-        {Leaf.TRIANGLE, Leaf.TRIANGLE},
-        {Leaf.CYLINDER, Leaf.BOX},
-        {Leaf.BOX, Leaf.CYLINDER},
-        {Leaf.CYLINDER, Leaf.TRIANGLE},
-        {Leaf.TRIANGLE, Leaf.CYLINDER},
-        {Leaf.CYLINDER, Leaf.BOX},
-        {Leaf.BOX, Leaf.CYLINDER},
-        {Leaf.CYLINDER, Leaf.CYLINDER},
-        {Leaf.CYLINDER, Leaf.CYLINDER},
-        {Leaf.CYLINDER, Leaf.CYLINDER},
-        {Leaf.CYLINDER, Leaf.TRIANGLE},
-        {Leaf.TRIANGLE, Leaf.CYLINDER},
-        {Leaf.CYLINDER, Leaf.BOX},
-        {Leaf.CYLINDER, Leaf.CYLINDER},
-        {Leaf.CYLINDER, Leaf.CYLINDER},
-        {Leaf.CYLINDER, Leaf.CYLINDER},
-        {Leaf.SPHERE, Leaf.SPHERE},
-        {Leaf.SPHERE, Leaf.BOX},
-        {Leaf.TRIANGLE, Leaf.BOX},
-        {Leaf.TRIANGLE, Leaf.SPHERE},
-        {Leaf.SPHERE, Leaf.CYLINDER}
+    private static final LeafKind[][] PAIRS = {
+        {LeafKind.BOX, LeafKind.BOX},
+        {LeafKind.BOX, LeafKind.TRIANGLE},
+        {LeafKind.TRIANGLE, LeafKind.BOX},
+        {LeafKind.TRIANGLE, LeafKind.TRIANGLE},
+        {LeafKind.BOX, LeafKind.TRIANGLE},
+        {LeafKind.TRIANGLE, LeafKind.BOX},
+        {LeafKind.BOX, LeafKind.BOX},
+        {LeafKind.TRIANGLE, LeafKind.TRIANGLE},
+        {LeafKind.CYLINDER, LeafKind.BOX},
+        {LeafKind.BOX, LeafKind.CYLINDER},
+        {LeafKind.CYLINDER, LeafKind.TRIANGLE},
+        {LeafKind.TRIANGLE, LeafKind.CYLINDER},
+        {LeafKind.CYLINDER, LeafKind.BOX},
+        {LeafKind.BOX, LeafKind.CYLINDER},
+        {LeafKind.CYLINDER, LeafKind.CYLINDER},
+        {LeafKind.CYLINDER, LeafKind.CYLINDER},
+        {LeafKind.CYLINDER, LeafKind.CYLINDER},
+        {LeafKind.CYLINDER, LeafKind.TRIANGLE},
+        {LeafKind.TRIANGLE, LeafKind.CYLINDER},
+        {LeafKind.CYLINDER, LeafKind.BOX},
+        {LeafKind.CYLINDER, LeafKind.CYLINDER},
+        {LeafKind.CYLINDER, LeafKind.CYLINDER},
+        {LeafKind.CYLINDER, LeafKind.CYLINDER},
+        {LeafKind.SPHERE, LeafKind.SPHERE},
+        {LeafKind.SPHERE, LeafKind.BOX},
+        {LeafKind.TRIANGLE, LeafKind.BOX},
+        {LeafKind.TRIANGLE, LeafKind.SPHERE},
+        {LeafKind.SPHERE, LeafKind.CYLINDER}
     };
 
     private static final int[] FLAT = {0, 0, 0, 1, 1, 1, 2, 5};
@@ -72,12 +73,12 @@ abstract class SpatialMotion implements Kernel {
     private final SolidGap gap = new SolidGap();
 
     // One case: rows, with everything seen from the origin, and where the features were put.
-    int kindA;
-    int kindB;
+    LeafKind kindA;
+    LeafKind kindB;
     final double[] a = new double[Leaf.STRIDE];
     final double[] b = new double[Leaf.STRIDE];
     final double[] origin = new double[3];
-    private Solid mover = Solid.of(Leaf.SPHERE, a, origin);
+    private Solid mover = Solid.of(LeafKind.SPHERE, a, origin);
     private Solid rest = mover;
     double[] normal = new double[3];
     double[] point = new double[3];
@@ -128,12 +129,12 @@ abstract class SpatialMotion implements Kernel {
         double contact = 0;
         int start = adversarial ? random.nextInt(9) : 2;
         for (int t = 0; ; t++) {
-            int[] kinds = PAIRS[random.nextInt(PAIRS.length)];
+            LeafKind[] kinds = PAIRS[random.nextInt(PAIRS.length)];
             kindA = kinds[0];
             kindB = kinds[1];
             shape(kindA, a, random, adversarial && start > 1);
             shape(kindB, b, random, adversarial && start > 1);
-            if (kindA == Leaf.CYLINDER && kindB == Leaf.CYLINDER && random.nextInt(4) > 0) {
+            if (kindA == LeafKind.CYLINDER && kindB == LeafKind.CYLINDER && random.nextInt(4) > 0) {
                 // Rods, whose mantles meet.
                 a[3] *= 0.1;
                 b[3] *= 0.1;
@@ -179,7 +180,7 @@ abstract class SpatialMotion implements Kernel {
     }
 
     private String told() {
-        return "kind %d %s, kind %d %s from %s, %s: %s"
+        return "kind %s %s, kind %s %s from %s, %s: %s"
                 .formatted(
                         kindA, Arrays.toString(a), kindB, Arrays.toString(b), Arrays.toString(origin), paste(), free());
     }
@@ -247,14 +248,14 @@ abstract class SpatialMotion implements Kernel {
         return best;
     }
 
-    private static void shape(int kind, double[] row, SplittableRandom random, boolean adversarial) {
+    private static void shape(LeafKind kind, double[] row, SplittableRandom random, boolean adversarial) {
         Arrays.fill(row, 0);
         double[] turn = Space.turn(Space.direction(random), random.nextDouble(-180, 180));
         for (int k = 0; k < 3; k++) {
             double low = adversarial ? -3 : -1;
             row[3 + k] = adversarial && random.nextInt(24) == 0 ? 0 : StrictMath.pow(10, random.nextDouble(low, 0));
         }
-        if (kind == Leaf.TRIANGLE) {
+        if (kind == LeafKind.TRIANGLE) {
             double[] sizes = {row[3], row[4], row[5]};
             for (int m = 0; m < 9; m++) {
                 row[m] = sizes[m / 3] * random.nextDouble(-1, 1);
@@ -262,7 +263,7 @@ abstract class SpatialMotion implements Kernel {
             if (adversarial && random.nextInt(24) == 0) {
                 System.arraycopy(row, 0, row, 6, 3); // a segment
             }
-        } else if (kind == Leaf.SPHERE) {
+        } else if (kind == LeafKind.SPHERE) {
             row[4] = 0;
             row[5] = 0;
         } else {
@@ -303,13 +304,13 @@ abstract class SpatialMotion implements Kernel {
         double[] back = turn(-contact);
         double[] shift = shift(-contact);
         Solid unturned = Solid.of(kindA, a, origin);
-        if (kindA == Leaf.TRIANGLE) {
+        if (kindA == LeafKind.TRIANGLE) {
             for (int m = 0; m < 3; m++) {
                 System.arraycopy(Space.sum(Space.times(back, unturned.corners[m]), shift, 1), 0, a, 3 * m, 3);
             }
         } else {
             System.arraycopy(Space.sum(Space.times(back, unturned.centre), shift, 1), 0, a, 0, 3);
-            for (int k = 0; k < 3 && kindA != Leaf.SPHERE; k++) {
+            for (int k = 0; k < 3 && kindA != LeafKind.SPHERE; k++) {
                 double[] column = Space.times(back, new double[] {a[6 + k], a[9 + k], a[12 + k]});
                 for (int m = 0; m < 3; m++) {
                     a[6 + 3 * m + k] = column[m];
@@ -324,8 +325,8 @@ abstract class SpatialMotion implements Kernel {
         }
     }
 
-    private static void move(int kind, double[] row, double[] by) {
-        for (int m = 0; m < (kind == Leaf.TRIANGLE ? 9 : 3); m++) {
+    private static void move(LeafKind kind, double[] row, double[] by) {
+        for (int m = 0; m < (kind == LeafKind.TRIANGLE ? 9 : 3); m++) {
             row[m] += by[m % 3];
         }
     }

@@ -4,14 +4,14 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import robosim.geometry.census.Twofold.Vector;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** How far a cone in space hears a sphere. */
 final class SphereCone implements Kernel {
     /** Of the coordinates, before the last rounding. */
     private static final double ERROR = 0x1p-90;
 
-    private final ConeQuestion q = new ConeQuestion(Leaf.SPHERE);
+    private final ConeQuestion q = new ConeQuestion(LeafKind.SPHERE);
 
     @Override
     public String name() {

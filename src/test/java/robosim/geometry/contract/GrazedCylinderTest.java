@@ -12,7 +12,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.cone.SpatialCone;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** Cones in space whose border just reaches the rim of a cylinder: what is heard there is not nearer than it is. */
 class GrazedCylinderTest {
@@ -63,7 +63,18 @@ class GrazedCylinderTest {
                 continue;
             }
             double low = SpatialCone.distance(
-                    0, 0, 0, u[0], u[1], u[2], cos, Math.sqrt((1 - cos) * (1 + cos)), Leaf.UPRIGHT_CYLINDER, row, 0, s);
+                    0,
+                    0,
+                    0,
+                    u[0],
+                    u[1],
+                    u[2],
+                    cos,
+                    Math.sqrt((1 - cos) * (1 + cos)),
+                    LeafKind.UPRIGHT_CYLINDER,
+                    row,
+                    0,
+                    s);
             if (low < Double.POSITIVE_INFINITY && low > 1e-3) {
                 double high = SpatialCone.upperEnd(s);
                 assertThat(high - low)

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.sweep.PlanarSweep;
 
 /**
@@ -19,7 +19,7 @@ class EdgeOnCornerTest {
         double[] disc = {-2.75, -2, -1.25, 0.75, 0, 1, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0
         }; // from x = -3.5 to -2, at z = -1.25
         double time = PlanarSweep.translation(
-                Leaf.TRIANGLE, triangle, 0, -1.25, 0, 0.5, Leaf.CYLINDER, disc, 0, new Scratch());
+                LeafKind.TRIANGLE, triangle, 0, -1.25, 0, 0.5, LeafKind.CYLINDER, disc, 0, new Scratch());
         assertThat(time).isZero(); // right is infinite
     }
 }

@@ -9,6 +9,7 @@ import robosim.geometry.engine.objects.WorldBounds;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.CylinderCylinder;
 
 /**
@@ -59,7 +60,7 @@ public final class AimedBounds {
         LeafColumn column = new LeafColumn(1);
         column.append(1);
         System.arraycopy(row, 0, column.rows(), 0, Leaf.STRIDE);
-        column.setKind(0, Leaf.BOX);
+        column.setKind(0, LeafKind.BOX);
         boolean truth = reach.compareTo(new BigDecimal(half)) <= 0;
         return new WorldBounds(2 * half, 100, 100, Dimension.SPATIAL).holds(column, 0, 1) != truth;
     }
@@ -98,6 +99,6 @@ public final class AimedBounds {
                 && CylinderTwin.dot(cross, cross)
                                 .compareTo(radii.multiply(radii).multiply(square))
                         <= 0;
-        return CylinderCylinder.touch(Leaf.CYLINDER, a, 0, Leaf.CYLINDER, b, 0, scratch) != truth;
+        return CylinderCylinder.touch(LeafKind.CYLINDER, a, 0, LeafKind.CYLINDER, b, 0, scratch) != truth;
     }
 }

@@ -4,7 +4,7 @@ import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.reference.HullMotion;
 
 /**
@@ -17,15 +17,16 @@ public final class BallTwin {
     private final BigDecimal square;
     private final @Nullable HullMotion core;
 
-    public BallTwin(double[] sphere, double[] d, int kindB, double[] b) {
+    public BallTwin(double[] sphere, double[] d, LeafKind kindB, double[] b) {
         BigDecimal[] centre = vector(sphere[0], sphere[1], sphere[2]);
-        List<BigDecimal[]> rest =
-                kindB == Leaf.SPHERE ? List.<BigDecimal[]>of(vector(b[0], b[1], b[2])) : DecimalAxes.corners(kindB, b);
+        List<BigDecimal[]> rest = kindB == LeafKind.SPHERE
+                ? List.<BigDecimal[]>of(vector(b[0], b[1], b[2]))
+                : DecimalAxes.corners(kindB, b);
         for (BigDecimal[] corner : rest) {
             corners.add(minus(corner, centre));
         }
         move = vector(d[0], d[1], d[2]);
-        BigDecimal radius = new BigDecimal(sphere[3]).add(new BigDecimal(kindB == Leaf.SPHERE ? b[3] : 0));
+        BigDecimal radius = new BigDecimal(sphere[3]).add(new BigDecimal(kindB == LeafKind.SPHERE ? b[3] : 0));
         square = radius.pow(2);
         core = HullMotion.of(List.<BigDecimal[]>of(centre), rest, d);
     }

@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.cone.SpatialCone;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** Boxes in cones against the triangles of their faces, for boxes whose corners are doubles. */
 class ConeBoxTest {
@@ -49,9 +50,20 @@ class ConeBoxTest {
                 least = Math.min(
                         least,
                         SpatialCone.distance(
-                                apex[0], apex[1], apex[2], u[0], u[1], u[2], cos, sin, Leaf.TRIANGLE, row, 0, scratch));
+                                apex[0],
+                                apex[1],
+                                apex[2],
+                                u[0],
+                                u[1],
+                                u[2],
+                                cos,
+                                sin,
+                                LeafKind.TRIANGLE,
+                                row,
+                                0,
+                                scratch));
             }
-            int kind = k % 2 == 0 ? Leaf.UPRIGHT_BOX : Leaf.BOX;
+            LeafKind kind = k % 2 == 0 ? LeafKind.UPRIGHT_BOX : LeafKind.BOX;
             double found =
                     SpatialCone.distance(apex[0], apex[1], apex[2], u[0], u[1], u[2], cos, sin, kind, box, 0, scratch);
             String what = Arrays.toString(box) + " from " + Arrays.toString(apex) + " along " + Arrays.toString(u)

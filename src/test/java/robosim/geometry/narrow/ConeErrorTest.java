@@ -10,11 +10,11 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.cone.Cone;
 import robosim.geometry.narrow.cone.PlanarCone;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** Verdicts and distances of cones against decimals of 60 digits, in which the cosine is the stored one. */
 class ConeErrorTest {
@@ -25,9 +25,9 @@ class ConeErrorTest {
 
     /** Shapes beside the border of the sector by 1e-1 to 1e-16 of their size, on both sides. */
     @ParameterizedTest
-    @ValueSource(ints = {Leaf.UPRIGHT_BOX, Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE, Leaf.BOX, Leaf.TRIANGLE})
-    void sectors(int kind) {
-        SplittableRandom random = new SplittableRandom(201 + kind);
+    @EnumSource(names = {"UPRIGHT_BOX", "UPRIGHT_CYLINDER", "SPHERE", "BOX", "TRIANGLE"})
+    void sectors(LeafKind kind) {
+        SplittableRandom random = new SplittableRandom(201 + kind.ordinal());
         double worst = 0;
         int heard = 0;
         int silent = 0;
@@ -69,23 +69,24 @@ class ConeErrorTest {
         return truth.subtract(new BigDecimal(answer)).abs().doubleValue() / unit;
     }
 
-    private static double largest(double[] o, int kind, double[] row) {
+    private static double largest(double[] o, LeafKind kind, double[] row) {
         double largest = VectorMath.largest(o[0], o[1], o[2]);
-        for (int k = 0; k < (kind == Leaf.TRIANGLE ? 9 : 6); k++) {
+        for (int k = 0; k < (kind == LeafKind.TRIANGLE ? 9 : 6); k++) {
             largest = Math.max(largest, Math.abs(row[k]));
         }
         return largest;
     }
 
     /** A random leaf at a distance along a direction of the plane. */
-    private static double[] place(int kind, SplittableRandom random, double[] o, double at, double far, double scale) {
+    private static double[] place(
+            LeafKind kind, SplittableRandom random, double[] o, double at, double far, double scale) {
         double[] row = Rows.random(kind, random, 0.001);
         double x = o[0] + far * scale * StrictMath.cos(at);
         double z = o[2] + far * scale * StrictMath.sin(at);
-        for (int k = 0; k < (kind == Leaf.TRIANGLE ? 9 : 6); k++) {
+        for (int k = 0; k < (kind == LeafKind.TRIANGLE ? 9 : 6); k++) {
             row[k] *= scale;
         }
-        for (int k = 0; k < (kind == Leaf.TRIANGLE ? 9 : 3); k += 3) {
+        for (int k = 0; k < (kind == LeafKind.TRIANGLE ? 9 : 3); k += 3) {
             row[k] += x;
             row[k + 2] += z;
         }
@@ -100,7 +101,7 @@ class ConeErrorTest {
             double[] o,
             double[] d,
             double cos,
-            int kind,
+            LeafKind kind,
             double[] row,
             boolean nearly,
             SplittableRandom random,
@@ -127,7 +128,7 @@ class ConeErrorTest {
             }
             double reach = most.doubleValue() + (isDisc(kind) ? row[3] : 0);
             double off = reach + scale * Math.pow(10, -random.nextDouble(1, 17)) * (random.nextBoolean() ? 1 : -1);
-            for (int k = 0; k < (kind == Leaf.TRIANGLE ? 9 : 3); k += 3) {
+            for (int k = 0; k < (kind == LeafKind.TRIANGLE ? 9 : 3); k += 3) {
                 row[k] -= off * left[1].doubleValue();
                 row[k + 2] += off * left[0].doubleValue();
             }
@@ -135,8 +136,8 @@ class ConeErrorTest {
         return isDisc(kind) ? disc(o, row, left, right) : polygon(corners(o, kind, row), left, right);
     }
 
-    private static boolean isDisc(int kind) {
-        return kind == Leaf.SPHERE || kind == Leaf.UPRIGHT_CYLINDER;
+    private static boolean isDisc(LeafKind kind) {
+        return kind == LeafKind.SPHERE || kind == LeafKind.UPRIGHT_CYLINDER;
     }
 
     private static BigDecimal disc(double[] o, double[] row, BigDecimal[] left, BigDecimal[] right) {
@@ -214,11 +215,11 @@ class ConeErrorTest {
     }
 
     /** The corners of the projection, and some more within it, seen from the apex. */
-    private static List<BigDecimal[]> corners(double[] o, int kind, double[] row) {
+    private static List<BigDecimal[]> corners(double[] o, LeafKind kind, double[] row) {
         List<BigDecimal[]> corners = new ArrayList<>();
         BigDecimal ox = new BigDecimal(o[0]);
         BigDecimal oz = new BigDecimal(o[2]);
-        if (kind == Leaf.TRIANGLE) {
+        if (kind == LeafKind.TRIANGLE) {
             for (int k = 0; k < 9; k += 3) {
                 corners.add(
                         new BigDecimal[] {new BigDecimal(row[k]).subtract(ox), new BigDecimal(row[k + 2]).subtract(oz)

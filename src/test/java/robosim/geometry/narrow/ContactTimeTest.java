@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.Poses;
 import robosim.geometry.narrow.sweep.PlanarSweep;
 import robosim.geometry.narrow.sweep.SpatialSweep;
@@ -17,10 +18,15 @@ import robosim.geometry.reference.HullMotion;
 /** Times of contact of straight motions against exact twins, where rounding is at its worst: one double down, no more. */
 class ContactTimeTest {
     private static final double FREE = Double.POSITIVE_INFINITY;
-    private static final int[] FLAT = {
-        Leaf.UPRIGHT_BOX, Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE, Leaf.BOX, Leaf.TRIANGLE, Leaf.PRISM
+    private static final LeafKind[] FLAT = {
+        LeafKind.UPRIGHT_BOX,
+        LeafKind.UPRIGHT_CYLINDER,
+        LeafKind.SPHERE,
+        LeafKind.BOX,
+        LeafKind.TRIANGLE,
+        LeafKind.PRISM
     };
-    private static final int[] SOLID = {Leaf.UPRIGHT_BOX, Leaf.BOX, Leaf.TRIANGLE, Leaf.PRISM};
+    private static final LeafKind[] SOLID = {LeafKind.UPRIGHT_BOX, LeafKind.BOX, LeafKind.TRIANGLE, LeafKind.PRISM};
 
     private final Scratch scratch = new Scratch();
     private final SplittableRandom random = new SplittableRandom(30051);
@@ -32,8 +38,8 @@ class ContactTimeTest {
     @Test
     void flatThingsNearlyInLine() {
         for (int k = 0; k < 700; k++) {
-            int kindA = FLAT[random.nextInt(FLAT.length)];
-            int kindB = FLAT[random.nextInt(FLAT.length)];
+            LeafKind kindA = FLAT[random.nextInt(FLAT.length)];
+            LeafKind kindB = FLAT[random.nextInt(FLAT.length)];
             double[] a = nearlyInLine(kindA);
             double[] b = nearlyInLine(kindB);
             double[] d = move();
@@ -52,8 +58,8 @@ class ContactTimeTest {
     @Test
     void flatThingsFarAwayAndOfAnySize() {
         for (int k = 0; k < 600; k++) {
-            int kindA = FLAT[random.nextInt(FLAT.length)];
-            int kindB = FLAT[random.nextInt(FLAT.length)];
+            LeafKind kindA = FLAT[random.nextInt(FLAT.length)];
+            LeafKind kindB = FLAT[random.nextInt(FLAT.length)];
             double scale = Math.scalb(1.0, new int[] {-300, -40, 0, 40}[k % 4]);
             double[] a = scaled(kindA, SweepRows.random(kindA, 1.5, random), scale);
             double[] b = scaled(kindB, SweepRows.random(kindB, 1.5, random), scale);
@@ -69,8 +75,8 @@ class ContactTimeTest {
     @Test
     void solidThings() {
         for (int k = 0; k < 400; k++) {
-            int kindA = SOLID[random.nextInt(SOLID.length)];
-            int kindB = SOLID[random.nextInt(SOLID.length)];
+            LeafKind kindA = SOLID[random.nextInt(SOLID.length)];
+            LeafKind kindB = SOLID[random.nextInt(SOLID.length)];
             double scale = Math.scalb(1.0, new int[] {-40, 0, 0, 40}[k % 4]);
             double far = scale * new double[] {0, 0, 1e6}[k % 3];
             double[] a = scaled(kindA, k % 2 == 0 ? nearlyInLine(kindA) : SweepRows.random(kindA, 1.5, random), scale);
@@ -90,17 +96,17 @@ class ContactTimeTest {
     void contactAtTheStartIsJudgedExactlyOnAGrid() {
         int free = 0;
         for (int k = 0; k < 900; k++) {
-            int kindA = random.nextInt(3) == 0 ? Leaf.TRIANGLE : Leaf.BOX;
+            LeafKind kindA = random.nextInt(3) == 0 ? LeafKind.TRIANGLE : LeafKind.BOX;
             double[] a = wholeNumbers(kindA);
-            double[] b = wholeNumbers(Leaf.BOX);
+            double[] b = wholeNumbers(LeafKind.BOX);
             double[] d = {random.nextInt(-1, 2), random.nextInt(-1, 2), random.nextInt(-1, 2)};
-            GridHull hull = new GridHull(DecimalAxes.corners(kindA, a), DecimalAxes.corners(Leaf.BOX, b));
+            GridHull hull = new GridHull(DecimalAxes.corners(kindA, a), DecimalAxes.corners(LeafKind.BOX, b));
             if (!hull.touches()) {
                 continue;
             }
-            String what = what(kindA, a, d, Leaf.BOX, b);
+            String what = what(kindA, a, d, LeafKind.BOX, b);
             boolean deeper = hull.goesDeeper(d);
-            double time = SpatialSweep.translation(kindA, a, 0, d[0], d[1], d[2], Leaf.BOX, b, 0, scratch);
+            double time = SpatialSweep.translation(kindA, a, 0, d[0], d[1], d[2], LeafKind.BOX, b, 0, scratch);
             assertThat(time).as(what).isEqualTo(deeper ? 0 : FREE);
             into += deeper ? 1 : 0;
             free += deeper ? 0 : 1;
@@ -118,14 +124,15 @@ class ContactTimeTest {
             box[13] = lean;
             for (int k = 0; k < 40; k++) {
                 double[] disc = SweepRows.disc(0.05 * (k - 20), 0, -3, 0x1p-30, 1);
-                double time = PlanarSweep.translation(Leaf.SPHERE, disc, 0, 0x1p-60, 0, 4, Leaf.BOX, box, 0, scratch);
+                double time =
+                        PlanarSweep.translation(LeafKind.SPHERE, disc, 0, 0x1p-60, 0, 4, LeafKind.BOX, box, 0, scratch);
                 assertThat(time).isBetween(0.49, 0.51);
-                flat(Leaf.SPHERE, disc, 0x1p-60, 4, Leaf.BOX, box, 1);
+                flat(LeafKind.SPHERE, disc, 0x1p-60, 4, LeafKind.BOX, box, 1);
             }
         }
     }
 
-    private void flat(int kindA, double[] a, double dx, double dz, int kindB, double[] b, double unit) {
+    private void flat(LeafKind kindA, double[] a, double dx, double dz, LeafKind kindB, double[] b, double unit) {
         String what = what(kindA, a, new double[] {dx, 0, dz}, kindB, b);
         double time = PlanarSweep.translation(kindA, a, 0, dx, 17, dz, kindB, b, 0, scratch);
         double[] p = scaled(kindA, a, 1 / unit);
@@ -147,7 +154,7 @@ class ContactTimeTest {
         }
     }
 
-    private void solid(int kindA, double[] a, double[] d, int kindB, double[] b) {
+    private void solid(LeafKind kindA, double[] a, double[] d, LeafKind kindB, double[] b) {
         String what = what(kindA, a, d, kindB, b);
         double time = SpatialSweep.translation(kindA, a, 0, d[0], d[1], d[2], kindB, b, 0, scratch);
         HullMotion twin = HullMotion.of(corners(kindA, a), corners(kindB, b), d);
@@ -163,7 +170,7 @@ class ContactTimeTest {
         }
     }
 
-    private double[] broughtToContact(int kindA, double[] a, double[] d, int kindB, double[] b) {
+    private double[] broughtToContact(LeafKind kindA, double[] a, double[] d, LeafKind kindB, double[] b) {
         double time = PlanarSweep.translation(kindA, a, 0, d[0], 0, d[2], kindB, b, 0, scratch);
         if (time > 1) {
             return a;
@@ -189,13 +196,13 @@ class ContactTimeTest {
     }
 
     /** Turned by hardly more than quarter turns, thin, or with corners nearly on a line. */
-    private double[] nearlyInLine(int kind) {
+    private double[] nearlyInLine(LeafKind kind) {
         double[] m = SweepRows.random(kind, 2, random);
         double little = Math.scalb(random.nextDouble(-1, 1), -random.nextInt(30, 56));
         double turn = 90 * random.nextInt(4);
         return switch (kind) {
-            case Leaf.UPRIGHT_BOX -> SweepRows.uprightBox(m[0], m[1], m[2], m[3], m[4], m[5], turn + little);
-            case Leaf.BOX ->
+            case UPRIGHT_BOX -> SweepRows.uprightBox(m[0], m[1], m[2], m[3], m[4], m[5], turn + little);
+            case BOX ->
                 SweepRows.box(
                         m[0],
                         m[1],
@@ -206,13 +213,13 @@ class ContactTimeTest {
                         turn + little * random.nextInt(2),
                         little * random.nextInt(3),
                         little * random.nextInt(2));
-            case Leaf.TRIANGLE -> {
+            case TRIANGLE -> {
                 for (int k = 0; k < 3; k++) {
                     m[6 + k] = m[k] + (m[3 + k] - m[k]) * random.nextInt(3) / 2 + little;
                 }
                 yield m;
             }
-            case Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE -> {
+            case UPRIGHT_CYLINDER, SPHERE -> {
                 m[3] = random.nextInt(4) == 0 ? Math.scalb(1.0, -random.nextInt(60)) : m[3];
                 yield m;
             }
@@ -221,9 +228,9 @@ class ContactTimeTest {
     }
 
     // Columns of whole numbers, no more than about at right angles: what counts is that all is exact in longs.
-    private double[] wholeNumbers(int kind) {
+    private double[] wholeNumbers(LeafKind kind) {
         double[] row = new double[Leaf.STRIDE];
-        if (kind == Leaf.TRIANGLE) {
+        if (kind == LeafKind.TRIANGLE) {
             for (int k = 0; k < 9; k++) {
                 row[k] = random.nextInt(-3, 4);
             }
@@ -243,8 +250,8 @@ class ContactTimeTest {
         return row;
     }
 
-    static List<BigDecimal[]> corners(int kind, double[] row) {
-        if (kind != Leaf.PRISM) {
+    static List<BigDecimal[]> corners(LeafKind kind, double[] row) {
+        if (kind != LeafKind.PRISM) {
             return DecimalAxes.corners(kind, row);
         }
         List<BigDecimal[]> corners = new ArrayList<>();
@@ -255,23 +262,23 @@ class ContactTimeTest {
         return corners;
     }
 
-    private static double[] scaled(int kind, double[] row, double f) {
+    private static double[] scaled(LeafKind kind, double[] row, double f) {
         double[] out = row.clone();
-        int sizes = kind == Leaf.TRIANGLE ? 9 : kind == Leaf.PRISM ? 10 : 6;
+        int sizes = kind == LeafKind.TRIANGLE ? 9 : kind == LeafKind.PRISM ? 10 : 6;
         for (int k = 0; k < sizes; k++) {
             out[k] *= f;
         }
         return out;
     }
 
-    private static double[] shifted(int kind, double[] row, double far) {
+    private static double[] shifted(LeafKind kind, double[] row, double far) {
         double[] out = row.clone();
         Poses.moved(kind, row, 0, far, 0, -far, out);
         return out;
     }
 
-    private static String what(int kindA, double[] a, double[] d, int kindB, double[] b) {
-        return "kind %d %s by %s, kind %d %s"
+    private static String what(LeafKind kindA, double[] a, double[] d, LeafKind kindB, double[] b) {
+        return "kind %s %s by %s, kind %s %s"
                 .formatted(kindA, Arrays.toString(a), Arrays.toString(d), kindB, Arrays.toString(b));
     }
 }

@@ -2,7 +2,7 @@ package robosim.geometry.narrow;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** Two cylinders in decimals of 60 digits: slabs that are empty, and points that both hold. Shares no code with the kernels. */
 public final class CylinderTwin {
@@ -13,10 +13,10 @@ public final class CylinderTwin {
     private final BigDecimal radius;
     private final BigDecimal half;
 
-    public CylinderTwin(int kind, double[] row) {
+    public CylinderTwin(LeafKind kind, double[] row) {
         for (int k = 0; k < 3; k++) {
             centre[k] = new BigDecimal(row[k]);
-            axis[k] = kind == Leaf.CYLINDER ? new BigDecimal(row[7 + 3 * k]) : BigDecimal.valueOf(k == 1 ? 1 : 0);
+            axis[k] = kind == LeafKind.CYLINDER ? new BigDecimal(row[7 + 3 * k]) : BigDecimal.valueOf(k == 1 ? 1 : 0);
         }
         radius = new BigDecimal(row[3]);
         half = new BigDecimal(row[4]);

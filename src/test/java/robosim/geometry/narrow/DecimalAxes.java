@@ -3,7 +3,7 @@ package robosim.geometry.narrow;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * The slow twin of the overlap of boxes and triangles: corners in decimals, and far more axes than are needed. Cross
@@ -12,7 +12,7 @@ import robosim.geometry.narrow.leaf.Leaf;
 public final class DecimalAxes {
     private DecimalAxes() {}
 
-    public static boolean overlap(int kindA, double[] a, int kindB, double[] b) {
+    public static boolean overlap(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
         List<BigDecimal[]> cornersA = corners(kindA, a);
         List<BigDecimal[]> cornersB = corners(kindB, b);
         List<BigDecimal[]> directions = new ArrayList<>(directions(kindA, a, cornersA));
@@ -23,10 +23,10 @@ public final class DecimalAxes {
             unit[k] = BigDecimal.ONE;
             directions.add(unit);
         }
-        if (kindA == Leaf.TRIANGLE) {
+        if (kindA == LeafKind.TRIANGLE) {
             directions.add(cross(directions.get(0), directions.get(1)));
         }
-        if (kindB == Leaf.TRIANGLE) {
+        if (kindB == LeafKind.TRIANGLE) {
             directions.add(cross(directions.get(edges - 1), directions.get(edges - 2)));
         }
         for (int k = 0; k < directions.size(); k++) {
@@ -42,9 +42,9 @@ public final class DecimalAxes {
         return true;
     }
 
-    static List<BigDecimal[]> corners(int kind, double[] row) {
+    static List<BigDecimal[]> corners(LeafKind kind, double[] row) {
         List<BigDecimal[]> corners = new ArrayList<>();
-        if (kind == Leaf.TRIANGLE) {
+        if (kind == LeafKind.TRIANGLE) {
             for (int k = 0; k < 9; k += 3) {
                 corners.add(vector(row[k], row[k + 1], row[k + 2]));
             }
@@ -63,11 +63,11 @@ public final class DecimalAxes {
         return corners;
     }
 
-    private static List<BigDecimal[]> directions(int kind, double[] row, List<BigDecimal[]> corners) {
+    private static List<BigDecimal[]> directions(LeafKind kind, double[] row, List<BigDecimal[]> corners) {
         List<BigDecimal[]> directions = new ArrayList<>();
         for (int k = 0; k < 3; k++) {
             directions.add(
-                    kind == Leaf.TRIANGLE
+                    kind == LeafKind.TRIANGLE
                             ? minus(corners.get((k + 1) % 3), corners.get(k))
                             : vector(row[6 + k], row[9 + k], row[12 + k]));
         }

@@ -2,7 +2,7 @@ package robosim.geometry.narrow;
 
 import java.math.BigDecimal;
 import java.util.List;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** Two convex shapes in the plane, one of which can be turned: their gap, below 0 their depth, in plain doubles. */
 public final class FlatPair {
@@ -12,7 +12,7 @@ public final class FlatPair {
     private final double px;
     private final double pz;
 
-    public FlatPair(int kindA, double[] a, double px, double pz, int kindB, double[] b) {
+    public FlatPair(LeafKind kindA, double[] a, double px, double pz, LeafKind kindB, double[] b) {
         mover = points(FlatTwin.corners(kindA, a));
         rest = points(FlatTwin.corners(kindB, b));
         radius = radius(kindA, a) + radius(kindB, b);
@@ -70,8 +70,8 @@ public final class FlatPair {
         return true;
     }
 
-    private static double radius(int kind, double[] row) {
-        return kind == Leaf.UPRIGHT_CYLINDER || kind == Leaf.SPHERE ? row[3] : 0;
+    private static double radius(LeafKind kind, double[] row) {
+        return kind == LeafKind.UPRIGHT_CYLINDER || kind == LeafKind.SPHERE ? row[3] : 0;
     }
 
     private static double[][] points(List<BigDecimal[]> corners) {

@@ -4,7 +4,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * The slow twin of the planar sweeps, in decimals without rounding: two convex shapes meet on the way of a translation
@@ -18,7 +18,7 @@ public final class FlatTwin {
     private final BigDecimal dx;
     private final BigDecimal dz;
 
-    public FlatTwin(int kindA, double[] a, double dx, double dz, int kindB, double[] b) {
+    public FlatTwin(LeafKind kindA, double[] a, double dx, double dz, LeafKind kindB, double[] b) {
         this.dx = new BigDecimal(dx);
         this.dz = new BigDecimal(dz);
         radius = radius(kindA, a).add(radius(kindB, b));
@@ -158,21 +158,21 @@ public final class FlatTwin {
         return cross(p, edge).abs().divide(length.sqrt(DIGITS), DIGITS);
     }
 
-    private static BigDecimal radius(int kind, double[] row) {
-        return kind == Leaf.UPRIGHT_CYLINDER || kind == Leaf.SPHERE ? new BigDecimal(row[3]) : BigDecimal.ZERO;
+    private static BigDecimal radius(LeafKind kind, double[] row) {
+        return kind == LeafKind.UPRIGHT_CYLINDER || kind == LeafKind.SPHERE ? new BigDecimal(row[3]) : BigDecimal.ZERO;
     }
 
-    static List<BigDecimal[]> corners(int kind, double[] row) {
+    static List<BigDecimal[]> corners(LeafKind kind, double[] row) {
         List<BigDecimal[]> corners = new ArrayList<>();
         BigDecimal[] centre = {new BigDecimal(row[0]), new BigDecimal(row[2])};
         switch (kind) {
-            case Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE -> corners.add(centre);
-            case Leaf.TRIANGLE -> {
+            case UPRIGHT_CYLINDER, SPHERE -> corners.add(centre);
+            case TRIANGLE -> {
                 for (int k = 0; k < 9; k += 3) {
                     corners.add(new BigDecimal[] {new BigDecimal(row[k]), new BigDecimal(row[k + 2])});
                 }
             }
-            case Leaf.PRISM -> slabs(row, corners);
+            case PRISM -> slabs(row, corners);
             default -> {
                 for (int k = 0; k < 8; k++) {
                     BigDecimal[] p = centre.clone();

@@ -9,6 +9,7 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.sweep.PlanarSweep;
 import robosim.geometry.narrow.sweep.SpatialSweep;
 import robosim.geometry.narrow.turn.PlanarTurnSweep;
@@ -18,18 +19,22 @@ import robosim.geometry.narrow.turn.SpatialTurnSweep;
 class HardMovesTest {
     private static final double FREE = Double.POSITIVE_INFINITY;
 
+    private static final LeafKind[] EXACT = Arrays.stream(Leaves.KINDS)
+            .filter(kind -> kind != LeafKind.CYLINDER)
+            .toArray(LeafKind[]::new);
+
     private final Scratch scratch = new Scratch();
     private final SplittableRandom random = new SplittableRandom(20055);
 
-    private double planar(int kindA, double[] a, double dx, double dz, int kindB, double[] b) {
+    private double planar(LeafKind kindA, double[] a, double dx, double dz, LeafKind kindB, double[] b) {
         return PlanarSweep.translation(kindA, a, 0, dx, 0, dz, kindB, b, 0, scratch);
     }
 
-    private double spatial(int kindA, double[] a, double dx, double dy, double dz, int kindB, double[] b) {
+    private double spatial(LeafKind kindA, double[] a, double dx, double dy, double dz, LeafKind kindB, double[] b) {
         return SpatialSweep.translation(kindA, a, 0, dx, dy, dz, kindB, b, 0, scratch);
     }
 
-    private double turn(int kindA, double[] a, double px, double pz, double degrees, int kindB, double[] b) {
+    private double turn(LeafKind kindA, double[] a, double px, double pz, double degrees, LeafKind kindB, double[] b) {
         return PlanarTurnSweep.free(kindA, a, 0, px, 0, pz, 0, 1, 0, degrees, kindB, b, 0, scratch);
     }
 
@@ -41,29 +46,66 @@ class HardMovesTest {
             double[] box = SweepRows.uprightBox(-far, 0, 0.3, 0x1p-20, 1, 0x1p-20, 0);
             double[] dot = SweepRows.triangle(-far, 0, 0, -far, 0, 0, -far, 0, 0);
             double[] leaning = SweepRows.cylinder(-far, 0, 0, 0x1p-20, 0x1p-20, 0, 30, 0);
-            assertThat(planar(1, disc, 2 * far, 0, 0, wall)).isBetween(0.49, 0.5);
-            assertThat(planar(0, box, 2 * far, 0, 0, wall)).isBetween(0.49, 0.5);
-            assertThat(spatial(0, box, 2 * far, 0, 0, 0, wall)).isBetween(0.49, 0.5);
-            assertThat(spatial(1, disc, 2 * far, 0, 0, 0, wall)).isBetween(0.49, 0.5);
-            assertThat(spatial(2, disc, 2 * far, 0, 0, 0, wall)).isBetween(0.49, 0.5);
-            assertThat(spatial(5, dot, 2 * far, 0, 0, 0, wall)).isEqualTo(0.5);
-            assertThat(planar(5, dot, 2 * far, 0, 0, wall)).isEqualTo(0.5);
-            assertThat(spatial(4, leaning, 2 * far, 0, 0, 0, wall)).isBetween(0.49, 0.5);
+            assertThat(planar(LeafKind.UPRIGHT_CYLINDER, disc, 2 * far, 0, LeafKind.UPRIGHT_BOX, wall))
+                    .isBetween(0.49, 0.5);
+            assertThat(planar(LeafKind.UPRIGHT_BOX, box, 2 * far, 0, LeafKind.UPRIGHT_BOX, wall))
+                    .isBetween(0.49, 0.5);
+            assertThat(spatial(LeafKind.UPRIGHT_BOX, box, 2 * far, 0, 0, LeafKind.UPRIGHT_BOX, wall))
+                    .isBetween(0.49, 0.5);
+            assertThat(spatial(LeafKind.UPRIGHT_CYLINDER, disc, 2 * far, 0, 0, LeafKind.UPRIGHT_BOX, wall))
+                    .isBetween(0.49, 0.5);
+            assertThat(spatial(LeafKind.SPHERE, disc, 2 * far, 0, 0, LeafKind.UPRIGHT_BOX, wall))
+                    .isBetween(0.49, 0.5);
+            assertThat(spatial(LeafKind.TRIANGLE, dot, 2 * far, 0, 0, LeafKind.UPRIGHT_BOX, wall))
+                    .isEqualTo(0.5);
+            assertThat(planar(LeafKind.TRIANGLE, dot, 2 * far, 0, LeafKind.UPRIGHT_BOX, wall))
+                    .isEqualTo(0.5);
+            assertThat(spatial(LeafKind.CYLINDER, leaning, 2 * far, 0, 0, LeafKind.UPRIGHT_BOX, wall))
+                    .isBetween(0.49, 0.5);
         }
     }
 
     @Test
     void touchingAtTheEndIsAHit() {
         double[] box = SweepRows.uprightBox(0, 0, 0, 1, 1, 1, 0);
-        assertThat(planar(1, SweepRows.disc(-4, 0, 0, 1, 1), 2, 0, 0, box)).isEqualTo(1);
-        assertThat(planar(0, SweepRows.uprightBox(-4, 0, 0, 1, 1, 1, 0), 2, 0, 0, box))
+        assertThat(planar(LeafKind.UPRIGHT_CYLINDER, SweepRows.disc(-4, 0, 0, 1, 1), 2, 0, LeafKind.UPRIGHT_BOX, box))
                 .isEqualTo(1);
-        assertThat(planar(1, SweepRows.disc(-4, 0, 0, 1, 1), Math.nextDown(2.0), 0, 0, box))
+        assertThat(planar(
+                        LeafKind.UPRIGHT_BOX,
+                        SweepRows.uprightBox(-4, 0, 0, 1, 1, 1, 0),
+                        2,
+                        0,
+                        LeafKind.UPRIGHT_BOX,
+                        box))
+                .isEqualTo(1);
+        assertThat(planar(
+                        LeafKind.UPRIGHT_CYLINDER,
+                        SweepRows.disc(-4, 0, 0, 1, 1),
+                        Math.nextDown(2.0),
+                        0,
+                        LeafKind.UPRIGHT_BOX,
+                        box))
                 .isEqualTo(FREE);
         // Corner to rim: 3, 4, 5.
-        assertThat(planar(1, SweepRows.disc(-4 - 8, 0, -5, 5, 1), 8, 0, 0, box)).isEqualTo(1);
-        assertThat(spatial(1, SweepRows.disc(0, 4, 0, 1, 1), 0, -2, 0, 0, box)).isEqualTo(1);
-        assertThat(spatial(1, SweepRows.disc(0, 4, 0, 1, 1), 0, -1.75, 0, 0, box))
+        assertThat(planar(
+                        LeafKind.UPRIGHT_CYLINDER,
+                        SweepRows.disc(-4 - 8, 0, -5, 5, 1),
+                        8,
+                        0,
+                        LeafKind.UPRIGHT_BOX,
+                        box))
+                .isEqualTo(1);
+        assertThat(spatial(
+                        LeafKind.UPRIGHT_CYLINDER, SweepRows.disc(0, 4, 0, 1, 1), 0, -2, 0, LeafKind.UPRIGHT_BOX, box))
+                .isEqualTo(1);
+        assertThat(spatial(
+                        LeafKind.UPRIGHT_CYLINDER,
+                        SweepRows.disc(0, 4, 0, 1, 1),
+                        0,
+                        -1.75,
+                        0,
+                        LeafKind.UPRIGHT_BOX,
+                        box))
                 .isEqualTo(FREE);
     }
 
@@ -71,23 +113,40 @@ class HardMovesTest {
     void grazingInPassingIsAHitAndSlidingFromContactIsNot() {
         double[] box = SweepRows.uprightBox(0, 0, 0, 1, 1, 1, 0);
         double[] disc = SweepRows.disc(-5, 0, 2, 1, 1);
-        assertThat(planar(1, disc, 10, 0, 0, box)).isEqualTo(Math.nextDown(0.4)); // the double 0.4 is above 2/5
-        assertThat(planar(1, SweepRows.disc(-5, 0, Math.nextUp(2.0), 1, 1), 10, 0, 0, box))
+        assertThat(planar(LeafKind.UPRIGHT_CYLINDER, disc, 10, 0, LeafKind.UPRIGHT_BOX, box))
+                .isEqualTo(Math.nextDown(0.4)); // the double 0.4 is above 2/5
+        assertThat(planar(
+                        LeafKind.UPRIGHT_CYLINDER,
+                        SweepRows.disc(-5, 0, Math.nextUp(2.0), 1, 1),
+                        10,
+                        0,
+                        LeafKind.UPRIGHT_BOX,
+                        box))
                 .isEqualTo(FREE);
         double[] touching = SweepRows.disc(0.5, 0, 2, 1, 1);
-        assertThat(planar(1, touching, 3, 0, 0, box)).isEqualTo(FREE);
-        assertThat(planar(1, touching, 0, 0, 0, box)).isEqualTo(FREE);
-        assertThat(planar(1, touching, 3, 1e-300, 0, box)).isEqualTo(FREE);
-        assertThat(planar(1, touching, 3, -1e-300, 0, box)).isEqualTo(0);
+        assertThat(planar(LeafKind.UPRIGHT_CYLINDER, touching, 3, 0, LeafKind.UPRIGHT_BOX, box))
+                .isEqualTo(FREE);
+        assertThat(planar(LeafKind.UPRIGHT_CYLINDER, touching, 0, 0, LeafKind.UPRIGHT_BOX, box))
+                .isEqualTo(FREE);
+        assertThat(planar(LeafKind.UPRIGHT_CYLINDER, touching, 3, 1e-300, LeafKind.UPRIGHT_BOX, box))
+                .isEqualTo(FREE);
+        assertThat(planar(LeafKind.UPRIGHT_CYLINDER, touching, 3, -1e-300, LeafKind.UPRIGHT_BOX, box))
+                .isEqualTo(0);
         double[] square = SweepRows.uprightBox(2, 0, 0.5, 1, 1, 1, 0);
-        assertThat(planar(0, square, 0, 3, 0, box)).isEqualTo(FREE);
-        assertThat(planar(0, square, -1e-300, 3, 0, box)).isEqualTo(0);
-        assertThat(planar(0, square, 1e-300, 3, 0, box)).isEqualTo(FREE);
+        assertThat(planar(LeafKind.UPRIGHT_BOX, square, 0, 3, LeafKind.UPRIGHT_BOX, box))
+                .isEqualTo(FREE);
+        assertThat(planar(LeafKind.UPRIGHT_BOX, square, -1e-300, 3, LeafKind.UPRIGHT_BOX, box))
+                .isEqualTo(0);
+        assertThat(planar(LeafKind.UPRIGHT_BOX, square, 1e-300, 3, LeafKind.UPRIGHT_BOX, box))
+                .isEqualTo(FREE);
         // Corner on corner: two least ways out, only against both is into.
         double[] corner = SweepRows.uprightBox(2, 0, 2, 1, 1, 1, 0);
-        assertThat(planar(0, corner, -1, 1, 0, box)).isEqualTo(FREE);
-        assertThat(planar(0, corner, -1, 0, 0, box)).isEqualTo(FREE);
-        assertThat(planar(0, corner, -1, -1, 0, box)).isEqualTo(0);
+        assertThat(planar(LeafKind.UPRIGHT_BOX, corner, -1, 1, LeafKind.UPRIGHT_BOX, box))
+                .isEqualTo(FREE);
+        assertThat(planar(LeafKind.UPRIGHT_BOX, corner, -1, 0, LeafKind.UPRIGHT_BOX, box))
+                .isEqualTo(FREE);
+        assertThat(planar(LeafKind.UPRIGHT_BOX, corner, -1, -1, LeafKind.UPRIGHT_BOX, box))
+                .isEqualTo(0);
     }
 
     @Test
@@ -99,12 +158,31 @@ class HardMovesTest {
             double dx = random.nextDouble(-9, 9);
             double dz = random.nextDouble(-9, 9);
             double degrees = random.nextDouble(-900, 900);
-            assertThat(spatial(1, robot, dx, 0, dz, 0, floor)).isEqualTo(FREE);
-            assertThat(spatial(0, cart, dx, 0, dz, 0, floor)).isEqualTo(FREE);
-            assertThat(spatial(1, robot, dx, 0.1, dz, 0, floor)).isEqualTo(FREE);
-            assertThat(spatial(0, cart, dx, -0.1, dz, 0, floor)).isEqualTo(0);
-            assertThat(spatial(1, robot, dx, -1e-9, dz, 0, floor)).isEqualTo(0);
-            assertThat(SpatialTurnSweep.free(0, cart, 0, 3, 0.5, 4, 0, 1, 0, degrees, 0, floor, 0, scratch))
+            assertThat(spatial(LeafKind.UPRIGHT_CYLINDER, robot, dx, 0, dz, LeafKind.UPRIGHT_BOX, floor))
+                    .isEqualTo(FREE);
+            assertThat(spatial(LeafKind.UPRIGHT_BOX, cart, dx, 0, dz, LeafKind.UPRIGHT_BOX, floor))
+                    .isEqualTo(FREE);
+            assertThat(spatial(LeafKind.UPRIGHT_CYLINDER, robot, dx, 0.1, dz, LeafKind.UPRIGHT_BOX, floor))
+                    .isEqualTo(FREE);
+            assertThat(spatial(LeafKind.UPRIGHT_BOX, cart, dx, -0.1, dz, LeafKind.UPRIGHT_BOX, floor))
+                    .isEqualTo(0);
+            assertThat(spatial(LeafKind.UPRIGHT_CYLINDER, robot, dx, -1e-9, dz, LeafKind.UPRIGHT_BOX, floor))
+                    .isEqualTo(0);
+            assertThat(SpatialTurnSweep.free(
+                            LeafKind.UPRIGHT_BOX,
+                            cart,
+                            0,
+                            3,
+                            0.5,
+                            4,
+                            0,
+                            1,
+                            0,
+                            degrees,
+                            LeafKind.UPRIGHT_BOX,
+                            floor,
+                            0,
+                            scratch))
                     .isEqualTo(FREE);
         }
     }
@@ -112,8 +190,8 @@ class HardMovesTest {
     @Test
     void noConvexPieceTrapsAMover() {
         for (int k = 0; k < 400; k++) {
-            int kindA = random.nextInt(Leaf.KINDS);
-            int kindB = random.nextInt(Leaf.KINDS);
+            LeafKind kindA = Leaves.KINDS[random.nextInt(Leaves.KINDS.length)];
+            LeafKind kindB = Leaves.KINDS[random.nextInt(Leaves.KINDS.length)];
             double[] a = SweepRows.random(kindA, 0.3, random);
             double[] b = SweepRows.random(kindB, 0.3, random);
             int free = 0;
@@ -129,8 +207,8 @@ class HardMovesTest {
                 free += time == FREE ? 1 : 0;
                 into += time == 0 && back == 0 ? 1 : 0;
             }
-            assertThat(free).as("kinds %d, %d", kindA, kindB).isPositive();
-            assertThat(into).as("kinds %d, %d", kindA, kindB).isZero();
+            assertThat(free).as("kinds %s, %s", kindA, kindB).isPositive();
+            assertThat(into).as("kinds %s, %s", kindA, kindB).isZero();
         }
     }
 
@@ -138,7 +216,7 @@ class HardMovesTest {
     void parryCase180SquareFallsOnASegment() {
         double[] square = SweepRows.uprightBox(15.689465, 0, 54.00709, 2, 1, 2, 0);
         double[] ground = SweepRows.triangle(1, 0, 1, 124, 0, 1, 124, 0, 1);
-        double time = planar(0, square, 0.0081385 * 64, -0.999966 * 64, Leaf.TRIANGLE, ground);
+        double time = planar(LeafKind.UPRIGHT_BOX, square, 0.0081385 * 64, -0.999966 * 64, LeafKind.TRIANGLE, ground);
         assertThat(time * 64).isBetween(51.0088, 51.0089);
     }
 
@@ -146,7 +224,7 @@ class HardMovesTest {
     void ncollideCase4BallAtABlock() {
         double[] ball = SweepRows.disc(784.470154 - 1e3, 0, 0, 15, 1);
         double[] block = SweepRows.uprightBox(820 - 1e3, 0, 0, 20, 1, 20, 0);
-        double time = planar(2, ball, 0.630261 * 100, 0, 0, block);
+        double time = planar(LeafKind.SPHERE, ball, 0.630261 * 100, 0, LeafKind.UPRIGHT_BOX, block);
         assertThat(time * 100).isBetween(0.840676, 0.840679);
     }
 
@@ -155,9 +233,20 @@ class HardMovesTest {
         double[] post = SweepRows.disc(3, 0, 0, 0.5, 1);
         double[] arm = SweepRows.uprightBox(0, 0, 0, 4, 1, 0.1, 90);
         for (double turns = 1; turns < 1e9; turns *= 10) {
-            assertThat(turn(0, arm, 0, 0, 360 * turns, 1, post)).isPositive().isLessThan(0.25 / turns);
-            assertThat(turn(0, arm, 0, 0, -360 * turns, 1, post)).isPositive().isLessThan(0.25 / turns);
-            assertThat(turn(0, arm, 0, 0, 360 * turns, 1, SweepRows.disc(9, 0, 0, 0.5, 1)))
+            assertThat(turn(LeafKind.UPRIGHT_BOX, arm, 0, 0, 360 * turns, LeafKind.UPRIGHT_CYLINDER, post))
+                    .isPositive()
+                    .isLessThan(0.25 / turns);
+            assertThat(turn(LeafKind.UPRIGHT_BOX, arm, 0, 0, -360 * turns, LeafKind.UPRIGHT_CYLINDER, post))
+                    .isPositive()
+                    .isLessThan(0.25 / turns);
+            assertThat(turn(
+                            LeafKind.UPRIGHT_BOX,
+                            arm,
+                            0,
+                            0,
+                            360 * turns,
+                            LeafKind.UPRIGHT_CYLINDER,
+                            SweepRows.disc(9, 0, 0, 0.5, 1)))
                     .isEqualTo(FREE);
         }
     }
@@ -187,9 +276,9 @@ class HardMovesTest {
         double[] disc = SweepRows.disc(-1.8648802081807432, 0, 2.2666946041694307, 0.7004127975969017, 1);
         double dx = -0.40508976883743814;
         double dz = 0.029557661789241907;
-        assertThat(new FlatTwin(Leaf.UPRIGHT_BOX, box, dx, dz, Leaf.UPRIGHT_CYLINDER, disc).meetsBy(1))
+        assertThat(new FlatTwin(LeafKind.UPRIGHT_BOX, box, dx, dz, LeafKind.UPRIGHT_CYLINDER, disc).meetsBy(1))
                 .isFalse();
-        assertThat(planar(Leaf.UPRIGHT_BOX, box, dx, dz, Leaf.UPRIGHT_CYLINDER, disc))
+        assertThat(planar(LeafKind.UPRIGHT_BOX, box, dx, dz, LeafKind.UPRIGHT_CYLINDER, disc))
                 .isEqualTo(FREE);
     }
 
@@ -200,9 +289,12 @@ class HardMovesTest {
             // The arm's far corner goes down by about its length times the angle.
             double[] wall = SweepRows.uprightBox(0, 0, 1.25 + gap, 9, 1, 1, 0);
             double degrees = -Math.toDegrees(gap);
-            assertThat(turn(0, arm, 0, 0, 0.9 * degrees, 0, wall)).isEqualTo(FREE);
-            assertThat(turn(0, arm, 0, 0, -0.9 * degrees, 0, wall)).isEqualTo(FREE);
-            assertThat(turn(0, arm, 0, 0, 1.1 * degrees, 0, wall)).isBetween(0.85, 0.95);
+            assertThat(turn(LeafKind.UPRIGHT_BOX, arm, 0, 0, 0.9 * degrees, LeafKind.UPRIGHT_BOX, wall))
+                    .isEqualTo(FREE);
+            assertThat(turn(LeafKind.UPRIGHT_BOX, arm, 0, 0, -0.9 * degrees, LeafKind.UPRIGHT_BOX, wall))
+                    .isEqualTo(FREE);
+            assertThat(turn(LeafKind.UPRIGHT_BOX, arm, 0, 0, 1.1 * degrees, LeafKind.UPRIGHT_BOX, wall))
+                    .isBetween(0.85, 0.95);
         }
     }
 
@@ -211,31 +303,42 @@ class HardMovesTest {
         double[] wall = SweepRows.uprightBox(0, 0, 2, 9, 1, 1, 0);
         // Flush with the wall: one corner goes in, whichever way.
         double[] flush = SweepRows.uprightBox(0, 0, 0, 1, 1, 1, 0);
-        assertThat(turn(0, flush, 0, 0, 1, 0, wall)).isZero();
-        assertThat(turn(0, flush, 0, 0, -1, 0, wall)).isZero();
+        assertThat(turn(LeafKind.UPRIGHT_BOX, flush, 0, 0, 1, LeafKind.UPRIGHT_BOX, wall))
+                .isZero();
+        assertThat(turn(LeafKind.UPRIGHT_BOX, flush, 0, 0, -1, LeafKind.UPRIGHT_BOX, wall))
+                .isZero();
         // Hinged at the corner that touches: free towards the open side.
         double[] hinged = SweepRows.uprightBox(0, 0, 0, 1, 1, 1, 0);
-        assertThat(turn(0, hinged, 1, 1, 80, 0, wall)).isZero();
-        assertThat(turn(0, hinged, 1, 1, -80, 0, wall)).isEqualTo(FREE);
+        assertThat(turn(LeafKind.UPRIGHT_BOX, hinged, 1, 1, 80, LeafKind.UPRIGHT_BOX, wall))
+                .isZero();
+        assertThat(turn(LeafKind.UPRIGHT_BOX, hinged, 1, 1, -80, LeafKind.UPRIGHT_BOX, wall))
+                .isEqualTo(FREE);
         // A disc about its own centre never gets anywhere.
         double[] disc = SweepRows.disc(0, 0, 0.5, 1, 1);
-        assertThat(turn(1, disc, 0, 0.5, 1e9, 0, wall)).isEqualTo(FREE);
+        assertThat(turn(LeafKind.UPRIGHT_CYLINDER, disc, 0, 0.5, 1e9, LeafKind.UPRIGHT_BOX, wall))
+                .isEqualTo(FREE);
         // Off its centre, touching at the nearest point of its circle: away both ways; from the far side, in.
         double[] swung = SweepRows.disc(0, 0, 0, 1, 1);
-        assertThat(turn(1, swung, 0, -3, 40, 0, wall)).isEqualTo(FREE);
-        assertThat(turn(1, swung, 0, -3, -40, 0, wall)).isEqualTo(FREE);
-        assertThat(turn(1, swung, 0, 3, 40, 0, wall)).isZero();
-        assertThat(turn(1, swung, 0, 3, -40, 0, wall)).isZero();
+        assertThat(turn(LeafKind.UPRIGHT_CYLINDER, swung, 0, -3, 40, LeafKind.UPRIGHT_BOX, wall))
+                .isEqualTo(FREE);
+        assertThat(turn(LeafKind.UPRIGHT_CYLINDER, swung, 0, -3, -40, LeafKind.UPRIGHT_BOX, wall))
+                .isEqualTo(FREE);
+        assertThat(turn(LeafKind.UPRIGHT_CYLINDER, swung, 0, 3, 40, LeafKind.UPRIGHT_BOX, wall))
+                .isZero();
+        assertThat(turn(LeafKind.UPRIGHT_CYLINDER, swung, 0, 3, -40, LeafKind.UPRIGHT_BOX, wall))
+                .isZero();
         // In contact sideways: one way is in, the other out.
-        assertThat(turn(1, swung, -3, 0, 10, 0, wall)).isEqualTo(FREE);
-        assertThat(turn(1, swung, -3, 0, -10, 0, wall)).isZero();
+        assertThat(turn(LeafKind.UPRIGHT_CYLINDER, swung, -3, 0, 10, LeafKind.UPRIGHT_BOX, wall))
+                .isEqualTo(FREE);
+        assertThat(turn(LeafKind.UPRIGHT_CYLINDER, swung, -3, 0, -10, LeafKind.UPRIGHT_BOX, wall))
+                .isZero();
     }
 
     @Test
     void answersScaleByPowersOfTwo() {
         for (int k = 0; k < 300; k++) {
-            int kindA = new int[] {0, 1, 2, 3, 5, 6}[random.nextInt(6)];
-            int kindB = new int[] {0, 1, 2, 3, 5, 6}[random.nextInt(6)];
+            LeafKind kindA = EXACT[random.nextInt(EXACT.length)];
+            LeafKind kindB = EXACT[random.nextInt(EXACT.length)];
             double[] a = SweepRows.random(kindA, 2, random);
             double[] b = SweepRows.random(kindB, 2, random);
             double dx = random.nextDouble(-3, 3);
@@ -260,9 +363,9 @@ class HardMovesTest {
         }
     }
 
-    private static double[] scaled(int kind, double[] row, double f) {
+    private static double[] scaled(LeafKind kind, double[] row, double f) {
         double[] out = row.clone();
-        int sizes = kind == Leaf.TRIANGLE ? 9 : kind == Leaf.PRISM ? 10 : 6;
+        int sizes = kind == LeafKind.TRIANGLE ? 9 : kind == LeafKind.PRISM ? 10 : 6;
         for (int k = 0; k < sizes; k++) {
             out[k] *= f;
         }
@@ -286,11 +389,11 @@ class HardMovesTest {
             boolean isFree = gap.signum() > 0;
             String text = Arrays.toString(a) + " past " + Arrays.toString(b);
             if (across == 2) {
-                double planar =
-                        PlanarSweep.translation(Leaf.UPRIGHT_BOX, a, 0, 8, 0, 0, Leaf.UPRIGHT_BOX, b, 0, scratch);
+                double planar = PlanarSweep.translation(
+                        LeafKind.UPRIGHT_BOX, a, 0, 8, 0, 0, LeafKind.UPRIGHT_BOX, b, 0, scratch);
                 assertThat(planar == Double.POSITIVE_INFINITY).as(text).isEqualTo(isFree);
             }
-            for (int kind : new int[] {Leaf.UPRIGHT_BOX, Leaf.BOX}) {
+            for (LeafKind kind : new LeafKind[] {LeafKind.UPRIGHT_BOX, LeafKind.BOX}) {
                 double time = SpatialSweep.translation(kind, a, 0, 8, 0, 0, kind, b, 0, scratch);
                 assertThat(time == Double.POSITIVE_INFINITY).as(text).isEqualTo(isFree);
             }
@@ -309,13 +412,13 @@ class HardMovesTest {
         double[] cart = SweepRows.uprightBox(0, 0, 0, 0.5, 1, 0.4, yaw);
         double clearance = 1e-9;
         double[][] movers = {SweepRows.disc(0, 0, 0, 0.4, 1), cart};
-        for (int kind = 0; kind < 2; kind++) {
-            int leaf = kind == 0 ? Leaf.UPRIGHT_CYLINDER : Leaf.UPRIGHT_BOX;
-            System.arraycopy(movers[kind], 0, robot, 0, Leaf.STRIDE);
+        LeafKind[] kinds = {LeafKind.UPRIGHT_CYLINDER, LeafKind.UPRIGHT_BOX};
+        for (int mover = 0; mover < 2; mover++) {
+            System.arraycopy(movers[mover], 0, robot, 0, Leaf.STRIDE);
             robot[0] = -1000 * ux + wall[8] * (0.9 + clearance);
             robot[2] = -1000 * uz + wall[14] * (0.9 + clearance);
             for (int k = 0; k < 100_000; k++) {
-                double time = planar(leaf, robot, 0.02 * ux, 0.02 * uz, 0, wall);
+                double time = planar(kinds[mover], robot, 0.02 * ux, 0.02 * uz, LeafKind.UPRIGHT_BOX, wall);
                 if (time != FREE) {
                     throw new AssertionError("blocked at step " + k + ": " + time);
                 }
@@ -340,9 +443,9 @@ class HardMovesTest {
             double angle = k * 1e-4;
             double dx = 3 * StrictMath.cos(angle);
             double dz = 3 * StrictMath.sin(angle);
-            sum += Math.min(2, planar(1, disc, dx, dz, 0, box));
-            sum += Math.min(2, planar(0, other, dx, dz, 0, box));
-            sum += Math.min(2, turn(0, other, -2, 1, angle * 20, 0, box));
+            sum += Math.min(2, planar(LeafKind.UPRIGHT_CYLINDER, disc, dx, dz, LeafKind.UPRIGHT_BOX, box));
+            sum += Math.min(2, planar(LeafKind.UPRIGHT_BOX, other, dx, dz, LeafKind.UPRIGHT_BOX, box));
+            sum += Math.min(2, turn(LeafKind.UPRIGHT_BOX, other, -2, 1, angle * 20, LeafKind.UPRIGHT_BOX, box));
         }
         long bytes = threads.getCurrentThreadAllocatedBytes() - before;
         assertThat(sum).isPositive();

@@ -1,53 +1,55 @@
 package robosim.geometry.narrow;
 
+import java.util.Arrays;
 import java.util.SplittableRandom;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** Random leaves and rays: general ones, and ones on a small grid where everything ties. */
 public final class Leaves {
-    static final int[] KINDS = {
-        Leaf.UPRIGHT_BOX, Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE, Leaf.BOX, Leaf.CYLINDER, Leaf.TRIANGLE, Leaf.PRISM
-    };
+    /** The convex kinds. */
+    public static final LeafKind[] KINDS =
+            Arrays.stream(LeafKind.values()).filter(kind -> !kind.isMesh()).toArray(LeafKind[]::new);
 
     private Leaves() {}
 
-    public static double[] random(int kind, SplittableRandom random, double size) {
+    public static double[] random(LeafKind kind, SplittableRandom random, double size) {
         double[] row = new double[Leaf.STRIDE];
         for (int i = 0; i < 3; i++) {
             row[i] = random.nextDouble(-size, size);
             row[3 + i] = random.nextDouble(0.01, 1) * size;
         }
         switch (kind) {
-            case Leaf.UPRIGHT_BOX -> Rotations.yaw(random.nextDouble(-180, 180), 0, row, Leaf.ROTATION);
-            case Leaf.BOX, Leaf.CYLINDER -> turn(row, random.nextDouble(-180, 180), random.nextDouble(-180, 180));
-            case Leaf.TRIANGLE -> {
+            case UPRIGHT_BOX -> Rotations.yaw(random.nextDouble(-180, 180), 0, row, Leaf.ROTATION);
+            case BOX, CYLINDER -> turn(row, random.nextDouble(-180, 180), random.nextDouble(-180, 180));
+            case TRIANGLE -> {
                 for (int i = 3; i < 9; i++) {
                     row[i] = random.nextDouble(-size, size);
                 }
             }
-            case Leaf.PRISM -> prism(row, random.nextDouble(0, 0.3) * size);
+            case PRISM -> prism(row, random.nextDouble(0, 0.3) * size);
             default -> {}
         }
         return row;
     }
 
     /** Whole coordinates, turns by quarters and by the angle of the 3-4-5 triangle: nothing is rounded. */
-    public static double[] grid(int kind, SplittableRandom random) {
+    public static double[] grid(LeafKind kind, SplittableRandom random) {
         double[] row = new double[Leaf.STRIDE];
         for (int i = 0; i < 3; i++) {
             row[i] = random.nextInt(-3, 4);
             row[3 + i] = random.nextInt(0, 4);
         }
         switch (kind) {
-            case Leaf.UPRIGHT_BOX -> Rotations.yaw(90.0 * random.nextInt(4), 0, row, Leaf.ROTATION);
-            case Leaf.BOX, Leaf.CYLINDER -> turn(row, 90.0 * random.nextInt(4), 45.0 * random.nextInt(8));
-            case Leaf.TRIANGLE -> {
+            case UPRIGHT_BOX -> Rotations.yaw(90.0 * random.nextInt(4), 0, row, Leaf.ROTATION);
+            case BOX, CYLINDER -> turn(row, 90.0 * random.nextInt(4), 45.0 * random.nextInt(8));
+            case TRIANGLE -> {
                 for (int i = 3; i < 9; i++) {
                     row[i] = random.nextInt(-3, 4);
                 }
             }
-            case Leaf.PRISM -> prism(row, random.nextInt(0, 3));
+            case PRISM -> prism(row, random.nextInt(0, 3));
             default -> {}
         }
         return row;
@@ -86,8 +88,8 @@ public final class Leaves {
     }
 
     /** The largest coordinate or size in a row. */
-    public static double extent(int kind, double[] row) {
-        int numbers = kind == Leaf.PRISM ? 10 : kind == Leaf.TRIANGLE ? 9 : 6;
+    public static double extent(LeafKind kind, double[] row) {
+        int numbers = kind == LeafKind.PRISM ? 10 : kind == LeafKind.TRIANGLE ? 9 : 6;
         double extent = 0;
         for (int i = 0; i < numbers; i++) {
             extent = Math.max(extent, Math.abs(row[i]));
@@ -96,9 +98,9 @@ public final class Leaves {
     }
 
     /** The row with all lengths times a power of two. */
-    public static double[] scaled(int kind, double[] row, int power) {
+    public static double[] scaled(LeafKind kind, double[] row, int power) {
         double[] copy = row.clone();
-        int numbers = kind == Leaf.PRISM ? 10 : kind == Leaf.TRIANGLE ? 9 : 6;
+        int numbers = kind == LeafKind.PRISM ? 10 : kind == LeafKind.TRIANGLE ? 9 : 6;
         for (int i = 0; i < numbers; i++) {
             copy[i] = Math.scalb(row[i], power);
         }

@@ -10,6 +10,7 @@ import robosim.geometry.narrow.distance.SpatialDistance;
 import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.mesh.NearestPairs;
 
 /** Distances of pairs of every kind that are nearly in contact: brackets that hold, and are as narrow as they are said to be. */
@@ -41,8 +42,8 @@ class NearContactTest {
         Gjk gjk = new Gjk();
         int apart = 0;
         int count = 0;
-        for (int kindA : NearPairs.KINDS) {
-            for (int kindB : NearPairs.KINDS) {
+        for (LeafKind kindA : NearPairs.KINDS) {
+            for (LeafKind kindB : NearPairs.KINDS) {
                 for (int n = 0; n < PAIRS; n++) {
                     pairs.make(kindA, kindB, pairs.gap());
                     measure(dimension, pairs);
@@ -72,8 +73,8 @@ class NearContactTest {
     void distancesAreWithinTheirBounds() {
         SplittableRandom random = new SplittableRandom(25);
         NearPairs pairs = new NearPairs(random);
-        for (int kindA : NearPairs.KINDS) {
-            for (int kindB : NearPairs.KINDS) {
+        for (LeafKind kindA : NearPairs.KINDS) {
+            for (LeafKind kindB : NearPairs.KINDS) {
                 for (int n = 0; n < PAIRS; n++) {
                     pairs.make(kindA, kindB, pairs.gap());
                     measure(Dimension.SPATIAL, pairs);
@@ -98,7 +99,7 @@ class NearContactTest {
         nearest.close();
     }
 
-    private static void put(int kind, double[] row, LeafColumn column) {
+    private static void put(LeafKind kind, double[] row, LeafColumn column) {
         column.clear();
         column.append(1);
         column.setKind(0, kind);
@@ -110,7 +111,7 @@ class NearContactTest {
         return new SupportTwin(pairs.kindA, pairs.a).gap(new SupportTwin(pairs.kindB, pairs.b), n);
     }
 
-    private static boolean isFlat(int kind) {
-        return kind == Leaf.UPRIGHT_BOX || kind == Leaf.BOX || kind == Leaf.TRIANGLE;
+    private static boolean isFlat(LeafKind kind) {
+        return kind == LeafKind.UPRIGHT_BOX || kind == LeafKind.BOX || kind == LeafKind.TRIANGLE;
     }
 }

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.gjk.Gjk;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * Pairs of convex leaves in space that are nearly in contact, in every relation of features: boxes, cylinders, triangles
@@ -12,15 +12,20 @@ import robosim.geometry.narrow.leaf.Leaf;
  * other or anything.
  */
 public final class NearPairs {
-    public static final int[] KINDS = {
-        Leaf.UPRIGHT_BOX, Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE, Leaf.BOX, Leaf.CYLINDER, Leaf.TRIANGLE
+    public static final LeafKind[] KINDS = {
+        LeafKind.UPRIGHT_BOX,
+        LeafKind.UPRIGHT_CYLINDER,
+        LeafKind.SPHERE,
+        LeafKind.BOX,
+        LeafKind.CYLINDER,
+        LeafKind.TRIANGLE
     };
 
     private final SplittableRandom random;
     private final Gjk gjk = new Gjk();
 
-    public int kindA;
-    public int kindB;
+    public LeafKind kindA;
+    public LeafKind kindB;
     public double[] a = {};
     public double[] b = {};
 
@@ -32,7 +37,7 @@ public final class NearPairs {
     }
 
     /** Makes a pair with a gap of about a share of their size; a few of them overlap or touch. */
-    public void make(int kindOfA, int kindOfB, double gap) {
+    public void make(LeafKind kindOfA, LeafKind kindOfB, double gap) {
         kindA = kindOfA;
         kindB = kindOfB;
         double[] first = Rows.rotation(random);
@@ -65,7 +70,7 @@ public final class NearPairs {
 
     @Override
     public String toString() {
-        return "%d %s with %d %s".formatted(kindA, Arrays.toString(a), kindB, Arrays.toString(b));
+        return "%s %s with %s %s".formatted(kindA, Arrays.toString(a), kindB, Arrays.toString(b));
     }
 
     private double[] direction() {
@@ -117,16 +122,16 @@ public final class NearPairs {
         return random.nextInt(5) == 0 ? StrictMath.pow(10, random.nextDouble(-6, 1)) : random.nextDouble(0.2, 1.5);
     }
 
-    private double[] leaf(int kind, double[] r) {
+    private double[] leaf(LeafKind kind, double[] r) {
         double p = length();
         double q = length();
         double s = length();
         return switch (kind) {
-            case Leaf.UPRIGHT_BOX -> Rows.box(0, 0, 0, p, q, s, Rows.yaw(random.nextInt(3) * random.nextDouble(-3, 3)));
-            case Leaf.BOX -> Rows.box(0, 0, 0, p, q, s, r);
-            case Leaf.UPRIGHT_CYLINDER -> Rows.cylinder(0, 0, 0, p, q, Rows.identity());
-            case Leaf.CYLINDER -> Rows.cylinder(0, 0, 0, p, q, r);
-            case Leaf.SPHERE -> Rows.sphere(0, 0, 0, p);
+            case UPRIGHT_BOX -> Rows.box(0, 0, 0, p, q, s, Rows.yaw(random.nextInt(3) * random.nextDouble(-3, 3)));
+            case BOX -> Rows.box(0, 0, 0, p, q, s, r);
+            case UPRIGHT_CYLINDER -> Rows.cylinder(0, 0, 0, p, q, Rows.identity());
+            case CYLINDER -> Rows.cylinder(0, 0, 0, p, q, r);
+            case SPHERE -> Rows.sphere(0, 0, 0, p);
             default -> triangle(p, q, s, r);
         };
     }
@@ -143,21 +148,21 @@ public final class NearPairs {
         return Rows.triangle(corners);
     }
 
-    private static double extent(int kind, double[] row) {
-        if (kind == Leaf.TRIANGLE) {
+    private static double extent(LeafKind kind, double[] row) {
+        if (kind == LeafKind.TRIANGLE) {
             return Math.max(
                     VectorMath.length(row[3] - row[0], row[4] - row[1], row[5] - row[2]),
                     VectorMath.length(row[6] - row[0], row[7] - row[1], row[8] - row[2]));
         }
         return switch (kind) {
-            case Leaf.SPHERE -> row[3];
-            case Leaf.CYLINDER, Leaf.UPRIGHT_CYLINDER -> row[3] + row[4];
+            case SPHERE -> row[3];
+            case CYLINDER, UPRIGHT_CYLINDER -> row[3] + row[4];
             default -> row[3] + row[4] + row[5];
         };
     }
 
-    private static void shift(int kind, double[] row, double by, double[] way) {
-        for (int k = 0; k < (kind == Leaf.TRIANGLE ? 9 : 3); k++) {
+    private static void shift(LeafKind kind, double[] row, double by, double[] way) {
+        for (int k = 0; k < (kind == LeafKind.TRIANGLE ? 9 : 3); k++) {
             row[k] += by * way[k % 3];
         }
     }

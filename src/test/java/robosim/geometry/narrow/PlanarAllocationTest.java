@@ -7,7 +7,7 @@ import java.lang.management.ManagementFactory;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.narrow.cone.PlanarCone;
 import robosim.geometry.narrow.distance.PlanarDistance;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.ray.PlanarRay;
 
@@ -20,8 +20,8 @@ class PlanarAllocationTest {
         double[][] rows = new double[7 * rounds][];
         PlanarRows make = new PlanarRows(71);
         for (int k = 0; k < rows.length; k++) {
-            rows[k] = make.row(k % 7, 1, 1);
-            if (k % 7 == Leaf.TRIANGLE) {
+            rows[k] = make.row(Leaves.KINDS[k % 7], 1, 1);
+            if (Leaves.KINDS[k % 7] == LeafKind.TRIANGLE) {
                 rows[k][3] += 1; // none that is a segment
             }
         }
@@ -37,10 +37,11 @@ class PlanarAllocationTest {
     private static double ask(double[][] rows, Scratch scratch) {
         double sum = 0;
         for (int k = 0; k < rows.length; k++) {
-            int kind = k % 7;
+            LeafKind kind = Leaves.KINDS[k % 7];
             int m = (k * 31 + 5) % rows.length;
-            sum += PlanarOverlap.test(kind, rows[k], 0, m % 7, rows[m], 0, scratch) ? 1 : 0;
-            sum += PlanarDistance.between(kind, rows[k], 0, m % 7, rows[m], 0, scratch);
+            LeafKind other = Leaves.KINDS[m % 7];
+            sum += PlanarOverlap.test(kind, rows[k], 0, other, rows[m], 0, scratch) ? 1 : 0;
+            sum += PlanarDistance.between(kind, rows[k], 0, other, rows[m], 0, scratch);
             sum += Math.min(9, PlanarRay.distance(-3, 0.1, 1, 0, kind, rows[k], 0, scratch));
             sum += Math.min(9, PlanarCone.distance(-3, 0.1, 1, 0, 0.96, 0.28, kind, rows[k], 0, scratch));
         }

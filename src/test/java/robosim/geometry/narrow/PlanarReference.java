@@ -4,7 +4,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * The slow twin of the planar kernels: decimal numbers that hold every double, hulls, and segments that cross; no
@@ -36,16 +36,16 @@ public final class PlanarReference {
         return new Place(new BigDecimal(x), new BigDecimal(z));
     }
 
-    public static Shape of(int kind, double[] row, int at) {
+    public static Shape of(LeafKind kind, double[] row, int at) {
         List<Place> corners = new ArrayList<>();
         BigDecimal radius = BigDecimal.ZERO;
-        if (kind == Leaf.TRIANGLE) {
+        if (kind == LeafKind.TRIANGLE) {
             for (int k = 0; k < 9; k += 3) {
                 corners.add(place(row[at + k], row[at + k + 2]));
             }
         } else {
             corners.add(place(row[at], row[at + 2]));
-            if (kind == Leaf.SPHERE || kind == Leaf.UPRIGHT_CYLINDER) {
+            if (kind == LeafKind.SPHERE || kind == LeafKind.UPRIGHT_CYLINDER) {
                 radius = new BigDecimal(row[at + 3]);
             } else {
                 for (int axis = 0; axis < 3; axis++) {

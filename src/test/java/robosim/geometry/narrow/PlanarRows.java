@@ -4,11 +4,12 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** Rows of leaves for the tests of the planar kernels: of any kind, and of the awkward sort. */
 public final class PlanarRows {
-    public static final int[] EXACT_KINDS = {
-        Leaf.UPRIGHT_BOX, Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE, Leaf.BOX, Leaf.TRIANGLE
+    public static final LeafKind[] EXACT_KINDS = {
+        LeafKind.UPRIGHT_BOX, LeafKind.UPRIGHT_CYLINDER, LeafKind.SPHERE, LeafKind.BOX, LeafKind.TRIANGLE
     };
 
     private final SplittableRandom random;
@@ -21,18 +22,18 @@ public final class PlanarRows {
         return random;
     }
 
-    public int exactKind() {
+    public LeafKind exactKind() {
         return EXACT_KINDS[random.nextInt(EXACT_KINDS.length)];
     }
 
     /** A row with its middle within {@code spread} of the origin and sizes up to {@code size}. */
-    public double[] row(int kind, double spread, double size) {
+    public double[] row(LeafKind kind, double spread, double size) {
         double[] row = new double[Leaf.STRIDE];
         for (int k = 0; k < 3; k++) {
             row[k] = between(spread);
         }
         switch (kind) {
-            case Leaf.TRIANGLE -> {
+            case TRIANGLE -> {
                 double[] middle = Arrays.copyOf(row, 3);
                 for (int k = 0; k < 9; k++) {
                     row[k] = middle[k % 3] + between(size);
@@ -41,7 +42,7 @@ public final class PlanarRows {
                     System.arraycopy(row, 0, row, 3, 3);
                 }
             }
-            case Leaf.PRISM -> prism(row, size);
+            case PRISM -> prism(row, size);
             default -> {
                 for (int k = 3; k < 6; k++) {
                     row[k] = random.nextInt(12) == 0 ? 0 : random.nextDouble() * size;
@@ -77,8 +78,8 @@ public final class PlanarRows {
         row[at + 1] = Math.max(row[at + 1], Math.nextUp(value));
     }
 
-    private void rotation(int kind, double[] row) {
-        if (kind == Leaf.UPRIGHT_BOX || kind == Leaf.UPRIGHT_CYLINDER || kind == Leaf.SPHERE) {
+    private void rotation(LeafKind kind, double[] row) {
+        if (kind == LeafKind.UPRIGHT_BOX || kind == LeafKind.UPRIGHT_CYLINDER || kind == LeafKind.SPHERE) {
             upright(row, random.nextInt(3) == 0 ? 90 * random.nextInt(4) : between(360));
             return;
         }
@@ -114,19 +115,19 @@ public final class PlanarRows {
     }
 
     /** On a grid of small integers, where touching is frequent and exact. */
-    public double[] gridRow(int kind) {
+    public double[] gridRow(LeafKind kind) {
         double[] row = new double[Leaf.STRIDE];
         for (int k = 0; k < 9; k++) {
             row[k] = random.nextInt(-4, 5);
         }
-        if (kind == Leaf.TRIANGLE) {
+        if (kind == LeafKind.TRIANGLE) {
             return row;
         }
         for (int k = 3; k < 6; k++) {
             row[k] = random.nextInt(0, 4);
         }
         Arrays.fill(row, 6, 16, 0);
-        if (kind == Leaf.BOX && random.nextBoolean()) {
+        if (kind == LeafKind.BOX && random.nextBoolean()) {
             rotation(kind, row);
         } else {
             upright(row, 90 * random.nextInt(4));
@@ -135,12 +136,12 @@ public final class PlanarRows {
     }
 
     /** The same leaf, shifted. */
-    public static double[] moved(int kind, double[] row, double x, double z) {
+    public static double[] moved(LeafKind kind, double[] row, double x, double z) {
         double[] moved = row.clone();
-        if (kind == Leaf.PRISM) {
+        if (kind == LeafKind.PRISM) {
             throw new IllegalArgumentException("kind must not be an octagon (got: " + kind + ")");
         }
-        int corners = kind == Leaf.TRIANGLE ? 3 : 1;
+        int corners = kind == LeafKind.TRIANGLE ? 3 : 1;
         for (int k = 0; k < corners; k++) {
             moved[3 * k] += x;
             moved[3 * k + 2] += z;
@@ -149,9 +150,9 @@ public final class PlanarRows {
     }
 
     /** The same leaf in a world scaled by a power of two. */
-    public static double[] scaled(int kind, double[] row, double factor) {
+    public static double[] scaled(LeafKind kind, double[] row, double factor) {
         double[] scaled = row.clone();
-        int lengths = kind == Leaf.TRIANGLE ? 9 : kind == Leaf.PRISM ? 10 : 6;
+        int lengths = kind == LeafKind.TRIANGLE ? 9 : kind == LeafKind.PRISM ? 10 : 6;
         for (int k = 0; k < lengths; k++) {
             scaled[k] *= factor;
         }

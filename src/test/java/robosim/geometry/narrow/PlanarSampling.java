@@ -2,7 +2,7 @@ package robosim.geometry.narrow;
 
 import java.util.ArrayList;
 import java.util.List;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** Outlines as many points, straight from the definition of each leaf: for what no exact twin can be had. */
 public final class PlanarSampling {
@@ -11,21 +11,21 @@ public final class PlanarSampling {
     private PlanarSampling() {}
 
     /** Points of the leaf whose hull is its projection, to within a part in a million of its size. */
-    public static List<double[]> points(int kind, double[] row) {
+    public static List<double[]> points(LeafKind kind, double[] row) {
         List<double[]> points = new ArrayList<>();
         switch (kind) {
-            case Leaf.TRIANGLE -> {
+            case TRIANGLE -> {
                 for (int k = 0; k < 9; k += 3) {
                     points.add(new double[] {row[k], row[k + 2]});
                 }
             }
-            case Leaf.SPHERE, Leaf.UPRIGHT_CYLINDER -> {
+            case SPHERE, UPRIGHT_CYLINDER -> {
                 for (int k = 0; k < RIM; k++) {
                     double t = 2 * Math.PI * k / RIM;
                     points.add(new double[] {row[0] + row[3] * Math.cos(t), row[2] + row[3] * Math.sin(t)});
                 }
             }
-            case Leaf.CYLINDER -> {
+            case CYLINDER -> {
                 for (int side = -1; side <= 1; side += 2) {
                     for (int k = 0; k < RIM; k++) {
                         double t = 2 * Math.PI * k / RIM;
@@ -39,7 +39,7 @@ public final class PlanarSampling {
                     }
                 }
             }
-            case Leaf.PRISM -> {
+            case PRISM -> {
                 // all crossings of two planes that the other planes allow
                 double[][] lines = {
                     {1, 0, row[0]}, {1, 0, row[1]}, {0, 1, row[2]}, {0, 1, row[3]},
@@ -87,7 +87,7 @@ public final class PlanarSampling {
     }
 
     /** The widest gap between the two along 720 directions; not below the truth by more than a share of the distance. */
-    public static double gap(int kindA, double[] a, int kindB, double[] b) {
+    public static double gap(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
         List<double[]> p = points(kindA, a);
         List<double[]> q = points(kindB, b);
         double widest = Double.NEGATIVE_INFINITY;
@@ -99,8 +99,8 @@ public final class PlanarSampling {
         return widest;
     }
 
-    private static int isCurved(int kindA, int kindB) {
-        boolean curved = kindA == Leaf.CYLINDER || kindB == Leaf.CYLINDER || kindB == 1 || kindB == 2;
+    private static int isCurved(LeafKind kindA, LeafKind kindB) {
+        boolean curved = kindA == LeafKind.CYLINDER || kindB == LeafKind.CYLINDER || kindB.isDisc();
         return curved ? 1 : 0;
     }
 

@@ -1,13 +1,13 @@
 package robosim.geometry.narrow;
 
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** The nearest point of a leaf, in its own frame: the plain twin of distances in space. */
 public final class Projections {
     private Projections() {}
 
     /** The distance that alternating projections between the two come to; never below the truth. */
-    public static double distance(int kindA, double[] a, int kindB, double[] b, int rounds) {
+    public static double distance(LeafKind kindA, double[] a, LeafKind kindB, double[] b, int rounds) {
         double[] p = {a[0], a[1], a[2]};
         double[] q = p.clone();
         for (int n = 0; n < rounds; n++) {
@@ -17,12 +17,12 @@ public final class Projections {
         return Math.sqrt(square(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
     }
 
-    public static double[] nearest(int kind, double[] row, double[] p) {
+    public static double[] nearest(LeafKind kind, double[] row, double[] p) {
         return switch (kind) {
-            case Leaf.TRIANGLE -> triangle(row, p);
-            case Leaf.SPHERE -> sphere(row, p);
-            case Leaf.BOX, Leaf.UPRIGHT_BOX -> box(row, p);
-            case Leaf.CYLINDER, Leaf.UPRIGHT_CYLINDER -> cylinder(row, p);
+            case TRIANGLE -> triangle(row, p);
+            case SPHERE -> sphere(row, p);
+            case BOX, UPRIGHT_BOX -> box(row, p);
+            case CYLINDER, UPRIGHT_CYLINDER -> cylinder(row, p);
             default -> throw new IllegalArgumentException("no projection for this kind (got: " + kind + ")");
         };
     }

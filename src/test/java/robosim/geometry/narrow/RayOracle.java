@@ -3,7 +3,7 @@ package robosim.geometry.narrow;
 import java.math.BigDecimal;
 import java.math.BigInteger;
 import java.math.MathContext;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * The slow twin of the spatial rays, in decimals of any length: a box is its twelve triangles and its inside, a
@@ -16,14 +16,13 @@ public final class RayOracle {
     private RayOracle() {}
 
     /** The distance, or null on a miss. */
-    public static BigDecimal distance(double[] o, double[] d, int kind, double[] row) {
+    public static BigDecimal distance(double[] o, double[] d, LeafKind kind, double[] row) {
         BigDecimal t = switch (kind) {
-            case Leaf.SPHERE -> sphere(o, d, row);
-            case Leaf.UPRIGHT_BOX, Leaf.BOX -> box(o, d, row);
-            case Leaf.TRIANGLE ->
-                triangle(vector(o), vector(d), vector(row, 0, 1), vector(row, 3, 1), vector(row, 6, 1));
-            case Leaf.UPRIGHT_CYLINDER -> cylinder(o, d, row, vector(new double[] {0, 1, 0}));
-            case Leaf.CYLINDER -> cylinder(o, d, row, vector(row, 7, 3));
+            case SPHERE -> sphere(o, d, row);
+            case UPRIGHT_BOX, BOX -> box(o, d, row);
+            case TRIANGLE -> triangle(vector(o), vector(d), vector(row, 0, 1), vector(row, 3, 1), vector(row, 6, 1));
+            case UPRIGHT_CYLINDER -> cylinder(o, d, row, vector(new double[] {0, 1, 0}));
+            case CYLINDER -> cylinder(o, d, row, vector(row, 7, 3));
             default -> prism(o, d, row);
         };
         return t == null ? null : t.multiply(dot(vector(d), vector(d)).sqrt(DIGITS), DIGITS);

@@ -2,7 +2,7 @@ package robosim.geometry.narrow;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** The slow twin of a sphere that moves straight on at a cylinder in any attitude: the distance at 60 digits. */
 public final class RimTwin {
@@ -15,11 +15,11 @@ public final class RimTwin {
     private final BigDecimal[] axis;
     private final BigDecimal axisSquare;
 
-    public RimTwin(double[] sphere, double[] d, int kind, double[] cylinder) {
+    public RimTwin(double[] sphere, double[] d, LeafKind kind, double[] cylinder) {
         this.sphere = sphere;
         this.d = d;
         this.cylinder = cylinder;
-        axis = kind == Leaf.CYLINDER
+        axis = kind == LeafKind.CYLINDER
                 ? BallTwin.vector(cylinder[7], cylinder[10], cylinder[13])
                 : BallTwin.vector(0, 1, 0);
         axisSquare = dot(axis, axis);

@@ -2,6 +2,7 @@ package robosim.geometry.narrow;
 
 import java.util.SplittableRandom;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** Rows of leaves for tests. */
 public final class Rows {
@@ -79,7 +80,7 @@ public final class Rows {
     }
 
     /** A random leaf of a kind, of size about 1, with its centre in a cube of the given half width. */
-    public static double[] random(int kind, SplittableRandom random, double spread) {
+    public static double[] random(LeafKind kind, SplittableRandom random, double spread) {
         double x = random.nextDouble(-spread, spread);
         double y = random.nextDouble(-spread, spread);
         double z = random.nextDouble(-spread, spread);
@@ -87,13 +88,13 @@ public final class Rows {
         double q = random.nextDouble(0.2, 1);
         double r = random.nextDouble(0.2, 1);
         return switch (kind) {
-            case Leaf.UPRIGHT_BOX -> box(x, y, z, p, q, r, yaw(random.nextDouble(-3, 3)));
-            case Leaf.BOX -> box(x, y, z, p, q, r, rotation(random));
-            case Leaf.UPRIGHT_CYLINDER -> cylinder(x, y, z, p, q, identity());
-            case Leaf.CYLINDER -> cylinder(x, y, z, p, q, rotation(random));
-            case Leaf.SPHERE -> sphere(x, y, z, p);
-            case Leaf.PRISM -> prism(x, y, z, p, q, r, random);
-            case Leaf.TRIANGLE -> {
+            case UPRIGHT_BOX -> box(x, y, z, p, q, r, yaw(random.nextDouble(-3, 3)));
+            case BOX -> box(x, y, z, p, q, r, rotation(random));
+            case UPRIGHT_CYLINDER -> cylinder(x, y, z, p, q, identity());
+            case CYLINDER -> cylinder(x, y, z, p, q, rotation(random));
+            case SPHERE -> sphere(x, y, z, p);
+            case PRISM -> prism(x, y, z, p, q, r, random);
+            case TRIANGLE -> {
                 double[] corners = new double[9];
                 for (int k = 0; k < 9; k += 3) {
                     corners[k] = x + random.nextDouble(-1, 1);

@@ -10,10 +10,10 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.cone.SpatialCone;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.ray.SpatialRay;
 import robosim.geometry.narrow.ray.SpatialRayTest;
 
@@ -25,9 +25,9 @@ class SpatialConeErrorTest {
     private final Scratch scratch = new Scratch();
 
     @ParameterizedTest
-    @ValueSource(ints = {Leaf.UPRIGHT_BOX, Leaf.SPHERE, Leaf.BOX, Leaf.TRIANGLE})
-    void agreesWithDecimals(int kind) {
-        SplittableRandom random = new SplittableRandom(211 + kind);
+    @EnumSource(names = {"UPRIGHT_BOX", "SPHERE", "BOX", "TRIANGLE"})
+    void agreesWithDecimals(LeafKind kind) {
+        SplittableRandom random = new SplittableRandom(211 + kind.ordinal());
         double worst = 0;
         int heard = 0;
         int silent = 0;
@@ -47,7 +47,7 @@ class SpatialConeErrorTest {
                 approach(kind, row, o, u, new BigDecimal(cos), border(d, across, half + 1.5707963), random, scale);
             }
             BigDecimal truth =
-                    kind == Leaf.SPHERE ? sphere(o, row, u, cos) : polytope(kind, o, row, u, new BigDecimal(cos));
+                    kind == LeafKind.SPHERE ? sphere(o, row, u, cos) : polytope(kind, o, row, u, new BigDecimal(cos));
             String name = "half %s, %s %s ".formatted(half, Arrays.toString(o) + Arrays.toString(d), kind)
                     + Arrays.toString(row);
             double answer = SpatialCone.distance(
@@ -59,7 +59,7 @@ class SpatialConeErrorTest {
             }
             heard++;
             double largest = VectorMath.largest(o[0], o[1], o[2]);
-            for (int k = 0; k < (kind == Leaf.TRIANGLE ? 9 : 6); k++) {
+            for (int k = 0; k < (kind == LeafKind.TRIANGLE ? 9 : 6); k++) {
                 largest = Math.max(largest, Math.abs(row[k]));
             }
             double unit = Math.ulp(Math.max(largest, truth.doubleValue()));
@@ -96,9 +96,9 @@ class SpatialConeErrorTest {
             0.4138594083203889,
             0
         };
-        BigDecimal truth = polytope(Leaf.BOX, o, row, unit(d), new BigDecimal(cos));
+        BigDecimal truth = polytope(LeafKind.BOX, o, row, unit(d), new BigDecimal(cos));
         double answer = SpatialCone.distance(
-                o[0], o[1], o[2], d[0], d[1], d[2], cos, StrictMath.sin(half), Leaf.BOX, row, 0, scratch);
+                o[0], o[1], o[2], d[0], d[1], d[2], cos, StrictMath.sin(half), LeafKind.BOX, row, 0, scratch);
         assertThat(truth.subtract(new BigDecimal(answer)).abs().doubleValue())
                 .isLessThanOrEqualTo(8 * Math.ulp(truth.doubleValue()));
     }
@@ -108,9 +108,9 @@ class SpatialConeErrorTest {
      * their minimum, where the cylinder's own nearest point is outside the cone.
      */
     @ParameterizedTest
-    @ValueSource(ints = {Leaf.UPRIGHT_CYLINDER, Leaf.CYLINDER})
-    void cylindersAreHardlyBelowTheTruth(int kind) {
-        SplittableRandom random = new SplittableRandom(221 + kind);
+    @EnumSource(names = {"UPRIGHT_CYLINDER", "CYLINDER"})
+    void cylindersAreHardlyBelowTheTruth(LeafKind kind) {
+        SplittableRandom random = new SplittableRandom(221 + kind.ordinal());
         double worst = 0;
         int heard = 0;
         int silent = 0;
@@ -147,8 +147,8 @@ class SpatialConeErrorTest {
     }
 
     /** From the apex to the cylinder's nearest point. */
-    private static double[] nearest(int kind, double[] o, double[] row) {
-        double[] a = kind == Leaf.CYLINDER ? new double[] {row[7], row[10], row[13]} : new double[] {0, 1, 0};
+    private static double[] nearest(LeafKind kind, double[] o, double[] row) {
+        double[] a = kind == LeafKind.CYLINDER ? new double[] {row[7], row[10], row[13]} : new double[] {0, 1, 0};
         double[] w = {o[0] - row[0], o[1] - row[1], o[2] - row[2]};
         double along = w[0] * a[0] + w[1] * a[1] + w[2] * a[2];
         double[] side = {w[0] - along * a[0], w[1] - along * a[1], w[2] - along * a[2]};
@@ -163,7 +163,7 @@ class SpatialConeErrorTest {
     }
 
     /** The least of the rays along the border: of many, the best led on by thirds. */
-    private double least(double[] o, double[] d, double[] other, double cos, int kind, double[] row) {
+    private double least(double[] o, double[] d, double[] other, double cos, LeafKind kind, double[] row) {
         double[] third = {
             d[1] * other[2] - d[2] * other[1], d[2] * other[0] - d[0] * other[2], d[0] * other[1] - d[1] * other[0]
         };
@@ -197,7 +197,7 @@ class SpatialConeErrorTest {
     }
 
     private double along(
-            double[] o, double[] d, double[] e, double[] f, double cos, double angle, int kind, double[] row) {
+            double[] o, double[] d, double[] e, double[] f, double cos, double angle, LeafKind kind, double[] row) {
         double sin = Math.sqrt((1 - cos) * (1 + cos));
         double c = sin * StrictMath.cos(angle);
         double s = sin * StrictMath.sin(angle);
@@ -225,9 +225,9 @@ class SpatialConeErrorTest {
     }
 
     private static double[] place(
-            int kind, SplittableRandom random, double[] o, double[] direction, double far, double scale) {
+            LeafKind kind, SplittableRandom random, double[] o, double[] direction, double far, double scale) {
         double[] row = Rows.random(kind, random, 0.001);
-        for (int k = 0; k < (kind == Leaf.TRIANGLE ? 9 : 6); k++) {
+        for (int k = 0; k < (kind == LeafKind.TRIANGLE ? 9 : 6); k++) {
             row[k] *= scale;
         }
         move(kind, row, direction, far * scale);
@@ -235,15 +235,15 @@ class SpatialConeErrorTest {
         return row;
     }
 
-    private static void move(int kind, double[] row, double[] direction, double way) {
-        for (int k = 0; k < (kind == Leaf.TRIANGLE ? 9 : 3); k++) {
+    private static void move(LeafKind kind, double[] row, double[] direction, double way) {
+        for (int k = 0; k < (kind == LeafKind.TRIANGLE ? 9 : 3); k++) {
             row[k] += way * direction[k % 3];
         }
     }
 
     /** Moves the leaf along a direction until its deepest corner is on the border, or nearly. */
     private static void approach(
-            int kind,
+            LeafKind kind,
             double[] row,
             double[] o,
             BigDecimal[] u,
@@ -260,7 +260,7 @@ class SpatialConeErrorTest {
                 double sine = Math.sqrt(1 - cos.doubleValue() * cos.doubleValue());
                 deepest = Math.max(deepest, depth / sine);
             }
-            move(kind, row, outward, deepest + (kind == Leaf.SPHERE ? row[3] : 0) + off);
+            move(kind, row, outward, deepest + (kind == LeafKind.SPHERE ? row[3] : 0) + off);
         }
     }
 
@@ -282,13 +282,13 @@ class SpatialConeErrorTest {
         return along.signum() < 0 || square.signum() < 0 ? NEVER : along.subtract(root(square));
     }
 
-    private static BigDecimal polytope(int kind, double[] o, double[] row, BigDecimal[] u, BigDecimal cos) {
+    private static BigDecimal polytope(LeafKind kind, double[] o, double[] row, BigDecimal[] u, BigDecimal cos) {
         List<BigDecimal[]> p = corners(kind, o, row);
-        int[][] faces = kind == Leaf.TRIANGLE
+        int[][] faces = kind == LeafKind.TRIANGLE
                 ? new int[][] {{0, 1, 2}}
                 : new int[][] {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
         BigDecimal least = NEVER;
-        boolean inside = kind != Leaf.TRIANGLE;
+        boolean inside = kind != LeafKind.TRIANGLE;
         for (int[] face : faces) {
             for (int k = 0; k < face.length; k++) {
                 BigDecimal[] from = p.get(face[k]);
@@ -384,17 +384,17 @@ class SpatialConeErrorTest {
         return sides == face.length ? t : NEVER;
     }
 
-    private static List<BigDecimal[]> corners(int kind, double[] o, double[] row) {
+    private static List<BigDecimal[]> corners(LeafKind kind, double[] o, double[] row) {
         List<BigDecimal[]> corners = new ArrayList<>();
         BigDecimal[] apex = CylinderTwin.decimals(o);
-        if (kind == Leaf.TRIANGLE) {
+        if (kind == LeafKind.TRIANGLE) {
             for (int k = 0; k < 9; k += 3) {
                 corners.add(minus(CylinderTwin.decimals(row[k], row[k + 1], row[k + 2]), apex));
             }
             return corners;
         }
         corners.add(minus(CylinderTwin.decimals(row), apex));
-        for (int k = 0; k < 3 && kind != Leaf.SPHERE; k++) {
+        for (int k = 0; k < 3 && kind != LeafKind.SPHERE; k++) {
             BigDecimal[] half =
                     times(CylinderTwin.decimals(row[6 + k], row[9 + k], row[12 + k]), new BigDecimal(row[3 + k]));
             List<BigDecimal[]> more = new ArrayList<>();

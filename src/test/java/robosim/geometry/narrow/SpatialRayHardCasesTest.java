@@ -9,6 +9,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.ray.SpatialRay;
 
 /** Rays that other engines answered wrong; the letters are those of the project's list of hard cases. */
@@ -22,8 +23,8 @@ class SpatialRayHardCasesTest {
         double[] d = {2.506727 + 2.027535, 1.292858 - 1.32374, -2.102663 + 4.894639};
         double length = Math.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
         double[] box = box(0, 2.024, -3, 2.024, 2.024, 2.024);
-        assertThat(ray(o, d, Leaf.UPRIGHT_BOX, box) / length).isCloseTo(.00077962, within(1e-8));
-        assertThat(ray(o, d, Leaf.BOX, box)).isEqualTo(ray(o, d, Leaf.UPRIGHT_BOX, box));
+        assertThat(ray(o, d, LeafKind.UPRIGHT_BOX, box) / length).isCloseTo(.00077962, within(1e-8));
+        assertThat(ray(o, d, LeafKind.BOX, box)).isEqualTo(ray(o, d, LeafKind.UPRIGHT_BOX, box));
     }
 
     @Test
@@ -32,11 +33,11 @@ class SpatialRayHardCasesTest {
         double[] second = triangle(-1, -1, 0, 1, 1, 0, 1, -1, 0);
         for (double at = -1; at <= 1; at += 0.125) {
             double[] o = {at, at, 1};
-            assertThat(ray(o, v(0, 0, -1), Leaf.TRIANGLE, first)).isEqualTo(1);
-            assertThat(ray(o, v(0, 0, -1), Leaf.TRIANGLE, second)).isEqualTo(1);
+            assertThat(ray(o, v(0, 0, -1), LeafKind.TRIANGLE, first)).isEqualTo(1);
+            assertThat(ray(o, v(0, 0, -1), LeafKind.TRIANGLE, second)).isEqualTo(1);
         }
-        assertThat(ray(v(-1, 1, 1), v(0, 0, -1), Leaf.TRIANGLE, first)).isEqualTo(1);
-        assertThat(ray(v(1, -1, 1), v(0, -0.0, -1), Leaf.TRIANGLE, second)).isEqualTo(1);
+        assertThat(ray(v(-1, 1, 1), v(0, 0, -1), LeafKind.TRIANGLE, first)).isEqualTo(1);
+        assertThat(ray(v(1, -1, 1), v(0, -0.0, -1), LeafKind.TRIANGLE, second)).isEqualTo(1);
     }
 
     @Test
@@ -44,17 +45,18 @@ class SpatialRayHardCasesTest {
         double[] o = {0, 0, 10};
         double[] d = {.30458447, .30458447, -.9024725};
         double nearest = Math.min(
-                ray(o, d, Leaf.TRIANGLE, triangle(-5, -5, 0, 5, -5, 0, 5, 5, 0)),
-                ray(o, d, Leaf.TRIANGLE, triangle(-5, -5, 0, 5, 5, 0, -5, 5, 0)));
+                ray(o, d, LeafKind.TRIANGLE, triangle(-5, -5, 0, 5, -5, 0, 5, 5, 0)),
+                ray(o, d, LeafKind.TRIANGLE, triangle(-5, -5, 0, 5, 5, 0, -5, 5, 0)));
         assertThat(nearest / VectorMath.length(d[0], d[1], d[2])).isCloseTo(10 / .9024725, within(1e-14));
     }
 
     @Test
     void e4StraightDownOnAHeightfield() {
         double[] triangle = triangle(5, 0, 2.63113, 9.50162, 0, 0, 5, 1, 7);
-        assertThat(ray(v(5, 10, 2.63113), v(0, -1, 0), Leaf.TRIANGLE, triangle)).isEqualTo(10);
+        assertThat(ray(v(5, 10, 2.63113), v(0, -1, 0), LeafKind.TRIANGLE, triangle))
+                .isEqualTo(10);
         double[] row = triangle(9.50162, 0, 5, 5, 0, 5, 7, 2, 5.25);
-        assertThat(ray(v(9.50162, 10, 5), v(0, -1, 0), Leaf.TRIANGLE, row)).isEqualTo(10);
+        assertThat(ray(v(9.50162, 10, 5), v(0, -1, 0), LeafKind.TRIANGLE, row)).isEqualTo(10);
     }
 
     @Test
@@ -62,14 +64,14 @@ class SpatialRayHardCasesTest {
         double[] triangle = triangle(90, -150, 1077, 90, -120, 1109, 120, -150, 1076);
         double[] o = {90, -150, 1077.1};
         double[] d = {-0.0, .99503726, .099503726};
-        double truth = RayOracle.distance(o, d, Leaf.TRIANGLE, triangle).doubleValue();
+        double truth = RayOracle.distance(o, d, LeafKind.TRIANGLE, triangle).doubleValue();
         assertThat(truth).isCloseTo(.10396, within(1e-5));
-        assertThat(ray(o, d, Leaf.TRIANGLE, triangle)).isCloseTo(truth, within(2 * Math.ulp(1077.1)));
+        assertThat(ray(o, d, LeafKind.TRIANGLE, triangle)).isCloseTo(truth, within(2 * Math.ulp(1077.1)));
     }
 
     @Test
     void e6AWideWall() {
-        assertThat(ray(v(0, 0, 0), v(0, 0, 1), Leaf.UPRIGHT_BOX, box(0, 0, 550, 500, 500, 500)))
+        assertThat(ray(v(0, 0, 0), v(0, 0, 1), LeafKind.UPRIGHT_BOX, box(0, 0, 550, 500, 500, 500)))
                 .isEqualTo(50);
     }
 
@@ -77,22 +79,23 @@ class SpatialRayHardCasesTest {
     @Test
     void e7S7GrazingFromFarAway() {
         double[] cylinder = {0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
-        assertThat(ray(v(-1e6, 0, 1), v(1, 0, 0), Leaf.UPRIGHT_CYLINDER, cylinder))
+        assertThat(ray(v(-1e6, 0, 1), v(1, 0, 0), LeafKind.UPRIGHT_CYLINDER, cylinder))
                 .isEqualTo(1e6);
-        assertThat(ray(v(-1e6, 1, 1), v(1, 0, 0), Leaf.UPRIGHT_CYLINDER, cylinder))
+        assertThat(ray(v(-1e6, 1, 1), v(1, 0, 0), LeafKind.UPRIGHT_CYLINDER, cylinder))
                 .isEqualTo(1e6);
-        assertThat(ray(v(-1e6, 1, Math.nextUp(1)), v(1, 0, 0), Leaf.UPRIGHT_CYLINDER, cylinder))
+        assertThat(ray(v(-1e6, 1, Math.nextUp(1)), v(1, 0, 0), LeafKind.UPRIGHT_CYLINDER, cylinder))
                 .isEqualTo(MISS);
-        assertThat(ray(v(-1e6, 0, 1), v(1, 0, 0), Leaf.SPHERE, cylinder)).isEqualTo(1e6);
-        assertThat(ray(v(-12000, 0, 0.6), v(1, 0, 0), Leaf.SPHERE, cylinder)).isEqualTo(12000 - 0.8);
-        assertThat(ray(v(-12000, 0, 0.6), v(1, 0, 0), Leaf.UPRIGHT_CYLINDER, cylinder))
+        assertThat(ray(v(-1e6, 0, 1), v(1, 0, 0), LeafKind.SPHERE, cylinder)).isEqualTo(1e6);
+        assertThat(ray(v(-12000, 0, 0.6), v(1, 0, 0), LeafKind.SPHERE, cylinder))
+                .isEqualTo(12000 - 0.8);
+        assertThat(ray(v(-12000, 0, 0.6), v(1, 0, 0), LeafKind.UPRIGHT_CYLINDER, cylinder))
                 .isEqualTo(12000 - 0.8);
     }
 
     @Test
     void g1ASegmentBesideTheRay() {
         double[] segment = triangle(100, 200, 300, 400, 500, 600, 400, 500, 600);
-        assertThat(ray(v(10, 20, 30), v(0, -1, 0), Leaf.TRIANGLE, segment)).isEqualTo(MISS);
+        assertThat(ray(v(10, 20, 30), v(0, -1, 0), LeafKind.TRIANGLE, segment)).isEqualTo(MISS);
     }
 
     @Test
@@ -109,8 +112,9 @@ class SpatialRayHardCasesTest {
                 .093847394);
         double[] middle = {-.24, 70, .117};
         double[] o = {middle[0] + 3, middle[1] + 1, middle[2] + 2};
-        java.math.BigDecimal truth = RayOracle.distance(o, v(-3, -1, -2), Leaf.TRIANGLE, sliver);
-        assertThat(ray(o, v(-3, -1, -2), Leaf.TRIANGLE, sliver)).isEqualTo(truth == null ? MISS : truth.doubleValue());
+        java.math.BigDecimal truth = RayOracle.distance(o, v(-3, -1, -2), LeafKind.TRIANGLE, sliver);
+        assertThat(ray(o, v(-3, -1, -2), LeafKind.TRIANGLE, sliver))
+                .isEqualTo(truth == null ? MISS : truth.doubleValue());
     }
 
     @Test
@@ -123,9 +127,9 @@ class SpatialRayHardCasesTest {
             double[] flat = triangle(0, 0, 0, x, y, 0, 3 * x, 3 * y, 0);
             double share = random.nextDouble() * 3;
             double[] o = {share * x, share * y, 1};
-            boolean truth = RayOracle.distance(o, v(0, 0, -1), Leaf.TRIANGLE, flat) != null;
+            boolean truth = RayOracle.distance(o, v(0, 0, -1), LeafKind.TRIANGLE, flat) != null;
             hits += truth ? 1 : 0;
-            assertThat(ray(o, v(0, 0, -1), Leaf.TRIANGLE, flat)).isEqualTo(truth ? 1 : MISS);
+            assertThat(ray(o, v(0, 0, -1), LeafKind.TRIANGLE, flat)).isEqualTo(truth ? 1 : MISS);
         }
         assertThat(hits).isBetween(1, 400);
     }
@@ -136,12 +140,12 @@ class SpatialRayHardCasesTest {
         double[] collinear = triangle(0, 0, 0, 2, 4, 6, 1, 2, 3);
         double[] point = triangle(1, 2, 3, 1, 2, 3, 1, 2, 3);
         for (double[] flat : List.of(doubled, collinear, point)) {
-            assertThat(ray(v(1, 2, -4), v(0, 0, 2), Leaf.TRIANGLE, flat)).isEqualTo(7);
-            assertThat(ray(v(1, 2, 3), v(0, 0, 2), Leaf.TRIANGLE, flat)).isZero();
-            assertThat(ray(v(1, 2, 4), v(0, 0, 2), Leaf.TRIANGLE, flat)).isEqualTo(MISS);
-            assertThat(ray(v(1, Math.nextUp(2), -4), v(0, 0, 2), Leaf.TRIANGLE, flat))
+            assertThat(ray(v(1, 2, -4), v(0, 0, 2), LeafKind.TRIANGLE, flat)).isEqualTo(7);
+            assertThat(ray(v(1, 2, 3), v(0, 0, 2), LeafKind.TRIANGLE, flat)).isZero();
+            assertThat(ray(v(1, 2, 4), v(0, 0, 2), LeafKind.TRIANGLE, flat)).isEqualTo(MISS);
+            assertThat(ray(v(1, Math.nextUp(2), -4), v(0, 0, 2), LeafKind.TRIANGLE, flat))
                     .isEqualTo(MISS);
-            assertThat(ray(v(-1, -2, -3), v(1, 2, 3), Leaf.TRIANGLE, flat))
+            assertThat(ray(v(-1, -2, -3), v(1, 2, 3), LeafKind.TRIANGLE, flat))
                     .isEqualTo(flat == point ? Math.sqrt(56) : Math.sqrt(14));
         }
     }
@@ -152,19 +156,23 @@ class SpatialRayHardCasesTest {
         double[] cylinder = {0, 0, 0, 3, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
         for (int i = 0; i < 20_000; i++) {
             double[] o = {random.nextDouble(-2, 2), random.nextDouble(-2, 2), random.nextDouble(-2, 2)};
-            assertThat(ray(o, Leaves.vector(random, 1), Leaf.UPRIGHT_CYLINDER, cylinder))
+            assertThat(ray(o, Leaves.vector(random, 1), LeafKind.UPRIGHT_CYLINDER, cylinder))
                     .isZero();
         }
-        assertThat(ray(v(0, 0, 0), v(0, 1, 0), Leaf.UPRIGHT_CYLINDER, cylinder)).isZero();
-        assertThat(ray(v(0, 0, 0), v(0, 0, 1), Leaf.UPRIGHT_CYLINDER, cylinder)).isZero();
-        assertThat(ray(v(0, .5, 0), v(0, 1, 0), Leaf.SPHERE, cylinder)).isZero();
+        assertThat(ray(v(0, 0, 0), v(0, 1, 0), LeafKind.UPRIGHT_CYLINDER, cylinder))
+                .isZero();
+        assertThat(ray(v(0, 0, 0), v(0, 0, 1), LeafKind.UPRIGHT_CYLINDER, cylinder))
+                .isZero();
+        assertThat(ray(v(0, .5, 0), v(0, 1, 0), LeafKind.SPHERE, cylinder)).isZero();
     }
 
     @Test
     void i4StartOnACorner() {
         double[] triangle = triangle(60, 0, 1206, 90, 0, 1206, 60, 30, 1230);
-        assertThat(ray(v(60, 0, 1206), v(1, 2, -3), Leaf.TRIANGLE, triangle)).isZero();
-        assertThat(ray(v(75, 0, 1206), v(0, -1, 0), Leaf.TRIANGLE, triangle)).isZero();
+        assertThat(ray(v(60, 0, 1206), v(1, 2, -3), LeafKind.TRIANGLE, triangle))
+                .isZero();
+        assertThat(ray(v(75, 0, 1206), v(0, -1, 0), LeafKind.TRIANGLE, triangle))
+                .isZero();
     }
 
     @Test
@@ -176,17 +184,17 @@ class SpatialRayHardCasesTest {
         box[14] = 0.6;
         // The stored columns are off 0.6 and 0.8 alike, so the corner's ray is not on the box: outside along it misses.
         double[] o = {0.6 * 1.000001, 0.25, -0.8 * 1.000001};
-        assertThat(ray(o, v(0.6, 0, -0.8), Leaf.UPRIGHT_BOX, box)).isEqualTo(MISS);
-        assertThat(ray(o, v(0.6, 0, -0.8), Leaf.BOX, box)).isEqualTo(MISS);
-        assertThat(ray(o, v(-0.6, 0, 0.8), Leaf.UPRIGHT_BOX, box)).isCloseTo(1e-6, within(1e-15));
+        assertThat(ray(o, v(0.6, 0, -0.8), LeafKind.UPRIGHT_BOX, box)).isEqualTo(MISS);
+        assertThat(ray(o, v(0.6, 0, -0.8), LeafKind.BOX, box)).isEqualTo(MISS);
+        assertThat(ray(o, v(-0.6, 0, 0.8), LeafKind.UPRIGHT_BOX, box)).isCloseTo(1e-6, within(1e-15));
     }
 
     @Test
     void n1ARayInsideABordersPlane() {
         double[] box = box(64, 0, 64, 32, 1, 32);
-        assertThat(ray(v(16, 0, 32), v(224, 0, 0), Leaf.UPRIGHT_BOX, box)).isEqualTo(16);
-        assertThat(ray(v(16, 0, 32), v(224, 0, -0.0), Leaf.BOX, box)).isEqualTo(16);
-        assertThat(ray(v(16, 0, Math.nextDown(32)), v(224, 0, 0), Leaf.BOX, box))
+        assertThat(ray(v(16, 0, 32), v(224, 0, 0), LeafKind.UPRIGHT_BOX, box)).isEqualTo(16);
+        assertThat(ray(v(16, 0, 32), v(224, 0, -0.0), LeafKind.BOX, box)).isEqualTo(16);
+        assertThat(ray(v(16, 0, Math.nextDown(32)), v(224, 0, 0), LeafKind.BOX, box))
                 .isEqualTo(MISS);
     }
 
@@ -194,16 +202,16 @@ class SpatialRayHardCasesTest {
     void n2APointOfABox() {
         double[] point = box(5.693442e-39, -5000, 5000, 0, 0, 0);
         double[] d = {.70710677, .70710677, 0};
-        assertThat(ray(v(-5000, -5000, 5000), d, Leaf.UPRIGHT_BOX, point)).isEqualTo(MISS);
-        assertThat(ray(v(-5000, -5000, 5000), v(1, 0, 0), Leaf.UPRIGHT_BOX, point))
+        assertThat(ray(v(-5000, -5000, 5000), d, LeafKind.UPRIGHT_BOX, point)).isEqualTo(MISS);
+        assertThat(ray(v(-5000, -5000, 5000), v(1, 0, 0), LeafKind.UPRIGHT_BOX, point))
                 .isEqualTo(5000);
     }
 
     @Test
     void n3N4RaysBesideBoxes() {
         double[] box = box(907.5, 318.5, 0, 7.5, 17.5, 1);
-        assertThat(ray(v(531, 301, 0), v(16, 0, 0), Leaf.UPRIGHT_BOX, box)).isEqualTo(900 - 531);
-        assertThat(ray(v(6, 0, 0), v(0, 1, 0), Leaf.UPRIGHT_BOX, box(22, 15, 0, 1, 1, 1)))
+        assertThat(ray(v(531, 301, 0), v(16, 0, 0), LeafKind.UPRIGHT_BOX, box)).isEqualTo(900 - 531);
+        assertThat(ray(v(6, 0, 0), v(0, 1, 0), LeafKind.UPRIGHT_BOX, box(22, 15, 0, 1, 1, 1)))
                 .isEqualTo(MISS);
     }
 
@@ -212,7 +220,7 @@ class SpatialRayHardCasesTest {
         double[] box = box(0, 0, 5, 1, 1, 1);
         for (double x : new double[] {0.0, -0.0}) {
             for (double y : new double[] {0.0, -0.0}) {
-                for (int kind : new int[] {Leaf.UPRIGHT_BOX, Leaf.BOX}) {
+                for (LeafKind kind : new LeafKind[] {LeafKind.UPRIGHT_BOX, LeafKind.BOX}) {
                     assertThat(ray(v(1, -1, 0), v(x, y, 1), kind, box)).isEqualTo(4);
                     assertThat(ray(v(x, y, 0), v(x, y, 1), kind, box)).isEqualTo(4);
                     assertThat(ray(v(1, -1, 0), v(x, y, -1), kind, box)).isEqualTo(MISS);
@@ -247,7 +255,7 @@ class SpatialRayHardCasesTest {
     private double nearest(double[] o, double[] d, List<double[]> mesh) {
         double nearest = MISS;
         for (double[] triangle : mesh) {
-            nearest = Math.min(nearest, ray(o, d, Leaf.TRIANGLE, triangle));
+            nearest = Math.min(nearest, ray(o, d, LeafKind.TRIANGLE, triangle));
         }
         return nearest;
     }
@@ -277,7 +285,7 @@ class SpatialRayHardCasesTest {
         return mesh;
     }
 
-    private double ray(double[] o, double[] d, int kind, double[] row) {
+    private double ray(double[] o, double[] d, LeafKind kind, double[] row) {
         return SpatialRay.distance(o[0], o[1], o[2], d[0], d[1], d[2], kind, row, 0, scratch);
     }
 

@@ -3,18 +3,18 @@ package robosim.geometry.narrow;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** How far a leaf reaches in a direction, in decimals of 60 digits. Shares no code with the kernels. */
 public final class SupportTwin {
-    private final int kind;
+    private final LeafKind kind;
     private final double[] row;
     private final List<BigDecimal[]> corners = new ArrayList<>();
 
-    public SupportTwin(int kind, double[] row) {
+    public SupportTwin(LeafKind kind, double[] row) {
         this.kind = kind;
         this.row = row;
-        if (kind == Leaf.PRISM) {
+        if (kind == LeafKind.PRISM) {
             octagon();
         }
     }
@@ -28,13 +28,13 @@ public final class SupportTwin {
     /** The greatest n . x. */
     BigDecimal reach(BigDecimal[] n) {
         switch (kind) {
-            case Leaf.TRIANGLE -> {
+            case TRIANGLE -> {
                 BigDecimal[] a = CylinderTwin.decimals(row[0], row[1], row[2]);
                 BigDecimal[] b = CylinderTwin.decimals(row[3], row[4], row[5]);
                 BigDecimal[] c = CylinderTwin.decimals(row[6], row[7], row[8]);
                 return CylinderTwin.dot(n, a).max(CylinderTwin.dot(n, b)).max(CylinderTwin.dot(n, c));
             }
-            case Leaf.PRISM -> {
+            case PRISM -> {
                 return corners.stream()
                         .map(p -> CylinderTwin.dot(n, p))
                         .max(BigDecimal::compareTo)
@@ -56,10 +56,10 @@ public final class SupportTwin {
 
     private BigDecimal fromCentre(BigDecimal[] n) {
         BigDecimal radius = new BigDecimal(row[3]);
-        if (kind == Leaf.SPHERE) {
+        if (kind == LeafKind.SPHERE) {
             return radius.multiply(CylinderTwin.root(CylinderTwin.dot(n, n)));
         }
-        if (kind == Leaf.UPRIGHT_BOX || kind == Leaf.BOX) {
+        if (kind == LeafKind.UPRIGHT_BOX || kind == LeafKind.BOX) {
             BigDecimal sum = BigDecimal.ZERO;
             for (int k = 0; k < 3; k++) {
                 BigDecimal[] own = CylinderTwin.decimals(row[6 + k], row[9 + k], row[12 + k]);
@@ -68,7 +68,7 @@ public final class SupportTwin {
             }
             return sum;
         }
-        BigDecimal[] axis = kind == Leaf.CYLINDER
+        BigDecimal[] axis = kind == LeafKind.CYLINDER
                 ? CylinderTwin.decimals(row[7], row[10], row[13])
                 : CylinderTwin.decimals(0, 1, 0);
         BigDecimal[] cross = CylinderTwin.cross(n, axis);

@@ -3,6 +3,7 @@ package robosim.geometry.narrow;
 import java.util.SplittableRandom;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** Rows for the tests: leaves of every kind, random and given. */
 public final class SweepRows {
@@ -61,7 +62,7 @@ public final class SweepRows {
     }
 
     /** A leaf of a kind, of sizes up to 1, its centre within {@code spread} of the origin. */
-    public static double[] random(int kind, double spread, SplittableRandom random) {
+    public static double[] random(LeafKind kind, double spread, SplittableRandom random) {
         double x = random.nextDouble(-spread, spread);
         double y = random.nextDouble(-spread, spread);
         double z = random.nextDouble(-spread, spread);
@@ -72,23 +73,23 @@ public final class SweepRows {
         double pitch = random.nextDouble(-180, 180);
         double more = random.nextDouble(-180, 180);
         return switch (kind) {
-            case Leaf.UPRIGHT_BOX -> uprightBox(x, y, z, p, q, r, yaw);
-            case Leaf.BOX -> box(x, y, z, p, q, r, yaw, pitch, more);
-            case Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE -> disc(x, y, z, p, kind == Leaf.SPHERE ? 0 : q);
-            case Leaf.CYLINDER -> cylinder(x, y, z, p, q, yaw, pitch, more);
-            case Leaf.TRIANGLE -> triangle(points(x, y, z, 3, random));
+            case UPRIGHT_BOX -> uprightBox(x, y, z, p, q, r, yaw);
+            case BOX -> box(x, y, z, p, q, r, yaw, pitch, more);
+            case UPRIGHT_CYLINDER, SPHERE -> disc(x, y, z, p, kind == LeafKind.SPHERE ? 0 : q);
+            case CYLINDER -> cylinder(x, y, z, p, q, yaw, pitch, more);
+            case TRIANGLE -> triangle(points(x, y, z, 3, random));
             default -> prism(points(x, y, z, 6, random));
         };
     }
 
     /** The same leaf with coordinates and sizes on a coarse grid and quarter turns: full of ties. */
-    public static double[] onGrid(int kind, int spread, SplittableRandom random) {
+    public static double[] onGrid(LeafKind kind, int spread, SplittableRandom random) {
         double[] row = new double[Leaf.STRIDE];
-        if (kind == Leaf.TRIANGLE) {
+        if (kind == LeafKind.TRIANGLE) {
             for (int k = 0; k < 9; k++) {
                 row[k] = random.nextInt(-spread, spread + 1);
             }
-        } else if (kind == Leaf.PRISM) {
+        } else if (kind == LeafKind.PRISM) {
             double[] points = new double[9];
             for (int k = 0; k < 9; k++) {
                 points[k] = random.nextInt(-spread, spread + 1);
@@ -98,14 +99,14 @@ public final class SweepRows {
                 row[k] = Math.rint(row[k]);
             }
         } else {
-            boolean round = kind == Leaf.UPRIGHT_CYLINDER || kind == Leaf.SPHERE;
+            boolean round = kind == LeafKind.UPRIGHT_CYLINDER || kind == LeafKind.SPHERE;
             fill(
                     row,
                     random.nextInt(-spread, spread + 1),
                     random.nextInt(-spread, spread + 1),
                     random.nextInt(-spread, spread + 1),
                     random.nextInt(0, 3),
-                    kind == Leaf.SPHERE ? 0 : random.nextInt(0, 3),
+                    kind == LeafKind.SPHERE ? 0 : random.nextInt(0, 3),
                     round ? 0 : random.nextInt(0, 3));
             if (!round) {
                 Rotations.yaw(90 * random.nextInt(4), 0, row, Leaf.ROTATION);

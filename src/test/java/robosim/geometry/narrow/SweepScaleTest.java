@@ -10,11 +10,10 @@ import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** Motions of things that are tiny, or very high up: what they meet does not depend on it. */
 class SweepScaleTest {
-    private static final int KINDS = 7;
-
     private final Scratch scratch = new Scratch();
     private final Sweep sweep = new Sweep(scratch);
 
@@ -26,8 +25,8 @@ class SweepScaleTest {
         int free = 0;
         for (int k = 0; k < 3000; k++) {
             int power = -random.nextInt(210, 1072);
-            int kindA = random.nextInt(KINDS);
-            int kindB = random.nextInt(KINDS);
+            LeafKind kindA = Leaves.KINDS[random.nextInt(Leaves.KINDS.length)];
+            LeafKind kindB = Leaves.KINDS[random.nextInt(Leaves.KINDS.length)];
             LeafColumn a = column(kindA, SweepRows.random(kindA, 2, random), power);
             LeafColumn b = column(kindB, SweepRows.random(kindB, 2, random), power);
             double[] by = {random.nextDouble(-3, 3), random.nextDouble(-3, 3), random.nextDouble(-3, 3)};
@@ -35,10 +34,10 @@ class SweepScaleTest {
                 by[m] = Math.scalb(by[m], power);
             }
             double degrees = k % 2 == 0 ? 0 : random.nextDouble(-400, 400);
-            boolean tilts = kindA != Leaf.PRISM && random.nextBoolean();
+            boolean tilts = kindA != LeafKind.PRISM && random.nextBoolean();
             double tiny = share(dimension, a, b, by, degrees, tilts, 0);
             double large = share(dimension, a, b, by, degrees, tilts, Math.min(1000, -power));
-            String what = "kinds %d and %d at 2^%d, turned by %s".formatted(kindA, kindB, power, degrees);
+            String what = "kinds %s and %s at 2^%d, turned by %s".formatted(kindA, kindB, power, degrees);
             if (large <= 1) {
                 assertThat(tiny).as(what).isCloseTo(large, within(1e-9));
                 met++;
@@ -58,16 +57,18 @@ class SweepScaleTest {
         int met = 0;
         int free = 0;
         for (int k = 0; k < 400; k++) {
-            int kind = random.nextInt(4);
-            double[] a = SweepRows.random(Leaf.CYLINDER, 1.5, random);
+            LeafKind kind = Leaves.KINDS[random.nextInt(4)];
+            double[] a = SweepRows.random(LeafKind.CYLINDER, 1.5, random);
             double[] b = SweepRows.random(kind, 1.5, random);
             double[] by = {random.nextDouble(-1, 1), 0, random.nextDouble(-1, 1)};
             double degrees = random.nextDouble(-200, 200);
-            double low = share(Dimension.PLANAR, column(4, a, 0), column(kind, b, 0), by, degrees, false, 0);
+            double low =
+                    share(Dimension.PLANAR, column(LeafKind.CYLINDER, a, 0), column(kind, b, 0), by, degrees, false, 0);
             a[1] = 0x1p60;
             b[1] = -0x1p60;
-            double high = share(Dimension.PLANAR, column(4, a, 0), column(kind, b, 0), by, degrees, false, 0);
-            assertThat(high).as("case %d, kind %d, by %s", k, kind, degrees).isEqualTo(low);
+            double high =
+                    share(Dimension.PLANAR, column(LeafKind.CYLINDER, a, 0), column(kind, b, 0), by, degrees, false, 0);
+            assertThat(high).as("case %d, kind %s, by %s", k, kind, degrees).isEqualTo(low);
             met += low <= 1 ? 1 : 0;
             free += low <= 1 ? 0 : 1;
         }
@@ -83,8 +84,8 @@ class SweepScaleTest {
         int free = 0;
         for (int k = 0; k < 3000; k++) {
             int power = -random.nextInt(210, 1072);
-            int kindA = random.nextInt(KINDS);
-            int kindB = random.nextInt(KINDS);
+            LeafKind kindA = Leaves.KINDS[random.nextInt(Leaves.KINDS.length)];
+            LeafKind kindB = Leaves.KINDS[random.nextInt(Leaves.KINDS.length)];
             LeafColumn a = column(kindA, SweepRows.random(kindA, 2, random), power);
             LeafColumn b = column(kindB, SweepRows.random(kindB, 2, random), power);
             double[] by = {random.nextDouble(-3, 3), 0, random.nextDouble(-3, 3)};
@@ -97,7 +98,7 @@ class SweepScaleTest {
             by[1] = 0.75;
             double high = share(Dimension.PLANAR, a, b, by, degrees, false, 0);
             assertThat(high)
-                    .as("case %d, kinds %d and %d at 2^%d, turned by %s", k, kindA, kindB, power, degrees)
+                    .as("case %d, kinds %s and %s at 2^%d, turned by %s", k, kindA, kindB, power, degrees)
                     .isEqualTo(low);
             met += low <= 1 ? 1 : 0;
             free += low <= 1 ? 0 : 1;
@@ -109,16 +110,16 @@ class SweepScaleTest {
     private static void lift(LeafColumn column) {
         double[] row = column.rows();
         switch (column.kind(0)) {
-            case Leaf.TRIANGLE -> {
+            case TRIANGLE -> {
                 row[1] += 0.5;
                 row[4] += 1.5;
                 row[7] += 0.25;
             }
-            case Leaf.PRISM -> {
+            case PRISM -> {
                 row[8] += 0.5;
                 row[9] += 1.5;
             }
-            case Leaf.UPRIGHT_BOX, Leaf.UPRIGHT_CYLINDER -> {
+            case UPRIGHT_BOX, UPRIGHT_CYLINDER -> {
                 row[1] += 0.5;
                 row[4] += 0.25;
             }
@@ -140,11 +141,11 @@ class SweepScaleTest {
         return sweep.free(column(a.kind(0), a.rows(), power), 0, column(b.kind(0), b.rows(), power), 0);
     }
 
-    private static LeafColumn column(int kind, double[] row, int power) {
+    private static LeafColumn column(LeafKind kind, double[] row, int power) {
         LeafColumn column = new LeafColumn(1);
         column.append(1);
         column.setKind(0, kind);
-        int lengths = kind == Leaf.TRIANGLE ? 9 : kind == Leaf.PRISM ? 10 : 6;
+        int lengths = kind == LeafKind.TRIANGLE ? 9 : kind == LeafKind.PRISM ? 10 : 6;
         for (int k = 0; k < Leaf.STRIDE; k++) {
             column.rows()[k] = k < lengths ? Math.scalb(row[k], power) : row[k];
         }

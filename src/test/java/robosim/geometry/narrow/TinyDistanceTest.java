@@ -51,7 +51,7 @@ class TinyDistanceTest {
                 for (int power : new int[] {-200, -440, -460, -500, -540, -600, -900}) {
                     double unit = Math.scalb(1.0, power);
                     assertThat(proximity(unit, a, b, dimension))
-                            .as("%s, kinds %d and %d at 2^%d", dimension, a, b, power)
+                            .as("%s, kinds %s and %s at 2^%d", dimension, a, b, power)
                             .isCloseTo(
                                     large * unit, within(dimension == Dimension.PLANAR ? 0 : 0x1p-43 * large * unit));
                 }

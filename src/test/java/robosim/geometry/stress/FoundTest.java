@@ -11,7 +11,7 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
 import robosim.geometry.narrow.ray.PlanarRay;
@@ -36,7 +36,7 @@ class FoundTest {
                 -0x1.e753e44686f26p-2,
                 0x1.6b4ac6a501e23p-3,
                 0x1.44e2982f04a19p-2,
-                Leaf.UPRIGHT_BOX,
+                LeafKind.UPRIGHT_BOX,
                 box,
                 0,
                 new Scratch());
@@ -66,7 +66,7 @@ class FoundTest {
             -0x1.cf599dded3e4p-5,
             0
         };
-        assertThat(PlanarOverlap.test(Leaf.SPHERE, disc, 0, Leaf.BOX, box, 0, new Scratch()))
+        assertThat(PlanarOverlap.test(LeafKind.SPHERE, disc, 0, LeafKind.BOX, box, 0, new Scratch()))
                 .isTrue();
     }
 
@@ -96,7 +96,7 @@ class FoundTest {
             -0x1.9893b03d5784ap-1,
             0
         };
-        assertThat(SpatialOverlap.test(Leaf.SPHERE, sphere, 0, Leaf.CYLINDER, cylinder, 0, new Scratch()))
+        assertThat(SpatialOverlap.test(LeafKind.SPHERE, sphere, 0, LeafKind.CYLINDER, cylinder, 0, new Scratch()))
                 .isFalse();
     }
 
@@ -129,8 +129,8 @@ class FoundTest {
     void aRayFromJustBelowADiscMisses() {
         double[] disc = new double[16];
         disc[3] = 3;
-        double distance =
-                SpatialRay.distance(1, -Double.MIN_VALUE, 1, 0, -3, 0, Leaf.UPRIGHT_CYLINDER, disc, 0, new Scratch());
+        double distance = SpatialRay.distance(
+                1, -Double.MIN_VALUE, 1, 0, -3, 0, LeafKind.UPRIGHT_CYLINDER, disc, 0, new Scratch());
         assertThat(distance).isInfinite();
     }
 
@@ -148,7 +148,7 @@ class FoundTest {
         point[2] = 1.25 * unit;
         double[] square = {0.5 * unit, 0.5 * unit, -1.5 * unit, 0, 0, 0.25 * unit, 0, 1, 0, 1, 0, 0, 0, 0, -1, 0};
         double time = SpatialSweep.translation(
-                Leaf.SPHERE, point, 0, 6 * unit, 6 * unit, -6 * unit, Leaf.BOX, square, 0, new Scratch());
+                LeafKind.SPHERE, point, 0, 6 * unit, 6 * unit, -6 * unit, LeafKind.BOX, square, 0, new Scratch());
         assertThat(time).isEqualTo(0.5);
     }
 
@@ -163,7 +163,7 @@ class FoundTest {
         disc[2] = -1.5 * unit;
         disc[3] = unit;
         double time = PlanarSweep.translation(
-                Leaf.TRIANGLE, side, 0, -3 * unit, 0, -2.5 * unit, Leaf.SPHERE, disc, 0, new Scratch());
+                LeafKind.TRIANGLE, side, 0, -3 * unit, 0, -2.5 * unit, LeafKind.SPHERE, disc, 0, new Scratch());
         assertThat(time).isBetween(0.5, 1.0);
     }
 
@@ -174,7 +174,7 @@ class FoundTest {
         double[] disc = new double[16];
         for (int k = 1; k < 16; k++) {
             disc[3] = k / 8.0;
-            assertThat(PlanarOverlap.test(Leaf.SPHERE, disc, 0, Leaf.TRIANGLE, side, 0, new Scratch()))
+            assertThat(PlanarOverlap.test(LeafKind.SPHERE, disc, 0, LeafKind.TRIANGLE, side, 0, new Scratch()))
                     .as("a disc of radius " + disc[3] + " under a side at 1")
                     .isEqualTo(disc[3] >= 1);
         }
@@ -206,7 +206,7 @@ class FoundTest {
                 824.8635245941497,
                 -0.6602940268799037,
                 -0.8042472147362743,
-                Leaf.TRIANGLE,
+                LeafKind.TRIANGLE,
                 triangle,
                 0,
                 new Scratch());
@@ -239,7 +239,7 @@ class FoundTest {
                 -1.5323813892229832,
                 -0.6341164213255079,
                 0.7732375858721114,
-                Leaf.BOX,
+                LeafKind.BOX,
                 box,
                 0,
                 new Scratch());
@@ -273,7 +273,7 @@ class FoundTest {
         disc[2] = -3.3086614204348531E17;
         for (double radius : new double[] {0, 1, 1e3, 1e5, 1e6, 1e9}) {
             disc[3] = radius;
-            assertThat(PlanarOverlap.test(Leaf.SPHERE, disc, 0, Leaf.BOX, box, 0, new Scratch()))
+            assertThat(PlanarOverlap.test(LeafKind.SPHERE, disc, 0, LeafKind.BOX, box, 0, new Scratch()))
                     .as("a disc of radius " + radius)
                     .isTrue();
         }

@@ -8,7 +8,7 @@ import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
 import robosim.geometry.reference.Truth.Form;
@@ -201,9 +201,9 @@ class LawsTest {
         ask(f -> f.name().startsWith("upright") && f instanceof OverlapFamily, (family, question, answer) -> {
             level.copyFrom(question);
             level.b[1] = level.a[1];
-            int kindA = OverlapFamily.kind(level.formA);
-            int kindB = OverlapFamily.kind(level.formB);
-            if (!Leaf.isUpright(kindA) || !Leaf.isUpright(kindB)) {
+            LeafKind kindA = OverlapFamily.kind(level.formA);
+            LeafKind kindB = OverlapFamily.kind(level.formB);
+            if (!kindA.isVerticalPrism() || !kindB.isVerticalPrism()) {
                 return;
             }
             assertThat(SpatialOverlap.test(kindA, level.a, 0, kindB, level.b, 0, scratch))

@@ -2,7 +2,7 @@ package robosim.geometry.stress;
 
 import java.util.SplittableRandom;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
 import robosim.geometry.reference.Quantity.Arithmetic;
@@ -36,14 +36,14 @@ final class OverlapFamily extends Family {
         this.parallel = parallel;
     }
 
-    static int kind(Form form) {
+    static LeafKind kind(Form form) {
         return switch (form) {
-            case UPRIGHT_BOX -> Leaf.UPRIGHT_BOX;
-            case BOX -> Leaf.BOX;
-            case TRIANGLE -> Leaf.TRIANGLE;
-            case SPHERE -> Leaf.SPHERE;
-            case UPRIGHT_CYLINDER -> Leaf.UPRIGHT_CYLINDER;
-            case CYLINDER -> Leaf.CYLINDER;
+            case UPRIGHT_BOX -> LeafKind.UPRIGHT_BOX;
+            case BOX -> LeafKind.BOX;
+            case TRIANGLE -> LeafKind.TRIANGLE;
+            case SPHERE -> LeafKind.SPHERE;
+            case UPRIGHT_CYLINDER -> LeafKind.UPRIGHT_CYLINDER;
+            case CYLINDER -> LeafKind.CYLINDER;
         };
     }
 

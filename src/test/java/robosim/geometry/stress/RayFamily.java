@@ -2,6 +2,7 @@ package robosim.geometry.stress;
 
 import java.util.SplittableRandom;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.ray.PlanarRay;
 import robosim.geometry.narrow.ray.SpatialRay;
 import robosim.geometry.reference.Quantity.Arithmetic;
@@ -29,7 +30,7 @@ final class RayFamily extends Family {
     @Override
     int product(Case c, Scratch s) {
         double[] r = c.ray;
-        int kind = OverlapFamily.kind(c.formB);
+        LeafKind kind = OverlapFamily.kind(c.formB);
         double distance = planar
                 ? PlanarRay.distance(r[0], r[2], r[3], r[5], kind, c.b, 0, s)
                 : SpatialRay.distance(r[0], r[1], r[2], r[3], r[4], r[5], kind, c.b, 0, s);

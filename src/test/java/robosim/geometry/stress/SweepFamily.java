@@ -2,6 +2,7 @@ package robosim.geometry.stress;
 
 import java.util.SplittableRandom;
 import robosim.geometry.narrow.Scratch;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
 import robosim.geometry.narrow.sweep.PlanarSweep;
@@ -28,8 +29,8 @@ final class SweepFamily extends Family {
 
     @Override
     int product(Case c, Scratch s) {
-        int kindA = OverlapFamily.kind(c.formA);
-        int kindB = OverlapFamily.kind(c.formB);
+        LeafKind kindA = OverlapFamily.kind(c.formA);
+        LeafKind kindB = OverlapFamily.kind(c.formB);
         double dx = c.ray[3];
         double dy = c.ray[4];
         double dz = c.ray[5];

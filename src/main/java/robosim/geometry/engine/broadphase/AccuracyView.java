@@ -200,7 +200,7 @@ public final class AccuracyView {
         tree.keep(id, box);
         longest = Math.max(longest, Distance.sides(box));
         leaves.outline(id, box[0], box[2], box[3], box[5]);
-        shapes[id] = placed.size() == 1 && Leaf.isDisc(leaves.kind(leaf)) ? DISC : 0;
+        shapes[id] = placed.size() == 1 && leaves.kind(leaf).isDisc() ? DISC : 0;
         if (object.isMoveable()) {
             shapes[id] = (byte) (shapes[id] | MOVER | shape(id, object));
             movers++;
@@ -309,7 +309,7 @@ public final class AccuracyView {
             } else {
                 leaves.bounds(first(id), box);
             }
-            shapes[id] = (byte) (Leaf.isDisc(leaves.kind(first(id))) ? shapes[id] | DISC : shapes[id] & ~DISC);
+            shapes[id] = (byte) (leaves.kind(first(id)).isDisc() ? shapes[id] | DISC : shapes[id] & ~DISC);
         }
         if (hasMoversInTree) {
             leaves.outline(id, box[0], box[2], box[3], box[5]);

@@ -9,7 +9,6 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.Standing;
-import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
 
 /**
@@ -268,7 +267,7 @@ public final class Motion {
 
     /** Whether one of the leaves is a mesh, and the object may touch the other at the start. */
     private boolean isOnMesh(AccuracyView of, int other, int i, int j) {
-        if (!Leaf.isMesh(leg.atStart.kind(i)) && !Leaf.isMesh(of.leaves().kind(j))) {
+        if (!leg.atStart.kind(i).isMesh() && !of.leaves().kind(j).isMesh()) {
             return false;
         }
         level.boundsOf(leg.atStart, 0, leg.atStart.size(), part);

@@ -14,7 +14,6 @@ import robosim.geometry.model.Pose;
 import robosim.geometry.narrow.Overlap;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.Sweep;
-import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.planar.DiscWay;
 
@@ -287,7 +286,7 @@ public final class TranslationFastPath {
         for (int j = others; j < othersEnd; j++) {
             for (int i = own; i < ownEnd; i++) {
                 // Who drives on a mesh may be stopped by its next triangle only where the contacts say so.
-                isUnsure = Leaf.isMesh(theirs.kind(j)) && Overlap.test(level.dimension, leaves, i, theirs, j, s);
+                isUnsure = theirs.kind(j).isMesh() && Overlap.test(level.dimension, leaves, i, theirs, j, s);
                 if (isUnsure || sweep.free(leaves, i, theirs, j) != Double.POSITIVE_INFINITY) {
                     return false;
                 }
@@ -298,7 +297,7 @@ public final class TranslationFastPath {
             for (int i = own; i < ownEnd; i++) {
                 if (Overlap.test(level.dimension, probe, i - own, theirs, j, s)) {
                     // Each face of a mesh is a piece of its own, any of which may be touched anew.
-                    isUnsure = Leaf.isMesh(theirs.kind(j));
+                    isUnsure = theirs.kind(j).isMesh();
                     if (isUnsure || !Overlap.test(level.dimension, leaves, i, theirs, j, s)) {
                         return false;
                     }

@@ -9,6 +9,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.TriangleMesh;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * The border of a world: a closed box about the origin that every leaf must stay inside of. Decided exactly for the
@@ -80,11 +81,11 @@ public final class WorldBounds {
     }
 
     private boolean holds(LeafColumn column, int leaf) {
-        int kind = column.kind(leaf);
+        LeafKind kind = column.kind(leaf);
         double[] row = column.rows();
         int at = leaf * Leaf.STRIDE;
         for (int axis = 0; axis < 3; axis += step()) {
-            if (Leaf.isMesh(kind)) {
+            if (kind.isMesh()) {
                 if (!holdsMesh(column.mesh(leaf), row, at, axis)) {
                     return false;
                 }
@@ -106,14 +107,14 @@ public final class WorldBounds {
         return true;
     }
 
-    private boolean holds(int kind, double[] row, int at, int axis, int sign) {
+    private boolean holds(LeafKind kind, double[] row, int at, int axis, int sign) {
         double reach = sign * row[at + axis] + extent(kind, row, at, axis);
-        double filter = kind == Leaf.CYLINDER ? CYLINDER_FILTER : FILTER;
+        double filter = kind == LeafKind.CYLINDER ? CYLINDER_FILTER : FILTER;
         double bound = filter * (Math.abs(row[at + axis]) + extent(kind, row, at, axis) + half[axis]);
         if (Math.abs(reach - half[axis]) > bound) {
             return reach < half[axis];
         }
-        if (kind != Leaf.CYLINDER && !Filter.isOff() && fits(kind, row, at, axis)) {
+        if (kind != LeafKind.CYLINDER && !Filter.isOff() && fits(kind, row, at, axis)) {
             SUMS.count();
             return roomAsSum(kind, row, at, axis, sign) >= 0;
         }
@@ -121,7 +122,7 @@ public final class WorldBounds {
     }
 
     /** Whether the products of a box's half sizes and axes lose nothing. */
-    private static boolean fits(int kind, double[] row, int at, int axis) {
+    private static boolean fits(LeafKind kind, double[] row, int at, int axis) {
         int r = at + Leaf.ROTATION + 3 * axis;
         for (int k = 0; k < 3 && !isRound(kind); k++) {
             if (!Expansion.fits(row[at + 3 + k], 2) || !Expansion.fits(row[r + k], 2)) {
@@ -131,12 +132,12 @@ public final class WorldBounds {
         return true;
     }
 
-    private static boolean isRound(int kind) {
-        return kind == Leaf.SPHERE || kind == Leaf.UPRIGHT_CYLINDER;
+    private static boolean isRound(LeafKind kind) {
+        return kind == LeafKind.SPHERE || kind == LeafKind.UPRIGHT_CYLINDER;
     }
 
     /** The sign of what is left between a leaf and the border; exact, as all its terms are added without rounding. */
-    private int roomAsSum(int kind, double[] row, int at, int axis, int sign) {
+    private int roomAsSum(LeafKind kind, double[] row, int at, int axis, int sign) {
         sum[0] = half[axis];
         int terms = Expansion.grow(sum, 1, -sign * row[at + axis]);
         if (isRound(kind)) {
@@ -155,12 +156,12 @@ public final class WorldBounds {
     }
 
     /** How far a leaf reaches from its centre along an axis of the world, to rounding. */
-    private static double extent(int kind, double[] row, int at, int axis) {
+    private static double extent(LeafKind kind, double[] row, int at, int axis) {
         int r = at + Leaf.ROTATION + 3 * axis;
         return switch (kind) {
-            case Leaf.SPHERE -> row[at + 3];
-            case Leaf.UPRIGHT_CYLINDER -> axis == 1 ? row[at + 4] : row[at + 3];
-            case Leaf.CYLINDER -> {
+            case SPHERE -> row[at + 3];
+            case UPRIGHT_CYLINDER -> axis == 1 ? row[at + 4] : row[at + 3];
+            case CYLINDER -> {
                 double along = row[r + 1];
                 double a = row[at + Leaf.ROTATION + 1 + 3 * ((axis + 1) % 3)];
                 double b = row[at + Leaf.ROTATION + 1 + 3 * ((axis + 2) % 3)];
@@ -174,15 +175,15 @@ public final class WorldBounds {
         };
     }
 
-    private boolean holdsExactly(int kind, double[] row, int at, int axis, int sign) {
+    private boolean holdsExactly(LeafKind kind, double[] row, int at, int axis, int sign) {
         EXACT.count();
         Dyadic room = Dyadic.difference(half[axis], sign * row[at + axis]);
         int r = at + Leaf.ROTATION + 3 * axis;
         switch (kind) {
-            case Leaf.SPHERE, Leaf.UPRIGHT_CYLINDER -> {
+            case SPHERE, UPRIGHT_CYLINDER -> {
                 return room.subtract(Dyadic.of(extent(kind, row, at, axis))).signum() >= 0;
             }
-            case Leaf.CYLINDER -> {
+            case CYLINDER -> {
                 Dyadic squared = Dyadic.ZERO;
                 for (int k = 0; k < 3; k++) {
                     double a = row[at + Leaf.ROTATION + 1 + 3 * k];
@@ -228,8 +229,8 @@ public final class WorldBounds {
     private static double reach(LeafColumn column, int leaf, int axis, int sign) {
         double[] row = column.rows();
         int at = leaf * Leaf.STRIDE;
-        int kind = column.kind(leaf);
-        if (!Leaf.isMesh(kind)) {
+        LeafKind kind = column.kind(leaf);
+        if (!kind.isMesh()) {
             return sign * row[at + axis] + extent(kind, row, at, axis);
         }
         TriangleMesh mesh = column.mesh(leaf);

@@ -6,6 +6,7 @@ import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.ray.ExactRay;
 import robosim.geometry.narrow.ray.RayTriangle;
 
@@ -59,35 +60,35 @@ final class ConeCorners {
     private final double[] lo = new double[96];
     private final boolean[] isAbsent = new boolean[8];
     private final double[] pair = new double[4];
-    private int kind;
+    private LeafKind kind;
 
     /** The largest coordinate or size. */
     double extent;
 
-    void set(Cone cone, int kind, double[] row, int j) {
+    void set(Cone cone, LeafKind kind, double[] row, int j) {
         this.kind = kind;
         switch (kind) {
-            case Leaf.TRIANGLE -> triangle(cone, row, j);
-            case Leaf.PRISM -> prism(cone, row, j);
+            case TRIANGLE -> triangle(cone, row, j);
+            case PRISM -> prism(cone, row, j);
             default -> box(cone, row, j);
         }
     }
 
     int[] edges() {
-        return kind == Leaf.TRIANGLE ? TRIANGLE_EDGES : kind == Leaf.PRISM ? PRISM_EDGES : BOX_EDGES;
+        return kind == LeafKind.TRIANGLE ? TRIANGLE_EDGES : kind == LeafKind.PRISM ? PRISM_EDGES : BOX_EDGES;
     }
 
     /** The edges of a leaf that was laid flat. */
     int[] flatEdges() {
-        return kind == Leaf.UPRIGHT_BOX ? FLAT_EDGES : edges();
+        return kind == LeafKind.UPRIGHT_BOX ? FLAT_EDGES : edges();
     }
 
     int[][] faces() {
-        return kind == Leaf.TRIANGLE ? TRIANGLE_FACES : kind == Leaf.PRISM ? PRISM_FACES : BOX_FACES;
+        return kind == LeafKind.TRIANGLE ? TRIANGLE_FACES : kind == LeafKind.PRISM ? PRISM_FACES : BOX_FACES;
     }
 
     boolean isThere(int corner) {
-        return kind != Leaf.PRISM || !isAbsent[corner / 4];
+        return kind != LeafKind.PRISM || !isAbsent[corner / 4];
     }
 
     /** A side of a prism goes with its edge; the top and the bottom are always there. */
@@ -213,11 +214,11 @@ final class ConeCorners {
     }
 
     /** A corner in exact numbers, in the ray's scale and not seen from its start. */
-    static ExactVector exact(ExactRay ray, int kind, double[] row, int j, int corner) {
-        if (kind == Leaf.TRIANGLE) {
+    static ExactVector exact(ExactRay ray, LeafKind kind, double[] row, int j, int corner) {
+        if (kind == LeafKind.TRIANGLE) {
             return ray.point(row, j + 3 * corner);
         }
-        if (kind == Leaf.PRISM) {
+        if (kind == LeafKind.PRISM) {
             return exactPrism(ray, row, j, corner);
         }
         ExactVector sum = ray.point(row, j);

@@ -8,6 +8,7 @@ import robosim.geometry.exact.ExactVector;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.Stages;
 import robosim.geometry.exact.VectorMath;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.ray.ExactRay;
 
 /**
@@ -49,7 +50,7 @@ final class ConePolytope {
     private double extent;
 
     /** The distance, where the axis itself meets the leaf at {@code axis} (+Infinity where it does not). */
-    double distance(Cone cone, double axis, int kind, double[] row, int j) {
+    double distance(Cone cone, double axis, LeafKind kind, double[] row, int j) {
         corners.set(cone, kind, row, j);
         double best = edges(cone, corners.edges(), axis, kind, row, j);
         if (best == Double.POSITIVE_INFINITY) {
@@ -64,12 +65,12 @@ final class ConePolytope {
     }
 
     /** The same for a leaf that lies flat in a plane through the apex and the axis: seen edge on, no face counts. */
-    double flat(Cone cone, double axis, int kind, double[] row, int j) {
+    double flat(Cone cone, double axis, LeafKind kind, double[] row, int j) {
         corners.set(cone, kind, row, j);
         return edges(cone, corners.flatEdges(), axis, kind, row, j);
     }
 
-    private double edges(Cone cone, int[] edges, double axis, int kind, double[] row, int j) {
+    private double edges(Cone cone, int[] edges, double axis, LeafKind kind, double[] row, int j) {
         extent = Math.max(corners.extent, VectorMath.largest(cone.ox, cone.oy, cone.oz));
         double best = axis;
         for (int i = 0; i < edges.length; i += 2) {
@@ -80,7 +81,7 @@ final class ConePolytope {
         return best;
     }
 
-    private double edge(Cone cone, int from, int to, int kind, double[] row, int j) {
+    private double edge(Cone cone, int from, int to, LeafKind kind, double[] row, int j) {
         double[] v = corners.hi;
         double px = v[3 * from];
         double py = v[3 * from + 1];
@@ -142,7 +143,7 @@ final class ConePolytope {
         return cone.depth(px + share * ex, py + share * ey, pz + share * ez);
     }
 
-    private boolean isExactlyMet(Cone cone, int from, int to, int kind, double[] row, int j) {
+    private boolean isExactlyMet(Cone cone, int from, int to, LeafKind kind, double[] row, int j) {
         EXACT.count();
         ExactRay ray = new ExactRay(cone.ox, cone.oy, cone.oz, cone.dx, cone.dy, cone.dz, extent);
         ExactVector p = ConeCorners.exact(ray, kind, row, j, from).minus(ray.start);
@@ -150,7 +151,7 @@ final class ConePolytope {
         return Cone.meets(p, q, ray.direction, Dyadic.of(cone.cos).square());
     }
 
-    private boolean isExactlyHeld(Cone cone, int corner, int kind, double[] row, int j) {
+    private boolean isExactlyHeld(Cone cone, int corner, LeafKind kind, double[] row, int j) {
         EXACT.count();
         ExactRay ray = new ExactRay(cone.ox, cone.oy, cone.oz, cone.dx, cone.dy, cone.dz, extent);
         ExactVector p = ConeCorners.exact(ray, kind, row, j, corner).minus(ray.start);

@@ -2,6 +2,7 @@ package robosim.geometry.narrow.cone;
 
 import robosim.geometry.exact.Filter;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.planar.DiscDisc;
 import robosim.geometry.narrow.planar.PlanarBracket;
 import robosim.geometry.narrow.planar.PlanarShape;
@@ -45,7 +46,7 @@ public final class PlanarCone {
             double uz,
             double halfCos,
             double halfSin,
-            int kind,
+            LeafKind kind,
             double[] b,
             int j,
             ConeScratch s) {
@@ -60,7 +61,7 @@ public final class PlanarCone {
         }
         double within = within(ox, oz, ux, uz, halfCos, halfSin, kind, b, j, s);
         // Silence of the exact shapes is the axis's too; of a turned cylinder either is certified in its own way.
-        boolean isCertain = within == 0 || (within == Double.POSITIVE_INFINITY && kind != Leaf.CYLINDER);
+        boolean isCertain = within == 0 || (within == Double.POSITIVE_INFINITY && kind != LeafKind.CYLINDER);
         return isCertain ? within : Math.min(within, PlanarRay.scaled(ox, oz, ux, uz, kind, b, j, s));
     }
 
@@ -71,15 +72,15 @@ public final class PlanarCone {
             double uz,
             double halfCos,
             double halfSin,
-            int kind,
+            LeafKind kind,
             double[] b,
             int j,
             ConeScratch s) {
         PlanarSector sector = s.sector;
         sector.set(ux, uz, halfCos, halfSin);
         return switch (kind) {
-            case Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE -> disc(sector, ox, oz, ux, uz, halfCos, b, j, s);
-            case Leaf.CYLINDER -> oval(ox, oz, ux, uz, halfCos, b, j, s);
+            case UPRIGHT_CYLINDER, SPHERE -> disc(sector, ox, oz, ux, uz, halfCos, b, j, s);
+            case CYLINDER -> oval(ox, oz, ux, uz, halfCos, b, j, s);
             default -> polygon(sector, ox, oz, ux, uz, halfCos, kind, b, j, s);
         };
     }
@@ -103,7 +104,7 @@ public final class PlanarCone {
         if (sector.isSurelyBeyond(mx, mz, r)) {
             return Double.POSITIVE_INFINITY;
         }
-        flatten(Leaf.SPHERE, b, j, s.flat);
+        flatten(LeafKind.SPHERE, b, j, s.flat);
         s.cones().cone.set(ox, 0, oz, ux, 0, uz, halfCos);
         return ConeSphere.distance(s.cones().cone, s.flat, 0);
     }
@@ -115,7 +116,7 @@ public final class PlanarCone {
             double ux,
             double uz,
             double halfCos,
-            int kind,
+            LeafKind kind,
             double[] b,
             int j,
             ConeScratch s) {
@@ -146,15 +147,15 @@ public final class PlanarCone {
     }
 
     /** The projection as a leaf of no height in the plane y = 0. */
-    private static void flatten(int kind, double[] b, int j, double[] out) {
+    private static void flatten(LeafKind kind, double[] b, int j, double[] out) {
         System.arraycopy(b, j, out, 0, Leaf.STRIDE);
         switch (kind) {
-            case Leaf.TRIANGLE -> {
+            case TRIANGLE -> {
                 out[1] = 0;
                 out[4] = 0;
                 out[7] = 0;
             }
-            case Leaf.PRISM -> {
+            case PRISM -> {
                 out[8] = 0;
                 out[9] = 0;
             }
@@ -206,7 +207,7 @@ public final class PlanarCone {
         PlanarShape apex = s.planarA;
         PlanarShape q = s.planarB;
         apex.point();
-        q.set(Leaf.CYLINDER, b, j, ox, oz);
+        q.set(LeafKind.CYLINDER, b, j, ox, oz);
         PlanarBracket bracket = s.planarBracket;
         bracket.find(apex, q, false);
         if (!bracket.isApart()) {

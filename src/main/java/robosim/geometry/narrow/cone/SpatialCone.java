@@ -2,6 +2,7 @@ package robosim.geometry.narrow.cone;
 
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.ray.SpatialRay;
 
 /**
@@ -32,12 +33,12 @@ public final class SpatialCone {
             double uz,
             double halfCos,
             double halfSin,
-            int kind,
+            LeafKind kind,
             double[] row,
             int j,
             ConeScratch s) {
-        boolean isBox = kind == Leaf.UPRIGHT_BOX || kind == Leaf.BOX;
-        boolean isCylinder = kind == Leaf.UPRIGHT_CYLINDER || kind == Leaf.CYLINDER;
+        boolean isBox = kind == LeafKind.UPRIGHT_BOX || kind == LeafKind.BOX;
+        boolean isCylinder = kind == LeafKind.UPRIGHT_CYLINDER || kind == LeafKind.CYLINDER;
         if ((isBox || isCylinder) && isSurelyBeyond(ox, oy, oz, ux, uy, uz, halfCos, kind, row, j)) {
             return Double.POSITIVE_INFINITY;
         }
@@ -57,11 +58,10 @@ public final class SpatialCone {
                 SpatialRay.scale(uz, power),
                 halfCos);
         double nearest = switch (kind) {
-            case Leaf.UPRIGHT_BOX, Leaf.BOX, Leaf.TRIANGLE, Leaf.PRISM ->
-                s.cones().polytope.distance(cone, axis, kind, row, j);
-            case Leaf.SPHERE -> ConeSphere.distance(cone, row, j);
-            case Leaf.UPRIGHT_CYLINDER -> s.cones().cylinder.distance(cone, row, j, 0, 1, 0);
-            case Leaf.CYLINDER -> s.cones().cylinder.distance(cone, row, j, row[j + 7], row[j + 10], row[j + 13]);
+            case UPRIGHT_BOX, BOX, TRIANGLE, PRISM -> s.cones().polytope.distance(cone, axis, kind, row, j);
+            case SPHERE -> ConeSphere.distance(cone, row, j);
+            case UPRIGHT_CYLINDER -> s.cones().cylinder.distance(cone, row, j, 0, 1, 0);
+            case CYLINDER -> s.cones().cylinder.distance(cone, row, j, row[j + 7], row[j + 10], row[j + 13]);
             default -> throw new IllegalArgumentException("kind must be one of Leaf's (got: " + kind + ")");
         };
         return Math.min(axis, nearest);
@@ -90,7 +90,7 @@ public final class SpatialCone {
             double dy,
             double dz,
             double cos,
-            int kind,
+            LeafKind kind,
             double[] row,
             int j) {
         double mx = row[j] - ox;
@@ -123,13 +123,13 @@ public final class SpatialCone {
     }
 
     /** How far a box or a cylinder reaches from its centre along a unit vector. */
-    private static double reach(double nx, double ny, double nz, int kind, double[] row, int j) {
-        if (kind == Leaf.UPRIGHT_CYLINDER) {
+    private static double reach(double nx, double ny, double nz, LeafKind kind, double[] row, int j) {
+        if (kind == LeafKind.UPRIGHT_CYLINDER) {
             return row[j + 3] * Math.sqrt(nx * nx + nz * nz) + row[j + 4] * Math.abs(ny);
         }
         int r = j + Leaf.ROTATION;
         double along = Math.abs(nx * row[r + 1] + ny * row[r + 4] + nz * row[r + 7]);
-        if (kind == Leaf.CYLINDER) {
+        if (kind == LeafKind.CYLINDER) {
             // The axis is of length 1 to 2^-30: of the square of the sine, so much is added.
             double across = Math.sqrt(Math.max(0, (1 - along) * (1 + along)) + 0x1p-29);
             return row[j + 3] * across + row[j + 4] * along;

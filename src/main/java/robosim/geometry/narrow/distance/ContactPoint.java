@@ -4,6 +4,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.leaf.BoxGap;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.sat.ExactCommon;
 import robosim.geometry.narrow.sat.ExactPolytope;
 
@@ -25,10 +26,10 @@ public final class ContactPoint {
      */
     public static void of(
             Dimension dimension,
-            int kindA,
+            LeafKind kindA,
             double[] a,
             int i,
-            int kindB,
+            LeafKind kindB,
             double[] b,
             int j,
             double[] out,
@@ -59,7 +60,15 @@ public final class ContactPoint {
 
     /** Bounds the point's distances and answers how much of that is rounding, whatever the point. */
     private static double bound(
-            boolean flat, int kindA, double[] a, int i, int kindB, double[] b, int j, double[] out, DistanceScratch s) {
+            boolean flat,
+            LeafKind kindA,
+            double[] a,
+            int i,
+            LeafKind kindB,
+            double[] b,
+            int j,
+            double[] out,
+            DistanceScratch s) {
         for (int axis = 0; axis < 3; axis++) {
             out[axis] = Math.max(-MOST, Math.min(MOST, out[axis]));
         }
@@ -71,15 +80,15 @@ public final class ContactPoint {
     }
 
     /** How far the point at the beginning of an array is from a leaf at most. */
-    private static double off(boolean flat, int kind, double[] row, int at, double[] point, DistanceScratch s) {
+    private static double off(boolean flat, LeafKind kind, double[] row, int at, double[] point, DistanceScratch s) {
         double[] sphere = s.witness;
         System.arraycopy(point, 0, sphere, 0, 3);
         sphere[Leaf.SIZE] = 0;
         Gjk gjk = s.gjk;
         if (flat) {
-            gjk.planar(Leaf.SPHERE, sphere, 0, kind, row, at);
+            gjk.planar(LeafKind.SPHERE, sphere, 0, kind, row, at);
         } else {
-            gjk.spatial(Leaf.SPHERE, sphere, 0, kind, row, at);
+            gjk.spatial(LeafKind.SPHERE, sphere, 0, kind, row, at);
         }
         return BoxGap.up(gjk.upper() + gjk.error());
     }

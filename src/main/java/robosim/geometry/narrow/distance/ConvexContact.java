@@ -1,6 +1,7 @@
 package robosim.geometry.narrow.distance;
 
 import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.UnderflowScaling;
 
 /** Where two convex leaves touch or are nearest. */
@@ -14,10 +15,10 @@ public final class ConvexContact {
      */
     public static void between(
             Dimension dimension,
-            int kindA,
+            LeafKind kindA,
             double[] a,
             int i,
-            int kindB,
+            LeafKind kindB,
             double[] b,
             int j,
             double[] out,
@@ -35,10 +36,10 @@ public final class ConvexContact {
 
     private static void storedContact(
             Dimension dimension,
-            int kindA,
+            LeafKind kindA,
             double[] a,
             int i,
-            int kindB,
+            LeafKind kindB,
             double[] b,
             int j,
             double[] out,

@@ -2,6 +2,7 @@ package robosim.geometry.narrow.distance;
 
 import robosim.geometry.exact.Radians;
 import robosim.geometry.narrow.leaf.LeafBounds;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.Order;
 import robosim.geometry.narrow.planar.PlanarBracket;
 import robosim.geometry.narrow.planar.PlanarShape;
@@ -24,7 +25,7 @@ public final class PlanarContact {
      * <p>A witness in plain doubles, for two that touch or nearly do; it decides nothing.
      */
     public static void between(
-            int kindA, double[] a, int i, int kindB, double[] b, int j, double[] out, DistanceScratch s) {
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double[] out, DistanceScratch s) {
         boolean reversed = Order.isReversed(kindA, a, i, kindB, b, j);
         if (reversed) {
             ordered(kindB, b, j, kindA, a, i, out, s);
@@ -38,7 +39,7 @@ public final class PlanarContact {
     }
 
     private static void ordered(
-            int kindA, double[] a, int i, int kindB, double[] b, int j, double[] out, DistanceScratch s) {
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double[] out, DistanceScratch s) {
         PlanarShape p = s.planarA;
         PlanarShape q = s.planarB;
         double ox = PlanarShape.originX(kindA, a, i);
@@ -191,7 +192,8 @@ public final class PlanarContact {
         return side * end;
     }
 
-    private static double height(int kindA, double[] a, int i, int kindB, double[] b, int j, DistanceScratch s) {
+    private static double height(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, DistanceScratch s) {
         double[] bounds = s.planarBounds;
         LeafBounds.of(kindA, a, i, bounds);
         double least = bounds[1];

@@ -1,6 +1,6 @@
 package robosim.geometry.narrow.distance;
 
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.Order;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.planar.DiscDisc;
@@ -18,14 +18,16 @@ public final class PlanarDistance {
      *
      * <p>For a turned cylinder the lower end of a bracket, no more than 2^-45 of the sizes and the offset below the truth.
      */
-    public static double between(int kindA, double[] a, int i, int kindB, double[] b, int j, DistanceScratch s) {
+    public static double between(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, DistanceScratch s) {
         if (Order.isReversed(kindA, a, i, kindB, b, j)) {
             return ordered(kindB, b, j, kindA, a, i, s);
         }
         return ordered(kindA, a, i, kindB, b, j, s);
     }
 
-    private static double ordered(int kindA, double[] a, int i, int kindB, double[] b, int j, DistanceScratch s) {
+    private static double ordered(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, DistanceScratch s) {
         int familyA = PlanarShape.family(kindA);
         int familyB = PlanarShape.family(kindB);
         if (familyA == PlanarShape.OVAL || familyB == PlanarShape.OVAL) {
@@ -46,8 +48,8 @@ public final class PlanarDistance {
                 : PolygonPolygon.distance(kindA, a, i, kindB, b, j, s);
     }
 
-    private static double discPolygon(double[] disc, int i, int kind, double[] b, int j, DistanceScratch s) {
-        return kind == Leaf.UPRIGHT_BOX && DiscRectangle.isSquare(b, j)
+    private static double discPolygon(double[] disc, int i, LeafKind kind, double[] b, int j, DistanceScratch s) {
+        return kind == LeafKind.UPRIGHT_BOX && DiscRectangle.isSquare(b, j)
                 ? DiscRectangle.distance(disc[i], disc[i + 2], disc[i + 3], b, j, s)
                 : DiscPolygon.distance(disc[i], disc[i + 2], disc[i + 3], kind, b, j, s);
     }

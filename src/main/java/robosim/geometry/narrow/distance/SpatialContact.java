@@ -2,6 +2,7 @@ package robosim.geometry.narrow.distance;
 
 import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.gjk.Penetration;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** Where and against which direction two leaves touch in space. */
 public final class SpatialContact {
@@ -15,7 +16,7 @@ public final class SpatialContact {
      * <p>A witness in plain doubles, for two that touch or nearly do; it decides nothing. Opposite for (b, a).
      */
     public static void between(
-            int kindA, double[] a, int i, int kindB, double[] b, int j, double[] out, DistanceScratch s) {
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double[] out, DistanceScratch s) {
         Penetration penetration = s.penetration();
         penetration.spatial(kindA, a, i, kindB, b, j);
         Gjk gjk = penetration.bracket();

@@ -3,7 +3,7 @@ package robosim.geometry.narrow.distance;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.gjk.Gjk;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.Order;
 import robosim.geometry.narrow.leaf.Upright;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
@@ -22,16 +22,17 @@ public final class SpatialDistance {
      * leaf: the lower end of a bracket, no more than 2^-44 of the distance and 2^-46 of the sizes and the offset below the
      * truth, never above it.
      */
-    public static double between(int kindA, double[] a, int i, int kindB, double[] b, int j, DistanceScratch s) {
-        if (Leaf.isUpright(kindA) && Leaf.isUpright(kindB)) {
+    public static double between(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, DistanceScratch s) {
+        if (kindA.isVerticalPrism() && kindB.isVerticalPrism()) {
             double planar = PlanarDistance.between(kindA, a, i, kindB, b, j, s);
             double vertical = gap(kindA, a, i, kindB, b, j);
             return vertical == 0 ? planar : planar == 0 ? vertical : VectorMath.legs(planar, vertical);
         }
-        if (kindA == Leaf.SPHERE && SphereDistance.isFor(kindB, a, i, b, j)) {
+        if (kindA == LeafKind.SPHERE && SphereDistance.isFor(kindB, a, i, b, j)) {
             return s.sphereDistance.between(a, i, kindB, b, j);
         }
-        if (kindB == Leaf.SPHERE && SphereDistance.isFor(kindA, b, j, a, i)) {
+        if (kindB == LeafKind.SPHERE && SphereDistance.isFor(kindA, b, j, a, i)) {
             return s.sphereDistance.between(b, j, kindA, a, i);
         }
         return Order.isReversed(kindA, a, i, kindB, b, j)
@@ -39,7 +40,8 @@ public final class SpatialDistance {
                 : bracketed(kindA, a, i, kindB, b, j, s);
     }
 
-    private static double bracketed(int kindA, double[] a, int i, int kindB, double[] b, int j, DistanceScratch s) {
+    private static double bracketed(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, DistanceScratch s) {
         Gjk gjk = s.gjk;
         double lower = gjk.spatial(kindA, a, i, kindB, b, j);
         if (lower == 0 && SpatialOverlap.test(kindA, a, i, kindB, b, j, s)) {
@@ -54,12 +56,12 @@ public final class SpatialDistance {
         return isRound(kindA) || isRound(kindB) ? lower : Math.max(0, gjk.reach());
     }
 
-    private static boolean isRound(int kind) {
-        return kind == Leaf.UPRIGHT_CYLINDER || kind == Leaf.CYLINDER;
+    private static boolean isRound(LeafKind kind) {
+        return kind == LeafKind.UPRIGHT_CYLINDER || kind == LeafKind.CYLINDER;
     }
 
     /** The gap between the heights of two upright leaves, to a rounding; 0 where they touch. */
-    private static double gap(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    private static double gap(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         if (Upright.heightsTouch(kindA, a, i, kindB, b, j)) {
             return 0;
         }
@@ -67,11 +69,11 @@ public final class SpatialDistance {
     }
 
     /** How far the least height of a lies above the greatest of b. */
-    private static double above(int kindA, double[] a, int i, int kindB, double[] b, int j) {
-        double base = kindA == Leaf.PRISM ? a[i + 8] : a[i + 1];
-        double down = kindA == Leaf.PRISM ? 0 : a[i + 4];
-        double top = kindB == Leaf.PRISM ? b[j + 9] : b[j + 1];
-        double up = kindB == Leaf.PRISM ? 0 : b[j + 4];
+    private static double above(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
+        double base = kindA == LeafKind.PRISM ? a[i + 8] : a[i + 1];
+        double down = kindA == LeafKind.PRISM ? 0 : a[i + 4];
+        double top = kindB == LeafKind.PRISM ? b[j + 9] : b[j + 1];
+        double up = kindB == LeafKind.PRISM ? 0 : b[j + 4];
         double between = base - top;
         double sizes = down + up;
         double lost = DoubleDouble.sumTail(base, -top, between) - DoubleDouble.sumTail(down, up, sizes);

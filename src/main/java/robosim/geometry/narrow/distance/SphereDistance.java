@@ -3,6 +3,7 @@ package robosim.geometry.narrow.distance;
 import robosim.geometry.exact.DoubleDoubles;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * The least distance from a sphere to another sphere, a cylinder, a box or a triangle in closed form, in pairs of doubles:
@@ -41,20 +42,20 @@ final class SphereDistance {
     private double doubt;
 
     /** Whether the kernel is for this leaf, and large enough for it. */
-    static boolean isFor(int kind, double[] sphere, int i, double[] row, int j) {
-        return kind != Leaf.PRISM && size(kind, sphere, i, row, j) > SMALL;
+    static boolean isFor(LeafKind kind, double[] sphere, int i, double[] row, int j) {
+        return kind != LeafKind.PRISM && size(kind, sphere, i, row, j) > SMALL;
     }
 
-    private static double size(int kind, double[] sphere, int i, double[] row, int j) {
+    private static double size(LeafKind kind, double[] sphere, int i, double[] row, int j) {
         double size = VectorMath.largest(row[j] - sphere[i], row[j + 1] - sphere[i + 1], row[j + 2] - sphere[i + 2]);
-        if (kind == Leaf.TRIANGLE) {
+        if (kind == LeafKind.TRIANGLE) {
             for (int k = j + 3; k < j + 9; k += 3) {
                 size = Math.max(
                         size,
                         VectorMath.largest(row[k] - sphere[i], row[k + 1] - sphere[i + 1], row[k + 2] - sphere[i + 2]));
             }
         } else {
-            int sizes = kind == Leaf.SPHERE ? 1 : kind == Leaf.BOX || kind == Leaf.UPRIGHT_BOX ? 3 : 2;
+            int sizes = kind == LeafKind.SPHERE ? 1 : kind == LeafKind.BOX || kind == LeafKind.UPRIGHT_BOX ? 3 : 2;
             for (int k = 0; k < sizes; k++) {
                 size += row[j + Leaf.SIZE + k];
             }
@@ -66,20 +67,20 @@ final class SphereDistance {
      * At most 4 ulp of the distance, or 2^-60 of the sizes and the offset, below the truth, never above it, and 0 in
      * contact; for a triangle whose edges span a sine below 2^-30 at most 2^-44 of them below.
      */
-    double between(double[] sphere, int i, int kind, double[] row, int j) {
+    double between(double[] sphere, int i, LeafKind kind, double[] row, int j) {
         extent = size(kind, sphere, i, row, j);
         doubt = PAIRS_ERROR * extent;
         for (int k = 0; k < 3; k++) {
             p.difference(AWAY + k, sphere[i + k], row[j + k]);
         }
         switch (kind) {
-            case Leaf.SPHERE -> centre();
-            case Leaf.UPRIGHT_CYLINDER -> cylinder(row, j, 0, 1, 0);
-            case Leaf.CYLINDER -> cylinder(row, j, row[j + 7], row[j + 10], row[j + 13]);
-            case Leaf.TRIANGLE -> triangle(row, j);
+            case SPHERE -> centre();
+            case UPRIGHT_CYLINDER -> cylinder(row, j, 0, 1, 0);
+            case CYLINDER -> cylinder(row, j, row[j + 7], row[j + 10], row[j + 13]);
+            case TRIANGLE -> triangle(row, j);
             default -> box(row, j);
         }
-        p.difference(TEMPORARY, sphere[i + Leaf.SIZE], kind == Leaf.SPHERE ? -row[j + Leaf.SIZE] : 0);
+        p.difference(TEMPORARY, sphere[i + Leaf.SIZE], kind == LeafKind.SPHERE ? -row[j + Leaf.SIZE] : 0);
         p.subtract(LEAST, LEAST, TEMPORARY);
         double distance = p.get(LEAST) - doubt;
         return Math.max(0, Math.nextDown(Math.nextDown(distance)));

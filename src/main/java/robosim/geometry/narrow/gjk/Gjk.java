@@ -1,6 +1,7 @@
 package robosim.geometry.narrow.gjk;
 
 import robosim.geometry.exact.VectorMath;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.Order;
 
 /**
@@ -89,16 +90,16 @@ public final class Gjk {
     private boolean reversed;
 
     /** Asks in space; answers the lower end of the bracket, at least 0. */
-    public double spatial(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    public double spatial(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         return ask(kindA, a, i, kindB, b, j, false);
     }
 
     /** Asks about the projections on XZ; answers the lower end of the bracket, at least 0. All y are 0. */
-    public double planar(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    public double planar(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         return ask(kindA, a, i, kindB, b, j, true);
     }
 
-    private double ask(int kindA, double[] a, int i, int kindB, double[] b, int j, boolean flat) {
+    private double ask(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, boolean flat) {
         reversed = Order.isReversed(kindA, a, i, kindB, b, j);
         if (reversed) {
             solve(kindB, b, j, kindA, a, i, flat);
@@ -216,7 +217,7 @@ public final class Gjk {
         return steps;
     }
 
-    private void solve(int kindA, double[] a, int i, int kindB, double[] b, int j, boolean flat) {
+    private void solve(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, boolean flat) {
         ox = Support.originX(kindA, a, i);
         oy = flat ? 0 : Support.originY(kindA, a, i);
         oz = Support.originZ(kindA, a, i);
@@ -234,7 +235,8 @@ public final class Gjk {
         finish();
     }
 
-    private void load(int kindA, double[] a, int i, int kindB, double[] b, int j, double scale, boolean flat) {
+    private void load(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double scale, boolean flat) {
         if (flat) {
             first.planar(kindA, a, i, ox, oz, scale);
             second.planar(kindB, b, j, ox, oz, scale);

@@ -1,5 +1,7 @@
 package robosim.geometry.narrow.gjk;
 
+import robosim.geometry.narrow.leaf.LeafKind;
+
 /**
  * Whether the hull of some leaves certainly overlaps that of others by more than rounding, so that no plane is between them.
  *
@@ -39,7 +41,7 @@ public final class HullOverlap {
     }
 
     /** Takes in one of up to four leaves on the one side; there must be one before any of the other. */
-    public void above(int kind, double[] row, int at) {
+    public void above(LeafKind kind, double[] row, int at) {
         if (above == 0) {
             ox = Support.originX(kind, row, at);
             oy = Support.originY(kind, row, at);
@@ -51,13 +53,13 @@ public final class HullOverlap {
     }
 
     /** Takes in one of up to two leaves on the other side. */
-    public void below(int kind, double[] row, int at) {
+    public void below(LeafKind kind, double[] row, int at) {
         Support support = lower[below++];
         load(support, kind, row, at);
         extentBelow = Math.max(extentBelow, support.extent);
     }
 
-    private void load(Support support, int kind, double[] row, int at) {
+    private void load(Support support, LeafKind kind, double[] row, int at) {
         if (isFlat) {
             support.planar(kind, row, at, ox, oz, 1);
         } else {

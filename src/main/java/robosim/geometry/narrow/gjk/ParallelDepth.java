@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.gjk;
 
 import robosim.geometry.exact.VectorMath;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** How deep two cylinders are in each other whose axes are parallel, or nearly so: all ways across an axis may tie there. */
 final class ParallelDepth {
@@ -13,18 +13,18 @@ final class ParallelDepth {
      * <p>Of parallel ones the difference set is a cylinder itself, of both radii and both heights. Turning the second about
      * its centre by an angle t until it is parallel moves none of its points by more than t (r + h).
      */
-    static double atLeast(int kindA, double[] a, int i, int kindB, double[] b, int j) {
-        boolean cylinders = (kindA == Leaf.CYLINDER || kindA == Leaf.UPRIGHT_CYLINDER)
-                && (kindB == Leaf.CYLINDER || kindB == Leaf.UPRIGHT_CYLINDER);
+    static double atLeast(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
+        boolean cylinders = (kindA == LeafKind.CYLINDER || kindA == LeafKind.UPRIGHT_CYLINDER)
+                && (kindB == LeafKind.CYLINDER || kindB == LeafKind.UPRIGHT_CYLINDER);
         if (!cylinders) {
             return 0;
         }
-        double ax = kindA == Leaf.CYLINDER ? a[i + 7] : 0;
-        double ay = kindA == Leaf.CYLINDER ? a[i + 10] : 1;
-        double az = kindA == Leaf.CYLINDER ? a[i + 13] : 0;
-        double bx = kindB == Leaf.CYLINDER ? b[j + 7] : 0;
-        double by = kindB == Leaf.CYLINDER ? b[j + 10] : 1;
-        double bz = kindB == Leaf.CYLINDER ? b[j + 13] : 0;
+        double ax = kindA == LeafKind.CYLINDER ? a[i + 7] : 0;
+        double ay = kindA == LeafKind.CYLINDER ? a[i + 10] : 1;
+        double az = kindA == LeafKind.CYLINDER ? a[i + 13] : 0;
+        double bx = kindB == LeafKind.CYLINDER ? b[j + 7] : 0;
+        double by = kindB == LeafKind.CYLINDER ? b[j + 10] : 1;
+        double bz = kindB == LeafKind.CYLINDER ? b[j + 13] : 0;
         double lengthA = VectorMath.length(ax, ay, az);
         double lengthB = VectorMath.length(bx, by, bz);
         double sine = VectorMath.length(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx) / (lengthA * lengthB);

@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.gjk;
 
 import robosim.geometry.narrow.leaf.Facets;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.Order;
 
 /**
@@ -47,13 +47,13 @@ public final class Penetration {
     private double proven;
 
     /** Depth in space; negative, the distance, where the two are apart. */
-    public double spatial(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    public double spatial(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         flat = false;
         return ordered(kindA, a, i, kindB, b, j);
     }
 
     /** Depth of the projections on XZ; negative, the distance, where the two are apart. All directions have y = 0. */
-    public double planar(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    public double planar(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         flat = true;
         return ordered(kindA, a, i, kindB, b, j);
     }
@@ -86,7 +86,7 @@ public final class Penetration {
         return directions.z(k);
     }
 
-    private double ordered(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    private double ordered(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         if (!Order.isReversed(kindA, a, i, kindB, b, j)) {
             return solve(kindA, a, i, kindB, b, j);
         }
@@ -95,7 +95,7 @@ public final class Penetration {
         return depth;
     }
 
-    private double solve(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    private double solve(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         if (flat) {
             gjk.planar(kindA, a, i, kindB, b, j);
         } else {
@@ -108,7 +108,7 @@ public final class Penetration {
             return Math.min(-gjk.reach(), proven + gjk.error() * (PROVEN / Gjk.ROUNDOFF));
         }
         load(kindA, a, i, kindB, b, j);
-        if (!flat && Leaf.isUpright(kindA) && Leaf.isUpright(kindB)) {
+        if (!flat && kindA.isVerticalPrism() && kindB.isVerticalPrism()) {
             level(kindA, a, i, kindB, b, j);
         } else {
             candidates();
@@ -178,7 +178,7 @@ public final class Penetration {
         return true;
     }
 
-    private void load(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    private void load(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         double ox = Support.originX(kindA, a, i);
         double oz = Support.originZ(kindA, a, i);
         if (flat) {
@@ -201,7 +201,7 @@ public final class Penetration {
      * Between upright leaves: up and down, the sides of both bases, and the direction to the nearest point of the plane
      * where a disc's centre is outside. That is all, as the difference set stands upright too.
      */
-    private void level(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    private void level(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         both(0, 1, 0);
         facetsA.planar(kindA, a, i);
         facetsB.planar(kindB, b, j);

@@ -1,6 +1,7 @@
 package robosim.geometry.narrow.gjk;
 
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * The support function of one leaf: which of its points lies furthest in a direction.
@@ -69,36 +70,36 @@ public final class Support {
     private double heights;
 
     /** The x of the point of a leaf that others are seen from: its centre, or a triangle's first corner. */
-    public static double originX(int kind, double[] row, int at) {
-        return kind == Leaf.PRISM ? 0.5 * row[at] + 0.5 * row[at + 1] : row[at];
+    public static double originX(LeafKind kind, double[] row, int at) {
+        return kind == LeafKind.PRISM ? 0.5 * row[at] + 0.5 * row[at + 1] : row[at];
     }
 
     /** The y of that point. */
-    public static double originY(int kind, double[] row, int at) {
-        return kind == Leaf.PRISM ? 0.5 * row[at + 8] + 0.5 * row[at + 9] : row[at + 1];
+    public static double originY(LeafKind kind, double[] row, int at) {
+        return kind == LeafKind.PRISM ? 0.5 * row[at + 8] + 0.5 * row[at + 9] : row[at + 1];
     }
 
     /** The z of that point. */
-    public static double originZ(int kind, double[] row, int at) {
-        return kind == Leaf.PRISM ? 0.5 * row[at + 2] + 0.5 * row[at + 3] : row[at + 2];
+    public static double originZ(LeafKind kind, double[] row, int at) {
+        return kind == LeafKind.PRISM ? 0.5 * row[at + 2] + 0.5 * row[at + 3] : row[at + 2];
     }
 
     /** Loads a leaf as seen from an origin, multiplied by a scale (a power of two). */
-    public void spatial(int kind, double[] row, int at, double ox, double oy, double oz, double scale) {
+    public void spatial(LeafKind kind, double[] row, int at, double ox, double oy, double oz, double scale) {
         load(kind, row, at, ox, oy, oz, scale, 1);
     }
 
     /** Loads a leaf's projection on XZ as seen from an origin, multiplied by a scale (a power of two). */
-    public void planar(int kind, double[] row, int at, double ox, double oz, double scale) {
+    public void planar(LeafKind kind, double[] row, int at, double ox, double oz, double scale) {
         load(kind, row, at, ox, 0, oz, scale, 0);
     }
 
     private void load(
-            int kind, double[] row, int at, double ox, double oy, double oz, double scale, double heightsCounted) {
+            LeafKind kind, double[] row, int at, double ox, double oy, double oz, double scale, double heightsCounted) {
         heights = heightsCounted;
         margin = 0;
         count = 0;
-        if (kind == Leaf.TRIANGLE) {
+        if (kind == LeafKind.TRIANGLE) {
             form = POINTS;
             for (int k = at; k < at + 9; k += 3) {
                 point((row[k] - ox) * scale, heights * (row[k + 1] - oy) * scale, (row[k + 2] - oz) * scale);
@@ -106,7 +107,7 @@ public final class Support {
             surround();
             return;
         }
-        if (kind == Leaf.PRISM) {
+        if (kind == LeafKind.PRISM) {
             form = POINTS;
             prism(row, at, ox, oy, oz, scale);
             surround();
@@ -117,10 +118,10 @@ public final class Support {
         centreY = heights * (row[at + 1] - oy) * scale;
         centreZ = (row[at + 2] - oz) * scale;
         switch (kind) {
-            case Leaf.UPRIGHT_BOX, Leaf.BOX -> box(row, at, scale);
-            case Leaf.CYLINDER -> cylinder(row, at, row[at + 7], row[at + 10], row[at + 13], scale);
-            case Leaf.UPRIGHT_CYLINDER -> uprightCylinder(row, at, scale);
-            case Leaf.SPHERE -> ball(row[at + Leaf.SIZE] * scale);
+            case UPRIGHT_BOX, BOX -> box(row, at, scale);
+            case CYLINDER -> cylinder(row, at, row[at + 7], row[at + 10], row[at + 13], scale);
+            case UPRIGHT_CYLINDER -> uprightCylinder(row, at, scale);
+            case SPHERE -> ball(row[at + Leaf.SIZE] * scale);
             default -> throw new IllegalArgumentException("no such kind of leaf (got: " + kind + ")");
         }
     }

@@ -10,15 +10,17 @@ final class Canonical {
     private Canonical() {}
 
     /** The kind of a placed leaf; a box or cylinder comes as {@link Leaf#BOX} or {@link Leaf#CYLINDER}. */
-    static int kind(int kind, double[] rows, int at) {
-        if (kind == Leaf.CYLINDER) {
+    static LeafKind kind(LeafKind kind, double[] rows, int at) {
+        if (kind == LeafKind.CYLINDER) {
             int r = at + Leaf.ROTATION;
-            return rows[r + 1] == 0 && rows[r + 7] == 0 && Math.abs(rows[r + 4]) == 1 ? Leaf.UPRIGHT_CYLINDER : kind;
+            return rows[r + 1] == 0 && rows[r + 7] == 0 && Math.abs(rows[r + 4]) == 1
+                    ? LeafKind.UPRIGHT_CYLINDER
+                    : kind;
         }
-        if (kind == Leaf.BOX) {
+        if (kind == LeafKind.BOX) {
             for (int up = 0; up < 3; up++) {
                 if (isVertical(rows, at, up) && stand(rows, at, up)) {
-                    return Leaf.UPRIGHT_BOX;
+                    return LeafKind.UPRIGHT_BOX;
                 }
             }
         }

@@ -50,7 +50,7 @@ public final class Enclosure {
     }
 
     private static void bounds(LeafColumn column, int leaf, double[] out) {
-        if (Leaf.isMesh(column.kind(leaf))) {
+        if (column.kind(leaf).isMesh()) {
             new MeshWalk().tightBounds(column, leaf, out);
         } else {
             LeafBounds.of(column.kind(leaf), column.rows(), leaf * Leaf.STRIDE, out);
@@ -73,17 +73,17 @@ public final class Enclosure {
     private double reach(LeafColumn column, int leaf, boolean level) {
         double[] row = column.rows();
         int at = leaf * Leaf.STRIDE;
-        int kind = column.kind(leaf);
+        LeafKind kind = column.kind(leaf);
         double dx = row[at] - middle(0);
         double dy = level ? 0 : row[at + 1] - middle(1);
         double dz = row[at + 2] - middle(2);
         double centre = Math.sqrt(dx * dx + dy * dy + dz * dz);
-        if (Leaf.isMesh(kind)) {
+        if (kind.isMesh()) {
             return meshReach(column.mesh(leaf), row, at, level);
         }
         return switch (kind) {
-            case Leaf.SPHERE -> centre + row[at + 3];
-            case Leaf.CYLINDER -> {
+            case SPHERE -> centre + row[at + 3];
+            case CYLINDER -> {
                 double ay = row[at + Leaf.ROTATION + 4];
                 double half = row[at + 4];
                 yield level && Math.abs(ay) == 1
@@ -159,7 +159,7 @@ public final class Enclosure {
         int to = leaf * Leaf.STRIDE;
         switch (accuracy) {
             case SPHERE -> {
-                out.setKind(leaf, Leaf.SPHERE);
+                out.setKind(leaf, LeafKind.SPHERE);
                 placeMiddle(cx, cy, cz, rotation, at, row, to);
                 boolean flat = dimension == Dimension.PLANAR && Rotations.isUpright(rotation, at);
                 row[to + 3] = (flat ? levelRadius : radius) + widen(row, to);
@@ -171,7 +171,7 @@ public final class Enclosure {
                     row[to + 3 + k] = Math.max(box[3 + k] - middle(k), middle(k) - box[k]) + widen;
                 }
                 System.arraycopy(rotation, at, row, to + Leaf.ROTATION, 9);
-                out.setKind(leaf, Canonical.kind(Leaf.BOX, row, to));
+                out.setKind(leaf, Canonical.kind(LeafKind.BOX, row, to));
             }
             case AABB -> axisBox(placed, out, leaf);
             case DOP -> prism(placed, out, leaf);
@@ -184,12 +184,12 @@ public final class Enclosure {
         if (placed.size() != 1) {
             return false;
         }
-        int kind = placed.kind(0);
+        LeafKind kind = placed.kind(0);
         return switch (accuracy) {
-            case SPHERE -> kind == Leaf.SPHERE;
-            case OBB -> kind == Leaf.BOX || kind == Leaf.UPRIGHT_BOX;
+            case SPHERE -> kind == LeafKind.SPHERE;
+            case OBB -> kind == LeafKind.BOX || kind == LeafKind.UPRIGHT_BOX;
             case AABB ->
-                kind == Leaf.UPRIGHT_BOX
+                kind == LeafKind.UPRIGHT_BOX
                         && (placed.rows()[Leaf.ROTATION] == 0 || placed.rows()[Leaf.ROTATION + 2] == 0);
             case DOP, EXACT -> false;
         };
@@ -218,7 +218,7 @@ public final class Enclosure {
             row[to + 3 + k] = Math.nextUp(Math.max(bounds[3 + k] - row[to + k], row[to + k] - bounds[k]));
         }
         Rotations.identity(row, to + Leaf.ROTATION);
-        out.setKind(leaf, Leaf.UPRIGHT_BOX);
+        out.setKind(leaf, LeafKind.UPRIGHT_BOX);
     }
 
     /** The outward bounds of all leaves of a column. */
@@ -249,7 +249,7 @@ public final class Enclosure {
             extend(placed, part, row, to, 6, 1, 0, -1);
             extend(placed, part, row, to, 8, 0, 1, 0);
         }
-        out.setKind(leaf, Leaf.PRISM);
+        out.setKind(leaf, LeafKind.PRISM);
     }
 
     /** Widens one pair of the prism's bounds to hold a leaf along (x, y, z). */
@@ -257,8 +257,8 @@ public final class Enclosure {
             LeafColumn placed, int leaf, double[] prism, int to, int pair, double x, double y, double z) {
         double[] row = placed.rows();
         int at = leaf * Leaf.STRIDE;
-        int kind = placed.kind(leaf);
-        if (Leaf.isMesh(kind)) {
+        LeafKind kind = placed.kind(leaf);
+        if (kind.isMesh()) {
             TriangleMesh mesh = placed.mesh(leaf);
             for (int t = 0; t < mesh.size(); t++) {
                 for (int corner = 0; corner < 3; corner++) {
@@ -278,12 +278,12 @@ public final class Enclosure {
         hold(prism, to + pair, middle, half, size);
     }
 
-    private static double halfExtent(int kind, double[] row, int at, double x, double y, double z, double length) {
+    private static double halfExtent(LeafKind kind, double[] row, int at, double x, double y, double z, double length) {
         int r = at + Leaf.ROTATION;
         return switch (kind) {
-            case Leaf.SPHERE -> row[at + 3] * length;
-            case Leaf.UPRIGHT_CYLINDER -> y != 0 ? row[at + 4] : row[at + 3] * length;
-            case Leaf.CYLINDER -> {
+            case SPHERE -> row[at + 3] * length;
+            case UPRIGHT_CYLINDER -> y != 0 ? row[at + 4] : row[at + 3] * length;
+            case CYLINDER -> {
                 double along = Math.abs(row[r + 1] * x + row[r + 4] * y + row[r + 7] * z);
                 yield row[at + 4] * along + row[at + 3] * crossLength(x, y, z, row, r + 1);
             }

@@ -19,15 +19,15 @@ public final class Facets {
     public final double[] edgeY = new double[MOST];
     public final double[] edgeZ = new double[MOST];
 
-    public void spatial(int kind, double[] row, int at) {
+    public void spatial(LeafKind kind, double[] row, int at) {
         faces = 0;
         edges = 0;
         switch (kind) {
-            case Leaf.UPRIGHT_BOX, Leaf.BOX -> box(row, at + Leaf.ROTATION);
-            case Leaf.UPRIGHT_CYLINDER -> axis(0, 1, 0);
-            case Leaf.CYLINDER -> axis(row[at + 7], row[at + 10], row[at + 13]);
-            case Leaf.TRIANGLE -> triangle(row, at);
-            case Leaf.PRISM -> {
+            case UPRIGHT_BOX, BOX -> box(row, at + Leaf.ROTATION);
+            case UPRIGHT_CYLINDER -> axis(0, 1, 0);
+            case CYLINDER -> axis(row[at + 7], row[at + 10], row[at + 13]);
+            case TRIANGLE -> triangle(row, at);
+            case PRISM -> {
                 axis(0, 1, 0);
                 for (int k = 0; k < 4; k++) {
                     double x = k == 0 ? 1 : k == 1 ? 0 : DIAGONAL;
@@ -41,24 +41,24 @@ public final class Facets {
     }
 
     /** The normals of a projection's straight sides; no edges. */
-    public void planar(int kind, double[] row, int at) {
+    public void planar(LeafKind kind, double[] row, int at) {
         faces = 0;
         edges = 0;
         switch (kind) {
-            case Leaf.UPRIGHT_BOX, Leaf.BOX -> {
+            case UPRIGHT_BOX, BOX -> {
                 for (int k = at + Leaf.ROTATION; k < at + Leaf.ROTATION + 3; k++) {
                     face(row[k + 6], 0, -row[k]);
                 }
             }
-            case Leaf.CYLINDER -> face(row[at + 13], 0, -row[at + 7]);
-            case Leaf.TRIANGLE -> {
+            case CYLINDER -> face(row[at + 13], 0, -row[at + 7]);
+            case TRIANGLE -> {
                 for (int k = 0; k < 3; k++) {
                     int p = at + 3 * k;
                     int q = at + 3 * ((k + 1) % 3);
                     face(row[q + 2] - row[p + 2], 0, row[p] - row[q]);
                 }
             }
-            case Leaf.PRISM -> {
+            case PRISM -> {
                 face(1, 0, 0);
                 face(0, 0, 1);
                 face(1, 0, 1);

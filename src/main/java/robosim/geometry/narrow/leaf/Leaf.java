@@ -1,17 +1,20 @@
 package robosim.geometry.narrow.leaf;
 
 /**
- * The layout of one convex leaf in a flat column of doubles: {@link #STRIDE} numbers from an offset on, and a kind.
+ * The layout of one leaf in a flat column of doubles: {@link #STRIDE} numbers from an offset on, and a
+ * {@link LeafKind}.
  *
  * <table>
  * <caption>What the numbers of each kind mean</caption>
  * <tr><th>kind</th><th>numbers</th></tr>
- * <tr><td>{@link #UPRIGHT_BOX}, {@link #BOX}</td><td>0-2 centre, 3-5 half sizes along the own axes, 6-14 rotation</td></tr>
- * <tr><td>{@link #UPRIGHT_CYLINDER}</td><td>0-2 centre, 3 radius, 4 half height</td></tr>
- * <tr><td>{@link #CYLINDER}</td><td>0-2 centre, 3 radius, 4 half height, 6-14 rotation; its axis is the own Y</td></tr>
- * <tr><td>{@link #SPHERE}</td><td>0-2 centre, 3 radius</td></tr>
- * <tr><td>{@link #TRIANGLE}</td><td>0-8 the three corners</td></tr>
- * <tr><td>{@link #PRISM}</td><td>least and greatest x (0, 1), z (2, 3), x+z (4, 5), x-z (6, 7) and y (8, 9)</td></tr>
+ * <tr><td>{@link LeafKind#UPRIGHT_BOX}, {@link LeafKind#BOX}</td><td>0-2 centre, 3-5 half sizes along the own axes, 6-14 rotation</td></tr>
+ * <tr><td>{@link LeafKind#UPRIGHT_CYLINDER}</td><td>0-2 centre, 3 radius, 4 half height</td></tr>
+ * <tr><td>{@link LeafKind#CYLINDER}</td><td>0-2 centre, 3 radius, 4 half height, 6-14 rotation; its axis is the own Y</td></tr>
+ * <tr><td>{@link LeafKind#SPHERE}</td><td>0-2 centre, 3 radius</td></tr>
+ * <tr><td>{@link LeafKind#TRIANGLE}</td><td>0-8 the three corners</td></tr>
+ * <tr><td>{@link LeafKind#PRISM}</td><td>least and greatest x (0, 1), z (2, 3), x+z (4, 5), x-z (6, 7) and y (8, 9)</td></tr>
+ * <tr><td>{@link LeafKind#MESH}, {@link LeafKind#SOLID_MESH}</td><td>0-2 centre, 6-14 rotation; the triangles stand beside the
+ * row</td></tr>
  * </table>
  *
  * <p>A rotation is row-major and its columns are the own axes in the world. An upright box has its own Y along the
@@ -21,23 +24,6 @@ public final class Leaf {
     /** Doubles in a row. */
     public static final int STRIDE = 16;
 
-    public static final int UPRIGHT_BOX = 0;
-    public static final int UPRIGHT_CYLINDER = 1;
-    public static final int SPHERE = 2;
-    public static final int BOX = 3;
-    public static final int CYLINDER = 4;
-    public static final int TRIANGLE = 5;
-    public static final int PRISM = 6;
-
-    /** How many convex kinds there are; what follows is made of many triangles. */
-    public static final int KINDS = 7;
-
-    /** A surface of triangles: 0-2 centre, 6-14 rotation; the triangles stand beside the row. */
-    public static final int MESH = 7;
-
-    /** A closed surface with its inside. */
-    public static final int SOLID_MESH = 8;
-
     /** Where the half sizes, or the radius and half height, begin. */
     public static final int SIZE = 3;
 
@@ -45,19 +31,4 @@ public final class Leaf {
     public static final int ROTATION = 6;
 
     private Leaf() {}
-
-    /** Whether the kind is made of triangles. */
-    public static boolean isMesh(int kind) {
-        return kind >= MESH;
-    }
-
-    /** Whether the kind is a vertical prism: a flat base on an interval of heights. */
-    public static boolean isUpright(int kind) {
-        return kind == UPRIGHT_BOX || kind == UPRIGHT_CYLINDER || kind == PRISM;
-    }
-
-    /** Whether the kind is a disc as seen from above, whatever its attitude. */
-    public static boolean isDisc(int kind) {
-        return kind == UPRIGHT_CYLINDER || kind == SPHERE;
-    }
 }

@@ -10,14 +10,14 @@ public final class LeafBounds {
     private LeafBounds() {}
 
     /** Writes least x, y, z and greatest x, y, z of a leaf of any kind. */
-    public static void of(int kind, double[] rows, int at, double[] out6) {
+    public static void of(LeafKind kind, double[] rows, int at, double[] out6) {
         switch (kind) {
-            case Leaf.UPRIGHT_BOX, Leaf.BOX -> box(rows, at, out6);
-            case Leaf.UPRIGHT_CYLINDER -> around(rows, at, rows[at + 3], rows[at + 4], rows[at + 3], out6);
-            case Leaf.SPHERE -> around(rows, at, rows[at + 3], rows[at + 3], rows[at + 3], out6);
-            case Leaf.CYLINDER -> cylinder(rows, at, out6);
-            case Leaf.TRIANGLE -> triangle(rows, at, out6);
-            case Leaf.PRISM -> {
+            case UPRIGHT_BOX, BOX -> box(rows, at, out6);
+            case UPRIGHT_CYLINDER -> around(rows, at, rows[at + 3], rows[at + 4], rows[at + 3], out6);
+            case SPHERE -> around(rows, at, rows[at + 3], rows[at + 3], rows[at + 3], out6);
+            case CYLINDER -> cylinder(rows, at, out6);
+            case TRIANGLE -> triangle(rows, at, out6);
+            case PRISM -> {
                 out6[0] = rows[at];
                 out6[1] = rows[at + 8];
                 out6[2] = rows[at + 2];
@@ -36,7 +36,15 @@ public final class LeafBounds {
      * @param q six numbers, for those of b
      */
     public static boolean areApart(
-            Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j, double[] p, double[] q) {
+            Dimension dimension,
+            LeafKind kindA,
+            double[] a,
+            int i,
+            LeafKind kindB,
+            double[] b,
+            int j,
+            double[] p,
+            double[] q) {
         of(kindA, a, i, p);
         of(kindB, b, j, q);
         for (int k = 0; k < 3; k += dimension == Dimension.PLANAR ? 2 : 1) {

@@ -68,7 +68,7 @@ public final class LeafColumn {
 
     /** Whether the only leaf of this column can be one of half a row. */
     public boolean fitsUpright() {
-        return size == 1 && !Leaf.isMesh(kinds[0]) && UprightRows.takes(kinds[0], rows, 0);
+        return size == 1 && !kind(0).isMesh() && UprightRows.takes(kind(0), rows, 0);
     }
 
     /** Makes room for the half row of an object. */
@@ -119,7 +119,7 @@ public final class LeafColumn {
     public int appendWhole(LeafColumn other, int first, int count) {
         int at = append(count);
         if (isUpright(first)) {
-            kinds[at] = (byte) other.kind(first);
+            kinds[at] = other.kind(first).code();
             other.upright.copy(first ^ UPRIGHT, rows, at * Leaf.STRIDE);
             return at;
         }
@@ -130,7 +130,7 @@ public final class LeafColumn {
     /** Writes copies of all leaves of another column from a leaf on. */
     public void copy(LeafColumn other, int at) {
         if (isUpright(at)) {
-            upright.write(at ^ UPRIGHT, other.kinds[0], other.rows, 0);
+            upright.write(at ^ UPRIGHT, other.kind(0), other.rows, 0);
             return;
         }
         copy(other, 0, other.size, at);
@@ -140,7 +140,7 @@ public final class LeafColumn {
         System.arraycopy(other.kinds, first, kinds, at, count);
         System.arraycopy(other.rows, first * Leaf.STRIDE, rows, at * Leaf.STRIDE, count * Leaf.STRIDE);
         for (int k = 0; k < count; k++) {
-            if (Leaf.isMesh(kind(at + k))) {
+            if (kind(at + k).isMesh()) {
                 setMesh(at + k, other.mesh(first + k));
             }
         }
@@ -185,12 +185,12 @@ public final class LeafColumn {
         meshes = null;
     }
 
-    public int kind(int leaf) {
-        return isUpright(leaf) ? upright.kind(leaf ^ UPRIGHT) : kinds[leaf];
+    public LeafKind kind(int leaf) {
+        return LeafKind.of(isUpright(leaf) ? upright.code(leaf ^ UPRIGHT) : kinds[leaf]);
     }
 
-    public void setKind(int leaf, int kind) {
-        kinds[leaf] = (byte) kind;
+    public void setKind(int leaf, LeafKind kind) {
+        kinds[leaf] = kind.code();
     }
 
     /** The numbers of all leaves of whole rows; leaf k begins at {@code k * Leaf.STRIDE}. Valid until the next append. */
@@ -225,7 +225,7 @@ public final class LeafColumn {
             return;
         }
         append(1);
-        kinds[0] = Leaf.TRIANGLE;
+        setKind(0, LeafKind.TRIANGLE);
         other.mesh(leaf).placedAt(triangle, other.rows, leaf * Leaf.STRIDE, rows, 0);
     }
 
@@ -242,7 +242,7 @@ public final class LeafColumn {
 
     /** The outward bounds of a leaf: least x, y and z, then greatest. */
     public void bounds(int leaf, double[] out) {
-        if (Leaf.isMesh(kind(leaf))) {
+        if (kind(leaf).isMesh()) {
             meshBounds(leaf, out);
         } else {
             LeafBounds.of(kind(leaf), rows(leaf), at(leaf), out);
@@ -255,17 +255,21 @@ public final class LeafColumn {
      */
     public void roughBounds(int leaf, double[] out) {
         int at = leaf * Leaf.STRIDE;
-        switch (isUpright(leaf) ? VACANT : kinds[leaf]) {
-            case Leaf.UPRIGHT_CYLINDER -> roughBounds(at, rows[at + 3], rows[at + 4], rows[at + 3], out);
-            case Leaf.SPHERE -> roughBounds(at, rows[at + 3], rows[at + 3], rows[at + 3], out);
-            case Leaf.UPRIGHT_BOX -> {
+        if (isUpright(leaf)) {
+            bounds(leaf, out);
+            return;
+        }
+        switch (kind(leaf)) {
+            case UPRIGHT_CYLINDER -> roughBounds(at, rows[at + 3], rows[at + 4], rows[at + 3], out);
+            case SPHERE -> roughBounds(at, rows[at + 3], rows[at + 3], rows[at + 3], out);
+            case UPRIGHT_BOX -> {
                 double cos = Math.abs(rows[at + Leaf.ROTATION]);
                 double sin = Math.abs(rows[at + Leaf.ROTATION + 2]);
                 double halfX = (rows[at + 3] * cos + rows[at + 5] * sin) * OUTWARD;
                 double halfZ = (rows[at + 3] * sin + rows[at + 5] * cos) * OUTWARD;
                 roughBounds(at, halfX, rows[at + 4], halfZ, out);
             }
-            default -> bounds(leaf, out);
+            case BOX, CYLINDER, TRIANGLE, PRISM, MESH, SOLID_MESH -> bounds(leaf, out);
         }
     }
 

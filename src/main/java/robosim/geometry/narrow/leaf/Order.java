@@ -2,17 +2,14 @@ package robosim.geometry.narrow.leaf;
 
 /** One order of the two leaves of a pair, by kind and then by numbers, so that (a, b) and (b, a) give the same bits. */
 public final class Order {
-    /** How many numbers of a row mean something, by kind. */
-    private static final int[] LENGTHS = {15, 5, 4, 15, 15, 9, 10};
-
     private Order() {}
 
     /** Whether a pair has to be asked the other way round. */
-    public static boolean isReversed(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    public static boolean isReversed(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         if (kindA != kindB) {
-            return kindA > kindB;
+            return kindA.compareTo(kindB) > 0;
         }
-        int length = LENGTHS[kindA];
+        int length = kindA.numbers();
         for (int k = 0; k < length; k++) {
             double p = a[i + k];
             double q = b[j + k];

@@ -40,12 +40,12 @@ public final class Outline {
     private final int[] column = new int[3];
     private final int[] turned = new int[3];
 
-    public void load(int kind, double[] row, int at, double ox, double oz) {
+    public void load(LeafKind kind, double[] row, int at, double ox, double oz) {
         switch (kind) {
-            case Leaf.UPRIGHT_BOX -> rectangle(row, at, ox, oz);
-            case Leaf.BOX -> zonogon(row, at, ox, oz);
-            case Leaf.TRIANGLE -> triangle(row, at, ox, oz);
-            case Leaf.PRISM -> prism(row, at, ox, oz);
+            case UPRIGHT_BOX -> rectangle(row, at, ox, oz);
+            case BOX -> zonogon(row, at, ox, oz);
+            case TRIANGLE -> triangle(row, at, ox, oz);
+            case PRISM -> prism(row, at, ox, oz);
             default -> throw new IllegalArgumentException("not a polytope (got kind: " + kind + ")");
         }
         normals = corners;

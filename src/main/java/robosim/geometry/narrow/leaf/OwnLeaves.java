@@ -60,10 +60,10 @@ public final class OwnLeaves {
         row[0] = c.x();
         row[1] = c.y();
         row[2] = c.z();
-        int kind = size(object, row, 0);
+        LeafKind kind = size(object, row, 0);
         Pose pose = object.pose();
-        if (kind == Leaf.SPHERE || (kind == Leaf.CYLINDER && pose.isUpright())) { // its rotation means nothing
-            leaves.setKind(leaf, kind == Leaf.SPHERE ? Leaf.SPHERE : Leaf.UPRIGHT_CYLINDER);
+        if (kind == LeafKind.SPHERE || (kind == LeafKind.CYLINDER && pose.isUpright())) { // its rotation means nothing
+            leaves.setKind(leaf, kind == LeafKind.SPHERE ? LeafKind.SPHERE : LeafKind.UPRIGHT_CYLINDER);
             return;
         }
         pose.rotation(row, Leaf.ROTATION);
@@ -71,20 +71,20 @@ public final class OwnLeaves {
     }
 
     /** Writes the sizes of a box, cylinder or sphere and answers its kind. */
-    private static int size(GeometryObject object, double[] row, int at) {
+    private static LeafKind size(GeometryObject object, double[] row, int at) {
         if (object instanceof BoxObject box) {
             row[at + 3] = box.width() / 2;
             row[at + 4] = box.height() / 2;
             row[at + 5] = box.length() / 2;
-            return Leaf.BOX;
+            return LeafKind.BOX;
         }
         if (object instanceof CylinderObject cylinder) {
             row[at + 3] = cylinder.radius();
             row[at + 4] = cylinder.height() / 2;
-            return Leaf.CYLINDER;
+            return LeafKind.CYLINDER;
         }
         row[at + 3] = ((SphereObject) object).radius();
-        return Leaf.SPHERE;
+        return LeafKind.SPHERE;
     }
 
     /** How many leaves there are. */
@@ -95,7 +95,7 @@ public final class OwnLeaves {
     /** Whether any leaf is a mesh. */
     public boolean hasMesh() {
         for (int leaf = 0; leaf < own.size(); leaf++) {
-            if (Leaf.isMesh(own.kind(leaf))) {
+            if (own.kind(leaf).isMesh()) {
                 return true;
             }
         }
@@ -111,12 +111,12 @@ public final class OwnLeaves {
     private void add(GeometryObject object, double[] frame) {
         switch (object.kind()) {
             case BOX, CYLINDER, SPHERE -> {
-                int at = row(Leaf.BOX, frame);
+                int at = row(LeafKind.BOX, frame);
                 own.setKind(own.size() - 1, size(object, own.rows(), at));
             }
             case MESH -> {
                 MeshObject mesh = (MeshObject) object;
-                row(mesh.isSolid() ? Leaf.SOLID_MESH : Leaf.MESH, frame);
+                row(mesh.isSolid() ? LeafKind.SOLID_MESH : LeafKind.MESH, frame);
                 own.setMesh(own.size() - 1, mesh.triangles());
             }
             case GROUP -> {
@@ -139,7 +139,7 @@ public final class OwnLeaves {
         return placed;
     }
 
-    private int row(int kind, double[] frame) {
+    private int row(LeafKind kind, double[] frame) {
         int leaf = own.append(1);
         System.arraycopy(frame, 0, own.rows(), leaf * Leaf.STRIDE, Leaf.STRIDE);
         own.setKind(leaf, kind);
@@ -168,7 +168,7 @@ public final class OwnLeaves {
             to[j + 5] = from[i + 5];
             Rotations.multiply(rotation, at, from, i + Leaf.ROTATION, to, j + Leaf.ROTATION);
             column.setKind(first + k, Canonical.kind(own.kind(k), to, j));
-            if (Leaf.isMesh(own.kind(k))) {
+            if (own.kind(k).isMesh()) {
                 column.setMesh(first + k, own.mesh(k));
             }
         }

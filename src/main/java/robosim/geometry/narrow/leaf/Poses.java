@@ -5,9 +5,9 @@ public final class Poses {
     private Poses() {}
 
     /** The row after a translation; the kind stays. */
-    public static void moved(int kind, double[] row, int at, double dx, double dy, double dz, double[] out) {
+    public static void moved(LeafKind kind, double[] row, int at, double dx, double dy, double dz, double[] out) {
         System.arraycopy(row, at, out, 0, Leaf.STRIDE);
-        if (kind == Leaf.PRISM) {
+        if (kind == LeafKind.PRISM) {
             for (int k = 0; k < 2; k++) {
                 out[k] += dx;
                 out[k + 2] += dz;
@@ -17,7 +17,7 @@ public final class Poses {
             }
             return;
         }
-        for (int k = 0; k < (kind == Leaf.TRIANGLE ? 9 : 3); k += 3) {
+        for (int k = 0; k < (kind == LeafKind.TRIANGLE ? 9 : 3); k += 3) {
             out[k] += dx;
             out[k + 1] += dy;
             out[k + 2] += dz;
@@ -25,17 +25,17 @@ public final class Poses {
     }
 
     /** The kind of a leaf that has been turned about any axis. */
-    public static int turnedKind(int kind) {
+    public static LeafKind turnedKind(LeafKind kind) {
         return switch (kind) {
-            case Leaf.UPRIGHT_BOX, Leaf.PRISM -> Leaf.BOX;
-            case Leaf.UPRIGHT_CYLINDER -> Leaf.CYLINDER;
+            case UPRIGHT_BOX, PRISM -> LeafKind.BOX;
+            case UPRIGHT_CYLINDER -> LeafKind.CYLINDER;
             default -> kind;
         };
     }
 
     /** The row after a turn about the axis (wx, wy, wz) through (px, py, pz), for any kind but a prism. */
     public static void turned(
-            int kind,
+            LeafKind kind,
             double[] row,
             int at,
             double px,
@@ -48,12 +48,12 @@ public final class Poses {
             double sin,
             double[] out) {
         System.arraycopy(row, at, out, 0, Leaf.STRIDE);
-        if (kind == Leaf.UPRIGHT_CYLINDER) {
+        if (kind == LeafKind.UPRIGHT_CYLINDER) {
             out[7] = 0;
             out[10] = 1;
             out[13] = 0;
         }
-        for (int k = 0; k < (kind == Leaf.TRIANGLE ? 9 : 3); k += 3) {
+        for (int k = 0; k < (kind == LeafKind.TRIANGLE ? 9 : 3); k += 3) {
             out[k] -= px;
             out[k + 1] -= py;
             out[k + 2] -= pz;
@@ -62,7 +62,7 @@ public final class Poses {
             out[k + 1] += py;
             out[k + 2] += pz;
         }
-        if (kind != Leaf.TRIANGLE && kind != Leaf.SPHERE) {
+        if (kind != LeafKind.TRIANGLE && kind != LeafKind.SPHERE) {
             for (int k = 0; k < 3; k++) {
                 turn(out, Leaf.ROTATION + k, 3, wx, wy, wz, cos, sin);
             }

@@ -22,42 +22,42 @@ public final class UnderflowScaling {
      *
      * @param start the largest coordinate of what is no leaf
      */
-    public boolean take(double start, int kind, double[] row, int at) {
+    public boolean take(double start, LeafKind kind, double[] row, int at) {
         return take(Math.max(start, extent(kind, row, at))) && copy(kind, row, at, a);
     }
 
     /** Takes up two leaves if both are small. */
-    public boolean take(int kindA, double[] rowA, int i, int kindB, double[] rowB, int j) {
+    public boolean take(LeafKind kindA, double[] rowA, int i, LeafKind kindB, double[] rowB, int j) {
         return take(0, kindA, rowA, i, kindB, rowB, j);
     }
 
     /** Takes up two leaves if both are small, and so is what else there is. */
-    public boolean take(double more, int kindA, double[] rowA, int i, int kindB, double[] rowB, int j) {
+    public boolean take(double more, LeafKind kindA, double[] rowA, int i, LeafKind kindB, double[] rowB, int j) {
         return take(Math.max(more, Math.max(extent(kindA, rowA, i), extent(kindB, rowB, j))))
                 && copy(kindA, rowA, i, a)
                 && copy(kindB, rowB, j, b);
     }
 
-    /** As {@link #take(double, int, double[], int, int, double[], int)}, where heights do not count: there are none then. */
-    public boolean takeLevel(double more, int kindA, double[] rowA, int i, int kindB, double[] rowB, int j) {
+    /** As {@link #take(double, LeafKind, double[], int, LeafKind, double[], int)}, where heights do not count: there are none then. */
+    public boolean takeLevel(double more, LeafKind kindA, double[] rowA, int i, LeafKind kindB, double[] rowB, int j) {
         level(kindA, rowA, i, a);
         level(kindB, rowB, j, b);
         return take(more, kindA, a, 0, kindB, b, 0);
     }
 
-    private static void level(int kind, double[] row, int at, double[] out) {
+    private static void level(LeafKind kind, double[] row, int at, double[] out) {
         System.arraycopy(row, at, out, 0, Leaf.STRIDE);
         switch (kind) {
-            case Leaf.PRISM -> {
+            case PRISM -> {
                 out[8] = 0;
                 out[9] = 0;
             }
-            case Leaf.TRIANGLE -> {
+            case TRIANGLE -> {
                 out[1] = 0;
                 out[4] = 0;
                 out[7] = 0;
             }
-            case Leaf.UPRIGHT_BOX, Leaf.UPRIGHT_CYLINDER -> {
+            case UPRIGHT_BOX, UPRIGHT_CYLINDER -> {
                 out[1] = 0;
                 out[4] = 0;
             }
@@ -70,7 +70,7 @@ public final class UnderflowScaling {
         return largest < SMALL && largest > 0;
     }
 
-    private boolean copy(int kind, double[] row, int at, double[] out) {
+    private boolean copy(LeafKind kind, double[] row, int at, double[] out) {
         System.arraycopy(row, at, out, 0, Leaf.STRIDE);
         for (int k = 0; k < lengths(kind); k++) {
             out[k] = up(out[k]);
@@ -91,7 +91,7 @@ public final class UnderflowScaling {
         return Math.scalb(Math.scalb(value, power / 2), power - power / 2);
     }
 
-    private static double extent(int kind, double[] row, int at) {
+    private static double extent(LeafKind kind, double[] row, int at) {
         double largest = 0;
         for (int k = 0; k < lengths(kind); k++) {
             largest = Math.max(largest, Math.abs(row[at + k]));
@@ -100,12 +100,12 @@ public final class UnderflowScaling {
     }
 
     /** How many numbers at the beginning of a row are lengths; those that follow are a rotation or nothing. */
-    private static int lengths(int kind) {
+    private static int lengths(LeafKind kind) {
         return switch (kind) {
-            case Leaf.SPHERE -> 4;
-            case Leaf.UPRIGHT_CYLINDER, Leaf.CYLINDER -> 5;
-            case Leaf.UPRIGHT_BOX, Leaf.BOX -> 6;
-            case Leaf.TRIANGLE -> 9;
+            case SPHERE -> 4;
+            case UPRIGHT_CYLINDER, CYLINDER -> 5;
+            case UPRIGHT_BOX, BOX -> 6;
+            case TRIANGLE -> 9;
             default -> 10;
         };
     }

@@ -14,12 +14,12 @@ public final class Upright {
     private Upright() {}
 
     /** Whether the intervals of height of two upright leaves touch or overlap; exact. */
-    public static boolean heightsTouch(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    public static boolean heightsTouch(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         return isNotAbove(kindA, a, i, kindB, b, j) && isNotAbove(kindB, b, j, kindA, a, i);
     }
 
     // The least height of a is at most the greatest of b.
-    private static boolean isNotAbove(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    private static boolean isNotAbove(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         double base = middle(kindA, a, i);
         double down = halfHeight(kindA, a, i);
         double top = top(kindB, b, j);
@@ -34,28 +34,28 @@ public final class Upright {
     }
 
     /** The height of the middle of a box or cylinder, the least of an octagon, which has no half height beside it. */
-    public static double middle(int kind, double[] row, int at) {
-        return kind == Leaf.PRISM ? row[at + 8] : row[at + 1];
+    public static double middle(LeafKind kind, double[] row, int at) {
+        return kind == LeafKind.PRISM ? row[at + 8] : row[at + 1];
     }
 
     /** The height of the middle of a box or cylinder, the greatest of an octagon. */
-    public static double top(int kind, double[] row, int at) {
-        return kind == Leaf.PRISM ? row[at + 9] : row[at + 1];
+    public static double top(LeafKind kind, double[] row, int at) {
+        return kind == LeafKind.PRISM ? row[at + 9] : row[at + 1];
     }
 
     /** How far a box or cylinder reaches above and below its middle; 0 of an octagon. */
-    public static double halfHeight(int kind, double[] row, int at) {
-        return kind == Leaf.PRISM ? 0 : row[at + 4];
+    public static double halfHeight(LeafKind kind, double[] row, int at) {
+        return kind == LeafKind.PRISM ? 0 : row[at + 4];
     }
 
     /** The least height of an upright leaf, rounded down. */
-    public static double least(int kind, double[] row, int at) {
-        return kind == Leaf.PRISM ? row[at + 8] : 0 - sumUp(-row[at + 1], row[at + 4]);
+    public static double least(LeafKind kind, double[] row, int at) {
+        return kind == LeafKind.PRISM ? row[at + 8] : 0 - sumUp(-row[at + 1], row[at + 4]);
     }
 
     /** The greatest height of an upright leaf, rounded up. */
-    public static double greatest(int kind, double[] row, int at) {
-        return kind == Leaf.PRISM ? row[at + 9] : sumUp(row[at + 1], row[at + 4]);
+    public static double greatest(LeafKind kind, double[] row, int at) {
+        return kind == LeafKind.PRISM ? row[at + 9] : sumUp(row[at + 1], row[at + 4]);
     }
 
     /** {@code a + b}, rounded up. */

@@ -24,6 +24,7 @@ public final class UprightRows {
     static final UprightRows NONE = new UprightRows();
 
     private static final byte VACANT = -1;
+    private static final byte BOX = LeafKind.UPRIGHT_BOX.code();
 
     private int size;
     private byte[] kinds = new byte[0];
@@ -43,10 +44,10 @@ public final class UprightRows {
     }
 
     /** Whether a row can stand here: what it is spread to must be the row to the bit. */
-    static boolean takes(int kind, double[] row, int at) {
-        return kind == Leaf.UPRIGHT_CYLINDER
-                || kind == Leaf.SPHERE
-                || (kind == Leaf.UPRIGHT_BOX
+    static boolean takes(LeafKind kind, double[] row, int at) {
+        return kind == LeafKind.UPRIGHT_CYLINDER
+                || kind == LeafKind.SPHERE
+                || (kind == LeafKind.UPRIGHT_BOX
                         && isZero(row[at + 7])
                         && isZero(row[at + 9])
                         && row[at + 10] == 1
@@ -69,7 +70,8 @@ public final class UprightRows {
         return size;
     }
 
-    int kind(int place) {
+    /** The kind at a place, as {@link LeafKind#of} takes it. */
+    byte code(int place) {
         return kinds[place];
     }
 
@@ -120,11 +122,11 @@ public final class UprightRows {
         rows = Arrays.copyOf(rows, Outline.length(capacity) + Leaf.STRIDE);
     }
 
-    void write(int place, int kind, double[] row, int at) {
-        kinds[place] = (byte) kind;
+    void write(int place, LeafKind kind, double[] row, int at) {
+        kinds[place] = kind.code();
         int to = Outline.at(place);
         System.arraycopy(row, at, rows, to, Leaf.ROTATION);
-        if (kind == Leaf.UPRIGHT_BOX) {
+        if (kind == LeafKind.UPRIGHT_BOX) {
             rows[to + COS] = row[at + 6];
             rows[to + SIN] = row[at + 8];
         } else { // the square about it
@@ -144,13 +146,13 @@ public final class UprightRows {
 
     /** What holds the numbers of a place as a {@link Leaf}'s, from {@link #at} on; good until another is asked for. */
     double[] rows(int place) {
-        return kinds[place] == Leaf.UPRIGHT_BOX ? spread : rows;
+        return kinds[place] == BOX ? spread : rows;
     }
 
     /** Where they begin. */
     int at(int place) {
         int from = Outline.at(place);
-        if (kinds[place] != Leaf.UPRIGHT_BOX) {
+        if (kinds[place] != BOX) {
             return from;
         }
         spread(from, spread, 0);
@@ -159,7 +161,7 @@ public final class UprightRows {
 
     /** Writes the numbers of a place as a {@link Leaf}'s. */
     void copy(int place, double[] out, int to) {
-        if (kinds[place] == Leaf.UPRIGHT_BOX) {
+        if (kinds[place] == BOX) {
             spread(Outline.at(place), out, to);
         } else {
             System.arraycopy(rows, Outline.at(place), out, to, Leaf.ROTATION);

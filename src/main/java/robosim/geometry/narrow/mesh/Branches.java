@@ -7,6 +7,7 @@ import robosim.geometry.narrow.leaf.BoxGap;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.LeafScratch;
 import robosim.geometry.narrow.leaf.MeshWalk;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
@@ -39,7 +40,7 @@ final class Branches {
     private final double[] triangle = new double[Leaf.STRIDE];
     double[] row = triangle;
     int at;
-    int kind;
+    LeafKind kind;
 
     /** Takes an object up. */
     void open(LeafColumn leaves, Dimension dimension) {
@@ -99,7 +100,7 @@ final class Branches {
 
     /** Whether the place is a convex leaf or a triangle. */
     boolean isLeaf(long place) {
-        return part(place) >= 0 && (code(place) < 0 || !Leaf.isMesh(column.kind(part(place))));
+        return part(place) >= 0 && (code(place) < 0 || !column.kind(part(place)).isMesh());
     }
 
     private BoxTree tree(long place) {
@@ -142,7 +143,7 @@ final class Branches {
         }
         row = triangle;
         at = 0;
-        kind = Leaf.TRIANGLE;
+        kind = LeafKind.TRIANGLE;
         TriangleMesh mesh = column.mesh(part);
         for (int corner = 0; corner < 3; corner++) {
             vertex(part, mesh.vertex(ofMesh, corner), triangle, 3 * corner);
@@ -152,7 +153,7 @@ final class Branches {
     /** Whether a solid mesh holds a point of a part: a vertex of a mesh, or else (the vertex is 0) what it is placed by. */
     boolean holds(int solid, Branches other, int part, int vertex, LeafScratch s) {
         double[] point = other.triangle;
-        if (Leaf.isMesh(other.kindOf(part))) {
+        if (other.kindOf(part).isMesh()) {
             other.vertex(part, vertex, point, 0);
         } else {
             System.arraycopy(other.column.rows(), part * Leaf.STRIDE, point, 0, 3);
@@ -162,7 +163,7 @@ final class Branches {
 
     /** The vertex (0 where there are none) by which {@link #holds} finds a part inside; -1 where it finds none. */
     int heldVertex(int solid, Branches other, int part, LeafScratch s) {
-        if (!Leaf.isMesh(other.kindOf(part))) {
+        if (!other.kindOf(part).isMesh()) {
             return holds(solid, other, part, 0, s) ? 0 : -1;
         }
         for (int seed : other.column.mesh(part).seeds()) {
@@ -175,7 +176,7 @@ final class Branches {
 
     /** The first triangle with a corner at a vertex; -1 where the part is no mesh. */
     int triangleAt(int part, int vertex) {
-        if (!Leaf.isMesh(column.kind(part))) {
+        if (!column.kind(part).isMesh()) {
             return -1;
         }
         TriangleMesh mesh = column.mesh(part);
@@ -211,7 +212,7 @@ final class Branches {
             part = parts.item(firstItem(parts, code));
             code = 0;
         }
-        if (!Leaf.isMesh(column.kind(part))) {
+        if (!column.kind(part).isMesh()) {
             System.arraycopy(column.rows(), part * Leaf.STRIDE, out, 0, 3);
             return;
         }
@@ -233,12 +234,12 @@ final class Branches {
         int part = part(place);
         if (part < 0) {
             partsBox(code(place), out);
-        } else if (!Leaf.isMesh(column.kind(part))) {
+        } else if (!column.kind(part).isMesh()) {
             LeafBounds.of(column.kind(part), column.rows(), part * Leaf.STRIDE, out);
             widenRound(column.kind(part), out);
         } else if (code(place) < 0) {
             load(place);
-            LeafBounds.of(Leaf.TRIANGLE, triangle, 0, out);
+            LeafBounds.of(LeafKind.TRIANGLE, triangle, 0, out);
         } else {
             meshBox(part, code(place), out);
         }
@@ -249,8 +250,8 @@ final class Branches {
     }
 
     /** So far that a box never decides what {@link SpatialOverlap} is not certain of. */
-    private static void widenRound(int kind, double[] box) {
-        if (kind == Leaf.CYLINDER || kind == Leaf.UPRIGHT_CYLINDER) {
+    private static void widenRound(LeafKind kind, double[] box) {
+        if (kind == LeafKind.CYLINDER || kind == LeafKind.UPRIGHT_CYLINDER) {
             double pad = DOUBTFUL * BoxGap.size(box);
             for (int axis = 0; axis < 3; axis++) {
                 box[axis] -= pad;
@@ -291,7 +292,7 @@ final class Branches {
     }
 
     /** The kind of a part. */
-    int kindOf(int part) {
+    LeafKind kindOf(int part) {
         return column.kind(part);
     }
 
@@ -303,13 +304,13 @@ final class Branches {
     static boolean isReversed(LeafColumn a, LeafColumn b) {
         int order = Integer.compare(a.size(), b.size());
         for (int part = 0; order == 0 && part < a.size(); part++) {
-            order = Integer.compare(a.kind(part), b.kind(part));
+            order = a.kind(part).compareTo(b.kind(part));
             for (int k = part * Leaf.STRIDE; order == 0 && k < (part + 1) * Leaf.STRIDE; k++) {
                 order = Double.compare(a.rows()[k], b.rows()[k]);
             }
         }
         for (int part = 0; order == 0 && part < a.size(); part++) {
-            order = Leaf.isMesh(a.kind(part)) ? compare(a.mesh(part), b.mesh(part)) : 0;
+            order = a.kind(part).isMesh() ? compare(a.mesh(part), b.mesh(part)) : 0;
         }
         return order > 0;
     }

@@ -6,8 +6,8 @@ import robosim.geometry.model.TriangleMesh;
 import robosim.geometry.narrow.distance.ContactPoint;
 import robosim.geometry.narrow.distance.DistanceScratch;
 import robosim.geometry.narrow.leaf.BoxGap;
-import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.ConvexOverlap;
 
 /**
@@ -201,14 +201,14 @@ public final class ContactPairs {
 
     /** Two parts whose surfaces do not meet: one of them may be inside the other. */
     private void findInside(int a, int b) {
-        if (first.kindOf(a) == Leaf.SOLID_MESH) {
+        if (first.kindOf(a) == LeafKind.SOLID_MESH) {
             int vertex = first.heldVertex(a, second, b, s);
             if (vertex >= 0) {
                 add(a, -1, b, second.triangleAt(b, vertex), FIRST_HOLDS, true);
                 return;
             }
         }
-        if (second.kindOf(b) == Leaf.SOLID_MESH) {
+        if (second.kindOf(b) == LeafKind.SOLID_MESH) {
             int vertex = second.heldVertex(b, first, a, s);
             if (vertex >= 0) {
                 add(a, first.triangleAt(a, vertex), b, -1, SECOND_HOLDS, true);

@@ -5,6 +5,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.TriangleMesh;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.LeafScratch;
 
 /**
@@ -20,13 +21,13 @@ public final class Inside {
 
     /** Whether the inside of the leaf adds to its surface; what lies above a point inside is seen in projection too. */
     public static boolean counts(Dimension dimension, LeafColumn column, int leaf) {
-        return dimension == Dimension.SPATIAL && column.kind(leaf) == Leaf.SOLID_MESH;
+        return dimension == Dimension.SPATIAL && column.kind(leaf) == LeafKind.SOLID_MESH;
     }
 
     /** Whether some point of the leaf, which does not meet the surface, lies inside the mesh. */
-    public static boolean holdsLeaf(LeafColumn mesh, int leaf, int kind, double[] row, int at, LeafScratch s) {
+    public static boolean holdsLeaf(LeafColumn mesh, int leaf, LeafKind kind, double[] row, int at, LeafScratch s) {
         // The first three numbers are the centre, or a corner: a point of the leaf; of a prism they are bounds.
-        if (kind == Leaf.PRISM) {
+        if (kind == LeafKind.PRISM) {
             double x = row[at] / 2 + row[at + 1] / 2;
             double y = row[at + 8] / 2 + row[at + 9] / 2;
             double z = row[at + 2] / 2 + row[at + 3] / 2;

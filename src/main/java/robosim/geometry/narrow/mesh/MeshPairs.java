@@ -6,6 +6,7 @@ import robosim.geometry.index.boxes.BoxTree;
 import robosim.geometry.model.TriangleMesh;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MeshWalk;
 import robosim.geometry.narrow.overlap.OverlapScratch;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
@@ -322,7 +323,7 @@ public final class MeshPairs {
     private boolean meet(int p, int q) {
         s.outer.corners(p, s.triangleA, 0);
         s.inner.corners(q, s.triangleB, 0);
-        return SpatialOverlap.test(Leaf.TRIANGLE, s.triangleA, 0, Leaf.TRIANGLE, s.triangleB, 0, s);
+        return SpatialOverlap.test(LeafKind.TRIANGLE, s.triangleA, 0, LeafKind.TRIANGLE, s.triangleB, 0, s);
     }
 
     /** Whether the triangle of a in hand is surely on one side of the plane of one of b. */

@@ -4,8 +4,8 @@ import robosim.geometry.exact.Filter;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.leaf.BoxGap;
-import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.ConvexOverlap;
 import robosim.geometry.narrow.overlap.OverlapScratch;
 
@@ -195,12 +195,12 @@ public final class NearestPairs {
     }
 
     private void plan(Branches solid, long a, Branches other, long b, int sign) {
-        if (flat || solid.kindOf(Branches.part(a)) != Leaf.SOLID_MESH) {
+        if (flat || solid.kindOf(Branches.part(a)) != LeafKind.SOLID_MESH) {
             return;
         }
         solid.box(a, boxA);
         int part = Branches.part(b);
-        if (!Leaf.isMesh(other.kindOf(part))) {
+        if (!other.kindOf(part).isMesh()) {
             other.point(b, pointB);
             plan(a, b, 0, sign);
             return;

@@ -2,6 +2,7 @@ package robosim.geometry.narrow.overlap;
 
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.gjk.HullOverlap;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** Whether two convex leaves have a point in common. */
 public final class ConvexOverlap {
@@ -9,7 +10,14 @@ public final class ConvexOverlap {
 
     /** Whether they touch or overlap. */
     public static boolean test(
-            Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
+            Dimension dimension,
+            LeafKind kindA,
+            double[] a,
+            int i,
+            LeafKind kindB,
+            double[] b,
+            int j,
+            OverlapScratch s) {
         return dimension == Dimension.PLANAR
                 ? PlanarOverlap.test(kindA, a, i, kindB, b, j, s)
                 : SpatialOverlap.test(kindA, a, i, kindB, b, j, s);
@@ -17,7 +25,14 @@ public final class ConvexOverlap {
 
     /** Whether they certainly overlap by more than rounding; false where that is not told. */
     public static boolean isDeep(
-            Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
+            Dimension dimension,
+            LeafKind kindA,
+            double[] a,
+            int i,
+            LeafKind kindB,
+            double[] b,
+            int j,
+            OverlapScratch s) {
         HullOverlap hulls = s.hulls();
         hulls.clear(dimension == Dimension.PLANAR);
         hulls.above(kindA, a, i);

@@ -4,8 +4,8 @@ import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.Stages;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.gjk.Gjk;
-import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafBounds;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.sat.ExactCylinders;
 
 /** Two cylinders in space, of which at least one is turned. */
@@ -42,13 +42,14 @@ public final class CylinderCylinder {
      * exactly one), and where neither is found touching, and {@link OverlapScratch#uncertain} set. That happens only where the
      * gap is below 2^-40 of the sizes, or the depth.
      */
-    public static boolean touch(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
-        double ax = kindA == Leaf.CYLINDER ? a[i + 7] : 0;
-        double ay = kindA == Leaf.CYLINDER ? a[i + 10] : 1;
-        double az = kindA == Leaf.CYLINDER ? a[i + 13] : 0;
-        double bx = kindB == Leaf.CYLINDER ? b[j + 7] : 0;
-        double by = kindB == Leaf.CYLINDER ? b[j + 10] : 1;
-        double bz = kindB == Leaf.CYLINDER ? b[j + 13] : 0;
+    public static boolean touch(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
+        double ax = kindA == LeafKind.CYLINDER ? a[i + 7] : 0;
+        double ay = kindA == LeafKind.CYLINDER ? a[i + 10] : 1;
+        double az = kindA == LeafKind.CYLINDER ? a[i + 13] : 0;
+        double bx = kindB == LeafKind.CYLINDER ? b[j + 7] : 0;
+        double by = kindB == LeafKind.CYLINDER ? b[j + 10] : 1;
+        double bz = kindB == LeafKind.CYLINDER ? b[j + 13] : 0;
         boolean same = (ax == bx && ay == by && az == bz) || (ax == -bx && ay == -by && az == -bz);
         if (same || (maybeParallel(ax, ay, az, bx, by, bz) && areParallel(kindA, a, i, kindB, b, j))) {
             int sure = parallel(a, i, ax, ay, az, b, j, Math.abs(ax * bx + ay * by + az * bz));
@@ -90,7 +91,7 @@ public final class CylinderCylinder {
         return true;
     }
 
-    private static boolean areParallel(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    private static boolean areParallel(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         return new ExactCylinders(kindA, a, i, kindB, b, j).areParallel();
     }
 

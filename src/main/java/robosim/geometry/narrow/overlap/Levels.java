@@ -2,44 +2,45 @@ package robosim.geometry.narrow.overlap;
 
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** Where a leaf begins and ends in height, if both are sums of two doubles: exact, and nothing is allocated. */
 public final class Levels {
     private Levels() {}
 
     /** Whether heights are sums of two. */
-    public static boolean has(int kind) {
-        return kind != Leaf.BOX && kind != Leaf.CYLINDER;
+    public static boolean has(LeafKind kind) {
+        return kind != LeafKind.BOX && kind != LeafKind.CYLINDER;
     }
 
     /** The first term of the top (side 1) or the bottom (side -1) of a leaf. */
-    public static double middle(int kind, double[] row, int at, int side) {
+    public static double middle(LeafKind kind, double[] row, int at, int side) {
         return switch (kind) {
-            case Leaf.TRIANGLE ->
+            case TRIANGLE ->
                 side > 0
                         ? Math.max(Math.max(row[at + 1], row[at + 4]), row[at + 7])
                         : Math.min(Math.min(row[at + 1], row[at + 4]), row[at + 7]);
-            case Leaf.PRISM -> side > 0 ? row[at + 9] : row[at + 8];
+            case PRISM -> side > 0 ? row[at + 9] : row[at + 8];
             default -> row[at + 1];
         };
     }
 
     /** The second term of the top; less it, that of the bottom. */
-    public static double half(int kind, double[] row, int at) {
+    public static double half(LeafKind kind, double[] row, int at) {
         return switch (kind) {
-            case Leaf.TRIANGLE, Leaf.PRISM -> 0;
-            case Leaf.SPHERE -> row[at + 3];
+            case TRIANGLE, PRISM -> 0;
+            case SPHERE -> row[at + 3];
             default -> row[at + 4];
         };
     }
 
     /** Whether all of a is at or above the top of b. */
-    static boolean isAbove(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    static boolean isAbove(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         return isBeyond(kindA, a, i, middle(kindB, b, j, 1), half(kindB, b, j), 1);
     }
 
     /** 1 where all of a is at or above the top of b, -1 at or below its bottom, 0 where neither is or may be told here. */
-    public static int side(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    public static int side(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         if (!has(kindA) || !has(kindB)) {
             return 0;
         }
@@ -47,25 +48,27 @@ public final class Levels {
     }
 
     /** Whether all of a leaf is at or above (side 1), at or below (side -1) a level that is a sum of two. */
-    public static boolean isBeyond(int kind, double[] row, int at, double middle, double half, int side) {
+    public static boolean isBeyond(LeafKind kind, double[] row, int at, double middle, double half, int side) {
         double mine = middle(kind, row, at, -side);
         return side * Dyadic.signOfSum(mine, -side * half(kind, row, at), -middle, -half) >= 0;
     }
 
     /** Whether the top and the bottom are as wide as the leaf as seen from above. */
-    static boolean isFlat(int kind, double[] row, int at) {
-        return kind == Leaf.TRIANGLE ? row[at + 1] == row[at + 4] && row[at + 4] == row[at + 7] : kind != Leaf.SPHERE;
+    static boolean isFlat(LeafKind kind, double[] row, int at) {
+        return kind == LeafKind.TRIANGLE
+                ? row[at + 1] == row[at + 4] && row[at + 4] == row[at + 7]
+                : kind != LeafKind.SPHERE;
     }
 
     /**
      * Writes what a leaf has in its top (side 1) or bottom (side -1), to be seen from above: of a triangle the corners that
      * are there, of a sphere its centre; answers its kind.
      */
-    public static int part(int kind, double[] row, int at, int side, double[] out) {
+    public static LeafKind part(LeafKind kind, double[] row, int at, int side, double[] out) {
         System.arraycopy(row, at, out, 0, Leaf.STRIDE);
-        if (kind == Leaf.SPHERE) {
+        if (kind == LeafKind.SPHERE) {
             out[Leaf.SIZE] = 0;
-        } else if (kind == Leaf.TRIANGLE) {
+        } else if (kind == LeafKind.TRIANGLE) {
             double level = middle(kind, row, at, side);
             int there = row[at + 1] == level ? 0 : row[at + 4] == level ? 3 : 6;
             for (int k = 0; k < 9; k += 3) {
@@ -82,7 +85,7 @@ public final class Levels {
      * between them in height, and where there is none, but they touch.
      */
     public static boolean parts(
-            int kindA, double[] a, int i, double dy, int kindB, double[] b, int j, OverlapScratch s) {
+            LeafKind kindA, double[] a, int i, double dy, LeafKind kindB, double[] b, int j, OverlapScratch s) {
         if (!has(kindA) || !has(kindB)) {
             return false;
         }
@@ -98,13 +101,13 @@ public final class Levels {
     }
 
     /** Sign of the gap from the top of b up to the bottom of a. */
-    private static int sign(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    private static int sign(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         return Dyadic.signOfSum(
                 middle(kindA, a, i, -1), -half(kindA, a, i), -middle(kindB, b, j, 1), -half(kindB, b, j));
     }
 
     /** Whether two leaves touch, where that is known by their heights and as seen from above: 1, -1, or 0 where it is not. */
-    public static int touch(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
+    public static int touch(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
         if (!has(kindA) || !has(kindB)) {
             return 0;
         }

@@ -1,8 +1,8 @@
 package robosim.geometry.narrow.overlap;
 
 import robosim.geometry.model.Dimension;
-import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafBounds;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.Order;
 import robosim.geometry.narrow.leaf.UnderflowScaling;
 import robosim.geometry.narrow.planar.DiscDisc;
@@ -25,14 +25,15 @@ public final class PlanarOverlap {
      * error, some 2^-46 of the sizes and the offset. With a turned cylinder {@link OverlapScratch#uncertain} is set where the two
      * touch and are not so deep in each other that no rounding could matter; octagons only have to miss nothing.
      */
-    public static boolean test(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
+    public static boolean test(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
         if (Order.isReversed(kindA, a, i, kindB, b, j)) {
             return ordered(kindB, b, j, kindA, a, i, s);
         }
         return ordered(kindA, a, i, kindB, b, j, s);
     }
 
-    private static boolean ordered(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
+    private static boolean ordered(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
         int familyA = PlanarShape.family(kindA);
         int familyB = PlanarShape.family(kindB);
         if (familyA == PlanarShape.OVAL || familyB == PlanarShape.OVAL) {
@@ -49,29 +50,31 @@ public final class PlanarOverlap {
         if (!isBox(kindA) || !isBox(kindB)) {
             return PolygonPolygon.touch(kindA, a, i, kindB, b, j, s);
         }
-        return kindB == Leaf.UPRIGHT_BOX
+        return kindB == LeafKind.UPRIGHT_BOX
                 ? RectangleRectangle.touch(a, i, b, j, s.fine)
                 : ZonogonZonogon.touch(kindA, a, i, kindB, b, j, s.fine);
     }
 
-    private static boolean isBox(int kind) {
-        return kind == Leaf.UPRIGHT_BOX || kind == Leaf.BOX;
+    private static boolean isBox(LeafKind kind) {
+        return kind == LeafKind.UPRIGHT_BOX || kind == LeafKind.BOX;
     }
 
-    private static boolean discPolygon(double[] disc, int i, int kind, double[] b, int j, OverlapScratch s) {
-        return kind == Leaf.UPRIGHT_BOX
+    private static boolean discPolygon(double[] disc, int i, LeafKind kind, double[] b, int j, OverlapScratch s) {
+        return kind == LeafKind.UPRIGHT_BOX
                 ? DiscRectangle.touch(disc[i], disc[i + 2], disc[i + 3], b, j, s.fine)
                 : DiscPolygon.touch(disc[i], disc[i + 2], disc[i + 3], kind, b, j, s);
     }
 
-    private static boolean oval(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
+    private static boolean oval(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
         UnderflowScaling m = s.scaling;
         return m.take(kindA, a, i, kindB, b, j)
                 ? storedOval(kindA, m.a, 0, kindB, m.b, 0, s)
                 : storedOval(kindA, a, i, kindB, b, j, s);
     }
 
-    private static boolean storedOval(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
+    private static boolean storedOval(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
         double ox = PlanarShape.originX(kindA, a, i);
         double oz = PlanarShape.originZ(kindA, a, i);
         s.planarA.set(kindA, a, i, ox, oz);
@@ -92,7 +95,8 @@ public final class PlanarOverlap {
     }
 
     /** Whether the two have a point in common that no rounding can have brought there. */
-    private static boolean isDeep(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
+    private static boolean isDeep(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
         s.gjk.planar(kindA, a, i, kindB, b, j);
         if (s.gjk.isDeep()) {
             return true;

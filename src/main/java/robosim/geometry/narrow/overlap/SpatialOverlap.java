@@ -4,6 +4,7 @@ import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.Stages;
 import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.Order;
 import robosim.geometry.narrow.leaf.Upright;
 import robosim.geometry.narrow.sat.AxisBody;
@@ -34,8 +35,8 @@ public final class SpatialOverlap {
      * and prisms, which are enclosures and only have to miss nothing, are apart from what is round only where a slab
      * between the two is wider than its rounding error, some 2^-48 of the sizes and the offset.
      */
-    public static boolean test(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
-        if (Leaf.isUpright(kindA) && Leaf.isUpright(kindB)) {
+    public static boolean test(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
+        if (kindA.isVerticalPrism() && kindB.isVerticalPrism()) {
             return Upright.heightsTouch(kindA, a, i, kindB, b, j) && PlanarOverlap.test(kindA, a, i, kindB, b, j, s);
         }
         return Order.isReversed(kindA, a, i, kindB, b, j)
@@ -43,11 +44,12 @@ public final class SpatialOverlap {
                 : ordered(kindA, a, i, kindB, b, j, s);
     }
 
-    private static boolean ordered(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
+    private static boolean ordered(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
         if (isPolytope(kindA) && isPolytope(kindB)) {
             return s.polytopes.touch(kindA, a, i, kindB, b, j);
         }
-        if (kindA == Leaf.SPHERE && kindB == Leaf.SPHERE) {
+        if (kindA == LeafKind.SPHERE && kindB == LeafKind.SPHERE) {
             return spheres(a, i, b, j);
         }
         if (isCylinder(kindA) && isCylinder(kindB)) {
@@ -65,17 +67,18 @@ public final class SpatialOverlap {
     }
 
     /** Whether {@link #exactly} decides for certain. */
-    private static boolean hasExact(int kindA, int kindB) {
-        return kindA != Leaf.PRISM && kindB != Leaf.PRISM;
+    private static boolean hasExact(LeafKind kindA, LeafKind kindB) {
+        return kindA != LeafKind.PRISM && kindB != LeafKind.PRISM;
     }
 
     /** What neither a slab nor a common point could decide. */
-    private static boolean exactly(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
+    private static boolean exactly(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
         EXACT.count();
-        if (kindA == Leaf.SPHERE && kindB != Leaf.PRISM) {
+        if (kindA == LeafKind.SPHERE && kindB != LeafKind.PRISM) {
             return sphere(new ExactSphere(a, i), kindB, b, j);
         }
-        if (kindB == Leaf.SPHERE && kindA != Leaf.PRISM) {
+        if (kindB == LeafKind.SPHERE && kindA != LeafKind.PRISM) {
             return sphere(new ExactSphere(b, j), kindA, a, i);
         }
         if (isPolytope(kindA) && isCylinder(kindB)) {
@@ -91,7 +94,7 @@ public final class SpatialOverlap {
         return true;
     }
 
-    private static boolean sphere(ExactSphere sphere, int kind, double[] row, int at) {
+    private static boolean sphere(ExactSphere sphere, LeafKind kind, double[] row, int at) {
         if (isCylinder(kind)) {
             return sphere.touchesCylinder(new ExactCylinder(kind, row, at));
         }
@@ -116,11 +119,11 @@ public final class SpatialOverlap {
         return new ExactSphere(a, i).touchesSphere(b, j);
     }
 
-    private static boolean isPolytope(int kind) {
-        return kind == Leaf.UPRIGHT_BOX || kind == Leaf.BOX || kind == Leaf.TRIANGLE;
+    private static boolean isPolytope(LeafKind kind) {
+        return kind == LeafKind.UPRIGHT_BOX || kind == LeafKind.BOX || kind == LeafKind.TRIANGLE;
     }
 
-    private static boolean isCylinder(int kind) {
-        return kind == Leaf.UPRIGHT_CYLINDER || kind == Leaf.CYLINDER;
+    private static boolean isCylinder(LeafKind kind) {
+        return kind == LeafKind.UPRIGHT_CYLINDER || kind == LeafKind.CYLINDER;
     }
 }

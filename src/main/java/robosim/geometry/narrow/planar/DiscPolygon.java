@@ -3,7 +3,7 @@ package robosim.geometry.narrow.planar;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.Stages;
 import robosim.geometry.exact.VectorMath;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** A disc and a convex polygon: what a box, a triangle or an octagon throws. */
 public final class DiscPolygon {
@@ -23,13 +23,13 @@ public final class DiscPolygon {
     private DiscPolygon() {}
 
     /** Whether they touch or overlap; exact, but for octagons, which touch where it is in doubt. */
-    public static boolean touch(double px, double pz, double r, int kind, double[] b, int j, PlanarScratch s) {
+    public static boolean touch(double px, double pz, double r, LeafKind kind, double[] b, int j, PlanarScratch s) {
         PlanarShape q = s.planarB;
         q.set(kind, b, j, px, pz);
         if (q.isTiny()) {
             return doubtfulTouch(px, pz, r, kind, b, j);
         }
-        double error = (kind == Leaf.PRISM ? ROUNDING : FILTER) * (CORNERS * q.error + SIZE * q.size + U * r);
+        double error = (kind == LeafKind.PRISM ? ROUNDING : FILTER) * (CORNERS * q.error + SIZE * q.size + U * r);
         double outline = Math.sqrt(PointPolygon.squareToOutline(0, 0, q));
         if (outline < r - error) {
             return true;
@@ -44,8 +44,8 @@ public final class DiscPolygon {
         return doubtfulTouch(px, pz, r, kind, b, j);
     }
 
-    private static boolean doubtfulTouch(double px, double pz, double r, int kind, double[] b, int j) {
-        if (kind == Leaf.PRISM) {
+    private static boolean doubtfulTouch(double px, double pz, double r, LeafKind kind, double[] b, int j) {
+        if (kind == LeafKind.PRISM) {
             return true;
         }
         EXACT.count();
@@ -53,7 +53,7 @@ public final class DiscPolygon {
     }
 
     /** The least distance, 0 in contact. */
-    public static double distance(double px, double pz, double r, int kind, double[] b, int j, PlanarScratch s) {
+    public static double distance(double px, double pz, double r, LeafKind kind, double[] b, int j, PlanarScratch s) {
         if (touch(px, pz, r, kind, b, j, s)) {
             return 0;
         }

@@ -6,7 +6,7 @@ import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.Stages;
 import robosim.geometry.exact.VectorMath;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** A disc and the rectangle that an upright box throws on the plane. */
 public final class DiscRectangle {
@@ -113,7 +113,7 @@ public final class DiscRectangle {
     }
 
     private static boolean exactTouch(double px, double pz, double r, double[] row, int at) {
-        return ExactPlanar.of(Leaf.UPRIGHT_BOX, row, at).touchesDisc(px, pz, r);
+        return ExactPlanar.of(LeafKind.UPRIGHT_BOX, row, at).touchesDisc(px, pz, r);
     }
 
     /** The least distance, 0 in contact; within three ulp of itself and 2^-98 of the offset and the sizes. */

@@ -2,6 +2,7 @@ package robosim.geometry.narrow.planar;
 
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * The projection of a box or a triangle, exactly: the slow and certain way to a verdict, for where a filter is in
@@ -27,10 +28,10 @@ public final class ExactPlanar {
         sideZ[sides + 1] = Dyadic.ONE;
     }
 
-    public static ExactPlanar of(int kind, double[] row, int at) {
+    public static ExactPlanar of(LeafKind kind, double[] row, int at) {
         return switch (kind) {
-            case Leaf.UPRIGHT_BOX, Leaf.BOX -> box(row, at);
-            case Leaf.TRIANGLE -> triangle(row, at);
+            case UPRIGHT_BOX, BOX -> box(row, at);
+            case TRIANGLE -> triangle(row, at);
             default -> throw new IllegalArgumentException("kind must be a box or a triangle (got: " + kind + ")");
         };
     }

@@ -3,6 +3,7 @@ package robosim.geometry.narrow.planar;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Orientation;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * What is left of a leaf on the XZ plane, relative to an origin near it: a disc, a convex polygon, or the oval that a
@@ -85,10 +86,10 @@ public final class PlanarShape {
     private final double[] wayX = new double[3];
     private final double[] wayZ = new double[3];
 
-    public static int family(int kind) {
+    public static int family(LeafKind kind) {
         return switch (kind) {
-            case Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE -> DISC;
-            case Leaf.CYLINDER -> OVAL;
+            case UPRIGHT_CYLINDER, SPHERE -> DISC;
+            case CYLINDER -> OVAL;
             default -> POLYGON;
         };
     }
@@ -111,23 +112,23 @@ public final class PlanarShape {
     }
 
     /** A point near a leaf to see it and others from: its centre, or one corner. */
-    public static double originX(int kind, double[] row, int at) {
-        return kind == Leaf.PRISM ? (row[at] + row[at + 1]) / 2 : row[at];
+    public static double originX(LeafKind kind, double[] row, int at) {
+        return kind == LeafKind.PRISM ? (row[at] + row[at + 1]) / 2 : row[at];
     }
 
-    public static double originZ(int kind, double[] row, int at) {
-        return kind == Leaf.PRISM ? (row[at + 2] + row[at + 3]) / 2 : row[at + 2];
+    public static double originZ(LeafKind kind, double[] row, int at) {
+        return kind == LeafKind.PRISM ? (row[at + 2] + row[at + 3]) / 2 : row[at + 2];
     }
 
     /** Takes the projection of a leaf, as seen from (ox, oz). */
-    public void set(int kind, double[] row, int at, double ox, double oz) {
+    public void set(LeafKind kind, double[] row, int at, double ox, double oz) {
         family = family(kind);
         count = 0;
         switch (kind) {
-            case Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE -> disc(row, at, ox, oz);
-            case Leaf.CYLINDER -> oval(row, at, ox, oz);
-            case Leaf.TRIANGLE -> triangle(row, at, ox, oz);
-            case Leaf.PRISM -> octagon(row, at, ox, oz);
+            case UPRIGHT_CYLINDER, SPHERE -> disc(row, at, ox, oz);
+            case CYLINDER -> oval(row, at, ox, oz);
+            case TRIANGLE -> triangle(row, at, ox, oz);
+            case PRISM -> octagon(row, at, ox, oz);
             default -> box(row, at, ox, oz);
         }
     }

@@ -3,7 +3,7 @@ package robosim.geometry.narrow.planar;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.Stages;
 import robosim.geometry.exact.VectorMath;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** Two convex polygons on the plane: what boxes, triangles and octagons throw. */
 public final class PolygonPolygon {
@@ -23,8 +23,8 @@ public final class PolygonPolygon {
      * Whether they touch or overlap; exact, but for an octagon and something else, which touch where it is in doubt. Two
      * octagons have sides in the same four directions, one of which parts them where they are apart.
      */
-    public static boolean touch(int kindA, double[] a, int i, int kindB, double[] b, int j, PlanarScratch s) {
-        return (kindA == Leaf.PRISM && kindB == Leaf.PRISM)
+    public static boolean touch(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, PlanarScratch s) {
+        return (kindA == LeafKind.PRISM && kindB == LeafKind.PRISM)
                 ? octagonsTouch(a, i, b, j)
                 : polygonsTouch(kindA, a, i, kindB, b, j, s);
     }
@@ -38,7 +38,8 @@ public final class PolygonPolygon {
         return true;
     }
 
-    private static boolean polygonsTouch(int kindA, double[] a, int i, int kindB, double[] b, int j, PlanarScratch s) {
+    private static boolean polygonsTouch(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, PlanarScratch s) {
         PlanarShape p = s.planarA;
         PlanarShape q = s.planarB;
         double ox = PlanarShape.originX(kindA, a, i);
@@ -47,7 +48,7 @@ public final class PolygonPolygon {
         q.set(kindB, b, j, ox, oz);
         // The normals of all sides tell how deep two polygons overlap, unless both are flat and parallel; those, and
         // what is small beside the error, never overlap clearly and so go to the exact path.
-        boolean isEnclosure = kindA == Leaf.PRISM || kindB == Leaf.PRISM;
+        boolean isEnclosure = kindA == LeafKind.PRISM || kindB == LeafKind.PRISM;
         double error = (isEnclosure ? ROUNDING : FILTER) * (p.error + q.error + PRODUCT * (p.size + q.size));
         int verdict = Math.max(apart(p, q, error), apart(q, p, error));
         if (verdict == 1) {
@@ -60,7 +61,7 @@ public final class PolygonPolygon {
         };
     }
 
-    private static boolean exactTouch(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    private static boolean exactTouch(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         EXACT.count();
         return ExactPlanar.of(kindA, a, i).touches(ExactPlanar.of(kindB, b, j));
     }
@@ -98,13 +99,14 @@ public final class PolygonPolygon {
     }
 
     /** The least distance, 0 in contact. */
-    public static double distance(int kindA, double[] a, int i, int kindB, double[] b, int j, PlanarScratch s) {
+    public static double distance(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, PlanarScratch s) {
         if (touch(kindA, a, i, kindB, b, j, s)) {
             return 0;
         }
         PlanarShape p = s.planarA;
         PlanarShape q = s.planarB;
-        if (kindA == Leaf.PRISM && kindB == Leaf.PRISM) {
+        if (kindA == LeafKind.PRISM && kindB == LeafKind.PRISM) {
             p.set(kindA, a, i, PlanarShape.originX(kindA, a, i), PlanarShape.originZ(kindA, a, i));
             q.set(kindB, b, j, PlanarShape.originX(kindA, a, i), PlanarShape.originZ(kindA, a, i));
         }

@@ -3,7 +3,7 @@ package robosim.geometry.narrow.planar;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.Stages;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** The rectangles that two upright boxes throw on the plane. */
 public final class RectangleRectangle {
@@ -79,7 +79,7 @@ public final class RectangleRectangle {
 
     private static boolean exactTouch(double[] a, int i, double[] b, int j) {
         EXACT.count();
-        return ExactPlanar.of(Leaf.UPRIGHT_BOX, a, i).touches(ExactPlanar.of(Leaf.UPRIGHT_BOX, b, j));
+        return ExactPlanar.of(LeafKind.UPRIGHT_BOX, a, i).touches(ExactPlanar.of(LeafKind.UPRIGHT_BOX, b, j));
     }
 
     // |p - q| <= h + k

@@ -3,6 +3,7 @@ package robosim.geometry.narrow.planar;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.Stages;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** What two boxes at any attitude throw on the plane: each the sum of the segments that its own axes throw. */
 public final class ZonogonZonogon {
@@ -19,7 +20,8 @@ public final class ZonogonZonogon {
     private ZonogonZonogon() {}
 
     /** Whether they touch or overlap; exact. */
-    public static boolean touch(int kindA, double[] a, int i, int kindB, double[] b, int j, DoubleDoubleOverlap fine) {
+    public static boolean touch(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, DoubleDoubleOverlap fine) {
         double dx = a[i] - b[j];
         double dz = a[i + 2] - b[j + 2];
         double error = OFFSET * (Math.abs(dx) + Math.abs(dz))
@@ -34,7 +36,7 @@ public final class ZonogonZonogon {
         return side == 0 ? exactTouch(kindA, a, i, kindB, b, j) : side < 0;
     }
 
-    private static boolean exactTouch(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    private static boolean exactTouch(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         EXACT.count();
         return ExactPlanar.of(kindA, a, i).touches(ExactPlanar.of(kindB, b, j));
     }

@@ -4,7 +4,7 @@ import static robosim.geometry.exact.VectorMath.U;
 
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.model.Dimension;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * The outward surface normal of a leaf where a ray meets it.
@@ -37,7 +37,7 @@ public final class Normals {
             double ux,
             double uy,
             double uz,
-            int kind,
+            LeafKind kind,
             double[] row,
             int j,
             double[] normal,
@@ -56,8 +56,8 @@ public final class Normals {
         face.answer(-DEPTH * extent, distance > 0, normal);
     }
 
-    private static double extent(int kind, double[] row, int j) {
-        int count = kind == Leaf.PRISM ? 10 : kind == Leaf.TRIANGLE ? 9 : kind == Leaf.SPHERE ? 4 : 6;
+    private static double extent(LeafKind kind, double[] row, int j) {
+        int count = kind == LeafKind.PRISM ? 10 : kind == LeafKind.TRIANGLE ? 9 : kind == LeafKind.SPHERE ? 4 : 6;
         double extent = 0;
         for (int i = 0; i < count; i++) {
             extent = Math.max(extent, Math.abs(row[j + i]));

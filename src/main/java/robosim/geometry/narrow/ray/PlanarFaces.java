@@ -1,18 +1,19 @@
 package robosim.geometry.narrow.ray;
 
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** The edges of every kind of leaf's projection on the ground; their normals are horizontal. */
 final class PlanarFaces {
     private PlanarFaces() {}
 
-    static void offer(NearestFace face, int kind, double[] b, int j) {
+    static void offer(NearestFace face, LeafKind kind, double[] b, int j) {
         switch (kind) {
-            case Leaf.UPRIGHT_BOX, Leaf.BOX -> box(face, b, j);
-            case Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE -> disc(face, face.px - b[j], face.pz - b[j + 2], b[j + 3]);
-            case Leaf.CYLINDER -> oval(face, b, j);
-            case Leaf.TRIANGLE -> triangle(face, b, j);
-            case Leaf.PRISM -> {
+            case UPRIGHT_BOX, BOX -> box(face, b, j);
+            case UPRIGHT_CYLINDER, SPHERE -> disc(face, face.px - b[j], face.pz - b[j + 2], b[j + 3]);
+            case CYLINDER -> oval(face, b, j);
+            case TRIANGLE -> triangle(face, b, j);
+            case PRISM -> {
                 SpatialFaces.slab(face, face.px, b[j], b[j + 1], 1, 0, 0);
                 SpatialFaces.slab(face, face.pz, b[j + 2], b[j + 3], 0, 0, 1);
                 SpatialFaces.slab(face, face.px + face.pz, b[j + 4], b[j + 5], 1, 0, 1);

@@ -1,6 +1,7 @@
 package robosim.geometry.narrow.ray;
 
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** A ray on the XZ plane and the projection of a leaf. */
 public final class PlanarRay {
@@ -20,7 +21,7 @@ public final class PlanarRay {
      * @return world units; 0 where the start is inside or on it, {@code +Infinity} on a miss
      */
     public static double distance(
-            double ox, double oz, double ux, double uz, int kind, double[] b, int j, RayScratch s) {
+            double ox, double oz, double ux, double uz, LeafKind kind, double[] b, int j, RayScratch s) {
         double size = Math.max(Math.abs(ux), Math.abs(uz));
         if (!(size >= LEAST && size <= MOST)) {
             int shift = -Math.getExponent(size);
@@ -32,12 +33,12 @@ public final class PlanarRay {
     }
 
     /** The same for a direction of ordinary length. */
-    public static double scaled(double ox, double oz, double ux, double uz, int kind, double[] b, int j, RayScratch s) {
+    public static double scaled(
+            double ox, double oz, double ux, double uz, LeafKind kind, double[] b, int j, RayScratch s) {
         return switch (kind) {
-            case Leaf.UPRIGHT_BOX -> RayRectangle.distance(ox, oz, ux, uz, b, j);
-            case Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE ->
-                RayDisc.distance(ox, oz, ux, uz, b[j], b[j + 2], b[j + Leaf.SIZE]);
-            case Leaf.CYLINDER -> RayOval.distance(ox, oz, ux, uz, b, j, s.planarB);
+            case UPRIGHT_BOX -> RayRectangle.distance(ox, oz, ux, uz, b, j);
+            case UPRIGHT_CYLINDER, SPHERE -> RayDisc.distance(ox, oz, ux, uz, b[j], b[j + 2], b[j + Leaf.SIZE]);
+            case CYLINDER -> RayOval.distance(ox, oz, ux, uz, b, j, s.planarB);
             default -> RayPolygon.distance(ox, oz, ux, uz, kind, b, j, s);
         };
     }

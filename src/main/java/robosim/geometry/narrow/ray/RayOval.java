@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.ray;
 
 import robosim.geometry.exact.DoubleDouble;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.planar.PlanarShape;
 
 /**
@@ -16,7 +16,7 @@ final class RayOval {
 
     /** Distance in world units. */
     static double distance(double ox, double oz, double ux, double uz, double[] row, int at, PlanarShape q) {
-        q.set(Leaf.CYLINDER, row, at, ox, oz);
+        q.set(LeafKind.CYLINDER, row, at, ox, oz);
         double length = Math.sqrt(ux * ux + uz * uz);
         double wayX = ux / length;
         double wayZ = uz / length;

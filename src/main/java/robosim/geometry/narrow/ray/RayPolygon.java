@@ -3,7 +3,7 @@ package robosim.geometry.narrow.ray;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.Stages;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.planar.ExactPlanar;
 import robosim.geometry.narrow.planar.PlanarShape;
 
@@ -23,11 +23,11 @@ final class RayPolygon {
     private RayPolygon() {}
 
     /** Distance in world units; whether it is a hit at all is exact, but for octagons, hit where it is in doubt. */
-    static double distance(double ox, double oz, double ux, double uz, int kind, double[] b, int j, RayScratch s) {
+    static double distance(double ox, double oz, double ux, double uz, LeafKind kind, double[] b, int j, RayScratch s) {
         PlanarShape q = s.planarB;
         q.set(kind, b, j, ox, oz);
         double speed = Math.abs(ux) + Math.abs(uz);
-        boolean isEnclosure = kind == Leaf.PRISM;
+        boolean isEnclosure = kind == LeafKind.PRISM;
         double filter = isEnclosure ? ROUNDING : FILTER;
         double doubt = filter * (q.error + PRODUCT * q.size) * speed + UNDERFLOW;
         double left = -Double.MAX_VALUE;
@@ -60,7 +60,7 @@ final class RayPolygon {
             }
         }
         double square = ux * ux + uz * uz;
-        double first = kind == Leaf.BOX || kind == Leaf.UPRIGHT_BOX
+        double first = kind == LeafKind.BOX || kind == LeafKind.UPRIGHT_BOX
                 ? RayZonogon.entry(ox, oz, ux, uz, b, j)
                 : lastCrossing(kind, q, ux, uz, speed);
         double share = Math.min(Math.max(first, nearest / square), furthest / square);
@@ -90,7 +90,7 @@ final class RayPolygon {
 
     // The last of the sides' lines that the ray crosses inward, for a ray that is known to hit. Of a triangle's side
     // along which the ray runs but for rounding, plain doubles do not tell which way that is.
-    private static double lastCrossing(int kind, PlanarShape q, double ux, double uz, double speed) {
+    private static double lastCrossing(LeafKind kind, PlanarShape q, double ux, double uz, double speed) {
         double share = 0;
         int last = q.count - 1;
         for (int k = 0; k <= last; k++) {
@@ -101,10 +101,10 @@ final class RayPolygon {
             double way = ez * ux - ex * uz;
             double length = Math.abs(ex) + Math.abs(ez);
             boolean isClear = ahead > DOUBTFUL * length * q.size || way > DOUBTFUL * length * speed;
-            if (isClear || (kind == Leaf.PRISM && !(ahead < 0 && way < 0))) {
+            if (isClear || (kind == LeafKind.PRISM && !(ahead < 0 && way < 0))) {
                 continue;
             }
-            share = Math.max(share, kind == Leaf.PRISM ? ahead / way : crossing(q, previous, k, ux, uz));
+            share = Math.max(share, kind == LeafKind.PRISM ? ahead / way : crossing(q, previous, k, ux, uz));
         }
         return share;
     }

@@ -4,7 +4,7 @@ import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.Stages;
 import robosim.geometry.exact.VectorMath;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.planar.DiscRectangle;
 import robosim.geometry.narrow.planar.ExactPlanar;
 
@@ -102,7 +102,7 @@ public final class RayRectangle {
 
     private static double doubtful(double ox, double oz, double ux, double uz, double[] row, int at) {
         EXACT.count();
-        ExactPlanar exact = ExactPlanar.of(Leaf.UPRIGHT_BOX, row, at);
+        ExactPlanar exact = ExactPlanar.of(LeafKind.UPRIGHT_BOX, row, at);
         if (exact.contains(ox, oz)) {
             return 0;
         }

@@ -2,19 +2,20 @@ package robosim.geometry.narrow.ray;
 
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** The faces of every kind of leaf in space. */
 final class SpatialFaces {
     private SpatialFaces() {}
 
-    static void offer(NearestFace face, int kind, double[] b, int j) {
+    static void offer(NearestFace face, LeafKind kind, double[] b, int j) {
         switch (kind) {
-            case Leaf.UPRIGHT_BOX, Leaf.BOX -> box(face, b, j);
-            case Leaf.UPRIGHT_CYLINDER -> cylinder(face, b, j, 0, 1, 0);
-            case Leaf.CYLINDER -> cylinder(face, b, j, b[j + 7], b[j + 10], b[j + 13]);
-            case Leaf.SPHERE -> round(face, face.px - b[j], face.py - b[j + 1], face.pz - b[j + 2], b[j + 3]);
-            case Leaf.TRIANGLE -> triangle(face, b, j);
-            case Leaf.PRISM -> prism(face, b, j);
+            case UPRIGHT_BOX, BOX -> box(face, b, j);
+            case UPRIGHT_CYLINDER -> cylinder(face, b, j, 0, 1, 0);
+            case CYLINDER -> cylinder(face, b, j, b[j + 7], b[j + 10], b[j + 13]);
+            case SPHERE -> round(face, face.px - b[j], face.py - b[j + 1], face.pz - b[j + 2], b[j + 3]);
+            case TRIANGLE -> triangle(face, b, j);
+            case PRISM -> prism(face, b, j);
             default -> throw new IllegalArgumentException("kind must be one of Leaf's (got: " + kind + ")");
         }
     }

@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.ray;
 
 import robosim.geometry.exact.VectorMath;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * A ray in space against one leaf.
@@ -26,7 +26,7 @@ public final class SpatialRay {
             double ux,
             double uy,
             double uz,
-            int kind,
+            LeafKind kind,
             double[] row,
             int j,
             RayScratch s) {
@@ -54,18 +54,18 @@ public final class SpatialRay {
             double ux,
             double uy,
             double uz,
-            int kind,
+            LeafKind kind,
             double[] row,
             int j,
             RayScratch s) {
         return switch (kind) {
-            case Leaf.UPRIGHT_BOX -> RayBox.upright(ox, oy, oz, ux, uy, uz, row, j, s);
-            case Leaf.UPRIGHT_CYLINDER -> RayCylinder.upright(ox, oy, oz, ux, uy, uz, row, j, s);
-            case Leaf.SPHERE -> RaySphere.distance(ox, oy, oz, ux, uy, uz, row, j, s);
-            case Leaf.BOX -> RayBox.distance(ox, oy, oz, ux, uy, uz, row, j, s);
-            case Leaf.CYLINDER -> RayCylinder.distance(ox, oy, oz, ux, uy, uz, row, j, s);
-            case Leaf.TRIANGLE -> RayTriangle.distance(ox, oy, oz, ux, uy, uz, row, j, s);
-            case Leaf.PRISM -> RayPrism.distance(ox, oy, oz, ux, uy, uz, row, j, s);
+            case UPRIGHT_BOX -> RayBox.upright(ox, oy, oz, ux, uy, uz, row, j, s);
+            case UPRIGHT_CYLINDER -> RayCylinder.upright(ox, oy, oz, ux, uy, uz, row, j, s);
+            case SPHERE -> RaySphere.distance(ox, oy, oz, ux, uy, uz, row, j, s);
+            case BOX -> RayBox.distance(ox, oy, oz, ux, uy, uz, row, j, s);
+            case CYLINDER -> RayCylinder.distance(ox, oy, oz, ux, uy, uz, row, j, s);
+            case TRIANGLE -> RayTriangle.distance(ox, oy, oz, ux, uy, uz, row, j, s);
+            case PRISM -> RayPrism.distance(ox, oy, oz, ux, uy, uz, row, j, s);
             default -> throw new IllegalArgumentException("kind must be one of Leaf's (got: " + kind + ")");
         };
     }

@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.sat;
 
 import robosim.geometry.exact.Filter;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.PrismCorners;
 
 /**
@@ -74,18 +74,21 @@ public final class AxisBody {
     private int halves;
 
     /** Whether a leaf of this kind is a polytope, in space or (planar) in its projection. */
-    public static boolean isPolytope(int kind) {
-        return kind == Leaf.UPRIGHT_BOX || kind == Leaf.BOX || kind == Leaf.TRIANGLE || kind == Leaf.PRISM;
+    public static boolean isPolytope(LeafKind kind) {
+        return kind == LeafKind.UPRIGHT_BOX
+                || kind == LeafKind.BOX
+                || kind == LeafKind.TRIANGLE
+                || kind == LeafKind.PRISM;
     }
 
-    void spatial(int kind, double[] row, int at, double ox, double oy, double oz) {
+    void spatial(LeafKind kind, double[] row, int at, double ox, double oy, double oz) {
         clear();
         switch (kind) {
-            case Leaf.TRIANGLE -> {
+            case TRIANGLE -> {
                 corners(row, at, ox, oy, oz, 1);
                 spatialTriangle();
             }
-            case Leaf.PRISM -> {
+            case PRISM -> {
                 PrismCorners.load(row, at, ox, oz, px, pz);
                 double low = row[at + 8] - oy;
                 double high = row[at + 9] - oy;
@@ -119,14 +122,14 @@ public final class AxisBody {
     }
 
     /** The projection on XZ, with the heights kept out of it. */
-    void planar(int kind, double[] row, int at, double ox, double oz) {
+    void planar(LeafKind kind, double[] row, int at, double ox, double oz) {
         clear();
         switch (kind) {
-            case Leaf.TRIANGLE -> {
+            case TRIANGLE -> {
                 corners(row, at, ox, 0, oz, 0);
                 planarTriangle();
             }
-            case Leaf.PRISM -> {
+            case PRISM -> {
                 PrismCorners.load(row, at, ox, oz, px, pz);
                 java.util.Arrays.fill(py, 0, 8, 0);
                 points = 8;
@@ -147,9 +150,9 @@ public final class AxisBody {
     }
 
     /** An upright polytope: the normals of its base and the vertical. */
-    void upright(int kind, double[] row, int at, double ox, double oy, double oz) {
+    void upright(LeafKind kind, double[] row, int at, double ox, double oy, double oz) {
         planar(kind, row, at, ox, oz);
-        if (kind == Leaf.PRISM) {
+        if (kind == LeafKind.PRISM) {
             double low = row[at + 8] - oy;
             double high = row[at + 9] - oy;
             for (int k = 0; k < 8; k++) {

@@ -1,6 +1,7 @@
 package robosim.geometry.narrow.sat;
 
 import robosim.geometry.exact.DoubleDoubleSum;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * The second stage of {@link MovingAxes}: when the gap along one axis closes, in pairs of doubles.
@@ -40,13 +41,13 @@ final class DoubleDoubleAxes {
 
     void load(
             int mode,
-            int kindA,
+            LeafKind kindA,
             double[] a,
             int i,
             double moveX,
             double moveY,
             double moveZ,
-            int kindB,
+            LeafKind kindB,
             double[] b,
             int j,
             double ox,

@@ -2,7 +2,7 @@ package robosim.geometry.narrow.sat;
 
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.DoubleDoubleSum;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** The twin of {@link AxisBody} in pairs of doubles: how far a polytope reaches along an axis. */
 final class DoubleDoubleBody {
@@ -31,14 +31,14 @@ final class DoubleDoubleBody {
     private final DoubleDoubleSum reach = new DoubleDoubleSum();
 
     /** Loads a leaf as {@link AxisBody} does in a mode of {@link MovingAxes}. */
-    void load(int mode, int kind, double[] row, int at, double ox, double oy, double oz) {
+    void load(int mode, LeafKind kind, double[] row, int at, double ox, double oy, double oz) {
         points = 0;
         halves = 0;
         edges = 0;
         boolean flat = mode == AxisBody.PLANAR;
         switch (kind) {
-            case Leaf.TRIANGLE -> triangle(row, at, flat, ox, oy, oz);
-            case Leaf.PRISM -> prism(row, at, flat, ox, oy, oz);
+            case TRIANGLE -> triangle(row, at, flat, ox, oy, oz);
+            case PRISM -> prism(row, at, flat, ox, oy, oz);
             default -> box(row, at, mode, ox, oy, oz);
         }
     }

@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.sat;
 
 import robosim.geometry.exact.DoubleDoubleSum;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** One corner of a polytope in pairs of doubles. */
 public final class DoubleDoubleCorner {
@@ -15,7 +15,7 @@ public final class DoubleDoubleCorner {
      */
     public void find(
             boolean flat,
-            int kind,
+            LeafKind kind,
             double[] row,
             int at,
             int source,
@@ -24,17 +24,17 @@ public final class DoubleDoubleCorner {
             double oz,
             DoubleDoubleSum[] out) {
         switch (kind) {
-            case Leaf.TRIANGLE -> {
+            case TRIANGLE -> {
                 difference(row[source], ox, out[0]);
                 difference(flat ? 0 : row[source + 1], flat ? 0 : oy, out[1]);
                 difference(row[source + 2], oz, out[2]);
             }
-            case Leaf.SPHERE, Leaf.UPRIGHT_CYLINDER -> {
+            case SPHERE, UPRIGHT_CYLINDER -> {
                 difference(row[at], ox, out[0]);
                 difference(flat ? 0 : row[at + 1], flat ? 0 : oy, out[1]);
                 difference(row[at + 2], oz, out[2]);
             }
-            case Leaf.PRISM -> {
+            case PRISM -> {
                 octagon.load(row, at, ox, oz);
                 out[0].set(octagon.x[source % 8]);
                 difference(flat ? 0 : row[at + 8 + source / 8], flat ? 0 : oy, out[1]);

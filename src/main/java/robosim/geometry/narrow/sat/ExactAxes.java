@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactMath;
 import robosim.geometry.exact.Stages;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** The exact twin of {@link MovingAxes}: the same axes, whatever their number, decided without rounding. */
 public final class ExactAxes {
@@ -29,27 +29,46 @@ public final class ExactAxes {
 
     /** As {@code PlanarSweep.translation}, for polytopes. */
     public static double time(
-            int mode, int kindA, double[] a, int i, double dx, double dy, double dz, int kindB, double[] b, int j) {
+            int mode,
+            LeafKind kindA,
+            double[] a,
+            int i,
+            double dx,
+            double dy,
+            double dz,
+            LeafKind kindB,
+            double[] b,
+            int j) {
         EXACT.count();
         return of(mode, kindA, a, i, dx, dy, dz, kindB, b, j).decide();
     }
 
     private static ExactAxes of(
-            int mode, int kindA, double[] a, int i, double dx, double dy, double dz, int kindB, double[] b, int j) {
+            int mode,
+            LeafKind kindA,
+            double[] a,
+            int i,
+            double dx,
+            double dy,
+            double dz,
+            LeafKind kindB,
+            double[] b,
+            int j) {
         Dyadic[] move = ExactBody.vector(dx, mode == AxisBody.PLANAR ? 0 : dy, dz);
         ExactAxes axes = new ExactAxes(ExactBody.of(mode, kindA, a, i), ExactBody.of(mode, kindB, b, j), move);
-        axes.collect(mode == AxisBody.SPATIAL && kindA == Leaf.TRIANGLE && kindB == Leaf.TRIANGLE);
+        axes.collect(mode == AxisBody.SPATIAL && kindA == LeafKind.TRIANGLE && kindB == LeafKind.TRIANGLE);
         return axes;
     }
 
     /** Whether two polytopes neither touch nor overlap. */
-    public static boolean areApart(int mode, int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    public static boolean areApart(int mode, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         ExactAxes axes = of(mode, kindA, a, i, 0, 0, 0, kindB, b, j);
         return axes.directions.stream().anyMatch(d -> d.gap.signum() > 0);
     }
 
     /** Whether a lies wholly beyond b in a direction of the plane; (nx, nz) is taken as it is, of any length. */
-    public static boolean isBeyond(int kindA, double[] a, int i, double nx, double nz, int kindB, double[] b, int j) {
+    public static boolean isBeyond(
+            LeafKind kindA, double[] a, int i, double nx, double nz, LeafKind kindB, double[] b, int j) {
         Dyadic[] axis = ExactBody.vector(nx, 0, nz);
         Dyadic[] p = ExactBody.of(AxisBody.PLANAR, kindA, a, i).project(axis);
         Dyadic[] q = ExactBody.of(AxisBody.PLANAR, kindB, b, j).project(axis);

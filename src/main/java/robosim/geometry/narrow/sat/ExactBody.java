@@ -3,7 +3,7 @@ package robosim.geometry.narrow.sat;
 import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.exact.Dyadic;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.PrismCorners;
 
 /** The exact twin of {@link AxisBody}: a polytope of the stored numbers, without rounding. */
@@ -18,13 +18,13 @@ public final class ExactBody {
 
     private ExactBody() {}
 
-    static ExactBody of(int mode, int kind, double[] row, int at) {
+    static ExactBody of(int mode, LeafKind kind, double[] row, int at) {
         ExactBody body = new ExactBody();
         boolean flat = mode == AxisBody.PLANAR;
         switch (kind) {
-            case Leaf.TRIANGLE -> body.triangle(row, at, flat);
-            case Leaf.PRISM -> body.prism(row, at, mode);
-            case Leaf.UPRIGHT_BOX, Leaf.BOX -> body.box(row, at, mode);
+            case TRIANGLE -> body.triangle(row, at, flat);
+            case PRISM -> body.prism(row, at, mode);
+            case UPRIGHT_BOX, BOX -> body.box(row, at, mode);
             default -> throw new IllegalArgumentException("not a polytope (got kind: " + kind + ")");
         }
         return body;

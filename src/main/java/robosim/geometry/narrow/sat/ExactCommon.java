@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.Order;
 
 /**
@@ -25,7 +26,7 @@ public final class ExactCommon {
      * Writes a common point, each coordinate to two units in the last place; false where there is none. (a, b) and (b, a)
      * give the same bits.
      */
-    public static boolean point(int kindA, double[] a, int i, int kindB, double[] b, int j, double[] out) {
+    public static boolean point(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double[] out) {
         ExactPolytope p = new ExactPolytope(kindA, a, i);
         ExactPolytope q = new ExactPolytope(kindB, b, j);
         boolean reversed = Order.isReversed(kindA, a, i, kindB, b, j);

@@ -3,6 +3,7 @@ package robosim.geometry.narrow.sat;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * A cylinder {@code |(x - c).a| <= h a.a, |(x - c) x a| <= r |a|} against boxes and triangles with exact numbers. Slow.
@@ -23,9 +24,9 @@ public final class ExactCylinder {
     final Dyadic halfHeight;
     private final Dyadic reach;
 
-    public ExactCylinder(int kind, double[] row, int at) {
+    public ExactCylinder(LeafKind kind, double[] row, int at) {
         centre = ExactVector.at(row, at);
-        axis = kind == Leaf.CYLINDER ? ExactVector.column(row, at + Leaf.ROTATION + 1) : ExactVector.of(0, 1, 0);
+        axis = kind == LeafKind.CYLINDER ? ExactVector.column(row, at + Leaf.ROTATION + 1) : ExactVector.of(0, 1, 0);
         radius = Dyadic.of(row[at + 3]);
         halfHeight = Dyadic.of(row[at + 4]);
         axisSquare = axis.square();

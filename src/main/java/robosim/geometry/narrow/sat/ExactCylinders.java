@@ -2,6 +2,7 @@ package robosim.geometry.narrow.sat;
 
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** Two cylinders at any attitude with exact numbers: what can be decided about them without the roots of their rims. Slow. */
 public final class ExactCylinders {
@@ -9,7 +10,7 @@ public final class ExactCylinders {
     private final ExactCylinder second;
     private final ExactVector between;
 
-    public ExactCylinders(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    public ExactCylinders(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         first = new ExactCylinder(kindA, a, i);
         second = new ExactCylinder(kindB, b, j);
         between = second.centre.minus(first.centre);

@@ -3,6 +3,7 @@ package robosim.geometry.narrow.sat;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * How far a leaf reaches along a direction, without rounding: from {@code low} less a root to {@code high} and that root,
@@ -10,9 +11,9 @@ import robosim.geometry.narrow.leaf.Leaf;
  */
 public record ExactExtent(Dyadic low, Dyadic high, Dyadic root, Dyadic under) {
     /** Of a leaf of any convex kind, along a direction of any length. */
-    public static ExactExtent of(ExactVector n, int kind, double[] row, int at) {
+    public static ExactExtent of(ExactVector n, LeafKind kind, double[] row, int at) {
         return switch (kind) {
-            case Leaf.UPRIGHT_BOX, Leaf.BOX -> {
+            case UPRIGHT_BOX, BOX -> {
                 Dyadic half = Dyadic.ZERO;
                 for (int k = 0; k < 3; k++) {
                     Dyadic along = n.dot(ExactVector.of(row, at + Leaf.ROTATION + k, 3));
@@ -20,27 +21,27 @@ public record ExactExtent(Dyadic low, Dyadic high, Dyadic root, Dyadic under) {
                 }
                 yield around(n, row, at, half, Dyadic.ZERO, Dyadic.ONE);
             }
-            case Leaf.SPHERE -> around(n, row, at, Dyadic.ZERO, n.square().multiply(square(row, at)), Dyadic.ONE);
-            case Leaf.UPRIGHT_CYLINDER, Leaf.CYLINDER -> {
+            case SPHERE -> around(n, row, at, Dyadic.ZERO, n.square().multiply(square(row, at)), Dyadic.ONE);
+            case UPRIGHT_CYLINDER, CYLINDER -> {
                 ExactVector axis = axis(kind, row, at);
                 Dyadic half = n.dot(axis).abs().multiply(Dyadic.of(row[at + 4]));
                 Dyadic across = n.cross(axis).square();
                 yield around(n, row, at, half, across.multiply(square(row, at)), axis.square());
             }
-            case Leaf.TRIANGLE -> {
+            case TRIANGLE -> {
                 Dyadic a = n.dot(ExactVector.of(row, at, 1));
                 Dyadic b = n.dot(ExactVector.of(row, at + 3, 1));
                 Dyadic c = n.dot(ExactVector.of(row, at + 6, 1));
                 yield new ExactExtent(a.min(b).min(c), a.max(b).max(c), Dyadic.ZERO, Dyadic.ONE);
             }
-            case Leaf.PRISM -> prism(n, row, at);
+            case PRISM -> prism(n, row, at);
             default -> throw new IllegalArgumentException("kind must be convex (got: " + kind + ")");
         };
     }
 
     /** The axis of a cylinder, as stored. */
-    public static ExactVector axis(int kind, double[] row, int at) {
-        return kind == Leaf.CYLINDER ? ExactVector.of(row, at + Leaf.ROTATION + 1, 3) : ExactVector.of(0, 1, 0);
+    public static ExactVector axis(LeafKind kind, double[] row, int at) {
+        return kind == LeafKind.CYLINDER ? ExactVector.of(row, at + Leaf.ROTATION + 1, 3) : ExactVector.of(0, 1, 0);
     }
 
     /** Sign of the gap from where this ends to where another begins: at least 0 where the other lies wholly beyond. */

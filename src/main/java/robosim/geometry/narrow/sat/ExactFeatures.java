@@ -5,6 +5,7 @@ import java.util.List;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * The corners, edge directions and face normals of a leaf as stored, without rounding: of a sphere its centre, of a
@@ -24,16 +25,16 @@ public final class ExactFeatures {
 
     private final boolean flat;
 
-    public ExactFeatures(boolean inPlane, int kind, double[] row, int at) {
+    public ExactFeatures(boolean inPlane, LeafKind kind, double[] row, int at) {
         flat = inPlane;
-        isRound = (kind == Leaf.SPHERE || kind == Leaf.CYLINDER || kind == Leaf.UPRIGHT_CYLINDER)
+        isRound = (kind == LeafKind.SPHERE || kind == LeafKind.CYLINDER || kind == LeafKind.UPRIGHT_CYLINDER)
                 && row[at + Leaf.SIZE] > 0;
         switch (kind) {
-            case Leaf.UPRIGHT_BOX, Leaf.BOX -> box(row, at);
-            case Leaf.SPHERE -> corners.add(level(ExactVector.of(row, at, 1)));
-            case Leaf.UPRIGHT_CYLINDER, Leaf.CYLINDER -> cylinder(kind, row, at);
-            case Leaf.TRIANGLE -> triangle(row, at);
-            case Leaf.PRISM -> prism(row, at);
+            case UPRIGHT_BOX, BOX -> box(row, at);
+            case SPHERE -> corners.add(level(ExactVector.of(row, at, 1)));
+            case UPRIGHT_CYLINDER, CYLINDER -> cylinder(kind, row, at);
+            case TRIANGLE -> triangle(row, at);
+            case PRISM -> prism(row, at);
             default -> throw new IllegalArgumentException("kind must be convex (got: " + kind + ")");
         }
         if (flat) {
@@ -93,7 +94,7 @@ public final class ExactFeatures {
         }
     }
 
-    private void cylinder(int kind, double[] row, int at) {
+    private void cylinder(LeafKind kind, double[] row, int at) {
         ExactVector axis = ExactExtent.axis(kind, row, at);
         corners.add(level(ExactVector.of(row, at, 1)));
         ExactVector along = level(axis);
@@ -166,7 +167,8 @@ public final class ExactFeatures {
      * Of two leaves that touch and do not overlap, the directions from b to a of planes between them, of each of which there
      * is one: all of them, or all others are between these; or none where a rim touches what is no corner.
      */
-    public static List<ExactVector> parting(boolean flat, int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    public static List<ExactVector> parting(
+            boolean flat, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         List<ExactVector> parting = new ArrayList<>();
         ExactFeatures mine = new ExactFeatures(flat, kindA, a, i);
         for (ExactVector normal : mine.normalsWith(new ExactFeatures(flat, kindB, b, j))) {

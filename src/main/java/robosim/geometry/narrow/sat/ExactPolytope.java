@@ -5,6 +5,7 @@ import java.util.List;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * A box or triangle with exact numbers, for separating axes and distances that doubles could not decide. Slow.
@@ -30,12 +31,12 @@ public final class ExactPolytope {
     private final List<ExactVector> edges = new ArrayList<>();
 
     /** Whether a kind of leaf is a box or a triangle. */
-    public static boolean isKnown(int kind) {
-        return kind == Leaf.UPRIGHT_BOX || kind == Leaf.BOX || kind == Leaf.TRIANGLE;
+    public static boolean isKnown(LeafKind kind) {
+        return kind == LeafKind.UPRIGHT_BOX || kind == LeafKind.BOX || kind == LeafKind.TRIANGLE;
     }
 
-    public ExactPolytope(int kind, double[] row, int at) {
-        isBox = kind != Leaf.TRIANGLE;
+    public ExactPolytope(LeafKind kind, double[] row, int at) {
+        isBox = kind != LeafKind.TRIANGLE;
         centre = ExactVector.at(row, at);
         if (isBox) {
             for (int k = 0; k < 3; k++) {
@@ -106,7 +107,7 @@ public final class ExactPolytope {
      *
      * @param doubts of two boxes only these axes are asked, in the order of {@link PolytopePolytope}
      */
-    static boolean apart(int kindA, double[] a, int i, int kindB, double[] b, int j, int doubts) {
+    static boolean apart(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, int doubts) {
         ExactPolytope p = new ExactPolytope(kindA, a, i);
         ExactPolytope q = new ExactPolytope(kindB, b, j);
         List<ExactVector> axes = new ArrayList<>(p.faces);

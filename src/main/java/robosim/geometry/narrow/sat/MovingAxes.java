@@ -1,6 +1,6 @@
 package robosim.geometry.narrow.sat;
 
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * A polytope moved straight on against another at rest: the method of separating axes with a velocity.
@@ -48,18 +48,18 @@ public final class MovingAxes {
     /** As {@code PlanarSweep.translation}; NaN where pairs of doubles cannot tell. */
     public double time(
             int mode,
-            int kindA,
+            LeafKind kindA,
             double[] a,
             int i,
             double moveX,
             double moveY,
             double moveZ,
-            int kindB,
+            LeafKind kindB,
             double[] b,
             int j) {
-        double ox = kindA == Leaf.PRISM ? 0.5 * a[i] + 0.5 * a[i + 1] : a[i];
-        double oy = kindA == Leaf.PRISM ? 0.5 * a[i + 8] + 0.5 * a[i + 9] : a[i + 1];
-        double oz = kindA == Leaf.PRISM ? 0.5 * a[i + 2] + 0.5 * a[i + 3] : a[i + 2];
+        double ox = kindA == LeafKind.PRISM ? 0.5 * a[i] + 0.5 * a[i + 1] : a[i];
+        double oy = kindA == LeafKind.PRISM ? 0.5 * a[i + 8] + 0.5 * a[i + 9] : a[i + 1];
+        double oz = kindA == LeafKind.PRISM ? 0.5 * a[i + 2] + 0.5 * a[i + 3] : a[i + 2];
         dx = moveX;
         dy = mode == AxisBody.PLANAR ? 0 : moveY;
         dz = moveZ;
@@ -79,7 +79,7 @@ public final class MovingAxes {
             if (first.doubtful || second.doubtful) {
                 return Double.NaN;
             }
-            boolean triangles = kindA == Leaf.TRIANGLE && kindB == Leaf.TRIANGLE;
+            boolean triangles = kindA == LeafKind.TRIANGLE && kindB == LeafKind.TRIANGLE;
             if (separatesByEdges() || (triangles && separatesInPlane())) {
                 return Double.POSITIVE_INFINITY;
             }
@@ -91,7 +91,8 @@ public final class MovingAxes {
         return enter();
     }
 
-    private static void load(AxisBody body, int mode, int kind, double[] row, int at, double ox, double oy, double oz) {
+    private static void load(
+            AxisBody body, int mode, LeafKind kind, double[] row, int at, double ox, double oy, double oz) {
         switch (mode) {
             case AxisBody.PLANAR -> body.planar(kind, row, at, ox, oz);
             case AxisBody.UPRIGHT -> body.upright(kind, row, at, ox, oy, oz);

@@ -3,6 +3,7 @@ package robosim.geometry.narrow.sat;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.Stages;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * Whether two boxes or triangles, at any attitude, touch or overlap in space: the separating axes in doubles, and exactly
@@ -47,10 +48,10 @@ public final class PolytopePolytope {
     private double py;
     private double pz;
 
-    public boolean touch(int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    public boolean touch(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         first.load(kindA, a, i, a[i], a[i + 1], a[i + 2]);
         second.load(kindB, b, j, a[i], a[i + 1], a[i + 2]);
-        boolean isTriangle = kindA == Leaf.TRIANGLE || kindB == Leaf.TRIANGLE;
+        boolean isTriangle = kindA == LeafKind.TRIANGLE || kindB == LeafKind.TRIANGLE;
         projected = isTriangle ? TRIANGLE_PROJECTED : PROJECTED;
         withAxis = isTriangle ? TRIANGLE_WITH_AXIS : WITH_AXIS;
         int doubts = 0;
@@ -159,8 +160,8 @@ public final class PolytopePolytope {
         private final double[] centre = new double[3];
         private final double[] points = new double[9];
 
-        void load(int kind, double[] row, int at, double ox, double oy, double oz) {
-            if (kind == Leaf.TRIANGLE) {
+        void load(LeafKind kind, double[] row, int at, double ox, double oy, double oz) {
+            if (kind == LeafKind.TRIANGLE) {
                 triangle(row, at, ox, oy, oz);
             } else {
                 box(row, at, ox, oy, oz);

@@ -5,6 +5,7 @@ import robosim.geometry.exact.ExactMath;
 import robosim.geometry.exact.ExactVector;
 import robosim.geometry.exact.Stages;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.sat.ExactPolytope;
 import robosim.geometry.narrow.sat.ExactSphere;
 
@@ -29,11 +30,11 @@ final class ExactBall {
     }
 
     /** As {@link SpatialSweep#translation}, for a sphere against a sphere, box or triangle. */
-    static double time(double[] a, int i, double dx, double dy, double dz, int kindB, double[] b, int j) {
+    static double time(double[] a, int i, double dx, double dy, double dz, LeafKind kindB, double[] b, int j) {
         EXACT.count();
         ExactVector move = ExactVector.of(dx, dy, dz);
         Dyadic radius = Dyadic.of(a[i + Leaf.SIZE]);
-        if (kindB == Leaf.SPHERE) {
+        if (kindB == LeafKind.SPHERE) {
             ExactBall ball = new ExactBall(ExactVector.at(a, i), radius.add(Dyadic.of(b[j + Leaf.SIZE])), move);
             ExactVector way = ExactVector.at(b, j).minus(ball.centre);
             boolean contact = way.square().compareTo(ball.radiusSquare) <= 0;

@@ -4,7 +4,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactMath;
 import robosim.geometry.exact.Stages;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * A disc, or an upright cylinder, moved straight on against an upright disc or polygon at rest: decided without rounding,
@@ -42,10 +42,10 @@ public final class ExactDisc {
      * @param heights null where they do not count
      */
     public static ExactDisc of(
-            double[] a, int i, double dx, double dz, int kindB, double[] b, int j, @Nullable Heights heights) {
+            double[] a, int i, double dx, double dz, LeafKind kindB, double[] b, int j, @Nullable Heights heights) {
         EXACT.count();
         Dyadic radius = Dyadic.of(a[i + 3]);
-        if (Leaf.isDisc(kindB)) {
+        if (kindB.isDisc()) {
             radius = radius.add(Dyadic.of(b[j + 3]));
         }
         Dyadic[] centre = ExactOutline.pair(Dyadic.of(a[i]), Dyadic.of(a[i + 2]));

@@ -3,7 +3,7 @@ package robosim.geometry.narrow.sweep;
 import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.exact.Dyadic;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.Outline;
 import robosim.geometry.narrow.sat.ExactBody;
 
@@ -12,13 +12,13 @@ record ExactOutline(List<Dyadic[]> corners, List<Dyadic[]> normals) {
     private static final int[] OCTAGON_X = {1, 1, 0, -1, -1, -1, 0, 1};
     private static final int[] OCTAGON_Z = {0, 1, 1, 1, 0, -1, -1, -1};
 
-    static ExactOutline of(int kind, double[] row, int at) {
+    static ExactOutline of(LeafKind kind, double[] row, int at) {
         return switch (kind) {
-            case Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE ->
+            case UPRIGHT_CYLINDER, SPHERE ->
                 new ExactOutline(List.<Dyadic[]>of(pair(Dyadic.of(row[at]), Dyadic.of(row[at + 2]))), List.of());
-            case Leaf.UPRIGHT_BOX, Leaf.BOX -> zonogon(row, at);
-            case Leaf.TRIANGLE -> triangle(row, at);
-            case Leaf.PRISM -> prism(row, at);
+            case UPRIGHT_BOX, BOX -> zonogon(row, at);
+            case TRIANGLE -> triangle(row, at);
+            case PRISM -> prism(row, at);
             default -> throw new IllegalArgumentException("not a polytope (got kind: " + kind + ")");
         };
     }

@@ -3,7 +3,7 @@ package robosim.geometry.narrow.sweep;
 import robosim.geometry.exact.DoubleDoubleSum;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactMath;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.sat.AxisBody;
 import robosim.geometry.narrow.sat.DoubleDoubleCorner;
 import robosim.geometry.narrow.sat.DoubleDoubleCorners;
@@ -26,7 +26,7 @@ final class MovingBall {
     private final DoubleDoubleBall ball = new DoubleDoubleBall();
     private final DoubleDoubleCorner corner = new DoubleDoubleCorner();
 
-    private int kind;
+    private LeafKind kind;
     private double[] row = new double[0];
     private int at;
     private double ox;
@@ -62,7 +62,15 @@ final class MovingBall {
      * @param near a time shortly before contact; at the start the two are apart
      */
     double time(
-            double[] a, int i, double moveX, double moveY, double moveZ, int kindB, double[] b, int j, double near) {
+            double[] a,
+            int i,
+            double moveX,
+            double moveY,
+            double moveZ,
+            LeafKind kindB,
+            double[] b,
+            int j,
+            double near) {
         kind = kindB;
         row = b;
         at = j;
@@ -72,11 +80,11 @@ final class MovingBall {
         dx = moveX;
         dy = moveY;
         dz = moveZ;
-        ball.move(a[i + 3], kindB == Leaf.SPHERE || kindB == Leaf.UPRIGHT_CYLINDER ? b[j + 3] : 0, dx, dy, dz);
+        ball.move(a[i + 3], kindB == LeafKind.SPHERE || kindB == LeafKind.UPRIGHT_CYLINDER ? b[j + 3] : 0, dx, dy, dz);
         double time = switch (kindB) {
-            case Leaf.SPHERE -> sphere();
-            case Leaf.UPRIGHT_CYLINDER -> cylinder(near, a, i);
-            case Leaf.TRIANGLE -> triangle(near);
+            case SPHERE -> sphere();
+            case UPRIGHT_CYLINDER -> cylinder(near, a, i);
+            case TRIANGLE -> triangle(near);
             default -> box(near);
         };
         return time > 1 ? Double.POSITIVE_INFINITY : time == 1 ? Double.NaN : time;
@@ -107,7 +115,7 @@ final class MovingBall {
         double height = oy + near * dy - row[at + 1];
         double e = 2 * ROUNDOFF * (Math.abs(oy) + Math.abs(row[at + 1]) + row[at + 4] + Math.abs(dy));
         if (Math.abs(height) < row[at + 4]) {
-            corner.find(true, Leaf.SPHERE, row, at, 0, ox, 0, oz, ball.point);
+            corner.find(true, LeafKind.SPHERE, row, at, 0, ox, 0, oz, ball.point);
             ball.move(radius, row[at + 3], dx, 0, dz);
             ball.size = Math.abs(row[at] - ox) + Math.abs(row[at + 2] - oz);
             double time = ball.corner();

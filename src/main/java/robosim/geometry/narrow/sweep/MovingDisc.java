@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.sweep;
 
 import robosim.geometry.exact.DoubleDoubleSum;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.Outline;
 import robosim.geometry.narrow.sat.AxisBody;
 import robosim.geometry.narrow.sat.DoubleDoubleCorner;
@@ -41,7 +41,7 @@ final class MovingDisc {
     private final DoubleDoubleCorner corner = new DoubleDoubleCorner();
 
     // What the disc is moved against, for the second stage.
-    private int kind;
+    private LeafKind kind;
     private double[] row = new double[0];
     private int at;
     private double ox;
@@ -52,21 +52,21 @@ final class MovingDisc {
 
     /** Time of contact of a disc with another; NaN where pairs of doubles cannot tell. */
     double discs(double[] a, int i, double dx, double dz, double[] b, int j, Outline o) {
-        set(Leaf.SPHERE, b, j, a[i], a[i + 2]);
+        set(LeafKind.SPHERE, b, j, a[i], a[i + 2]);
         ball.move(a[i + 3], b[j + 3], dx, 0, dz);
         o.point(b[j] - ox, b[j + 2] - oz);
         return corner(o, 0, a[i + 3] + b[j + 3], dx, dz);
     }
 
     /** Time of contact of a disc with a polygon, with the outline to fill; NaN where pairs of doubles cannot tell. */
-    double polygon(double[] a, int i, double dx, double dz, int kindB, double[] b, int j, Outline o) {
+    double polygon(double[] a, int i, double dx, double dz, LeafKind kindB, double[] b, int j, Outline o) {
         set(kindB, b, j, a[i], a[i + 2]);
         ball.move(a[i + 3], 0, dx, 0, dz);
         o.load(kindB, b, j, ox, oz);
         return time(o, a[i + 3], dx, dz);
     }
 
-    private void set(int ofKind, double[] inRow, int atPlace, double originX, double originZ) {
+    private void set(LeafKind ofKind, double[] inRow, int atPlace, double originX, double originZ) {
         kind = ofKind;
         row = inRow;
         at = atPlace;
@@ -181,7 +181,7 @@ final class MovingDisc {
     private double beside(Outline o, int k, int next) {
         DoubleDoubleSum[] normal = ball.along;
         find(o.source[k], ball.point);
-        if (kind == Leaf.TRIANGLE) {
+        if (kind == LeafKind.TRIANGLE) {
             DoubleDoubleCorner.difference(row[o.source[next] + 2], row[o.source[k] + 2], normal[0]);
             DoubleDoubleCorner.difference(row[o.source[k]], row[o.source[next]], normal[2]);
         } else {

@@ -1,6 +1,6 @@
 package robosim.geometry.narrow.sweep;
 
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.sat.AxisBody;
 import robosim.geometry.narrow.sat.ExactAxes;
 
@@ -20,13 +20,13 @@ public final class PlanarSweep {
      *     along or away
      */
     public static double translation(
-            int kindA,
+            LeafKind kindA,
             double[] a,
             int i,
             double dx,
             double dy,
             double dz,
-            int kindB,
+            LeafKind kindB,
             double[] b,
             int j,
             SweepScratch s) {
@@ -35,16 +35,17 @@ public final class PlanarSweep {
                 double time = s.sweep().axes.time(AxisBody.PLANAR, kindA, a, i, dx, 0, dz, kindB, b, j);
                 return Double.isNaN(time) ? ExactAxes.time(AxisBody.PLANAR, kindA, a, i, dx, 0, dz, kindB, b, j) : time;
             }
-            if (Leaf.isDisc(kindB)) {
+            if (kindB.isDisc()) {
                 return disc(b, j, -dx, -dz, kindA, a, i, s);
             }
-        } else if (Leaf.isDisc(kindA) && (Leaf.isDisc(kindB) || AxisBody.isPolytope(kindB))) {
+        } else if (kindA.isDisc() && (kindB.isDisc() || AxisBody.isPolytope(kindB))) {
             return disc(a, i, dx, dz, kindB, b, j, s);
         }
         return s.sweep().move.time(true, kindA, a, i, dx, 0, dz, kindB, b, j, s);
     }
 
-    private static double disc(double[] a, int i, double dx, double dz, int kindB, double[] b, int j, SweepScratch s) {
+    private static double disc(
+            double[] a, int i, double dx, double dz, LeafKind kindB, double[] b, int j, SweepScratch s) {
         double time = roughly(a, i, dx, dz, kindB, b, j, s);
         if (!Double.isNaN(time)) {
             return time;
@@ -53,9 +54,9 @@ public final class PlanarSweep {
     }
 
     /** Time of contact of a disc in the plane; NaN where pairs of doubles cannot tell. */
-    static double roughly(double[] a, int i, double dx, double dz, int kindB, double[] b, int j, SweepScratch s) {
+    static double roughly(double[] a, int i, double dx, double dz, LeafKind kindB, double[] b, int j, SweepScratch s) {
         MovingDisc disc = s.sweep().disc;
-        return Leaf.isDisc(kindB)
+        return kindB.isDisc()
                 ? disc.discs(a, i, dx, dz, b, j, s.sweep().outline)
                 : disc.polygon(a, i, dx, dz, kindB, b, j, s.sweep().outline);
     }

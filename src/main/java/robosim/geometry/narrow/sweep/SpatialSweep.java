@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.sweep;
 
 import robosim.geometry.exact.Dyadic;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.Upright;
 import robosim.geometry.narrow.overlap.Levels;
 import robosim.geometry.narrow.sat.AxisBody;
@@ -22,13 +22,13 @@ public final class SpatialSweep {
      *     along or away
      */
     public static double translation(
-            int kindA,
+            LeafKind kindA,
             double[] a,
             int i,
             double dx,
             double dy,
             double dz,
-            int kindB,
+            LeafKind kindB,
             double[] b,
             int j,
             SweepScratch s) {
@@ -36,20 +36,20 @@ public final class SpatialSweep {
             return Double.POSITIVE_INFINITY;
         }
         if (AxisBody.isPolytope(kindA) && AxisBody.isPolytope(kindB)) {
-            boolean upright = Leaf.isUpright(kindA) && Leaf.isUpright(kindB);
+            boolean upright = kindA.isVerticalPrism() && kindB.isVerticalPrism();
             int mode = upright ? AxisBody.UPRIGHT : AxisBody.SPATIAL;
             double time = s.sweep().axes.time(mode, kindA, a, i, dx, dy, dz, kindB, b, j);
             return Double.isNaN(time) ? ExactAxes.time(mode, kindA, a, i, dx, dy, dz, kindB, b, j) : time;
         }
-        if (Leaf.isUpright(kindA) && Leaf.isUpright(kindB)) {
-            return kindA == Leaf.UPRIGHT_CYLINDER
+        if (kindA.isVerticalPrism() && kindB.isVerticalPrism()) {
+            return kindA == LeafKind.UPRIGHT_CYLINDER
                     ? cylinder(a, i, dx, dy, dz, kindB, b, j, s)
                     : cylinder(b, j, -dx, -dy, -dz, kindA, a, i, s);
         }
-        if (kindA == Leaf.SPHERE) {
+        if (kindA == LeafKind.SPHERE) {
             return sphere(a, i, dx, dy, dz, kindB, b, j, s);
         }
-        if (kindB == Leaf.SPHERE) {
+        if (kindB == LeafKind.SPHERE) {
             return sphere(b, j, -dx, -dy, -dz, kindA, a, i, s);
         }
         return s.sweep().move.time(false, kindA, a, i, dx, dy, dz, kindB, b, j, s);
@@ -57,18 +57,20 @@ public final class SpatialSweep {
 
     /** A sphere against anything: what held axes do not prove free is found in closed form, but on a rim. */
     private static double sphere(
-            double[] a, int i, double dx, double dy, double dz, int kindB, double[] b, int j, SweepScratch s) {
-        boolean exact =
-                kindB == Leaf.SPHERE || kindB == Leaf.TRIANGLE || kindB == Leaf.BOX || kindB == Leaf.UPRIGHT_BOX;
-        if (kindB == Leaf.UPRIGHT_BOX && MovingBall.isAbove(a, i, dy, b, j)) {
+            double[] a, int i, double dx, double dy, double dz, LeafKind kindB, double[] b, int j, SweepScratch s) {
+        boolean exact = kindB == LeafKind.SPHERE
+                || kindB == LeafKind.TRIANGLE
+                || kindB == LeafKind.BOX
+                || kindB == LeafKind.UPRIGHT_BOX;
+        if (kindB == LeafKind.UPRIGHT_BOX && MovingBall.isAbove(a, i, dy, b, j)) {
             return Double.POSITIVE_INFINITY;
         }
         TranslationAdvancement held = s.sweep().move;
-        double time = held.time(false, Leaf.SPHERE, a, i, dx, dy, dz, kindB, b, j, s);
+        double time = held.time(false, LeafKind.SPHERE, a, i, dx, dy, dz, kindB, b, j, s);
         if (held.contact) {
             return exact ? ExactBall.time(a, i, dx, dy, dz, kindB, b, j) : time;
         }
-        if (time > 1 || !(exact || kindB == Leaf.UPRIGHT_CYLINDER)) {
+        if (time > 1 || !(exact || kindB == LeafKind.UPRIGHT_CYLINDER)) {
             return time;
         }
         double found = s.sweep().ball.time(a, i, dx, dy, dz, kindB, b, j, time);
@@ -80,7 +82,7 @@ public final class SpatialSweep {
 
     /** An upright cylinder against anything upright: a disc in the plane, while the heights touch. */
     private static double cylinder(
-            double[] a, int i, double dx, double dy, double dz, int kindB, double[] b, int j, SweepScratch s) {
+            double[] a, int i, double dx, double dy, double dz, LeafKind kindB, double[] b, int j, SweepScratch s) {
         double middle = Upright.middle(kindB, b, j);
         double top = Upright.top(kindB, b, j);
         double high = Upright.halfHeight(kindB, b, j);

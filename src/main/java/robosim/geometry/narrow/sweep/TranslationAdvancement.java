@@ -8,6 +8,7 @@ import robosim.geometry.narrow.gjk.Penetration;
 import robosim.geometry.narrow.gjk.Support;
 import robosim.geometry.narrow.leaf.Facets;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.Poses;
 import robosim.geometry.narrow.sat.AxisBody;
 import robosim.geometry.narrow.sat.ExactFeatures;
@@ -57,13 +58,13 @@ final class TranslationAdvancement {
     /** As {@link SpatialSweep#translation} and {@link PlanarSweep#translation}. */
     double time(
             boolean planar,
-            int kindA,
+            LeafKind kindA,
             double[] a,
             int i,
             double dx,
             double dy,
             double dz,
-            int kindB,
+            LeafKind kindB,
             double[] b,
             int j,
             GjkScratch s) {
@@ -108,13 +109,13 @@ final class TranslationAdvancement {
 
     private double fromContact(
             boolean planar,
-            int kindA,
+            LeafKind kindA,
             double[] a,
             int i,
             double dx,
             double vy,
             double dz,
-            int kindB,
+            LeafKind kindB,
             double[] b,
             int j,
             GjkScratch s) {
@@ -152,13 +153,13 @@ final class TranslationAdvancement {
      */
     private double near(
             boolean planar,
-            int kindA,
+            LeafKind kindA,
             double[] a,
             int i,
             double dx,
             double dy,
             double dz,
-            int kindB,
+            LeafKind kindB,
             double[] b,
             int j,
             double t,
@@ -273,7 +274,7 @@ final class TranslationAdvancement {
     }
 
     // Both from the same place, so that what is far away loses nothing.
-    private void load(boolean planar, int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    private void load(boolean planar, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         double ox = Support.originX(kindA, a, i);
         double oy = planar ? 0 : Support.originY(kindA, a, i);
         double oz = Support.originZ(kindA, a, i);
@@ -293,13 +294,13 @@ final class TranslationAdvancement {
     private static boolean isAgainst(
             Penetration ways,
             boolean planar,
-            int kindA,
+            LeafKind kindA,
             double[] a,
             int i,
             double dx,
             double dy,
             double dz,
-            int kindB,
+            LeafKind kindB,
             double[] b,
             int j) {
         double slack = Gjk.ROUNDOFF * (Math.abs(dx) + Math.abs(dy) + Math.abs(dz));

@@ -1,5 +1,7 @@
 package robosim.geometry.narrow.turn;
 
+import robosim.geometry.narrow.leaf.LeafKind;
+
 /** The turn of one leaf's projection on XZ against another's at rest. */
 public final class PlanarTurnSweep {
     private PlanarTurnSweep() {}
@@ -16,7 +18,7 @@ public final class PlanarTurnSweep {
      *     {@code +Infinity} where all of the turn is free
      */
     public static double free(
-            int kindA,
+            LeafKind kindA,
             double[] a,
             int i,
             double px,
@@ -26,7 +28,7 @@ public final class PlanarTurnSweep {
             double wy,
             double wz,
             double degrees,
-            int kindB,
+            LeafKind kindB,
             double[] b,
             int j,
             TurnScratch s) {

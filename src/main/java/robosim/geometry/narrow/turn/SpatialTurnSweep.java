@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.turn;
 
 import robosim.geometry.exact.Dyadic;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.Upright;
 
 /** The turn of one leaf against another at rest, in space. */
@@ -19,7 +19,7 @@ public final class SpatialTurnSweep {
      *     {@code +Infinity} where all of the turn is free
      */
     public static double free(
-            int kindA,
+            LeafKind kindA,
             double[] a,
             int i,
             double px,
@@ -29,14 +29,14 @@ public final class SpatialTurnSweep {
             double wy,
             double wz,
             double degrees,
-            int kindB,
+            LeafKind kindB,
             double[] b,
             int j,
             TurnScratch s) {
         if (degrees == 0) {
             return Double.POSITIVE_INFINITY;
         }
-        if (wx == 0 && wz == 0 && Leaf.isUpright(kindA) && Leaf.isUpright(kindB)) {
+        if (wx == 0 && wz == 0 && kindA.isVerticalPrism() && kindB.isVerticalPrism()) {
             double mid = Upright.middle(kindA, a, i);
             double half = Upright.halfHeight(kindA, a, i);
             double top = Upright.top(kindA, a, i);

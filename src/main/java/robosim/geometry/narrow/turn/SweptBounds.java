@@ -2,6 +2,7 @@ package robosim.geometry.narrow.turn;
 
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.narrow.leaf.LeafBounds;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.Upright;
 
 /** Axis-aligned bounds of a leaf over a whole motion, rounded outward: the leaf never leaves them, to the bit. */
@@ -11,7 +12,8 @@ public final class SweptBounds {
     private SweptBounds() {}
 
     /** Writes least x, y, z and greatest x, y, z of a leaf anywhere on a straight way. */
-    public static void translation(int kind, double[] row, int at, double dx, double dy, double dz, double[] out6) {
+    public static void translation(
+            LeafKind kind, double[] row, int at, double dx, double dy, double dz, double[] out6) {
         LeafBounds.of(kind, row, at, out6);
         moved(out6, 0, dx, dy, dz, out6);
     }
@@ -36,7 +38,7 @@ public final class SweptBounds {
      * cylinders that tilt to a 2^-36th of their distance from the pivot.
      */
     public static void turn(
-            int kind,
+            LeafKind kind,
             double[] row,
             int at,
             double px,
@@ -74,7 +76,7 @@ public final class SweptBounds {
      * they stand, to hold it anywhere on a turn.
      */
     public static void turnDiagonals(
-            int kind,
+            LeafKind kind,
             double[] row,
             int at,
             double px,

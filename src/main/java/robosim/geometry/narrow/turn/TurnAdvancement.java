@@ -7,6 +7,7 @@ import robosim.geometry.narrow.gjk.GjkScratch;
 import robosim.geometry.narrow.gjk.Penetration;
 import robosim.geometry.narrow.leaf.Facets;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.Poses;
 
 /**
@@ -61,7 +62,7 @@ final class TurnAdvancement {
     /** As {@link SpatialTurnSweep#free} and {@link PlanarTurnSweep#free}. */
     double free(
             boolean inPlane,
-            int kindA,
+            LeafKind kindA,
             double[] a,
             int i,
             double px,
@@ -71,7 +72,7 @@ final class TurnAdvancement {
             double axisY,
             double axisZ,
             double degrees,
-            int kindB,
+            LeafKind kindB,
             double[] b,
             int j,
             GjkScratch s) {
@@ -99,7 +100,7 @@ final class TurnAdvancement {
                 return 0;
             }
         }
-        int kind = Poses.turnedKind(kindA);
+        LeafKind kind = Poses.turnedKind(kindA);
         for (steps = 0; steps < MOST_STEPS; steps++) {
             if (t >= wanted || t >= FULL) {
                 return Double.POSITIVE_INFINITY;
@@ -133,10 +134,10 @@ final class TurnAdvancement {
     /** How far the axis that was found, and others near it, are good for. */
     private double found(
             Gjk gjk,
-            int kindA,
+            LeafKind kindA,
             double[] a,
             int i,
-            int kindB,
+            LeafKind kindB,
             double[] b,
             int j,
             double t,
@@ -159,7 +160,7 @@ final class TurnAdvancement {
         return steps;
     }
 
-    private void ask(Gjk gjk, int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    private void ask(Gjk gjk, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         if (planar) {
             gjk.planar(kindA, a, i, kindB, b, j);
         } else {
@@ -167,17 +168,17 @@ final class TurnAdvancement {
         }
     }
 
-    private double depth(Penetration ways, int kindA, double[] a, int i, int kindB, double[] b, int j) {
+    private double depth(Penetration ways, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         return planar ? ways.planar(kindA, a, i, kindB, b, j) : ways.spatial(kindA, a, i, kindB, b, j);
     }
 
-    private void pose(int kind, double[] row, int at, double px, double py, double pz, double t) {
+    private void pose(LeafKind kind, double[] row, int at, double px, double py, double pz, double t) {
         double cos = Radians.cos(t);
         double sin = Radians.sin(t);
-        if (kind == Leaf.PRISM) {
+        if (kind == LeafKind.PRISM) {
             // Its box, which is good enough to find axes by.
             boxOf(row, at);
-            Poses.turned(Leaf.UPRIGHT_BOX, box, 0, px, py, pz, wx, wy, wz, cos, sin, pose);
+            Poses.turned(LeafKind.UPRIGHT_BOX, box, 0, px, py, pz, wx, wy, wz, cos, sin, pose);
         } else {
             Poses.turned(kind, row, at, px, py, pz, wx, wy, wz, cos, sin, pose);
         }

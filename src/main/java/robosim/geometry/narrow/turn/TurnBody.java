@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.turn;
 
 import robosim.geometry.exact.Radians;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.PrismCorners;
 import robosim.geometry.narrow.sat.AxisBody;
 
@@ -65,7 +65,15 @@ final class TurnBody {
 
     /** Loads a leaf, relative to the pivot, for turns about a unit axis. */
     void load(
-            int kind, double[] row, int at, double px, double py, double pz, double axisX, double axisY, double axisZ) {
+            LeafKind kind,
+            double[] row,
+            int at,
+            double px,
+            double py,
+            double pz,
+            double axisX,
+            double axisY,
+            double axisZ) {
         wx = axisX;
         wy = axisY;
         wz = axisZ;
@@ -74,12 +82,12 @@ final class TurnBody {
         rims = false;
         radius = 0;
         switch (kind) {
-            case Leaf.TRIANGLE -> {
+            case TRIANGLE -> {
                 for (int m = at; m < at + 9; m += 3) {
                     add(row[m] - px, row[m + 1] - py, row[m + 2] - pz);
                 }
             }
-            case Leaf.PRISM -> {
+            case PRISM -> {
                 PrismCorners.load(row, at, px, pz, x, z);
                 for (int m = 0; m < 8; m++) {
                     add(x[m], row[at + 8] - py, z[m]);
@@ -88,12 +96,12 @@ final class TurnBody {
                     add(x[m], row[at + 9] - py, z[m]);
                 }
             }
-            case Leaf.SPHERE -> {
+            case SPHERE -> {
                 add(row[at] - px, row[at + 1] - py, row[at + 2] - pz);
                 margin = row[at + 3];
             }
-            case Leaf.CYLINDER -> cylinder(row, at, px, py, pz, row[at + 7], row[at + 10], row[at + 13]);
-            case Leaf.UPRIGHT_CYLINDER -> cylinder(row, at, px, py, pz, 0, 1, 0);
+            case CYLINDER -> cylinder(row, at, px, py, pz, row[at + 7], row[at + 10], row[at + 13]);
+            case UPRIGHT_CYLINDER -> cylinder(row, at, px, py, pz, 0, 1, 0);
             default -> box(row, at, px, py, pz);
         }
         measure();

@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.turn;
 
 import robosim.geometry.exact.Degrees;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.Outline;
 import robosim.geometry.narrow.sat.AxisBody;
 import robosim.geometry.narrow.sat.ExactAxes;
@@ -21,8 +21,8 @@ final class VerticalTurn {
     // -1 where the plane is mirrored, so that the turn goes from x towards z.
     private int sign;
 
-    static boolean isCovered(int kind) {
-        return AxisBody.isPolytope(kind) || Leaf.isDisc(kind);
+    static boolean isCovered(LeafKind kind) {
+        return AxisBody.isPolytope(kind) || kind.isDisc();
     }
 
     /**
@@ -32,13 +32,13 @@ final class VerticalTurn {
      *     start, nothing gets deeper; infinite where heights do not count
      */
     double free(
-            int kindA,
+            LeafKind kindA,
             double[] a,
             int i,
             double px,
             double pz,
             double degrees,
-            int kindB,
+            LeafKind kindB,
             double[] b,
             int j,
             double heightDepth) {
@@ -50,10 +50,10 @@ final class VerticalTurn {
         // The stored end is that angle to rounding.
         double wanted = angle * (1 + 0x1p-50) + TurnOutline.MARGIN;
         double free;
-        if (Leaf.isDisc(kindA)) {
-            double radius = a[i + 3] + (Leaf.isDisc(kindB) ? b[j + 3] : 0);
+        if (kindA.isDisc()) {
+            double radius = a[i + 3] + (kindB.isDisc() ? b[j + 3] : 0);
             free = round(mover.x[0], mover.z[0], rest, radius, a, i, kindB, b, j, heightDepth);
-        } else if (Leaf.isDisc(kindB)) {
+        } else if (kindB.isDisc()) {
             // As the mover sees it, the disc goes round the other way.
             mover.mirror(-1);
             rest.mirror(-1);
@@ -66,8 +66,8 @@ final class VerticalTurn {
                 : Math.min(Math.nextDown(1.0), Math.max(0, free / angle * (1 - 0x1p-50)));
     }
 
-    private void load(Outline outline, int kind, double[] row, int at, double px, double pz) {
-        if (Leaf.isDisc(kind)) {
+    private void load(Outline outline, LeafKind kind, double[] row, int at, double px, double pz) {
+        if (kind.isDisc()) {
             outline.point(row[at] - px, row[at + 2] - pz);
         } else {
             outline.load(kind, row, at, px, pz);
@@ -76,7 +76,7 @@ final class VerticalTurn {
     }
 
     private double polygons(
-            double wanted, int kindA, double[] a, int i, int kindB, double[] b, int j, double heightDepth) {
+            double wanted, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double heightDepth) {
         polygons.load(mover, rest);
         if (!polygons.near) {
             return polygons.free(wanted);
@@ -101,7 +101,7 @@ final class VerticalTurn {
             double radius,
             double[] a,
             int i,
-            int kindB,
+            LeafKind kindB,
             double[] b,
             int j,
             double heightDepth) {

@@ -9,6 +9,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 class LeafRangesTest {
     /** Objects come and go, at first all of one leaf; a list of what each wrote is the twin. */
@@ -30,7 +31,7 @@ class LeafRangesTest {
                 int first = spans.claim(id, marks.length, column, false);
                 for (int k = 0; k < marks.length; k++) {
                     marks[k] = step + 0.25 * k;
-                    column.setKind(first + k, Leaf.SPHERE);
+                    column.setKind(first + k, LeafKind.SPHERE);
                     column.rows()[(first + k) * Leaf.STRIDE] = marks[k];
                 }
                 twin.put(id, marks);
@@ -54,7 +55,7 @@ class LeafRangesTest {
         Map<Integer, Double> twin = new TreeMap<>();
         LeafColumn own = new LeafColumn(1);
         own.append(1);
-        own.setKind(0, Leaf.SPHERE);
+        own.setKind(0, LeafKind.SPHERE);
         int halves = 0;
         for (int step = 0; step < 4000; step++) {
             int id = random.nextInt(300);
@@ -72,7 +73,7 @@ class LeafRangesTest {
                 LeafColumn now = column;
                 twin.forEach((each, mark) -> {
                     int leaf = spans.first(each);
-                    assertThat(now.kind(leaf)).isEqualTo(Leaf.SPHERE);
+                    assertThat(now.kind(leaf)).isEqualTo(LeafKind.SPHERE);
                     assertThat(now.rows(leaf)[now.at(leaf) + 3]).isEqualTo(mark);
                 });
             }

@@ -17,10 +17,12 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.PlanarRows;
 import robosim.geometry.narrow.PlanarSampling;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.planar.PlanarShape;
 import robosim.geometry.narrow.ray.PlanarRay;
 import robosim.geometry.narrow.ray.PlanarRayTest;
@@ -28,7 +30,7 @@ import robosim.geometry.narrow.ray.PlanarRayTest;
 class PlanarConeTest {
     private final Scratch scratch = new Scratch();
 
-    private double cone(double ox, double oz, double aim, double half, int kind, double[] row) {
+    private double cone(double ox, double oz, double aim, double half, LeafKind kind, double[] row) {
         return PlanarCone.distance(
                 ox,
                 oz,
@@ -42,7 +44,7 @@ class PlanarConeTest {
                 scratch);
     }
 
-    private static boolean isCurved(int kind) {
+    private static boolean isCurved(LeafKind kind) {
         return PlanarShape.family(kind) != PlanarShape.POLYGON;
     }
 
@@ -54,7 +56,7 @@ class PlanarConeTest {
         int inside = 0;
         int count = 7000;
         for (int k = 0; k < count; k++) {
-            int kind = k % 7;
+            LeafKind kind = Leaves.KINDS[k % 7];
             double[] row = rows.row(kind, 1, 1);
             double ox = rows.between(2);
             double oz = rows.between(2);
@@ -90,7 +92,7 @@ class PlanarConeTest {
         int hits = 0;
         int close = 0;
         for (int k = 0; k < 1400; k++) {
-            int kind = k % 7;
+            LeafKind kind = Leaves.KINDS[k % 7];
             double[] row = rows.row(kind, 1, 1);
             double ox = rows.between(3);
             double oz = 3;
@@ -121,13 +123,13 @@ class PlanarConeTest {
         pole[0] = 100 * StrictMath.cos(0.1234);
         pole[2] = 100 * StrictMath.sin(0.1234);
         pole[3] = 1e-6;
-        assertThat(cone(0, 0, 0, 0.2, Leaf.UPRIGHT_CYLINDER, pole)).isBetween(100 - 1.1e-6, 100 - 0.9e-6);
-        assertThat(cone(0, 0, 0, 0.12, Leaf.UPRIGHT_CYLINDER, pole)).isInfinite();
+        assertThat(cone(0, 0, 0, 0.2, LeafKind.UPRIGHT_CYLINDER, pole)).isBetween(100 - 1.1e-6, 100 - 0.9e-6);
+        assertThat(cone(0, 0, 0, 0.12, LeafKind.UPRIGHT_CYLINDER, pole)).isInfinite();
         pole[3] = 0;
-        assertThat(cone(0, 0, 0, 0.2, Leaf.SPHERE, pole)).isBetween(100 - 1e-13, 100 + 1e-13);
+        assertThat(cone(0, 0, 0, 0.2, LeafKind.SPHERE, pole)).isBetween(100 - 1e-13, 100 + 1e-13);
         pole[3] = 1;
-        assertThat(cone(0, 0, Math.PI, 0.2, Leaf.SPHERE, pole)).isInfinite();
-        assertThat(cone(pole[0], pole[2], 0, 0.2, Leaf.SPHERE, pole)).isZero();
+        assertThat(cone(0, 0, Math.PI, 0.2, LeafKind.SPHERE, pole)).isInfinite();
+        assertThat(cone(pole[0], pole[2], 0, 0.2, LeafKind.SPHERE, pole)).isZero();
     }
 
     /** Of a thin cylinder the nearest point is within the sector by 2e-8 radian: half of it is nearer than where edges cut it. */
@@ -157,12 +159,12 @@ class PlanarConeTest {
             }
             double times = random.nextInt(1, 30) / (random.nextBoolean() ? 1.0 : 3.0);
             PlanarRows rows = new PlanarRows(k);
-            int kind = k % 6;
+            LeafKind kind = Leaves.KINDS[k % 6];
             double[] row = rows.row(kind, 0, random.nextBoolean() ? 1e-3 : 1);
-            if (kind == Leaf.SPHERE || kind == Leaf.UPRIGHT_CYLINDER) {
+            if (kind == LeafKind.SPHERE || kind == LeafKind.UPRIGHT_CYLINDER) {
                 row[3] = 0;
             }
-            for (int corner = 0; corner < (kind == Leaf.TRIANGLE ? 9 : 3); corner += 3) {
+            for (int corner = 0; corner < (kind == LeafKind.TRIANGLE ? 9 : 3); corner += 3) {
                 row[corner] += times * dx;
                 row[corner + 2] += times * dz;
             }
@@ -171,7 +173,7 @@ class PlanarConeTest {
                 double heard = PlanarCone.distance(
                         0, 0, dx, dz, StrictMath.cos(half), StrictMath.sin(half), kind, row, 0, scratch);
                 assertThat(heard)
-                        .as("kind %d along (%s, %s), half angle %s: %s", kind, dx, dz, half, Arrays.toString(row))
+                        .as("kind %s along (%s, %s), half angle %s: %s", kind, dx, dz, half, Arrays.toString(row))
                         .isLessThanOrEqualTo(axis * (1 + 0x1p-48));
             }
             met += axis < Double.POSITIVE_INFINITY ? 1 : 0;
@@ -200,14 +202,14 @@ class PlanarConeTest {
             PlanarRows.upright(row, 90 * quarter);
             // the nearest corner (4, 1) is on one edge, the rest beyond
             double half = StrictMath.atan2(1, 4);
-            assertThat(cone(0, 0, 0, half, Leaf.UPRIGHT_BOX, row))
+            assertThat(cone(0, 0, 0, half, LeafKind.UPRIGHT_BOX, row))
                     .isBetween(Math.sqrt(17) - 1e-15, Math.sqrt(17) + 1e-12);
         }
         // 3, 4, 5: the nearest corner is on an edge of the sector, but for the rounding of the cosine, which decides
         double[] far = triangle(4, 3, 5, 8, 0, 9);
-        assertThat(PlanarCone.distance(0, 0, 1, 0, 0.8, 0.6, Leaf.TRIANGLE, far, 0, scratch))
+        assertThat(PlanarCone.distance(0, 0, 1, 0, 0.8, 0.6, LeafKind.TRIANGLE, far, 0, scratch))
                 .isInfinite(); // 0.8 is stored as a little more
-        assertThat(PlanarCone.distance(0, 0, 1, 0, Math.nextDown(0.8), 0.6, Leaf.TRIANGLE, far, 0, scratch))
+        assertThat(PlanarCone.distance(0, 0, 1, 0, Math.nextDown(0.8), 0.6, LeafKind.TRIANGLE, far, 0, scratch))
                 .isBetween(5 - 1e-15, 5 + 1e-15);
     }
 
@@ -240,7 +242,7 @@ class PlanarConeTest {
                 -0.022766126703541056,
                 StrictMath.cos(half),
                 StrictMath.sin(half),
-                Leaf.BOX,
+                LeafKind.BOX,
                 box,
                 0,
                 scratch);
@@ -275,11 +277,11 @@ class PlanarConeTest {
                     x + size * StrictMath.cos(aim),
                     z + size * StrictMath.sin(aim));
             BigDecimal truth = nearest(ox, oz, row);
-            double distance = cone(ox, oz, aim, 1.2, Leaf.TRIANGLE, row);
+            double distance = cone(ox, oz, aim, 1.2, LeafKind.TRIANGLE, row);
             double largest = Math.max(distance, Math.max(Math.abs(x), Math.abs(z)) + size);
             double ulps = new BigDecimal(distance).subtract(truth).abs().doubleValue() / Math.ulp(largest);
             assertThat(ulps)
-                    .as(PlanarRayTest.text(ox, oz, aim, 1.2, Leaf.TRIANGLE, row))
+                    .as(PlanarRayTest.text(ox, oz, aim, 1.2, LeafKind.TRIANGLE, row))
                     .isLessThanOrEqualTo(8);
             worst = Math.max(worst, ulps);
             corners += Math.abs(along) > 0.5 ? 1 : 0;

@@ -8,12 +8,13 @@ import java.math.MathContext;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.exact.Rotations;
 import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.RayOracle;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.ray.SpatialRay;
 import robosim.geometry.narrow.ray.SpatialRayTest;
 
@@ -23,9 +24,11 @@ class SpatialConeTest {
 
     /** No ray inside the cone is shorter, and one that is led towards the answer attains it. */
     @ParameterizedTest
-    @ValueSource(ints = {0, 1, 2, 3, 4, 5, 6})
-    void isTheShortestOfAllRaysInTheCone(int kind) {
-        SplittableRandom random = new SplittableRandom(kind);
+    @EnumSource(
+            names = {"MESH", "SOLID_MESH"},
+            mode = EnumSource.Mode.EXCLUDE)
+    void isTheShortestOfAllRaysInTheCone(LeafKind kind) {
+        SplittableRandom random = new SplittableRandom(kind.ordinal());
         int heard = 0;
         int silent = 0;
         int attained = 0;
@@ -71,9 +74,11 @@ class SpatialConeTest {
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {0, 1, 2, 3, 4, 5, 6})
-    void aNarrowConeTendsToTheRay(int kind) {
-        SplittableRandom random = new SplittableRandom(50 + kind);
+    @EnumSource(
+            names = {"MESH", "SOLID_MESH"},
+            mode = EnumSource.Mode.EXCLUDE)
+    void aNarrowConeTendsToTheRay(LeafKind kind) {
+        SplittableRandom random = new SplittableRandom(50 + kind.ordinal());
         int hits = 0;
         for (int i = 0; i < 400; i++) {
             double[] row = Leaves.random(kind, random, 1);
@@ -92,9 +97,9 @@ class SpatialConeTest {
 
     /** Where the cone's axis is level and the cylinder tall and upright, the nearest place is on the level: 60 digits. */
     @ParameterizedTest
-    @ValueSource(ints = {1, 2, 4})
-    void aTallCylinderOnTheLevelIsADisc(int kind) {
-        SplittableRandom random = new SplittableRandom(70 + kind);
+    @EnumSource(names = {"UPRIGHT_CYLINDER", "SPHERE", "CYLINDER"})
+    void aTallCylinderOnTheLevelIsADisc(LeafKind kind) {
+        SplittableRandom random = new SplittableRandom(70 + kind.ordinal());
         int heard = 0;
         int silent = 0;
         for (int i = 0; i < 2000; i++) {
@@ -115,7 +120,7 @@ class SpatialConeTest {
             if (truth == null) {
                 silent++;
                 // A cylinder is apart only where that is proved, which rounding hides in the last bits.
-                if (kind == Leaf.SPHERE || aside > radius * (1 + 2e-12)) {
+                if (kind == LeafKind.SPHERE || aside > radius * (1 + 2e-12)) {
                     assertThat(answer).isInfinite();
                 }
                 continue;
@@ -155,14 +160,14 @@ class SpatialConeTest {
             double[] q = {o[0] + random.nextDouble(-1, 9), 0, o[2] + random.nextDouble(-9, 9)};
             double[] row = {p[0], 0, p[2], q[0], 0, q[2], q[0], 0, q[2], 0, 0, 0, 0, 0, 0, 0};
             BigDecimal truth = segment(o, p, q, cos);
-            double answer = cone(o, new double[] {3, 0, 0}, cos, Leaf.TRIANGLE, row);
+            double answer = cone(o, new double[] {3, 0, 0}, cos, LeafKind.TRIANGLE, row);
             if (truth == null) {
                 silent++;
                 assertThat(answer).isInfinite();
                 continue;
             }
             heard++;
-            double scale = Math.max(Leaves.extent(Leaf.TRIANGLE, row), truth.doubleValue());
+            double scale = Math.max(Leaves.extent(LeafKind.TRIANGLE, row), truth.doubleValue());
             double error = truth.subtract(new BigDecimal(answer)).abs().doubleValue();
             assertThat(error / Math.ulp(scale)).isLessThanOrEqualTo(8);
         }
@@ -217,10 +222,10 @@ class SpatialConeTest {
     void aThinPoleIsHeard() {
         double[] pole = {10, 0, 0.123, 0.001, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
         double[] d = {1, 0, 0};
-        double answer = cone(new double[3], d, StrictMath.cos(0.1), Leaf.UPRIGHT_CYLINDER, pole);
+        double answer = cone(new double[3], d, StrictMath.cos(0.1), LeafKind.UPRIGHT_CYLINDER, pole);
         assertThat(answer).isBetween(Math.hypot(10, 0.123) - 0.0011, Math.hypot(10, 0.123) - 0.0009);
-        assertThat(ray(new double[3], d, Leaf.UPRIGHT_CYLINDER, pole)).isInfinite();
-        assertThat(cone(new double[3], d, StrictMath.cos(0.01), Leaf.UPRIGHT_CYLINDER, pole))
+        assertThat(ray(new double[3], d, LeafKind.UPRIGHT_CYLINDER, pole)).isInfinite();
+        assertThat(cone(new double[3], d, StrictMath.cos(0.01), LeafKind.UPRIGHT_CYLINDER, pole))
                 .isInfinite();
     }
 
@@ -228,9 +233,9 @@ class SpatialConeTest {
     @Test
     void aSphereInsideTheConeIsHeard() {
         double[] sphere = {3, 4, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
-        assertThat(cone(new double[3], new double[] {3, 4, 0}, 0.5, Leaf.SPHERE, sphere))
+        assertThat(cone(new double[3], new double[] {3, 4, 0}, 0.5, LeafKind.SPHERE, sphere))
                 .isEqualTo(4);
-        assertThat(cone(new double[3], new double[] {1, 0, 0}, 0.5, Leaf.SPHERE, sphere))
+        assertThat(cone(new double[3], new double[] {1, 0, 0}, 0.5, LeafKind.SPHERE, sphere))
                 .isEqualTo(4);
     }
 
@@ -240,14 +245,15 @@ class SpatialConeTest {
         double[] d = {1, 1, 0};
         double[] origin = new double[3];
         double[] touching = {1, 0, 1, 1, -1, 2, 1, -2, 3, 0, 0, 0, 0, 0, 0, 0};
-        assertThat(cone(origin, d, 0.5, Leaf.TRIANGLE, touching)).isEqualTo(Math.sqrt(2));
-        assertThat(cone(origin, d, Math.nextUp(0.5), Leaf.TRIANGLE, touching)).isInfinite();
+        assertThat(cone(origin, d, 0.5, LeafKind.TRIANGLE, touching)).isEqualTo(Math.sqrt(2));
+        assertThat(cone(origin, d, Math.nextUp(0.5), LeafKind.TRIANGLE, touching))
+                .isInfinite();
         double[] box = {1.5, -0.5, 1.5, 0.5, 0.5, 0.5, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
         double[] far = {1025.5, -1024.5, 1025.5, 0.5, 0.5, 0.5, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
         double[] apex = {1024, -1024, 1024};
         // The corner (1, 0, 1) is where the box comes nearest; it leaves the cone at once.
         double[] lower = {1.5, -0.5, 2.5, 0.5, 0.5, 1.5, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
-        for (int kind : new int[] {Leaf.UPRIGHT_BOX, Leaf.BOX}) {
+        for (LeafKind kind : new LeafKind[] {LeafKind.UPRIGHT_BOX, LeafKind.BOX}) {
             assertThat(cone(origin, d, 0.5, kind, box)).isCloseTo(Math.sqrt(2), within(1e-15));
             assertThat(cone(apex, d, 0.5, kind, far)).isCloseTo(Math.sqrt(2), within(1e-15));
             assertThat(cone(origin, d, 0.5, kind, lower)).isCloseTo(Math.sqrt(2), within(1e-15));
@@ -260,8 +266,8 @@ class SpatialConeTest {
         double[] d = {1, 1, 0};
         // Through (1, 0, 1) across the axis and the border's direction: (1, 1, 0) x (1, 0, 1) = (1, -1, -1).
         double[] edge = {2, -1, 0, 0, 1, 2, 0, 1, 2, 0, 0, 0, 0, 0, 0, 0};
-        assertThat(cone(new double[3], d, 0.5, Leaf.TRIANGLE, edge)).isCloseTo(Math.sqrt(2), within(1e-15));
-        assertThat(cone(new double[3], d, Math.nextUp(0.5), Leaf.TRIANGLE, edge))
+        assertThat(cone(new double[3], d, 0.5, LeafKind.TRIANGLE, edge)).isCloseTo(Math.sqrt(2), within(1e-15));
+        assertThat(cone(new double[3], d, Math.nextUp(0.5), LeafKind.TRIANGLE, edge))
                 .isInfinite();
     }
 
@@ -269,8 +275,8 @@ class SpatialConeTest {
     void allocatesNothing() {
         double[][] rows = new double[7][];
         SplittableRandom random = new SplittableRandom(3);
-        for (int kind = 0; kind < 7; kind++) {
-            rows[kind] = Leaves.random(kind, random, 1);
+        for (LeafKind kind : Leaves.KINDS) {
+            rows[kind.ordinal()] = Leaves.random(kind, random, 1);
         }
         com.sun.management.ThreadMXBean threads =
                 (com.sun.management.ThreadMXBean) java.lang.management.ManagementFactory.getThreadMXBean();
@@ -283,17 +289,17 @@ class SpatialConeTest {
                 before = threads.getCurrentThreadAllocatedBytes();
             }
             sum += SpatialCone.distance(
-                    10 + i * 1e-6, 3, 4, -1, -0.31, -0.42, cos, sin, i % 7, rows[i % 7], 0, scratch);
+                    10 + i * 1e-6, 3, 4, -1, -0.31, -0.42, cos, sin, Leaves.KINDS[i % 7], rows[i % 7], 0, scratch);
         }
         assertThat(sum).isBetween(20_000.0, 400_000.0);
         assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(20_000);
     }
 
-    private double ray(double[] o, double[] d, int kind, double[] row) {
+    private double ray(double[] o, double[] d, LeafKind kind, double[] row) {
         return SpatialRay.distance(o[0], o[1], o[2], d[0], d[1], d[2], kind, row, 0, scratch);
     }
 
-    private double cone(double[] o, double[] d, double cos, int kind, double[] row) {
+    private double cone(double[] o, double[] d, double cos, LeafKind kind, double[] row) {
         double sin = Math.sqrt((1 - cos) * (1 + cos));
         return SpatialCone.distance(o[0], o[1], o[2], d[0], d[1], d[2], cos, sin, kind, row, 0, scratch);
     }
@@ -303,13 +309,13 @@ class SpatialConeTest {
         private final double[] o;
         private final double[] d;
         private final double half;
-        private final int kind;
+        private final LeafKind kind;
         private final double[] row;
         private final SplittableRandom random;
         private double[] best;
         private double least = Double.POSITIVE_INFINITY;
 
-        Search(double[] o, double[] d, double cos, int kind, double[] row, SplittableRandom random) {
+        Search(double[] o, double[] d, double cos, LeafKind kind, double[] row, SplittableRandom random) {
             this.o = o;
             this.d = d;
             this.half = Math.acos(cos) * (1 - 1e-9);
@@ -375,24 +381,24 @@ class SpatialConeTest {
             double high = Math.min(row[3], Math.min(row[5] - px, px - row[6]));
             for (int i = 0; i < 3; i++) {
                 v[i] = switch (kind) {
-                    case Leaf.TRIANGLE -> row[i] + first * (row[3 + i] - row[i]) + second * (row[6 + i] - row[i]);
-                    case Leaf.PRISM ->
+                    case TRIANGLE -> row[i] + first * (row[3 + i] - row[i]) + second * (row[6 + i] - row[i]);
+                    case PRISM ->
                         i == 0
                                 ? px
                                 : i == 1
                                         ? (row[8] + row[9]) / 2 + p[1] * (row[9] - row[8]) / 2
                                         : (low + high) / 2 + p[2] * (high - low) / 2;
-                    case Leaf.BOX, Leaf.UPRIGHT_BOX ->
+                    case BOX, UPRIGHT_BOX ->
                         row[i]
                                 + p[0] * row[3] * row[6 + 3 * i]
                                 + p[1] * row[4] * row[7 + 3 * i]
                                 + p[2] * row[5] * row[8 + 3 * i];
-                    case Leaf.CYLINDER ->
+                    case CYLINDER ->
                         row[i]
                                 + x * row[3] * row[6 + 3 * i]
                                 + p[1] * row[4] * row[7 + 3 * i]
                                 + z * row[3] * row[8 + 3 * i];
-                    case Leaf.UPRIGHT_CYLINDER -> row[i] + (i == 1 ? p[1] * row[4] : (i == 0 ? x : z) * row[3]);
+                    case UPRIGHT_CYLINDER -> row[i] + (i == 1 ? p[1] * row[4] : (i == 0 ? x : z) * row[3]);
                     default -> row[i];
                 };
                 v[i] -= o[i];
@@ -405,24 +411,24 @@ class SpatialConeTest {
             double[] v = new double[3];
             for (int i = 0; i < 3; i++) {
                 v[i] = switch (kind) {
-                    case Leaf.TRIANGLE ->
+                    case TRIANGLE ->
                         row[i]
                                 + Math.abs(p[0] + p[1]) / 2 * (row[3 + i] - row[i])
                                 + (1 - Math.abs(p[0] + p[1]) / 2) * Math.abs(p[2]) * (row[6 + i] - row[i]);
-                    case Leaf.PRISM ->
+                    case PRISM ->
                         (row[i == 0 ? 0 : i == 1 ? 8 : 2] + row[i == 0 ? 1 : i == 1 ? 9 : 3]) / 2
                                 + p[i] * (row[i == 0 ? 1 : i == 1 ? 9 : 3] - row[i == 0 ? 0 : i == 1 ? 8 : 2]) / 2;
-                    case Leaf.BOX, Leaf.UPRIGHT_BOX ->
+                    case BOX, UPRIGHT_BOX ->
                         row[i]
                                 + p[0] * row[3] * row[6 + 3 * i]
                                 + p[1] * row[4] * row[7 + 3 * i]
                                 + p[2] * row[5] * row[8 + 3 * i];
-                    case Leaf.CYLINDER ->
+                    case CYLINDER ->
                         row[i]
                                 + 0.7 * p[0] * row[3] * row[6 + 3 * i]
                                 + p[1] * row[4] * row[7 + 3 * i]
                                 + 0.7 * p[2] * row[3] * row[8 + 3 * i];
-                    default -> row[i] + 0.7 * p[i] * row[i == 1 && kind == Leaf.UPRIGHT_CYLINDER ? 4 : 3];
+                    default -> row[i] + 0.7 * p[i] * row[i == 1 && kind == LeafKind.UPRIGHT_CYLINDER ? 4 : 3];
                 };
                 v[i] -= o[i];
             }

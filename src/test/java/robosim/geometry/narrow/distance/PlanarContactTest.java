@@ -4,16 +4,17 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.PlanarRows;
 import robosim.geometry.narrow.PlanarSampling;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlapTest;
 
 class PlanarContactTest {
     private final Scratch scratch = new Scratch();
 
-    private double[] between(int kindA, double[] a, int kindB, double[] b) {
+    private double[] between(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
         double[] out = new double[6];
         PlanarContact.between(kindA, a, 0, kindB, b, 0, out, scratch);
         return out;
@@ -25,8 +26,8 @@ class PlanarContactTest {
         int apart = 0;
         int count = 2100;
         for (int k = 0; k < count; k++) {
-            int kindA = k % 7;
-            int kindB = k / 7 % 7;
+            LeafKind kindA = Leaves.KINDS[k % 7];
+            LeafKind kindB = Leaves.KINDS[k / 7 % 7];
             double[] a = rows.row(kindA, 1, 1);
             double[] b = rows.row(kindB, 1, 1);
             double[] out = between(kindA, a, kindB, b);
@@ -62,9 +63,11 @@ class PlanarContactTest {
         double[] robot = {4.5, 1, 2, 1, 0.5, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
         PlanarRows.upright(robot, 90);
         // x: 3.5 to 5 is shared; y: 0.5 to 1.5; z: the wall's side
-        assertThat(between(Leaf.UPRIGHT_BOX, robot, Leaf.UPRIGHT_BOX, wall)).containsExactly(4.25, 1, 1, 0, 0, 1);
+        assertThat(between(LeafKind.UPRIGHT_BOX, robot, LeafKind.UPRIGHT_BOX, wall))
+                .containsExactly(4.25, 1, 1, 0, 0, 1);
         double[] disc = {-2, 0, -1.5, 0.5, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
-        assertThat(between(Leaf.UPRIGHT_CYLINDER, disc, Leaf.UPRIGHT_BOX, wall)).containsExactly(-2, 0, -1, 0, 0, -1);
+        assertThat(between(LeafKind.UPRIGHT_CYLINDER, disc, LeafKind.UPRIGHT_BOX, wall))
+                .containsExactly(-2, 0, -1, 0, 0, -1);
     }
 
     private static double gap(List<double[]> p, List<double[]> q, double nx, double nz) {

@@ -8,11 +8,13 @@ import java.math.MathContext;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.PlanarReference;
 import robosim.geometry.narrow.PlanarRows;
 import robosim.geometry.narrow.PlanarSampling;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.overlap.PlanarOverlapTest;
 import robosim.geometry.narrow.planar.PlanarShape;
@@ -20,7 +22,7 @@ import robosim.geometry.narrow.planar.PlanarShape;
 class PlanarDistanceTest {
     private final Scratch scratch = new Scratch();
 
-    private double between(int kindA, double[] a, int kindB, double[] b) {
+    private double between(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
         double distance = PlanarDistance.between(kindA, a, 0, kindB, b, 0, scratch);
         assertThat(PlanarDistance.between(kindB, b, 0, kindA, a, 0, scratch))
                 .as(() -> PlanarOverlapTest.pair(kindA, a, kindB, b) + " swapped")
@@ -38,8 +40,8 @@ class PlanarDistanceTest {
         int apart = 0;
         int count = 3000;
         for (int k = 0; k < count; k++) {
-            int kindA = rows.exactKind();
-            int kindB = rows.exactKind();
+            LeafKind kindA = rows.exactKind();
+            LeafKind kindB = rows.exactKind();
             double[] a = rows.row(kindA, 1, 1);
             double[] b = rows.row(kindB, 1, 1);
             double truth = PlanarReference.distance(PlanarReference.of(kindA, a, 0), PlanarReference.of(kindB, b, 0));
@@ -60,9 +62,9 @@ class PlanarDistanceTest {
         b[0] = 3e9;
         b[2] = 4e9;
         b[3] = Math.nextDown(2e9);
-        assertThat(between(Leaf.SPHERE, a, Leaf.UPRIGHT_CYLINDER, b)).isEqualTo(Math.ulp(b[3]));
+        assertThat(between(LeafKind.SPHERE, a, LeafKind.UPRIGHT_CYLINDER, b)).isEqualTo(Math.ulp(b[3]));
         b[3] = 2e9;
-        assertThat(between(Leaf.SPHERE, a, Leaf.UPRIGHT_CYLINDER, b)).isZero();
+        assertThat(between(LeafKind.SPHERE, a, LeafKind.UPRIGHT_CYLINDER, b)).isZero();
     }
 
     @Test
@@ -71,14 +73,14 @@ class PlanarDistanceTest {
         int apart = 0;
         int count = 600;
         for (int k = 0; k < count; k++) {
-            int kindA = k % 2 == 0 ? Leaf.CYLINDER : Leaf.PRISM;
-            int kindB = k % 7;
+            LeafKind kindA = k % 2 == 0 ? LeafKind.CYLINDER : LeafKind.PRISM;
+            LeafKind kindB = Leaves.KINDS[k % 7];
             double[] a = rows.row(kindA, 1.5, 1);
             double[] b = rows.row(kindB, 1.5, 1);
             double truth = PlanarSampling.between(PlanarSampling.points(kindA, a), PlanarSampling.points(kindB, b));
             double distance = between(kindA, a, kindB, b);
             boolean curved = PlanarShape.family(kindA) + PlanarShape.family(kindB) != 2 * PlanarShape.POLYGON
-                    || kindA == Leaf.CYLINDER;
+                    || kindA == LeafKind.CYLINDER;
             assertThat(distance)
                     .as(PlanarOverlapTest.pair(kindA, a, kindB, b))
                     .isBetween(truth - (curved ? 1e-4 : 1e-11), truth + 1e-11);
@@ -94,10 +96,10 @@ class PlanarDistanceTest {
         int apart = 0;
         double worst = 0;
         for (int k = 0; k < 1000; k++) {
-            double[] standing = rows.row(Leaf.UPRIGHT_CYLINDER, 1.5, 1);
+            double[] standing = rows.row(LeafKind.UPRIGHT_CYLINDER, 1.5, 1);
             double[] lying = standing.clone();
             // own Y along the own X of a heading
-            double[] box = rows.row(Leaf.UPRIGHT_BOX, 0, 1);
+            double[] box = rows.row(LeafKind.UPRIGHT_BOX, 0, 1);
             System.arraycopy(standing, 0, box, 0, 3);
             double c = box[6];
             double s = box[8];
@@ -112,12 +114,12 @@ class PlanarDistanceTest {
             lying[14] = c;
             box[3] = lying[4];
             box[5] = lying[3];
-            int kind = rows.exactKind();
+            LeafKind kind = rows.exactKind();
             double[] other = rows.row(kind, 1.5, 1);
-            double asDisc = between(Leaf.UPRIGHT_CYLINDER, standing, kind, other);
-            double asOval = between(Leaf.CYLINDER, standing, kind, other);
-            double asBox = between(Leaf.UPRIGHT_BOX, box, kind, other);
-            double asLying = between(Leaf.CYLINDER, lying, kind, other);
+            double asDisc = between(LeafKind.UPRIGHT_CYLINDER, standing, kind, other);
+            double asOval = between(LeafKind.CYLINDER, standing, kind, other);
+            double asBox = between(LeafKind.UPRIGHT_BOX, box, kind, other);
+            double asLying = between(LeafKind.CYLINDER, lying, kind, other);
             worst = Math.max(worst, Math.max(Math.abs(asDisc - asOval), Math.abs(asBox - asLying)));
             assertThat(asOval).isLessThanOrEqualTo(asDisc + 1e-15);
             assertThat(asLying).isLessThanOrEqualTo(asBox + 1e-15);
@@ -159,7 +161,7 @@ class PlanarDistanceTest {
             disc[2] = box[2] - s * wx + c * wz;
             disc[3] = r;
             double truth = cornerDistance(disc, box);
-            double distance = PlanarDistance.between(Leaf.SPHERE, disc, 0, Leaf.UPRIGHT_BOX, box, 0, scratch);
+            double distance = PlanarDistance.between(LeafKind.SPHERE, disc, 0, LeafKind.UPRIGHT_BOX, box, 0, scratch);
             assertThat(distance)
                     .as("disc %s, box %s", Arrays.toString(disc), Arrays.toString(box))
                     .isCloseTo(Math.max(0, truth), within(3 * Math.ulp(truth) + 0x1p-98 * r));

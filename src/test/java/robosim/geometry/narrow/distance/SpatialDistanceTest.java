@@ -9,22 +9,27 @@ import org.junit.jupiter.api.Test;
 import robosim.geometry.narrow.Projections;
 import robosim.geometry.narrow.Rows;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
 
 class SpatialDistanceTest {
     private static final int PAIRS = 60;
-    private static final int[] KINDS = {
-        Leaf.UPRIGHT_BOX, Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE, Leaf.BOX, Leaf.CYLINDER, Leaf.TRIANGLE
+    private static final LeafKind[] KINDS = {
+        LeafKind.UPRIGHT_BOX,
+        LeafKind.UPRIGHT_CYLINDER,
+        LeafKind.SPHERE,
+        LeafKind.BOX,
+        LeafKind.CYLINDER,
+        LeafKind.TRIANGLE
     };
     private final Scratch scratch = new Scratch();
 
     @Test
     void overlapDistanceContactAndDepthAgreeWithProjections() {
         SplittableRandom random = new SplittableRandom(21);
-        for (int kindA : KINDS) {
-            for (int kindB : KINDS) {
+        for (LeafKind kindA : KINDS) {
+            for (LeafKind kindB : KINDS) {
                 int apart = 0;
                 for (int n = 0; n < PAIRS; n++) {
                     double[] a = Rows.random(kindA, random, 1.3);
@@ -36,7 +41,7 @@ class SpatialDistanceTest {
         }
     }
 
-    private boolean check(int kindA, double[] a, int kindB, double[] b) {
+    private boolean check(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
         String pair = kindA + " " + Arrays.toString(a) + " with " + kindB + " " + Arrays.toString(b);
         boolean touch = SpatialOverlap.test(kindA, a, 0, kindB, b, 0, scratch);
         double distance = SpatialDistance.between(kindA, a, 0, kindB, b, 0, scratch);
@@ -54,7 +59,8 @@ class SpatialDistanceTest {
     }
 
     /** The normal separates: moved along it by the depth (and a little) the two are apart, by less still touching. */
-    private void leaves(String pair, boolean touch, double distance, int kindA, double[] a, int kindB, double[] b) {
+    private void leaves(
+            String pair, boolean touch, double distance, LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
         double depth = scratch.penetration().spatial(kindA, a, 0, kindB, b, 0);
         double[] contact = new double[6];
         SpatialContact.between(kindA, a, 0, kindB, b, 0, contact, scratch);
@@ -89,16 +95,16 @@ class SpatialDistanceTest {
         }
     }
 
-    private static double gapTo(int kind, double[] row, double[] p) {
+    private static double gapTo(LeafKind kind, double[] row, double[] p) {
         double[] near = Projections.nearest(kind, row, p);
         return Math.sqrt((near[0] - p[0]) * (near[0] - p[0])
                 + (near[1] - p[1]) * (near[1] - p[1])
                 + (near[2] - p[2]) * (near[2] - p[2]));
     }
 
-    private static double[] shifted(int kind, double[] row, double[] contact, double way) {
+    private static double[] shifted(LeafKind kind, double[] row, double[] contact, double way) {
         double[] moved = row.clone();
-        for (int k = 0; k < (kind == Leaf.TRIANGLE ? 9 : 3); k++) {
+        for (int k = 0; k < (kind == LeafKind.TRIANGLE ? 9 : 3); k++) {
             moved[k] += way * contact[3 + k % 3];
         }
         return moved;
@@ -109,9 +115,9 @@ class SpatialDistanceTest {
         double[] a = Rows.box(0, 0, 0, 0.5, 0.5, 0.5, Rows.identity());
         for (double away : new double[] {4, 100}) {
             double[] b = Rows.box(0, away, 0, 0.5, 0.5, 0.5, Rows.identity());
-            assertThat(SpatialDistance.between(Leaf.BOX, a, 0, Leaf.BOX, b, 0, scratch))
+            assertThat(SpatialDistance.between(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0, scratch))
                     .isEqualTo(away - 1);
-            assertThat(SpatialDistance.between(Leaf.UPRIGHT_BOX, a, 0, Leaf.UPRIGHT_BOX, b, 0, scratch))
+            assertThat(SpatialDistance.between(LeafKind.UPRIGHT_BOX, a, 0, LeafKind.UPRIGHT_BOX, b, 0, scratch))
                     .isEqualTo(away - 1);
         }
     }
@@ -120,7 +126,7 @@ class SpatialDistanceTest {
     void boxIsApartFromCylinder() { // FCL #319 threw
         double[] box = Rows.box(0.8, -0.385, 0.735, 0.025, 0.195, 0.735, new double[] {0, -1, 0, 1, 0, 0, 0, 0, 1});
         double[] cylinder = Rows.cylinder(0.4, -0.4, 0.93, 0.18, 0.09, new double[] {1, 0, 0, 0, 0, -1, 0, 1, 0});
-        assertThat(SpatialDistance.between(Leaf.BOX, box, 0, Leaf.CYLINDER, cylinder, 0, scratch))
+        assertThat(SpatialDistance.between(LeafKind.BOX, box, 0, LeafKind.CYLINDER, cylinder, 0, scratch))
                 .isCloseTo(0.025, within(1e-12));
     }
 
@@ -128,7 +134,7 @@ class SpatialDistanceTest {
     void cylinderIsInBoxByItsRadius() { // ncollide #157 had no contact
         double[] cylinder = Rows.cylinder(10.97, 0.925, 61.02, 0.5, 0.925, Rows.identity());
         double[] box = Rows.box(11.5, 0.75, 60.5, 0.05, 0.75, 0.5, Rows.identity());
-        assertThat(scratch.penetration().spatial(Leaf.CYLINDER, cylinder, 0, Leaf.BOX, box, 0))
+        assertThat(scratch.penetration().spatial(LeafKind.CYLINDER, cylinder, 0, LeafKind.BOX, box, 0))
                 .isCloseTo(0.5 - Math.hypot(0.48, 0.02), within(1e-9));
     }
 
@@ -137,8 +143,8 @@ class SpatialDistanceTest {
         double[] a = Rows.box(0, 0, 0, 1, 1, 1, Rows.identity());
         double[] b = Rows.box(0, 0, 1.9, 1, 1, 1, Rows.identity());
         double[] contact = new double[6];
-        SpatialContact.between(Leaf.BOX, a, 0, Leaf.BOX, b, 0, contact, scratch);
-        assertThat(scratch.penetration().spatial(Leaf.BOX, a, 0, Leaf.BOX, b, 0))
+        SpatialContact.between(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0, contact, scratch);
+        assertThat(scratch.penetration().spatial(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0))
                 .isCloseTo(0.1, within(1e-15));
         assertThat(new double[] {contact[3], contact[4], contact[5]}).containsExactly(0, 0, -1);
         assertThat(contact[2]).isBetween(0.9, 1.0);
@@ -149,7 +155,7 @@ class SpatialDistanceTest {
         for (double z : new double[] {0.5, 1}) {
             double[] a = Rows.box(0.5, 0.5, z, 0.5, 0.5, z, Rows.identity());
             double[] b = Rows.box(0.5, 0.9, z, 0.5, 0.1, z, Rows.identity());
-            assertThat(scratch.penetration().spatial(Leaf.BOX, a, 0, Leaf.BOX, b, 0))
+            assertThat(scratch.penetration().spatial(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0))
                     .isCloseTo(0.2, within(1e-15));
         }
     }
@@ -159,7 +165,7 @@ class SpatialDistanceTest {
         double[] big = Rows.box(0, 0, 0, 2.5, 2.5, 2.5, Rows.identity());
         double[] small = Rows.box(1, 2.59, 1, 0.1, 0.1, 0.1, Rows.identity());
         double[] contact = new double[6];
-        SpatialContact.between(Leaf.BOX, small, 0, Leaf.BOX, big, 0, contact, scratch);
+        SpatialContact.between(LeafKind.BOX, small, 0, LeafKind.BOX, big, 0, contact, scratch);
         assertThat(contact[0]).isBetween(0.9, 1.1);
         assertThat(contact[1]).isBetween(2.49, 2.5);
         assertThat(contact[2]).isBetween(0.9, 1.1);
@@ -170,17 +176,18 @@ class SpatialDistanceTest {
     void allTiesAreTold() {
         double[] a = Rows.box(0, 0, 0, 1, 1, 1, Rows.identity());
         double[] b = Rows.box(2, 2, 0, 1, 1, 1, Rows.identity()); // along an edge
-        assertThat(scratch.penetration().spatial(Leaf.BOX, a, 0, Leaf.BOX, b, 0))
+        assertThat(scratch.penetration().spatial(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0))
                 .isZero();
         assertThat(scratch.penetration().count()).isEqualTo(2);
         b[2] = 2; // at a corner
-        assertThat(scratch.penetration().spatial(Leaf.BOX, a, 0, Leaf.BOX, b, 0))
+        assertThat(scratch.penetration().spatial(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0))
                 .isZero();
         assertThat(scratch.penetration().count()).isEqualTo(3);
-        assertThat(scratch.penetration().planar(Leaf.BOX, a, 0, Leaf.BOX, b, 0)).isZero();
+        assertThat(scratch.penetration().planar(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0))
+                .isZero();
         assertThat(scratch.penetration().count()).isEqualTo(2);
         double[] ball = Rows.sphere(0, 0, 0, 0.5); // in the middle
-        assertThat(scratch.penetration().spatial(Leaf.SPHERE, ball, 0, Leaf.BOX, a, 0))
+        assertThat(scratch.penetration().spatial(LeafKind.SPHERE, ball, 0, LeafKind.BOX, a, 0))
                 .isEqualTo(1.5);
         assertThat(scratch.penetration().count()).isEqualTo(6);
     }
@@ -189,7 +196,7 @@ class SpatialDistanceTest {
     void standingCylindersPushEachOtherAlongTheirCentres() {
         double[] a = Rows.cylinder(0, 0, 0, 3, 5, Rows.identity());
         double[] b = Rows.cylinder(3, 1, 4, 2, 5, Rows.identity());
-        assertThat(scratch.penetration().spatial(Leaf.UPRIGHT_CYLINDER, a, 0, Leaf.UPRIGHT_CYLINDER, b, 0))
+        assertThat(scratch.penetration().spatial(LeafKind.UPRIGHT_CYLINDER, a, 0, LeafKind.UPRIGHT_CYLINDER, b, 0))
                 .isCloseTo(0, within(1e-14));
         assertThat(scratch.penetration().count()).isEqualTo(1);
         assertThat(scratch.penetration().nx(0)).isEqualTo(-0.6);
@@ -201,8 +208,8 @@ class SpatialDistanceTest {
     @Test
     void planarDepthsAreTheLeast() {
         SplittableRandom random = new SplittableRandom(23);
-        for (int kindA : KINDS) {
-            for (int kindB : KINDS) {
+        for (LeafKind kindA : KINDS) {
+            for (LeafKind kindB : KINDS) {
                 int deep = 0;
                 for (int n = 0; n < 60; n++) {
                     double[] a = Rows.random(kindA, random, 1);

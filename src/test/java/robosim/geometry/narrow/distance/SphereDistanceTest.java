@@ -7,11 +7,11 @@ import java.math.MathContext;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.narrow.CylinderTwin;
 import robosim.geometry.narrow.Rows;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** Distances of spheres against decimals of 60 digits. */
 class SphereDistanceTest {
@@ -19,9 +19,9 @@ class SphereDistanceTest {
     private final Scratch scratch = new Scratch();
 
     @ParameterizedTest
-    @ValueSource(ints = {Leaf.SPHERE, Leaf.UPRIGHT_BOX, Leaf.UPRIGHT_CYLINDER, Leaf.BOX, Leaf.CYLINDER, Leaf.TRIANGLE})
-    void isAFewUlpBelowTheTruthHoweverClose(int kind) {
-        SplittableRandom random = new SplittableRandom(71 + kind);
+    @EnumSource(names = {"SPHERE", "UPRIGHT_BOX", "UPRIGHT_CYLINDER", "BOX", "CYLINDER", "TRIANGLE"})
+    void isAFewUlpBelowTheTruthHoweverClose(LeafKind kind) {
+        SplittableRandom random = new SplittableRandom(71 + kind.ordinal());
         double worst = 0;
         int apart = 0;
         int count = 400;
@@ -29,7 +29,7 @@ class SphereDistanceTest {
             double scale = Math.scalb(1.0, n % 4 == 0 ? random.nextInt(-40, 41) : 0);
             double off = n % 5 == 0 ? 1e6 * scale : 0;
             double[] row = moved(kind, Rows.random(kind, random, 1), scale, off);
-            double[] ball = moved(Leaf.SPHERE, Rows.random(Leaf.SPHERE, random, 2.5), scale, off);
+            double[] ball = moved(LeafKind.SPHERE, Rows.random(LeafKind.SPHERE, random, 2.5), scale, off);
             ball[3] = n % 7 == 0 ? 0 : ball[3];
             BigDecimal core = core(kind, row, ball);
             if (n % 2 == 0) { // nearly or just touching
@@ -38,8 +38,8 @@ class SphereDistanceTest {
             }
             BigDecimal truth = core.subtract(new BigDecimal(ball[3]));
             String pair = Arrays.toString(ball) + " with " + kind + " " + Arrays.toString(row) + " truth " + truth;
-            double answer = SpatialDistance.between(kind, row, 0, Leaf.SPHERE, ball, 0, scratch);
-            assertThat(SpatialDistance.between(Leaf.SPHERE, ball, 0, kind, row, 0, scratch))
+            double answer = SpatialDistance.between(kind, row, 0, LeafKind.SPHERE, ball, 0, scratch);
+            assertThat(SpatialDistance.between(LeafKind.SPHERE, ball, 0, kind, row, 0, scratch))
                     .as(pair)
                     .isEqualTo(answer);
             if (truth.signum() <= 0) {
@@ -57,31 +57,31 @@ class SphereDistanceTest {
         assertThat(worst).isGreaterThan(1);
     }
 
-    private static double[] moved(int kind, double[] row, double scale, double off) {
+    private static double[] moved(LeafKind kind, double[] row, double scale, double off) {
         double[] out = row.clone();
-        int lengths = kind == Leaf.TRIANGLE ? 9 : 6;
+        int lengths = kind == LeafKind.TRIANGLE ? 9 : 6;
         for (int k = 0; k < lengths; k++) {
-            out[k] = row[k] * scale + (k < 3 || kind == Leaf.TRIANGLE ? off : 0);
+            out[k] = row[k] * scale + (k < 3 || kind == LeafKind.TRIANGLE ? off : 0);
         }
         return out;
     }
 
     /** The distance of the sphere's centre. */
-    private static BigDecimal core(int kind, double[] row, double[] ball) {
+    private static BigDecimal core(LeafKind kind, double[] row, double[] ball) {
         BigDecimal[] p = CylinderTwin.decimals(ball);
         return switch (kind) {
-            case Leaf.SPHERE ->
+            case SPHERE ->
                 root(square(minus(p, CylinderTwin.decimals(row))))
                         .subtract(new BigDecimal(row[3]))
                         .max(BigDecimal.ZERO);
-            case Leaf.UPRIGHT_CYLINDER, Leaf.CYLINDER -> cylinder(kind, row, p);
-            case Leaf.TRIANGLE -> root(triangle(corner(row, 0), corner(row, 3), corner(row, 6), p));
+            case UPRIGHT_CYLINDER, CYLINDER -> cylinder(kind, row, p);
+            case TRIANGLE -> root(triangle(corner(row, 0), corner(row, 3), corner(row, 6), p));
             default -> box(row, p);
         };
     }
 
-    private static BigDecimal cylinder(int kind, double[] row, BigDecimal[] p) {
-        BigDecimal[] a = kind == Leaf.CYLINDER
+    private static BigDecimal cylinder(LeafKind kind, double[] row, BigDecimal[] p) {
+        BigDecimal[] a = kind == LeafKind.CYLINDER
                 ? CylinderTwin.decimals(row[7], row[10], row[13])
                 : CylinderTwin.decimals(0, 1, 0);
         BigDecimal[] w = minus(p, CylinderTwin.decimals(row));

@@ -7,9 +7,10 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.narrow.CylinderTwin;
+import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.Rows;
 import robosim.geometry.narrow.SupportTwin;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 class GjkTest {
     private static final int PAIRS = 400;
@@ -19,8 +20,8 @@ class GjkTest {
     @Test
     void theBracketClosesForAllKindsOfPairs() {
         SplittableRandom random = new SplittableRandom(1);
-        for (int kindA = 0; kindA < Leaf.KINDS; kindA++) {
-            for (int kindB = 0; kindB < Leaf.KINDS; kindB++) {
+        for (LeafKind kindA : Leaves.KINDS) {
+            for (LeafKind kindB : Leaves.KINDS) {
                 int apart = 0;
                 for (int n = 0; n < PAIRS; n++) {
                     double[] a = Rows.random(kindA, random, 1.5);
@@ -43,7 +44,7 @@ class GjkTest {
     }
 
     /** The slab is empty and the witnesses lie on its sides. */
-    private void separates(String pair, int kindA, double[] a, int kindB, double[] b) {
+    private void separates(String pair, LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
         double nx = gjk.nx();
         double ny = gjk.ny();
         double nz = gjk.nz();
@@ -62,8 +63,8 @@ class GjkTest {
     void stepsAreFew() {
         SplittableRandom random = new SplittableRandom(2);
         int most = 0;
-        for (int kindA = 0; kindA < Leaf.KINDS; kindA++) {
-            for (int kindB = kindA; kindB < Leaf.KINDS; kindB++) {
+        for (LeafKind kindA : Leaves.KINDS) {
+            for (LeafKind kindB : Leaves.KINDS) {
                 for (int n = 0; n < PAIRS; n++) {
                     gjk.spatial(kindA, Rows.random(kindA, random, 2), 0, kindB, Rows.random(kindB, random, 2), 0);
                     most = Math.max(most, gjk.steps());
@@ -76,8 +77,8 @@ class GjkTest {
     @Test
     void projectionsAreApartWhereTheirShadowsAre() {
         SplittableRandom random = new SplittableRandom(3);
-        for (int kindA = 0; kindA < Leaf.KINDS; kindA++) {
-            for (int kindB = 0; kindB < Leaf.KINDS; kindB++) {
+        for (LeafKind kindA : Leaves.KINDS) {
+            for (LeafKind kindB : Leaves.KINDS) {
                 int apart = 0;
                 for (int n = 0; n < PAIRS; n++) {
                     double[] a = Rows.random(kindA, random, 2.5);
@@ -106,8 +107,8 @@ class GjkTest {
         SplittableRandom random = new SplittableRandom(4);
         int apart = 0;
         for (int n = 0; n < 4000; n++) {
-            int kindA = random.nextInt(Leaf.PRISM);
-            int kindB = random.nextInt(Leaf.PRISM);
+            LeafKind kindA = Leaves.KINDS[random.nextInt(LeafKind.PRISM.ordinal())];
+            LeafKind kindB = Leaves.KINDS[random.nextInt(LeafKind.PRISM.ordinal())];
             double scaleA = Math.scalb(1.0, random.nextInt(-40, 20));
             double scaleB = Math.scalb(1.0, random.nextInt(-40, 20));
             double[] a = scaled(kindA, Rows.random(kindA, random, 1), scaleA);
@@ -134,8 +135,8 @@ class GjkTest {
         int close = 0;
         int count = 8_000;
         for (int n = 0; n < count; n++) {
-            int kindA = random.nextInt(Leaf.KINDS);
-            int kindB = random.nextInt(Leaf.KINDS);
+            LeafKind kindA = Leaves.KINDS[random.nextInt(Leaves.KINDS.length)];
+            LeafKind kindB = Leaves.KINDS[random.nextInt(Leaves.KINDS.length)];
             double[] a = Rows.random(kindA, random, 1);
             double[] b = Rows.random(kindB, random, 1);
             if (random.nextInt(4) == 0) {
@@ -162,13 +163,13 @@ class GjkTest {
     }
 
     // How much too wide rounding made the slab of a question, as a share of what is allowed for it.
-    private double roundoff(int kindA, double[] a, int kindB, double[] b) {
+    private double roundoff(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
         gjk.spatial(kindA, a, 0, kindB, b, 0);
         BigDecimal over = new BigDecimal(gjk.reach()).subtract(exactSlab(kindA, a, kindB, b));
         return over.doubleValue() / gjk.error();
     }
 
-    private BigDecimal exactSlab(int kindA, double[] a, int kindB, double[] b) {
+    private BigDecimal exactSlab(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
         BigDecimal[] n = CylinderTwin.decimals(gjk.nx(), gjk.ny(), gjk.nz());
         return new SupportTwin(kindA, a).gap(new SupportTwin(kindB, b), n);
     }
@@ -196,7 +197,7 @@ class GjkTest {
             -0.3585383712940125,
             0
         };
-        assertThat(roundoff(Leaf.SPHERE, sphere, Leaf.BOX, box)).isBetween(0.1, 1.0);
+        assertThat(roundoff(LeafKind.SPHERE, sphere, LeafKind.BOX, box)).isBetween(0.1, 1.0);
         double[] turned = {
             -0.5681593082659965,
             -0.9770477295758886,
@@ -233,7 +234,7 @@ class GjkTest {
             0.06550466650194564,
             0
         };
-        assertThat(roundoff(Leaf.BOX, turned, Leaf.CYLINDER, cylinder)).isBetween(0.1, 1.0);
+        assertThat(roundoff(LeafKind.BOX, turned, LeafKind.CYLINDER, cylinder)).isBetween(0.1, 1.0);
     }
 
     /** An axis so nearly upright that the squares of what is aside underflow: no point beyond the rim is taken for one of it. */
@@ -244,7 +245,7 @@ class GjkTest {
                 double tilt = share * Math.scalb(1.0, power);
                 double[] r = {1, tilt, 0, -tilt, 1, 0, 0, 0, 1};
                 double[] row = Rows.cylinder(0, 0, 0, 1, 1, r);
-                support.spatial(Leaf.CYLINDER, row, 0, 0, 0, 0, 1);
+                support.spatial(LeafKind.CYLINDER, row, 0, 0, 0, 0, 1);
                 support.find(0, 1, 0);
                 assertThat(Math.hypot(support.x, support.z)).as("2^%d", power).isLessThanOrEqualTo(1 + 0x1p-50);
                 assertThat(support.y).isEqualTo(1);
@@ -252,15 +253,15 @@ class GjkTest {
         }
     }
 
-    private static void shift(int kind, double[] row, double x, double y, double z) {
-        if (kind == Leaf.PRISM) {
+    private static void shift(LeafKind kind, double[] row, double x, double y, double z) {
+        if (kind == LeafKind.PRISM) {
             double[] by = {x, x, z, z, x + z, x + z, x - z, x - z, y, y};
             for (int k = 0; k < 10; k++) {
                 row[k] += by[k];
             }
             return;
         }
-        for (int k = 0; k < (kind == Leaf.TRIANGLE ? 9 : 3); k += 3) {
+        for (int k = 0; k < (kind == LeafKind.TRIANGLE ? 9 : 3); k += 3) {
             row[k] += x;
             row[k + 1] += y;
             row[k + 2] += z;
@@ -271,7 +272,7 @@ class GjkTest {
     void subnormalSizesAreScaledFirst() {
         double[] a = Rows.box(0, 0, 0, 1e-310, 1e-310, 1e-310, Rows.identity());
         double[] b = Rows.box(5e-310, 0, 0, 1e-310, 1e-310, 1e-310, Rows.identity());
-        assertThat(gjk.spatial(Leaf.BOX, a, 0, Leaf.BOX, b, 0)).isBetween(2.999999e-310, 3e-310);
+        assertThat(gjk.spatial(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0)).isBetween(2.999999e-310, 3e-310);
     }
 
     @Test
@@ -279,8 +280,8 @@ class GjkTest {
         SplittableRandom random = new SplittableRandom(5);
         Gjk other = new Gjk();
         for (int n = 0; n < 4000; n++) {
-            int kindA = random.nextInt(Leaf.KINDS);
-            int kindB = random.nextInt(Leaf.KINDS);
+            LeafKind kindA = Leaves.KINDS[random.nextInt(Leaves.KINDS.length)];
+            LeafKind kindB = Leaves.KINDS[random.nextInt(Leaves.KINDS.length)];
             double[] a = Rows.random(kindA, random, 2);
             double[] b = Rows.random(kindB, random, 2);
             assertThat(gjk.spatial(kindA, a, 0, kindB, b, 0)).isEqualTo(other.spatial(kindB, b, 0, kindA, a, 0));
@@ -289,8 +290,8 @@ class GjkTest {
         }
     }
 
-    private static double[] scaled(int kind, double[] row, double scale) {
-        int numbers = kind == Leaf.TRIANGLE ? 9 : 6;
+    private static double[] scaled(LeafKind kind, double[] row, double scale) {
+        int numbers = kind == LeafKind.TRIANGLE ? 9 : 6;
         for (int k = 0; k < numbers; k++) {
             row[k] *= scale;
         }

@@ -7,9 +7,10 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.Rows;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.ConvexOverlap;
 
 /** What is called deep overlaps by exact decision, also when drawn apart a little; what overlaps by more is called deep. */
@@ -23,14 +24,14 @@ class HullOverlapTest {
     @EnumSource(Dimension.class)
     void deepPairsOverlapAndMostThatOverlapAreDeep(Dimension dimension) {
         SplittableRandom random = new SplittableRandom(20261122);
-        for (int kindA = 0; kindA < Leaf.KINDS; kindA++) {
-            for (int kindB = 0; kindB < Leaf.KINDS; kindB++) {
+        for (LeafKind kindA : Leaves.KINDS) {
+            for (LeafKind kindB : Leaves.KINDS) {
                 int overlaps = 0;
                 int deep = 0;
                 for (int n = 0; n < PAIRS; n++) {
                     double[] a = Rows.random(kindA, random, 1.2);
                     double[] b = Rows.random(kindB, random, 1.2);
-                    if (n % 2 == 0 && kindA != Leaf.TRIANGLE && kindB != Leaf.TRIANGLE) {
+                    if (n % 2 == 0 && kindA != LeafKind.TRIANGLE && kindB != LeafKind.TRIANGLE) {
                         level(kindA, a);
                         level(kindB, b);
                     }
@@ -59,7 +60,7 @@ class HullOverlapTest {
     void whatTouchesIsNotDeep(Dimension dimension) {
         SplittableRandom random = new SplittableRandom(3);
         for (int n = 0; n < 5000; n++) {
-            int kind = n % 2 == 0 ? Leaf.UPRIGHT_BOX : Leaf.UPRIGHT_CYLINDER;
+            LeafKind kind = n % 2 == 0 ? LeafKind.UPRIGHT_BOX : LeafKind.UPRIGHT_CYLINDER;
             double[] a = {0, 0, 0, half(random), half(random), half(random), 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
             double[] b = {0, 0, 0, half(random), half(random), half(random), 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
             if (dimension == Dimension.SPATIAL && random.nextBoolean()) {
@@ -79,8 +80,8 @@ class HullOverlapTest {
     }
 
     /** Gives it the height at which all stand. */
-    private static void level(int kind, double[] row) {
-        if (kind == Leaf.PRISM) {
+    private static void level(LeafKind kind, double[] row) {
+        if (kind == LeafKind.PRISM) {
             double half = 0.5 * (row[9] - row[8]);
             row[8] = -half;
             row[9] = half;
@@ -90,12 +91,12 @@ class HullOverlapTest {
     }
 
     /** The first, drawn away from the other by a little. */
-    private static double[] apart(int kind, double[] a, double[] b) {
+    private static double[] apart(LeafKind kind, double[] a, double[] b) {
         double[] moved = a.clone();
-        if (kind == Leaf.PRISM) {
+        if (kind == LeafKind.PRISM) {
             moved[8] += LITTLE;
             moved[9] += LITTLE;
-        } else if (kind == Leaf.TRIANGLE) {
+        } else if (kind == LeafKind.TRIANGLE) {
             for (int k = 0; k < 9; k += 3) {
                 moved[k] += LITTLE;
             }

@@ -8,9 +8,10 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.narrow.CylinderTwin;
+import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.Rows;
 import robosim.geometry.narrow.SupportTwin;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * Depths of cylinders against a search of all directions, with support functions of its own ({@link SupportTwin}): the
@@ -24,30 +25,36 @@ class PenetrationTest {
     @Test
     void noDirectionIsShallowerAndTheDepthIsProven() {
         SplittableRandom random = new SplittableRandom(61);
-        int[] kinds = {
-            Leaf.UPRIGHT_BOX, Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE, Leaf.BOX, Leaf.CYLINDER, Leaf.TRIANGLE, Leaf.PRISM
+        LeafKind[] kinds = {
+            LeafKind.UPRIGHT_BOX,
+            LeafKind.UPRIGHT_CYLINDER,
+            LeafKind.SPHERE,
+            LeafKind.BOX,
+            LeafKind.CYLINDER,
+            LeafKind.TRIANGLE,
+            LeafKind.PRISM
         };
         int deep = 0;
         int closed = 0;
         for (int n = 0; n < 1400; n++) {
-            int kind = kinds[n % kinds.length];
-            double[] a = Rows.random(Leaf.CYLINDER, random, 0.7);
+            LeafKind kind = kinds[n % kinds.length];
+            double[] a = Rows.random(LeafKind.CYLINDER, random, 0.7);
             double[] b = Rows.random(kind, random, 0.7);
             String pair = Arrays.toString(a) + " with " + kind + " " + Arrays.toString(b);
-            double depth = penetration.spatial(Leaf.CYLINDER, a, 0, kind, b, 0);
+            double depth = penetration.spatial(LeafKind.CYLINDER, a, 0, kind, b, 0);
             double proven = penetration.proven();
             if (depth < 1e-3) {
                 continue;
             }
             deep++;
-            Pair twin = new Pair(Leaf.CYLINDER, a, kind, b);
+            Pair twin = new Pair(LeafKind.CYLINDER, a, kind, b);
             BigDecimal told = twin.exactly(new double[] {penetration.nx(0), penetration.ny(0), penetration.nz(0)});
             BigDecimal least = twin.exactly(twin.shallowest(random)).min(told);
             BigDecimal share = PROVEN.multiply(twin.size());
             assertThat(new BigDecimal(proven)).as(pair).isLessThanOrEqualTo(least);
             assertThat(new BigDecimal(depth)).as(pair).isLessThanOrEqualTo(least.add(share));
             closed += told.subtract(new BigDecimal(proven)).compareTo(share) <= 0 ? 1 : 0;
-            assertThat(penetration.spatial(kind, b, 0, Leaf.CYLINDER, a, 0))
+            assertThat(penetration.spatial(kind, b, 0, LeafKind.CYLINDER, a, 0))
                     .as(pair)
                     .isEqualTo(depth);
         }
@@ -60,16 +67,16 @@ class PenetrationTest {
         SplittableRandom random = new SplittableRandom(62);
         int deep = 0;
         for (int n = 0; n < 700; n++) {
-            int kind = n % 7;
-            double[] a = Rows.random(Leaf.CYLINDER, random, 0.7);
+            LeafKind kind = Leaves.KINDS[n % 7];
+            double[] a = Rows.random(LeafKind.CYLINDER, random, 0.7);
             double[] b = Rows.random(kind, random, 0.7);
             String pair = Arrays.toString(a) + " with " + kind + " " + Arrays.toString(b);
-            double depth = penetration.planar(Leaf.CYLINDER, a, 0, kind, b, 0);
+            double depth = penetration.planar(LeafKind.CYLINDER, a, 0, kind, b, 0);
             if (depth < 1e-3) {
                 continue;
             }
             deep++;
-            Pair twin = new Pair(Leaf.CYLINDER, a, kind, b);
+            Pair twin = new Pair(LeafKind.CYLINDER, a, kind, b);
             double[] best = {1, 0, 0};
             for (int k = 1; k < 4096; k++) {
                 double t = k * Math.PI / 2048;
@@ -89,8 +96,8 @@ class PenetrationTest {
         SplittableRandom random = new SplittableRandom(63);
         int open = 0;
         for (int n = 0; n < 300; n++) {
-            double[] a = Rows.random(Leaf.CYLINDER, random, 0.3);
-            double[] b = Rows.random(Leaf.CYLINDER, random, 0.3);
+            double[] a = Rows.random(LeafKind.CYLINDER, random, 0.3);
+            double[] b = Rows.random(LeafKind.CYLINDER, random, 0.3);
             for (int k = 0; k < 9; k++) {
                 b[6 + k] = a[6 + k] + random.nextDouble(-1, 1) * Math.pow(10, -random.nextDouble(6, 20));
             }
@@ -100,9 +107,9 @@ class PenetrationTest {
                 }
             }
             String pair = Arrays.toString(a) + " with " + Arrays.toString(b);
-            double depth = penetration.spatial(Leaf.CYLINDER, a, 0, Leaf.CYLINDER, b, 0);
+            double depth = penetration.spatial(LeafKind.CYLINDER, a, 0, LeafKind.CYLINDER, b, 0);
             double proven = penetration.proven();
-            Pair twin = new Pair(Leaf.CYLINDER, a, Leaf.CYLINDER, b);
+            Pair twin = new Pair(LeafKind.CYLINDER, a, LeafKind.CYLINDER, b);
             BigDecimal least = twin.exactly(twin.shallowest(random));
             for (int k = 0; k < 4; k++) {
                 double[] axis = k < 2 ? a : b;
@@ -124,27 +131,27 @@ class PenetrationTest {
         double[] lying = {0, -1, 0, 1, 0, 0, 0, 0, 1}; // its own Y along the world's X
         double[] upright = Rows.cylinder(0, 0, 0, 1, 5, Rows.identity());
         // Axes that cross at right angles, half a unit apart.
-        known(1.5, upright, Leaf.CYLINDER, Rows.cylinder(0, 0, 0.5, 1, 5, lying));
+        known(1.5, upright, LeafKind.CYLINDER, Rows.cylinder(0, 0, 0.5, 1, 5, lying));
         // An end 1 beyond the other's side; the same one's end above the other's.
-        known(1, upright, Leaf.CYLINDER, Rows.cylinder(5, 0, 0, 1, 5, lying));
-        known(0.25, upright, Leaf.CYLINDER, Rows.cylinder(0.5, 5.75, 0, 1, 5, lying));
+        known(1, upright, LeafKind.CYLINDER, Rows.cylinder(5, 0, 0, 1, 5, lying));
+        known(0.25, upright, LeafKind.CYLINDER, Rows.cylinder(0.5, 5.75, 0, 1, 5, lying));
         // A ball in the side, in the cap, and 3, 4, 5 beside the rim.
-        known(0.75, upright, Leaf.SPHERE, Rows.sphere(0.75, 0, 0, 0.5));
-        known(0.125, upright, Leaf.SPHERE, Rows.sphere(0, 5.375, 0, 0.5));
-        known(0.75, upright, Leaf.SPHERE, Rows.sphere(1.75, 6, 0, 2));
+        known(0.75, upright, LeafKind.SPHERE, Rows.sphere(0.75, 0, 0, 0.5));
+        known(0.125, upright, LeafKind.SPHERE, Rows.sphere(0, 5.375, 0, 0.5));
+        known(0.75, upright, LeafKind.SPHERE, Rows.sphere(1.75, 6, 0, 2));
         // A box in the side, and a corner of a box on edge in the cap.
-        known(0.5, upright, Leaf.BOX, Rows.box(1.5, 0, 0, 1, 1, 1, Rows.identity()));
-        known(0.25, upright, Leaf.BOX, Rows.box(0, 6.75, 0, 1, 2, 1, Rows.identity()));
+        known(0.5, upright, LeafKind.BOX, Rows.box(1.5, 0, 0, 1, 1, 1, Rows.identity()));
+        known(0.25, upright, LeafKind.BOX, Rows.box(0, 6.75, 0, 1, 2, 1, Rows.identity()));
         // A triangle 0.375 in the cap.
-        known(0.375, upright, Leaf.TRIANGLE, Rows.triangle(0, 4.625, 0, 0.25, 8, 0, 0, 8, 0.25));
+        known(0.375, upright, LeafKind.TRIANGLE, Rows.triangle(0, 4.625, 0, 0.25, 8, 0, 0, 8, 0.25));
     }
 
-    private void known(double depth, double[] a, int kind, double[] b) {
+    private void known(double depth, double[] a, LeafKind kind, double[] b) {
         String pair = Arrays.toString(a) + " with " + kind + " " + Arrays.toString(b);
-        assertThat(penetration.spatial(Leaf.CYLINDER, a, 0, kind, b, 0))
+        assertThat(penetration.spatial(LeafKind.CYLINDER, a, 0, kind, b, 0))
                 .as(pair)
                 .isCloseTo(depth, within(1e-9));
-        assertThat(penetration.spatial(kind, b, 0, Leaf.CYLINDER, a, 0))
+        assertThat(penetration.spatial(kind, b, 0, LeafKind.CYLINDER, a, 0))
                 .as(pair)
                 .isCloseTo(depth, within(1e-9));
     }
@@ -154,7 +161,7 @@ class PenetrationTest {
         private final Reach a;
         private final Reach b;
 
-        Pair(int kindA, double[] a, int kindB, double[] b) {
+        Pair(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
             this.a = new Reach(kindA, a);
             this.b = new Reach(kindB, b);
         }
@@ -232,15 +239,15 @@ class PenetrationTest {
     /** The support function, from the definition of each leaf; an octagon's corners are those found in decimals. */
     private static final class Reach {
         final SupportTwin twin;
-        private final int kind;
+        private final LeafKind kind;
         private final double[] r;
         private final double[][] corners;
 
-        Reach(int kind, double[] row) {
+        Reach(LeafKind kind, double[] row) {
             this.kind = kind;
             this.r = row;
             this.twin = new SupportTwin(kind, row);
-            this.corners = kind == Leaf.TRIANGLE
+            this.corners = kind == LeafKind.TRIANGLE
                     ? new double[][] {{r[0], r[1], r[2]}, {r[3], r[4], r[5]}, {r[6], r[7], r[8]}}
                     : twin.octagonCorners();
         }
@@ -254,13 +261,13 @@ class PenetrationTest {
                 return most;
             }
             double middle = x * r[0] + y * r[1] + z * r[2];
-            if (kind == Leaf.SPHERE) {
+            if (kind == LeafKind.SPHERE) {
                 return middle + r[3] * Math.sqrt(x * x + y * y + z * z);
             }
-            if (kind == Leaf.CYLINDER || kind == Leaf.UPRIGHT_CYLINDER) {
-                double ax = kind == Leaf.CYLINDER ? r[7] : 0;
-                double ay = kind == Leaf.CYLINDER ? r[10] : 1;
-                double az = kind == Leaf.CYLINDER ? r[13] : 0;
+            if (kind == LeafKind.CYLINDER || kind == LeafKind.UPRIGHT_CYLINDER) {
+                double ax = kind == LeafKind.CYLINDER ? r[7] : 0;
+                double ay = kind == LeafKind.CYLINDER ? r[10] : 1;
+                double az = kind == LeafKind.CYLINDER ? r[13] : 0;
                 double along = x * ax + y * ay + z * az;
                 double length = Math.sqrt(ax * ax + ay * ay + az * az);
                 double cx = y * az - z * ay;

@@ -14,7 +14,7 @@ class LeafBoundsTest {
         PlanarRows rows = new PlanarRows(51);
         int exact = 0;
         for (int k = 0; k < 3000; k++) {
-            int kind = rows.exactKind();
+            LeafKind kind = rows.exactKind();
             double factor = Math.scalb(1.0, rows.random().nextInt(-60, 60));
             double[] row = PlanarRows.scaled(kind, rows.row(kind, 1, 1), factor);
             double[] out = new double[6];
@@ -38,9 +38,9 @@ class LeafBoundsTest {
     void alignedBoxesAndUprightCylindersAreExactOnAGrid() {
         PlanarRows rows = new PlanarRows(52);
         for (int k = 0; k < 200; k++) {
-            double[] row = rows.gridRow(k % 2 == 0 ? Leaf.UPRIGHT_BOX : Leaf.UPRIGHT_CYLINDER);
+            double[] row = rows.gridRow(k % 2 == 0 ? LeafKind.UPRIGHT_BOX : LeafKind.UPRIGHT_CYLINDER);
             double[] out = new double[6];
-            LeafBounds.of(k % 2 == 0 ? Leaf.UPRIGHT_BOX : Leaf.UPRIGHT_CYLINDER, row, 0, out);
+            LeafBounds.of(k % 2 == 0 ? LeafKind.UPRIGHT_BOX : LeafKind.UPRIGHT_CYLINDER, row, 0, out);
             double x = k % 2 == 0 ? DiscRectangle.alignedX(row, 0) : row[3];
             double z = k % 2 == 0 ? DiscRectangle.alignedZ(row, 0) : row[3];
             assertThat(out)
@@ -53,9 +53,9 @@ class LeafBoundsTest {
         PlanarRows rows = new PlanarRows(53);
         double worst = 0;
         for (int k = 0; k < 300; k++) {
-            double[] row = rows.row(Leaf.CYLINDER, 1, 1);
+            double[] row = rows.row(LeafKind.CYLINDER, 1, 1);
             double[] out = new double[6];
-            LeafBounds.of(Leaf.CYLINDER, row, 0, out);
+            LeafBounds.of(LeafKind.CYLINDER, row, 0, out);
             double[] least = {9, 9, 9};
             double[] most = {-9, -9, -9};
             for (int n = 0; n < 720; n++) {
@@ -79,14 +79,14 @@ class LeafBoundsTest {
         assertThat(worst).isLessThan(1e-4);
     }
 
-    private static BigDecimal extreme(int kind, double[] row, int axis, int side) {
-        if (kind == Leaf.TRIANGLE) {
+    private static BigDecimal extreme(LeafKind kind, double[] row, int axis, int side) {
+        if (kind == LeafKind.TRIANGLE) {
             double a = side * row[axis];
             return new BigDecimal(side * Math.max(a, Math.max(side * row[3 + axis], side * row[6 + axis])));
         }
         BigDecimal half = BigDecimal.ZERO;
-        if (kind == Leaf.UPRIGHT_CYLINDER || kind == Leaf.SPHERE) {
-            half = new BigDecimal(kind == Leaf.UPRIGHT_CYLINDER && axis == 1 ? row[4] : row[3]);
+        if (kind == LeafKind.UPRIGHT_CYLINDER || kind == LeafKind.SPHERE) {
+            half = new BigDecimal(kind == LeafKind.UPRIGHT_CYLINDER && axis == 1 ? row[4] : row[3]);
         } else {
             for (int own = 0; own < 3; own++) {
                 half = half.add(new BigDecimal(row[3 + own]).multiply(new BigDecimal(row[6 + 3 * axis + own]).abs()));

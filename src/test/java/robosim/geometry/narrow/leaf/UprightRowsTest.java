@@ -3,11 +3,15 @@ package robosim.geometry.narrow.leaf;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
+import java.util.EnumSet;
+import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.exact.Rotations;
 
 class UprightRowsTest {
+    private static final LeafKind[] KINDS = {LeafKind.UPRIGHT_BOX, LeafKind.UPRIGHT_CYLINDER, LeafKind.SPHERE};
+
     private final SplittableRandom random = new SplittableRandom(7);
 
     @Test
@@ -15,20 +19,20 @@ class UprightRowsTest {
         UprightRows rows = new UprightRows();
         int boxes = 0;
         for (int place = 0; place < 500; place++) {
-            int kind = random.nextInt(3); // box, cylinder, sphere
+            LeafKind kind = KINDS[random.nextInt(3)];
             double[] row = row(kind);
             assertThat(UprightRows.takes(kind, row, 0)).isTrue();
             rows.reserve(place);
             assertThat(rows.isVacant(place)).isTrue();
             rows.write(place, kind, row, 0);
-            int numbers = kind == Leaf.UPRIGHT_BOX ? 15 : 5;
-            boxes += kind == Leaf.UPRIGHT_BOX ? 1 : 0;
+            int numbers = kind == LeafKind.UPRIGHT_BOX ? 15 : 5;
+            boxes += kind == LeafKind.UPRIGHT_BOX ? 1 : 0;
             int at = rows.at(place);
             assertThat(bits(rows.rows(place), at, numbers)).isEqualTo(bits(row, 0, numbers));
             double[] copy = new double[2 * Leaf.STRIDE];
             rows.copy(place, copy, Leaf.STRIDE);
             assertThat(bits(copy, Leaf.STRIDE, numbers)).isEqualTo(bits(row, 0, numbers));
-            assertThat(rows.kind(place)).isEqualTo(kind);
+            assertThat(LeafKind.of(rows.code(place))).isEqualTo(kind);
             // Who takes a cylinder or sphere for a row copies a row's length.
             assertThat(rows.rows(place).length - at).isGreaterThanOrEqualTo(Leaf.STRIDE);
         }
@@ -37,17 +41,17 @@ class UprightRowsTest {
 
     @Test
     void whatHasOtherNumbersIsNotTaken() {
-        double[] row = row(Leaf.UPRIGHT_BOX);
+        double[] row = row(LeafKind.UPRIGHT_BOX);
         for (int k : new int[] {7, 9, 10, 11, 12, 13, 14}) {
             double kept = row[k];
             row[k] = kept == 0 ? -0.0 : Math.nextUp(kept);
-            assertThat(UprightRows.takes(Leaf.UPRIGHT_BOX, row, 0))
+            assertThat(UprightRows.takes(LeafKind.UPRIGHT_BOX, row, 0))
                     .as("number %d", k)
                     .isFalse();
             row[k] = kept;
         }
-        assertThat(UprightRows.takes(Leaf.UPRIGHT_BOX, row, 0)).isTrue();
-        for (int kind = Leaf.BOX; kind <= Leaf.SOLID_MESH; kind++) {
+        assertThat(UprightRows.takes(LeafKind.UPRIGHT_BOX, row, 0)).isTrue();
+        for (LeafKind kind : EnumSet.complementOf(EnumSet.copyOf(List.of(KINDS)))) {
             assertThat(UprightRows.takes(kind, row, 0)).isFalse();
         }
     }
@@ -57,8 +61,8 @@ class UprightRowsTest {
         LeafColumn column = new LeafColumn(1);
         LeafColumn one = new LeafColumn(1);
         one.append(1);
-        one.setKind(0, Leaf.UPRIGHT_BOX);
-        System.arraycopy(row(Leaf.UPRIGHT_BOX), 0, one.rows(), 0, Leaf.STRIDE);
+        one.setKind(0, LeafKind.UPRIGHT_BOX);
+        System.arraycopy(row(LeafKind.UPRIGHT_BOX), 0, one.rows(), 0, Leaf.STRIDE);
         assertThat(one.fitsUpright()).isTrue();
         column.reserveUpright(0);
         int half = LeafColumn.UPRIGHT;
@@ -77,12 +81,12 @@ class UprightRowsTest {
         assertThat(column.isVacant(whole)).isFalse();
     }
 
-    private double[] row(int kind) {
+    private double[] row(LeafKind kind) {
         double[] row = new double[Leaf.STRIDE];
         for (int k = 0; k < 6; k++) {
             row[k] = random.nextDouble(0, 9);
         }
-        if (kind == Leaf.UPRIGHT_BOX) {
+        if (kind == LeafKind.UPRIGHT_BOX) {
             Rotations.yaw(random.nextInt(5) * 37.5, 0, row, Leaf.ROTATION);
         }
         return row;

@@ -8,7 +8,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
 class UprightTest {
-    private static final int[] KINDS = {Leaf.UPRIGHT_BOX, Leaf.UPRIGHT_CYLINDER, Leaf.PRISM};
+    private static final LeafKind[] KINDS = {LeafKind.UPRIGHT_BOX, LeafKind.UPRIGHT_CYLINDER, LeafKind.PRISM};
 
     @Test
     void heightsTouchWhereTheExactIntervalsDo() {
@@ -17,8 +17,8 @@ class UprightTest {
         int touches = 0;
         int count = 20_000;
         for (int k = 0; k < count; k++) {
-            int kindA = KINDS[random.nextInt(3)];
-            int kindB = KINDS[random.nextInt(3)];
+            LeafKind kindA = KINDS[random.nextInt(3)];
+            LeafKind kindB = KINDS[random.nextInt(3)];
             double[] a = row(kindA, random, k % 2 == 0);
             double[] b = row(kindB, random, k % 2 == 0);
             int low = bottom(kindA, a).compareTo(top(kindB, b));
@@ -39,10 +39,10 @@ class UprightTest {
         double[] a = {0, 0.1, 0, 1, 0.2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
         // 0.1 + 0.2 as stored is below the double 0.30000000000000004, and not below 0.3
         double[] b = {0, 1, 0, 0, 0, 0, 0, 0, 0.1 + 0.2, 9, 0, 0, 0, 0, 0, 0};
-        assertThat(Upright.heightsTouch(Leaf.UPRIGHT_CYLINDER, a, 0, Leaf.PRISM, b, 0))
+        assertThat(Upright.heightsTouch(LeafKind.UPRIGHT_CYLINDER, a, 0, LeafKind.PRISM, b, 0))
                 .isFalse();
         b[8] = Math.nextDown(0.1 + 0.2);
-        assertThat(Upright.heightsTouch(Leaf.UPRIGHT_CYLINDER, a, 0, Leaf.PRISM, b, 0))
+        assertThat(Upright.heightsTouch(LeafKind.UPRIGHT_CYLINDER, a, 0, LeafKind.PRISM, b, 0))
                 .isTrue();
     }
 
@@ -51,7 +51,7 @@ class UprightTest {
         SplittableRandom random = new SplittableRandom(42);
         int rounded = 0;
         for (int k = 0; k < 2000; k++) {
-            int kind = KINDS[random.nextInt(3)];
+            LeafKind kind = KINDS[random.nextInt(3)];
             double[] row = row(kind, random, false);
             double least = Upright.least(kind, row, 0);
             double most = Upright.greatest(kind, row, 0);
@@ -64,12 +64,12 @@ class UprightTest {
         assertThat(rounded).isBetween(100, 1900);
     }
 
-    private static double[] row(int kind, SplittableRandom random, boolean grid) {
+    private static double[] row(LeafKind kind, SplittableRandom random, boolean grid) {
         double[] row = new double[Leaf.STRIDE];
         for (int k = 0; k < 10; k++) {
             row[k] = grid ? random.nextInt(0, 6) : random.nextDouble() * 4;
         }
-        if (kind == Leaf.PRISM) {
+        if (kind == LeafKind.PRISM) {
             row[9] += row[8];
         } else {
             row[4] /= 2;
@@ -77,11 +77,13 @@ class UprightTest {
         return row;
     }
 
-    private static BigDecimal bottom(int kind, double[] row) {
-        return kind == Leaf.PRISM ? new BigDecimal(row[8]) : new BigDecimal(row[1]).subtract(new BigDecimal(row[4]));
+    private static BigDecimal bottom(LeafKind kind, double[] row) {
+        return kind == LeafKind.PRISM
+                ? new BigDecimal(row[8])
+                : new BigDecimal(row[1]).subtract(new BigDecimal(row[4]));
     }
 
-    private static BigDecimal top(int kind, double[] row) {
-        return kind == Leaf.PRISM ? new BigDecimal(row[9]) : new BigDecimal(row[1]).add(new BigDecimal(row[4]));
+    private static BigDecimal top(LeafKind kind, double[] row) {
+        return kind == LeafKind.PRISM ? new BigDecimal(row[9]) : new BigDecimal(row[1]).add(new BigDecimal(row[4]));
     }
 }

@@ -12,8 +12,8 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.narrow.Overlap;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.OwnLeaves;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
 
@@ -62,7 +62,7 @@ class MeshPairsTest {
                 return false;
             }
         }
-        return SpatialOverlap.test(Leaf.TRIANGLE, p, 0, Leaf.TRIANGLE, q, 0, scratch);
+        return SpatialOverlap.test(LeafKind.TRIANGLE, p, 0, LeafKind.TRIANGLE, q, 0, scratch);
     }
 
     private static double least(double[] t, int axis) {

@@ -18,6 +18,7 @@ import robosim.geometry.narrow.Cast;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.OwnLeaves;
 import robosim.geometry.narrow.leaf.UnderflowScaling;
 import robosim.geometry.narrow.ray.SpatialRay;
@@ -146,14 +147,14 @@ class MeshRayTest {
     /** The triangle as a mesh of its own, which has no tree to speak of, through the kernel alone. */
     private double alone(double[] row, double[] ray) {
         double distance =
-                SpatialRay.distance(ray[0], ray[1], ray[2], ray[3], ray[4], ray[5], Leaf.TRIANGLE, row, 0, scratch);
+                SpatialRay.distance(ray[0], ray[1], ray[2], ray[3], ray[4], ray[5], LeafKind.TRIANGLE, row, 0, scratch);
         UnderflowScaling m = new UnderflowScaling();
         if (distance > UnderflowScaling.SMALL
-                || !m.take(VectorMath.largest(ray[0], ray[1], ray[2]), Leaf.TRIANGLE, row, 0)) {
+                || !m.take(VectorMath.largest(ray[0], ray[1], ray[2]), LeafKind.TRIANGLE, row, 0)) {
             return distance;
         }
         return m.down(SpatialRay.distance(
-                m.up(ray[0]), m.up(ray[1]), m.up(ray[2]), ray[3], ray[4], ray[5], Leaf.TRIANGLE, m.a, 0, scratch));
+                m.up(ray[0]), m.up(ray[1]), m.up(ray[2]), ray[3], ray[4], ray[5], LeafKind.TRIANGLE, m.a, 0, scratch));
     }
 
     static double[][] rows(LeafColumn column) {

@@ -13,8 +13,8 @@ import robosim.geometry.narrow.Cast;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.cone.PlanarCone;
 import robosim.geometry.narrow.cone.SpatialCone;
-import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.OwnLeaves;
 import robosim.geometry.narrow.leaf.UnderflowScaling;
 import robosim.geometry.narrow.ray.PlanarRay;
@@ -138,7 +138,7 @@ class MeshSightTest {
         double distance = kernel(row, ray[0], ray[1], ray[2], dimension, isCone, half);
         UnderflowScaling m = new UnderflowScaling();
         if (distance > UnderflowScaling.SMALL
-                || !m.take(VectorMath.largest(ray[0], ray[1], ray[2]), Leaf.TRIANGLE, row, 0)) {
+                || !m.take(VectorMath.largest(ray[0], ray[1], ray[2]), LeafKind.TRIANGLE, row, 0)) {
             return distance;
         }
         return m.down(kernel(m.a, m.up(ray[0]), m.up(ray[1]), m.up(ray[2]), dimension, isCone, half));
@@ -152,10 +152,10 @@ class MeshSightTest {
         double dy = cast.way(1);
         double dz = cast.way(2);
         if (dimension == Dimension.SPATIAL) {
-            return SpatialCone.distance(x, y, z, dx, dy, dz, cos, sin, Leaf.TRIANGLE, row, 0, scratch);
+            return SpatialCone.distance(x, y, z, dx, dy, dz, cos, sin, LeafKind.TRIANGLE, row, 0, scratch);
         }
         return isCone
-                ? PlanarCone.distance(x, z, dx, dz, cos, sin, Leaf.TRIANGLE, row, 0, scratch)
-                : PlanarRay.distance(x, z, dx, dz, Leaf.TRIANGLE, row, 0, scratch);
+                ? PlanarCone.distance(x, z, dx, dz, cos, sin, LeafKind.TRIANGLE, row, 0, scratch)
+                : PlanarRay.distance(x, z, dx, dz, LeafKind.TRIANGLE, row, 0, scratch);
     }
 }

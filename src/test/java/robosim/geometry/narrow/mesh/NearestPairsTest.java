@@ -15,6 +15,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.OwnLeaves;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
 
@@ -102,7 +103,7 @@ class NearestPairsTest {
                 scratch.outer.corners(t, p, 0);
                 scratch.inner.open(b, 0);
                 scratch.inner.corners(u, q, 0);
-                if (SpatialOverlap.test(Leaf.TRIANGLE, p, 0, Leaf.TRIANGLE, q, 0, scratch)) {
+                if (SpatialOverlap.test(LeafKind.TRIANGLE, p, 0, LeafKind.TRIANGLE, q, 0, scratch)) {
                     truth.add(scratch.outer.triangle(t) + " " + scratch.inner.triangle(u));
                 }
             }

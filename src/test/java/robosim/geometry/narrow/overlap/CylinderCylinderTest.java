@@ -11,7 +11,7 @@ import robosim.geometry.narrow.CylinderTwin;
 import robosim.geometry.narrow.Rows;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.distance.SpatialDistance;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 class CylinderCylinderTest {
     private final Scratch scratch = new Scratch();
@@ -30,7 +30,7 @@ class CylinderCylinderTest {
         for (int n = 0; n < 2000; n++) {
             double scale = Math.scalb(1.0, n % 5 == 0 ? random.nextInt(-40, 41) : 0);
             double[] direction = new double[3];
-            int kindA = n % 3 == 0 ? Leaf.UPRIGHT_CYLINDER : Leaf.CYLINDER;
+            LeafKind kindA = n % 3 == 0 ? LeafKind.UPRIGHT_CYLINDER : LeafKind.CYLINDER;
             double[] a = cylinder(random, scale);
             double[] b = cylinder(random, scale);
             if (n % 7 == 0) {
@@ -41,7 +41,7 @@ class CylinderCylinderTest {
             double gap = share * 3 * scale;
             place(kindA, a, b, direction, gap, n % 4 == 0 ? 1e6 * scale : 0);
             CylinderTwin p = new CylinderTwin(kindA, a);
-            CylinderTwin q = new CylinderTwin(Leaf.CYLINDER, b);
+            CylinderTwin q = new CylinderTwin(LeafKind.CYLINDER, b);
             BigDecimal[] normal = CylinderTwin.decimals(direction);
             double width = Math.max(p.gap(q, normal).doubleValue(), p.widestOfCaps(q));
             boolean isApart = width > 0;
@@ -50,9 +50,9 @@ class CylinderCylinderTest {
                     + Arrays.toString(direction);
             double bound = 0x1p-40 * scale;
             scratch.uncertain = false;
-            boolean answer = SpatialOverlap.test(kindA, a, 0, Leaf.CYLINDER, b, 0, scratch);
+            boolean answer = SpatialOverlap.test(kindA, a, 0, LeafKind.CYLINDER, b, 0, scratch);
             boolean certain = !scratch.uncertain;
-            assertThat(SpatialOverlap.test(Leaf.CYLINDER, b, 0, kindA, a, 0, scratch))
+            assertThat(SpatialOverlap.test(LeafKind.CYLINDER, b, 0, kindA, a, 0, scratch))
                     .as(pair + " swapped")
                     .isEqualTo(answer);
             if (isApart) {
@@ -91,7 +91,7 @@ class CylinderCylinderTest {
         double worst = 0;
         for (int n = 0; n < 1500; n++) {
             double[] direction = new double[3];
-            int kindA = n % 3 == 0 ? Leaf.UPRIGHT_CYLINDER : Leaf.CYLINDER;
+            LeafKind kindA = n % 3 == 0 ? LeafKind.UPRIGHT_CYLINDER : LeafKind.CYLINDER;
             double[] a = cylinder(random, 1);
             double[] b = cylinder(random, 1);
             if (n % 7 == 0) {
@@ -101,7 +101,7 @@ class CylinderCylinderTest {
             double gap = Math.pow(10, -random.nextDouble(-1, 9));
             place(kindA, a, b, direction, gap, n % 4 == 0 ? 1e3 : 0);
             CylinderTwin p = new CylinderTwin(kindA, a);
-            CylinderTwin q = new CylinderTwin(Leaf.CYLINDER, b);
+            CylinderTwin q = new CylinderTwin(LeafKind.CYLINDER, b);
             BigDecimal[] normal = CylinderTwin.decimals(direction);
             double least = p.gap(q, normal).doubleValue();
             BigDecimal[] way = CylinderTwin.minus(q.furthest(CylinderTwin.negate(normal)), p.furthest(normal));
@@ -109,8 +109,8 @@ class CylinderCylinderTest {
                     ? CylinderTwin.root(CylinderTwin.dot(way, way)).doubleValue()
                     : least * (1 + 0x1p-30);
             String pair = kindA + " " + Arrays.toString(a) + " with " + Arrays.toString(b) + " gap " + least;
-            double answer = SpatialDistance.between(kindA, a, 0, Leaf.CYLINDER, b, 0, scratch);
-            assertThat(SpatialDistance.between(Leaf.CYLINDER, b, 0, kindA, a, 0, scratch))
+            double answer = SpatialDistance.between(kindA, a, 0, LeafKind.CYLINDER, b, 0, scratch);
+            assertThat(SpatialDistance.between(LeafKind.CYLINDER, b, 0, kindA, a, 0, scratch))
                     .as(pair)
                     .isEqualTo(answer);
             assertThat(answer).as(pair).isLessThanOrEqualTo(most * (1 + 0x1p-52));
@@ -127,18 +127,20 @@ class CylinderCylinderTest {
         return Rows.cylinder(0, 0, 0, flat == 0 ? 0 : radius, flat == 1 ? 0 : half, Rows.rotation(random));
     }
 
-    private static void nearlyParallel(int kindA, double[] a, double[] b, SplittableRandom random) {
+    private static void nearlyParallel(LeafKind kindA, double[] a, double[] b, SplittableRandom random) {
         for (int k = 7; k <= 13; k += 3) {
-            double own = kindA == Leaf.CYLINDER ? a[k] : k == 10 ? 1 : 0;
+            double own = kindA == LeafKind.CYLINDER ? a[k] : k == 10 ? 1 : 0;
             b[k] = own + Math.pow(10, -random.nextDouble(2, 16)) * random.nextDouble(-1, 1);
         }
     }
 
     // Across both axes, along one of them, across one of them, or any.
     private static void direction(
-            int family, int kindA, double[] a, double[] b, SplittableRandom random, double[] out) {
+            int family, LeafKind kindA, double[] a, double[] b, SplittableRandom random, double[] out) {
         double[] p = {
-            kindA == Leaf.CYLINDER ? a[7] : 0, kindA == Leaf.CYLINDER ? a[10] : 1, kindA == Leaf.CYLINDER ? a[13] : 0
+            kindA == LeafKind.CYLINDER ? a[7] : 0,
+            kindA == LeafKind.CYLINDER ? a[10] : 1,
+            kindA == LeafKind.CYLINDER ? a[13] : 0
         };
         double[] q = {b[7], b[10], b[13]};
         double[] any = {random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1)};
@@ -161,12 +163,12 @@ class CylinderCylinderTest {
     }
 
     /** Puts b so that its point furthest back lies a gap along the direction beyond a's furthest. */
-    private static void place(int kindA, double[] a, double[] b, double[] direction, double gap, double off) {
+    private static void place(LeafKind kindA, double[] a, double[] b, double[] direction, double gap, double off) {
         a[0] += off;
         a[2] -= off;
         BigDecimal[] normal = CylinderTwin.decimals(direction);
         BigDecimal[] from = new CylinderTwin(kindA, a).furthest(normal);
-        BigDecimal[] to = new CylinderTwin(Leaf.CYLINDER, b).furthest(CylinderTwin.negate(normal));
+        BigDecimal[] to = new CylinderTwin(LeafKind.CYLINDER, b).furthest(CylinderTwin.negate(normal));
         for (int k = 0; k < 3; k++) {
             b[k] = from[k].subtract(to[k])
                     .add(normal[k].multiply(new BigDecimal(gap)))
@@ -204,7 +206,7 @@ class CylinderCylinderTest {
                 a[k] = random.nextInt(-2, 3);
             }
             boolean upright = axis[3] == 1;
-            int kindA = upright ? Leaf.UPRIGHT_CYLINDER : Leaf.CYLINDER;
+            LeafKind kindA = upright ? LeafKind.UPRIGHT_CYLINDER : LeafKind.CYLINDER;
             if (n % 2 == 0) { // cap on cap
                 double lengths = (upright ? 1 : 1 / 8.0) * a[4] + Math.abs(factor) / 8 * b[4];
                 for (int k = 0; k < 3; k++) {
@@ -234,10 +236,10 @@ class CylinderCylinderTest {
             apart += truth ? 0 : 1;
             String pair = kindA + " " + Arrays.toString(a) + " with " + Arrays.toString(b);
             scratch.uncertain = false;
-            assertThat(SpatialOverlap.test(kindA, a, 0, Leaf.CYLINDER, b, 0, scratch))
+            assertThat(SpatialOverlap.test(kindA, a, 0, LeafKind.CYLINDER, b, 0, scratch))
                     .as(pair)
                     .isEqualTo(truth);
-            assertThat(SpatialOverlap.test(Leaf.CYLINDER, b, 0, kindA, a, 0, scratch))
+            assertThat(SpatialOverlap.test(LeafKind.CYLINDER, b, 0, kindA, a, 0, scratch))
                     .as(pair)
                     .isEqualTo(truth);
             assertThat(scratch.uncertain).as(pair).isFalse();
@@ -268,18 +270,18 @@ class CylinderCylinderTest {
                 b[k] = a[k] + reach * (level ? across : axis[k]) + 0.05 * (level ? axis[k] : across);
             }
             b[n % 3] += random.nextInt(-2, 3) * Math.ulp(b[n % 3]);
-            boolean truth = exactlyParallel(Leaf.CYLINDER, a, b);
+            boolean truth = exactlyParallel(LeafKind.CYLINDER, a, b);
             touching += truth ? 1 : 0;
-            assertThat(SpatialOverlap.test(Leaf.CYLINDER, a, 0, Leaf.CYLINDER, b, 0, scratch))
+            assertThat(SpatialOverlap.test(LeafKind.CYLINDER, a, 0, LeafKind.CYLINDER, b, 0, scratch))
                     .as(Arrays.toString(a) + " with " + Arrays.toString(b))
                     .isEqualTo(truth);
         }
         assertThat(touching).isBetween(count * 2 / 10, count * 8 / 10);
     }
 
-    private static boolean exactlyParallel(int kindA, double[] a, double[] b) {
+    private static boolean exactlyParallel(LeafKind kindA, double[] a, double[] b) {
         BigDecimal[] p = CylinderTwin.decimals(a[7], a[10], a[13]);
-        if (kindA == Leaf.UPRIGHT_CYLINDER) {
+        if (kindA == LeafKind.UPRIGHT_CYLINDER) {
             p = CylinderTwin.decimals(0, 1, 0);
         }
         BigDecimal[] q = CylinderTwin.decimals(b[7], b[10], b[13]);

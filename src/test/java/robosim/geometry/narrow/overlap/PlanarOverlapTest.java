@@ -4,17 +4,19 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.PlanarReference;
 import robosim.geometry.narrow.PlanarRows;
 import robosim.geometry.narrow.PlanarSampling;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.distance.PlanarDistance;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 public class PlanarOverlapTest {
     private final Scratch scratch = new Scratch();
 
-    private boolean test(int kindA, double[] a, int kindB, double[] b) {
+    private boolean test(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
         boolean verdict = PlanarOverlap.test(kindA, a, 0, kindB, b, 0, scratch);
         assertThat(PlanarOverlap.test(kindB, b, 0, kindA, a, 0, scratch))
                 .as(() -> pair(kindA, a, kindB, b) + " swapped")
@@ -22,14 +24,14 @@ public class PlanarOverlapTest {
         return verdict;
     }
 
-    private boolean checked(int kindA, double[] a, int kindB, double[] b) {
+    private boolean checked(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
         boolean truth = PlanarReference.overlap(PlanarReference.of(kindA, a, 0), PlanarReference.of(kindB, b, 0));
         assertThat(test(kindA, a, kindB, b)).as(() -> pair(kindA, a, kindB, b)).isEqualTo(truth);
         return truth;
     }
 
-    public static String pair(int kindA, double[] a, int kindB, double[] b) {
-        return "kind %d %s, kind %d %s".formatted(kindA, Arrays.toString(a), kindB, Arrays.toString(b));
+    public static String pair(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
+        return "kind %s %s, kind %s %s".formatted(kindA, Arrays.toString(a), kindB, Arrays.toString(b));
     }
 
     @Test
@@ -38,8 +40,8 @@ public class PlanarOverlapTest {
         int hits = 0;
         int count = 4000;
         for (int k = 0; k < count; k++) {
-            int kindA = rows.exactKind();
-            int kindB = rows.exactKind();
+            LeafKind kindA = rows.exactKind();
+            LeafKind kindB = rows.exactKind();
             double[] a = rows.row(kindA, 1, 1);
             double[] b = rows.row(kindB, 1, 1);
             hits += checked(kindA, a, kindB, b) ? 1 : 0;
@@ -54,8 +56,8 @@ public class PlanarOverlapTest {
         int touches = 0;
         int count = 4000;
         for (int k = 0; k < count; k++) {
-            int kindA = rows.exactKind();
-            int kindB = rows.exactKind();
+            LeafKind kindA = rows.exactKind();
+            LeafKind kindB = rows.exactKind();
             double[] a = rows.gridRow(kindA);
             double[] b =
                     PlanarRows.moved(kindB, rows.gridRow(kindB), rows.random().nextInt(5), 0);
@@ -75,8 +77,8 @@ public class PlanarOverlapTest {
         int hits = 0;
         int count = 0;
         for (int k = 0; k < 600; k++) {
-            int kindA = rows.exactKind();
-            int kindB = rows.exactKind();
+            LeafKind kindA = rows.exactKind();
+            LeafKind kindB = rows.exactKind();
             double factor = Math.scalb(1.0, rows.random().nextInt(-40, 41));
             double[] a = PlanarRows.scaled(kindA, rows.row(kindA, 1, 1), factor);
             double[] b = PlanarRows.scaled(kindB, rows.row(kindB, 1, 1), factor);
@@ -111,9 +113,11 @@ public class PlanarOverlapTest {
                 double f = Math.scalb(1.0, exponent);
                 double[] a = disc(0, 0, 1 * f);
                 double[] b = disc(t[0] * f, t[1] * f, (t[2] - 1) * f);
-                assertThat(checked(Leaf.SPHERE, a, Leaf.UPRIGHT_CYLINDER, b)).isTrue();
+                assertThat(checked(LeafKind.SPHERE, a, LeafKind.UPRIGHT_CYLINDER, b))
+                        .isTrue();
                 b[0] = Math.nextUp(b[0]);
-                assertThat(checked(Leaf.SPHERE, a, Leaf.UPRIGHT_CYLINDER, b)).isFalse();
+                assertThat(checked(LeafKind.SPHERE, a, LeafKind.UPRIGHT_CYLINDER, b))
+                        .isFalse();
                 // the corner of a box at the origin
                 double[] box = new double[Leaf.STRIDE];
                 box[0] = -2 * f;
@@ -122,9 +126,11 @@ public class PlanarOverlapTest {
                 box[5] = 3 * f;
                 PlanarRows.upright(box, 180);
                 double[] c = disc(t[0] * f, t[1] * f, t[2] * f);
-                assertThat(checked(Leaf.SPHERE, c, Leaf.UPRIGHT_BOX, box)).isTrue();
+                assertThat(checked(LeafKind.SPHERE, c, LeafKind.UPRIGHT_BOX, box))
+                        .isTrue();
                 c[3] = Math.nextDown(c[3]);
-                assertThat(checked(Leaf.SPHERE, c, Leaf.UPRIGHT_BOX, box)).isFalse();
+                assertThat(checked(LeafKind.SPHERE, c, LeafKind.UPRIGHT_BOX, box))
+                        .isFalse();
             }
         }
     }
@@ -135,7 +141,7 @@ public class PlanarOverlapTest {
         PlanarRows make = new PlanarRows(4);
         for (int k = 0; k < 5; k++) {
             rows[k] = make.row(PlanarRows.EXACT_KINDS[k], 1, 1);
-            int corners = PlanarRows.EXACT_KINDS[k] == Leaf.TRIANGLE ? 9 : 3;
+            int corners = PlanarRows.EXACT_KINDS[k] == LeafKind.TRIANGLE ? 9 : 3;
             for (int n = 0; n < corners; n++) {
                 rows[k][n] = 0.1 * (n % 3);
             }
@@ -145,8 +151,8 @@ public class PlanarOverlapTest {
         }
         for (int k = 0; k < 5; k++) {
             for (int m = 0; m < 5; m++) {
-                int kindA = PlanarRows.EXACT_KINDS[k];
-                int kindB = PlanarRows.EXACT_KINDS[m];
+                LeafKind kindA = PlanarRows.EXACT_KINDS[k];
+                LeafKind kindB = PlanarRows.EXACT_KINDS[m];
                 assertThat(checked(kindA, rows[k], kindB, rows[m])).isTrue();
                 double[] moved = PlanarRows.moved(kindB, rows[m], 0, 0x1p-54);
                 assertThat(checked(kindA, rows[k], kindB, moved)).isFalse();
@@ -161,8 +167,8 @@ public class PlanarOverlapTest {
         int count = 0;
         for (int exponent : new int[] {-1060, -1000, -540, -300, 90, 97}) {
             for (int k = 0; k < 60; k++) {
-                int kindA = rows.exactKind();
-                int kindB = rows.exactKind();
+                LeafKind kindA = rows.exactKind();
+                LeafKind kindB = rows.exactKind();
                 double factor = Math.scalb(1.0, exponent);
                 double[] a = PlanarRows.scaled(kindA, rows.gridRow(kindA), factor);
                 double[] b = PlanarRows.scaled(kindB, rows.gridRow(kindB), factor);
@@ -180,12 +186,12 @@ public class PlanarOverlapTest {
         int hits = 0;
         int count = 1000;
         for (int k = 0; k < count; k++) {
-            int kind = rows.exactKind();
-            double[] a = rows.row(Leaf.UPRIGHT_BOX, 1, 1);
+            LeafKind kind = rows.exactKind();
+            double[] a = rows.row(LeafKind.UPRIGHT_BOX, 1, 1);
             a[6] *= 1 + 5e-10;
             a[12] += 4e-10;
             double[] b = rows.row(kind, 1, 1);
-            hits += checked(Leaf.UPRIGHT_BOX, a, kind, b) ? 1 : 0;
+            hits += checked(LeafKind.UPRIGHT_BOX, a, kind, b) ? 1 : 0;
         }
         assertThat(hits).isBetween(count * 3 / 10, count * 7 / 10);
     }
@@ -193,12 +199,12 @@ public class PlanarOverlapTest {
     @Test
     void octagonsAndOvalsAreCertified() {
         PlanarRows rows = new PlanarRows(7);
-        int[] kinds = {0, 1, 2, 3, 4, 5, 6};
+        LeafKind[] kinds = Leaves.KINDS;
         int hits = 0;
         int count = 1000;
         for (int k = 0; k < count; k++) {
-            int kindA = k % 2 == 0 ? Leaf.CYLINDER : Leaf.PRISM;
-            int kindB = kinds[rows.random().nextInt(kinds.length)];
+            LeafKind kindA = k % 2 == 0 ? LeafKind.CYLINDER : LeafKind.PRISM;
+            LeafKind kindB = kinds[rows.random().nextInt(kinds.length)];
             double[] a = rows.row(kindA, 1, 1);
             double[] b = rows.row(kindB, 1, 1);
             boolean verdict = test(kindA, a, kindB, b);
@@ -262,16 +268,16 @@ public class PlanarOverlapTest {
             0
         };
         Scratch s = new Scratch();
-        assertThat(PlanarOverlap.test(Leaf.PRISM, still, 0, Leaf.PRISM, other, 0, s))
+        assertThat(PlanarOverlap.test(LeafKind.PRISM, still, 0, LeafKind.PRISM, other, 0, s))
                 .isFalse();
-        assertThat(PlanarOverlap.test(Leaf.PRISM, other, 0, Leaf.PRISM, still, 0, s))
+        assertThat(PlanarOverlap.test(LeafKind.PRISM, other, 0, LeafKind.PRISM, still, 0, s))
                 .isFalse();
-        assertThat(PlanarDistance.between(Leaf.PRISM, other, 0, Leaf.PRISM, still, 0, s))
+        assertThat(PlanarDistance.between(LeafKind.PRISM, other, 0, LeafKind.PRISM, still, 0, s))
                 .isBetween(0.0, 1e-12);
         still[1] = other[0];
-        assertThat(PlanarOverlap.test(Leaf.PRISM, still, 0, Leaf.PRISM, other, 0, s))
+        assertThat(PlanarOverlap.test(LeafKind.PRISM, still, 0, LeafKind.PRISM, other, 0, s))
                 .isTrue();
-        assertThat(PlanarDistance.between(Leaf.PRISM, other, 0, Leaf.PRISM, still, 0, s))
+        assertThat(PlanarDistance.between(LeafKind.PRISM, other, 0, LeafKind.PRISM, still, 0, s))
                 .isZero();
     }
 }

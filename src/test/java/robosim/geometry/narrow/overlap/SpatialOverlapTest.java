@@ -9,6 +9,7 @@ import robosim.geometry.narrow.DecimalAxes;
 import robosim.geometry.narrow.Rows;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.sat.ExactCylinder;
 import robosim.geometry.narrow.sat.ExactPolytope;
 import robosim.geometry.narrow.sat.ExactSphere;
@@ -44,7 +45,7 @@ class SpatialOverlapTest {
         int[][] orders = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
         for (int[] p : orders) {
             for (int[] q : orders) {
-                both(Leaf.TRIANGLE, ordered(a, p), Leaf.TRIANGLE, ordered(b, q), truth);
+                both(LeafKind.TRIANGLE, ordered(a, p), LeafKind.TRIANGLE, ordered(b, q), truth);
             }
         }
     }
@@ -64,9 +65,9 @@ class SpatialOverlapTest {
             double[] turned = Rows.yaw(0.3 + tilt);
             turned[1] = tilt; // not quite upright either
             double[] b = Rows.box(0, 0.7, 0, 20, 0.1, 0.1, turned);
-            both(Leaf.BOX, a, Leaf.BOX, b, false);
+            both(LeafKind.BOX, a, LeafKind.BOX, b, false);
             b[1] = 0.2 - 1e-9;
-            both(Leaf.BOX, a, Leaf.BOX, b, true);
+            both(LeafKind.BOX, a, LeafKind.BOX, b, true);
         }
     }
 
@@ -93,8 +94,8 @@ class SpatialOverlapTest {
                 0.78165709972381591797 / 2,
                 0.125,
                 new double[] {c, s, 0, -s, c, 0, 0, 0, 1});
-        both(Leaf.BOX, a, Leaf.BOX, b, true);
-        assertThat(scratch.penetration().spatial(Leaf.BOX, a, 0, Leaf.BOX, b, 0))
+        both(LeafKind.BOX, a, LeafKind.BOX, b, true);
+        assertThat(scratch.penetration().spatial(LeafKind.BOX, a, 0, LeafKind.BOX, b, 0))
                 .isBetween(3.38e-5, 3.382e-5);
         double[] r = {
             0.96193976625564348026,
@@ -109,7 +110,7 @@ class SpatialOverlapTest {
         };
         a = Rows.box(2.0770063995786869349, 0.48468247475641951239, 1.1543291419087275962, 0.25, 0.25, 0.25, r);
         b = Rows.box(2, 0, 1.25, 0.25, 0.25, 0.25, r);
-        both(Leaf.BOX, a, Leaf.BOX, b, true); // by 3.8e-17
+        both(LeafKind.BOX, a, LeafKind.BOX, b, true); // by 3.8e-17
     }
 
     @Test
@@ -128,8 +129,8 @@ class SpatialOverlapTest {
         double[] a =
                 Rows.box(0.073242100093223821977, 0.2316538089896212349, 1.3089245921032497399, 0.125, 0.125, 0.125, r);
         double[] b = Rows.box(0, 0, 1.25, 0.125, 0.125, 0.125, r);
-        both(Leaf.BOX, a, Leaf.BOX, b, false); // by 1.81e-16
-        assertThat(DecimalAxes.overlap(Leaf.BOX, a, Leaf.BOX, b)).isFalse();
+        both(LeafKind.BOX, a, LeafKind.BOX, b, false); // by 1.81e-16
+        assertThat(DecimalAxes.overlap(LeafKind.BOX, a, LeafKind.BOX, b)).isFalse();
     }
 
     @Test
@@ -138,9 +139,9 @@ class SpatialOverlapTest {
         double[] a = Rows.box(0.5, 0.5, 0.5, 0.5, 0.5, 0.5, Rows.identity());
         double[] r = {0, 0, 1, -.5, s, 0, -s, -.5, 0};
         double[] b = Rows.box(1, -.5 + s, -s - .5, 1, 1, 1, r);
-        both(Leaf.BOX, a, Leaf.BOX, b, DecimalAxes.overlap(Leaf.BOX, a, Leaf.BOX, b));
+        both(LeafKind.BOX, a, LeafKind.BOX, b, DecimalAxes.overlap(LeafKind.BOX, a, LeafKind.BOX, b));
         b[2] = Math.nextUp(b[2] + 1e-15);
-        both(Leaf.BOX, a, Leaf.BOX, b, DecimalAxes.overlap(Leaf.BOX, a, Leaf.BOX, b));
+        both(LeafKind.BOX, a, LeafKind.BOX, b, DecimalAxes.overlap(LeafKind.BOX, a, LeafKind.BOX, b));
     }
 
     @Test
@@ -148,29 +149,29 @@ class SpatialOverlapTest {
         double[] r = Rows.rotation(new SplittableRandom(5));
         double[] a = Rows.box(0, 0, 0, 0.125, 0.125, 0.125, r);
         double[] b = Rows.box(0.0732421, 0.2316538, 0.0589246, 0.125, 0.125, 0.125, r); // FCL #495's offset
-        both(Leaf.BOX, a, Leaf.BOX, b, DecimalAxes.overlap(Leaf.BOX, a, Leaf.BOX, b));
-        both(Leaf.BOX, a, Leaf.BOX, a.clone(), true);
+        both(LeafKind.BOX, a, LeafKind.BOX, b, DecimalAxes.overlap(LeafKind.BOX, a, LeafKind.BOX, b));
+        both(LeafKind.BOX, a, LeafKind.BOX, a.clone(), true);
     }
 
     @Test
     void aBoxInsideASurfaceTouchesNoneOfIt() { // FCL #492: a matter of meaning; a triangle is a surface
         double[] triangle = Rows.triangle(-5, 2, -5, 5, 2, -5, 0, 2, 9);
-        both(Leaf.BOX, Rows.box(0, 0, 0, 1, 1, 1, Rows.identity()), Leaf.TRIANGLE, triangle, false);
-        both(Leaf.BOX, Rows.box(0, 1, 0, 1, 1, 1, Rows.identity()), Leaf.TRIANGLE, triangle, true);
+        both(LeafKind.BOX, Rows.box(0, 0, 0, 1, 1, 1, Rows.identity()), LeafKind.TRIANGLE, triangle, false);
+        both(LeafKind.BOX, Rows.box(0, 1, 0, 1, 1, 1, Rows.identity()), LeafKind.TRIANGLE, triangle, true);
     }
 
     @Test
     void whatIsDeepInsideASolidCollides() { // panda3d #1335, mujoco #1800
         double[] box = Rows.box(0, 0, 0, 5, 5, 5, Rows.identity());
         double[] r = Rows.rotation(new SplittableRandom(6));
-        both(Leaf.BOX, box, Leaf.SPHERE, Rows.sphere(0.1, 0.2, 0.3, 0.01), true);
-        both(Leaf.BOX, box, Leaf.SPHERE, Rows.sphere(0.1, 0.2, 0.3, 0), true);
-        both(Leaf.BOX, box, Leaf.CYLINDER, Rows.cylinder(0.1, 0.2, 0.3, 0.01, 0.02, r), true);
-        both(Leaf.BOX, box, Leaf.BOX, Rows.box(1, 1, 1, 0.65, 0.48, 0.04, r), true);
+        both(LeafKind.BOX, box, LeafKind.SPHERE, Rows.sphere(0.1, 0.2, 0.3, 0.01), true);
+        both(LeafKind.BOX, box, LeafKind.SPHERE, Rows.sphere(0.1, 0.2, 0.3, 0), true);
+        both(LeafKind.BOX, box, LeafKind.CYLINDER, Rows.cylinder(0.1, 0.2, 0.3, 0.01, 0.02, r), true);
+        both(LeafKind.BOX, box, LeafKind.BOX, Rows.box(1, 1, 1, 0.65, 0.48, 0.04, r), true);
         both(
-                Leaf.CYLINDER,
+                LeafKind.CYLINDER,
                 Rows.cylinder(0, 0, 0, 5, 5, r),
-                Leaf.TRIANGLE,
+                LeafKind.TRIANGLE,
                 Rows.triangle(1, 0, 0, 0, 1, 0, 0, 0, 1),
                 true);
     }
@@ -187,32 +188,32 @@ class SpatialOverlapTest {
                 14.5536213,
                 10.5969315,
                 -5.18637228);
-        both(Leaf.TRIANGLE, triangle, Leaf.SPHERE, Rows.sphere(14.831459, 8.1905508, -4.30825043, .2), false);
+        both(LeafKind.TRIANGLE, triangle, LeafKind.SPHERE, Rows.sphere(14.831459, 8.1905508, -4.30825043, .2), false);
     }
 
     /** Spheres on all features of a box and a triangle at Pythagorean distances, and an ulp less. */
     @Test
     void spheresTouchExactly() {
         double[] box = Rows.box(0, 0, 0, 1, 2, 3, Rows.identity());
-        touches(Leaf.BOX, box, Rows.sphere(5, 0.5, 0.25, 4));
-        touches(Leaf.BOX, box, Rows.sphere(4, 6, 1, 5)); // 3, 4 from an edge
-        touches(Leaf.BOX, box, Rows.sphere(2, 4, 5, 3)); // 1, 2, 2 from a corner
+        touches(LeafKind.BOX, box, Rows.sphere(5, 0.5, 0.25, 4));
+        touches(LeafKind.BOX, box, Rows.sphere(4, 6, 1, 5)); // 3, 4 from an edge
+        touches(LeafKind.BOX, box, Rows.sphere(2, 4, 5, 3)); // 1, 2, 2 from a corner
         double[] triangle = Rows.triangle(0, 0, 0, 4, 0, 0, 0, 0, 4);
-        touches(Leaf.TRIANGLE, triangle, Rows.sphere(1, 2, 1, 2));
-        touches(Leaf.TRIANGLE, triangle, Rows.sphere(2, 4, -3, 5));
-        touches(Leaf.TRIANGLE, triangle, Rows.sphere(-1, 2, -2, 3));
+        touches(LeafKind.TRIANGLE, triangle, Rows.sphere(1, 2, 1, 2));
+        touches(LeafKind.TRIANGLE, triangle, Rows.sphere(2, 4, -3, 5));
+        touches(LeafKind.TRIANGLE, triangle, Rows.sphere(-1, 2, -2, 3));
         double[] upright = Rows.cylinder(0, 0, 0, 5, 2, Rows.identity());
-        touches(Leaf.UPRIGHT_CYLINDER, upright, Rows.sphere(6, 0.5, 8, 5)); // beside: 10 from the axis
-        touches(Leaf.UPRIGHT_CYLINDER, upright, Rows.sphere(1, 5, 1, 3)); // above
-        touches(Leaf.UPRIGHT_CYLINDER, upright, Rows.sphere(8, 6, 0, 5)); // 3, 4 from the rim
-        touches(Leaf.SPHERE, Rows.sphere(0, 0, 0, 2), Rows.sphere(2, 4, 4, 4));
+        touches(LeafKind.UPRIGHT_CYLINDER, upright, Rows.sphere(6, 0.5, 8, 5)); // beside: 10 from the axis
+        touches(LeafKind.UPRIGHT_CYLINDER, upright, Rows.sphere(1, 5, 1, 3)); // above
+        touches(LeafKind.UPRIGHT_CYLINDER, upright, Rows.sphere(8, 6, 0, 5)); // 3, 4 from the rim
+        touches(LeafKind.SPHERE, Rows.sphere(0, 0, 0, 2), Rows.sphere(2, 4, 4, 4));
     }
 
-    private void touches(int kind, double[] row, double[] sphere) {
-        both(kind, row, Leaf.SPHERE, sphere, true);
+    private void touches(LeafKind kind, double[] row, double[] sphere) {
+        both(kind, row, LeafKind.SPHERE, sphere, true);
         double[] less = sphere.clone();
         less[3] = Math.nextDown(less[3]);
-        both(kind, row, Leaf.SPHERE, less, false);
+        both(kind, row, LeafKind.SPHERE, less, false);
     }
 
     /** An axis (3, 4, 0)/8 is stored exactly, and so are touching places beside it: (-4, 3, 0) t is 5 t away. */
@@ -220,8 +221,8 @@ class SpatialOverlapTest {
     void turnedCylindersTouchExactly() {
         double[] r = {0.5, 0.375, 0, -0.375, 0.5, 0, 0, 0, 0.625};
         double[] cylinder = Rows.cylinder(0, 0, 0, 5, 8, r); // from -(3, 4, 0) to (3, 4, 0)
-        touches(Leaf.CYLINDER, cylinder, Rows.sphere(-8, 6, 0, 5));
-        touches(Leaf.CYLINDER, cylinder, Rows.sphere(9, 12, 0, 10));
+        touches(LeafKind.CYLINDER, cylinder, Rows.sphere(-8, 6, 0, 5));
+        touches(LeafKind.CYLINDER, cylinder, Rows.sphere(9, 12, 0, 10));
         // A triangle's corner, its edge and its side at (-4, 3, 0), each just touching or drawn off by the least step.
         tangent(cylinder, Rows.triangle(-4, 3, 0, -8, 6, 1, -8, 6, -1));
         tangent(cylinder, Rows.triangle(-4, 3, 4, -4, 3, -4, -8, 6, 0));
@@ -229,19 +230,19 @@ class SpatialOverlapTest {
         // At the cap's middle, and a box with a corner on the side.
         tangent(cylinder, Rows.triangle(3, 4, 0, 6, 9, 1, 6, 9, -1));
         double[] box = Rows.box(-5, 4, 0, 1, 1, 1, Rows.identity());
-        both(Leaf.CYLINDER, cylinder, Leaf.BOX, box, true);
+        both(LeafKind.CYLINDER, cylinder, LeafKind.BOX, box, true);
         box[0] = Math.nextDown(box[0]);
-        both(Leaf.CYLINDER, cylinder, Leaf.BOX, box, false);
+        both(LeafKind.CYLINDER, cylinder, LeafKind.BOX, box, false);
     }
 
     private void tangent(double[] cylinder, double[] triangle) {
-        both(Leaf.CYLINDER, cylinder, Leaf.TRIANGLE, triangle, true);
+        both(LeafKind.CYLINDER, cylinder, LeafKind.TRIANGLE, triangle, true);
         double[] off = triangle.clone();
         double away = triangle[0] + triangle[3] + triangle[6] < 0 ? -0x1p-50 : 0x1p-50;
         for (int k = 0; k < 9; k += 3) {
             off[k] += away;
         }
-        both(Leaf.CYLINDER, cylinder, Leaf.TRIANGLE, off, false);
+        both(LeafKind.CYLINDER, cylinder, LeafKind.TRIANGLE, off, false);
     }
 
     /** Exact numbers and GJK agree wherever the latter is certain; random pairs almost always are. */
@@ -252,14 +253,14 @@ class SpatialOverlapTest {
         int hits = 0;
         int asked = 0;
         for (int n = 0; n < 300; n++) {
-            for (int kind : new int[] {Leaf.BOX, Leaf.TRIANGLE}) {
-                double[] cylinder = Rows.random(Leaf.CYLINDER, random, 1);
+            for (LeafKind kind : new LeafKind[] {LeafKind.BOX, LeafKind.TRIANGLE}) {
+                double[] cylinder = Rows.random(LeafKind.CYLINDER, random, 1);
                 double[] b = Rows.random(kind, random, 1);
-                double[] ball = Rows.random(Leaf.SPHERE, random, 1);
+                double[] ball = Rows.random(LeafKind.SPHERE, random, 1);
                 String pair =
                         Arrays.toString(cylinder) + " with " + kind + " " + Arrays.toString(b) + Arrays.toString(ball);
                 ExactPolytope polytope = new ExactPolytope(kind, b, 0);
-                ExactCylinder exact = new ExactCylinder(Leaf.CYLINDER, cylinder, 0);
+                ExactCylinder exact = new ExactCylinder(LeafKind.CYLINDER, cylinder, 0);
                 ExactSphere sphere = new ExactSphere(ball, 0);
                 boolean[] truths = {
                     exact.touchesPolytope(polytope), sphere.touchesPolytope(polytope), sphere.touchesCylinder(exact)
@@ -268,10 +269,10 @@ class SpatialOverlapTest {
                     asked++;
                     hits += truths[k] ? 1 : 0;
                     scratch.gjk.spatial(
-                            k == 0 ? Leaf.CYLINDER : Leaf.SPHERE,
+                            k == 0 ? LeafKind.CYLINDER : LeafKind.SPHERE,
                             k == 0 ? cylinder : ball,
                             0,
-                            k == 2 ? Leaf.CYLINDER : kind,
+                            k == 2 ? LeafKind.CYLINDER : kind,
                             k == 2 ? cylinder : b,
                             0);
                     if (scratch.gjk.lower() > 0 || scratch.gjk.isDeep()) {
@@ -293,22 +294,22 @@ class SpatialOverlapTest {
         int near = 0;
         int count = 2000;
         for (int n = 0; n < count; n++) {
-            int kind = n % 2 == 0 ? Leaf.BOX : Leaf.TRIANGLE;
+            LeafKind kind = n % 2 == 0 ? LeafKind.BOX : LeafKind.TRIANGLE;
             double[] other = Rows.random(kind, random, 1);
             for (int k = 0; k < 9; k++) { // on a grid, so that the box's corner is a double too
                 other[k] = Math.rint(other[k] * 0x1p20) * 0x1p-20;
-                other[k + 6] = kind == Leaf.BOX ? Math.rint(other[k + 6] * 0x1p20) * 0x1p-20 : other[k + 6];
+                other[k + 6] = kind == LeafKind.BOX ? Math.rint(other[k + 6] * 0x1p20) * 0x1p-20 : other[k + 6];
             }
             double[] box = Rows.box(0, 0, 0, 0.5, 0.25, 0.75, Rows.identity());
-            double[] corner = kind == Leaf.TRIANGLE ? other : ownCorner(other);
+            double[] corner = kind == LeafKind.TRIANGLE ? other : ownCorner(other);
             for (int k = 0; k < 3; k++) { // the two meet at a corner, or nearly
                 box[k] = Math.rint(corner[k] * 0x1p48) * 0x1p-48 + (random.nextBoolean() ? box[3 + k] : -box[3 + k]);
             }
             box[n % 3] += random.nextInt(-1, 2) * 0x1p-48;
-            boolean truth = SpatialOverlap.test(Leaf.UPRIGHT_BOX, box, 0, kind, other, 0, scratch);
-            scratch.gjk.spatial(Leaf.UPRIGHT_BOX, box, 0, kind, other, 0);
+            boolean truth = SpatialOverlap.test(LeafKind.UPRIGHT_BOX, box, 0, kind, other, 0, scratch);
+            scratch.gjk.spatial(LeafKind.UPRIGHT_BOX, box, 0, kind, other, 0);
             near += scratch.gjk.lower() > 0 || scratch.gjk.isDeep() ? 0 : 1;
-            both(Leaf.PRISM, prism(box), kind, other, truth);
+            both(LeafKind.PRISM, prism(box), kind, other, truth);
             hits += truth ? 1 : 0;
         }
         assertThat(hits).isBetween(count / 10, count * 9 / 10);
@@ -339,7 +340,7 @@ class SpatialOverlapTest {
         return row;
     }
 
-    private void both(int kindA, double[] a, int kindB, double[] b, boolean truth) {
+    private void both(LeafKind kindA, double[] a, LeafKind kindB, double[] b, boolean truth) {
         String pair = kindA + " " + Arrays.toString(a) + " with " + kindB + " " + Arrays.toString(b);
         assertThat(SpatialOverlap.test(kindA, a, 0, kindB, b, 0, scratch))
                 .as(pair)

@@ -8,7 +8,7 @@ import robosim.geometry.exact.Stages;
 import robosim.geometry.narrow.PlanarReference;
 import robosim.geometry.narrow.PlanarRows;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.overlap.PlanarOverlapTest;
 
@@ -72,8 +72,8 @@ class DoubleDoubleOverlapTest {
     void theGapOfTwoBoxesIsWithinItsBound() {
         double worst = 0;
         for (int k = 0; k < 20_000; k++) {
-            double[] a = rows.row(k % 2 == 0 ? Leaf.UPRIGHT_BOX : Leaf.BOX, 1, 1);
-            double[] b = rows.row(k % 3 == 0 ? Leaf.UPRIGHT_BOX : Leaf.BOX, k % 5 == 0 ? 1e6 : 1, 1);
+            double[] a = rows.row(k % 2 == 0 ? LeafKind.UPRIGHT_BOX : LeafKind.BOX, 1, 1);
+            double[] b = rows.row(k % 3 == 0 ? LeafKind.UPRIGHT_BOX : LeafKind.BOX, k % 5 == 0 ? 1e6 : 1, 1);
             double gx = a[6];
             double gz = a[12];
             int side = scratch.fine.along(gx, gz, a, 0, b, 0);
@@ -90,8 +90,8 @@ class DoubleDoubleOverlapTest {
     void theSquaresOfADiscAndABoxAreWithinTheirBound() {
         double worst = 0;
         for (int k = 0; k < 20_000; k++) {
-            double[] disc = rows.row(Leaf.SPHERE, k % 5 == 0 ? 1e6 : 1, 1);
-            double[] box = rows.row(Leaf.UPRIGHT_BOX, 1, 1);
+            double[] disc = rows.row(LeafKind.SPHERE, k % 5 == 0 ? 1e6 : 1, 1);
+            double[] box = rows.row(LeafKind.UPRIGHT_BOX, 1, 1);
             int side = scratch.fine.discRectangle(disc[0], disc[2], disc[3], box, 0);
             BigDecimal truth = squaresOfDisc(disc, box);
             double error = value().subtract(truth).doubleValue();
@@ -106,14 +106,14 @@ class DoubleDoubleOverlapTest {
     void neighboursAcrossTheContactAreToldInPairsOrExactly() {
         Stages.Counter[] fine = counters(" fine");
         Stages.Counter[] exact = counters("");
-        int[] kinds = {Leaf.UPRIGHT_BOX, Leaf.SPHERE, Leaf.BOX};
+        LeafKind[] kinds = {LeafKind.UPRIGHT_BOX, LeafKind.SPHERE, LeafKind.BOX};
         long fineBefore = total(fine);
         long exactBefore = total(exact);
         int asked = 0;
         int hits = 0;
         for (int k = 0; k < 3000; k++) {
-            int kindA = kinds[k % 3];
-            int kindB = kinds[k / 3 % 3];
+            LeafKind kindA = kinds[k % 3];
+            LeafKind kindB = kinds[k / 3 % 3];
             double factor = Math.scalb(1.0, 20 * rows.random().nextInt(-2, 3));
             double[] a = PlanarRows.scaled(kindA, rows.row(kindA, k % 4 == 0 ? 1e6 : 1, 1), factor);
             double[] b = PlanarRows.scaled(kindB, rows.row(kindB, 0, 1), factor);

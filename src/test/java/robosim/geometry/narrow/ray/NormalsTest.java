@@ -7,12 +7,12 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 class NormalsTest {
     private final Scratch scratch = new Scratch();
@@ -20,9 +20,11 @@ class NormalsTest {
 
     /** Two more rays beside the one tell the slope of the surface. */
     @ParameterizedTest
-    @ValueSource(ints = {0, 1, 2, 3, 4, 5, 6})
-    void agreesWithTheSlopeOfTheDistances(int kind) {
-        SplittableRandom random = new SplittableRandom(kind);
+    @EnumSource(
+            names = {"MESH", "SOLID_MESH"},
+            mode = EnumSource.Mode.EXCLUDE)
+    void agreesWithTheSlopeOfTheDistances(LeafKind kind) {
+        SplittableRandom random = new SplittableRandom(kind.ordinal());
         int checked = 0;
         for (int i = 0; i < 600; i++) {
             double[] row = Leaves.random(kind, random, 1);
@@ -59,13 +61,13 @@ class NormalsTest {
 
     /** The plan of an upright leaf is that of the leaf in space, met on the level. */
     @ParameterizedTest
-    @ValueSource(ints = {0, 1, 2, 6})
-    void aPlanHasTheNormalsOfTheLevel(int kind) {
-        SplittableRandom random = new SplittableRandom(20 + kind);
+    @EnumSource(names = {"UPRIGHT_BOX", "UPRIGHT_CYLINDER", "SPHERE", "PRISM"})
+    void aPlanHasTheNormalsOfTheLevel(LeafKind kind) {
+        SplittableRandom random = new SplittableRandom(20 + kind.ordinal());
         int checked = 0;
         for (int i = 0; i < 500; i++) {
             double[] row = Leaves.random(kind, random, 1);
-            double y = kind == Leaf.PRISM ? (row[8] + row[9]) / 2 : row[1];
+            double y = kind == LeafKind.PRISM ? (row[8] + row[9]) / 2 : row[1];
             double[] o = {random.nextDouble(-4, 4), y, random.nextDouble(-4, 4)};
             double[] d = {random.nextDouble(-1, 1) - o[0], 0, random.nextDouble(-1, 1) - o[2]};
             double t = ray(o, d, kind, row);
@@ -84,9 +86,9 @@ class NormalsTest {
 
     /** Against the extreme points of the projection: nothing of it is beyond the tangent at the place that was hit. */
     @ParameterizedTest
-    @ValueSource(ints = {3, 4, 5})
-    void nothingOfAPlanIsBeyondItsTangent(int kind) {
-        SplittableRandom random = new SplittableRandom(40 + kind);
+    @EnumSource(names = {"BOX", "CYLINDER", "TRIANGLE"})
+    void nothingOfAPlanIsBeyondItsTangent(LeafKind kind) {
+        SplittableRandom random = new SplittableRandom(40 + kind.ordinal());
         int left = 0;
         int right = 0;
         for (int i = 0; i < 300; i++) {
@@ -113,14 +115,15 @@ class NormalsTest {
         }
         // At a corner either face is met about as often; an oval has no corners.
         assertThat(List.of(left, right))
-                .allSatisfy(count ->
-                        assertThat(count).isBetween(kind == Leaf.CYLINDER ? 0 : 100, kind == Leaf.CYLINDER ? 0 : 200));
+                .allSatisfy(count -> assertThat(count)
+                        .isBetween(kind == LeafKind.CYLINDER ? 0 : 100, kind == LeafKind.CYLINDER ? 0 : 200));
     }
 
     @Test
     void aStartInsideGetsTheOppositeOfTheRay() {
         double[] box = {0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
-        for (int kind : new int[] {Leaf.UPRIGHT_BOX, Leaf.BOX, Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE}) {
+        for (LeafKind kind :
+                new LeafKind[] {LeafKind.UPRIGHT_BOX, LeafKind.BOX, LeafKind.UPRIGHT_CYLINDER, LeafKind.SPHERE}) {
             at(new double[] {.25, .25, 0}, new double[] {3, 4, 0}, kind, box, Dimension.SPATIAL);
             assertThat(normal).containsExactly(new double[] {-.6, -.8, 0}, within(1e-15));
             at(new double[] {.25, 9, 0}, new double[] {3, 9, 4}, kind, box, Dimension.PLANAR);
@@ -132,43 +135,43 @@ class NormalsTest {
     void aTriangleTurnsItsSideToTheRay() {
         double[] triangle = {0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0};
         double[] p = {.25, 0, .25};
-        at(p, new double[] {1, -5, 1}, Leaf.TRIANGLE, triangle, Dimension.SPATIAL);
+        at(p, new double[] {1, -5, 1}, LeafKind.TRIANGLE, triangle, Dimension.SPATIAL);
         assertThat(normal).containsExactly(0, 1, 0);
-        at(p, new double[] {1, 5, 1}, Leaf.TRIANGLE, triangle, Dimension.SPATIAL);
+        at(p, new double[] {1, 5, 1}, LeafKind.TRIANGLE, triangle, Dimension.SPATIAL);
         assertThat(normal).containsExactly(0, -1, 0);
         double[] segment = {0, 0, 0, 2, 0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0};
-        at(new double[] {1, 0, 0}, new double[] {7, -2, 0}, Leaf.TRIANGLE, segment, Dimension.SPATIAL);
+        at(new double[] {1, 0, 0}, new double[] {7, -2, 0}, LeafKind.TRIANGLE, segment, Dimension.SPATIAL);
         assertThat(normal).containsExactly(0, 1, 0);
-        at(new double[] {0, 0, 0}, new double[] {7, 0, 0}, Leaf.TRIANGLE, segment, Dimension.SPATIAL);
+        at(new double[] {0, 0, 0}, new double[] {7, 0, 0}, LeafKind.TRIANGLE, segment, Dimension.SPATIAL);
         assertThat(normal).containsExactly(-1, 0, 0);
-        at(new double[] {0, 0, 0}, new double[] {7, 0, 0}, Leaf.TRIANGLE, segment, Dimension.PLANAR);
+        at(new double[] {0, 0, 0}, new double[] {7, 0, 0}, LeafKind.TRIANGLE, segment, Dimension.PLANAR);
         assertThat(normal).containsExactly(-1, 0, 0);
     }
 
-    private void at(double[] p, double[] d, int kind, double[] row, Dimension dimension) {
+    private void at(double[] p, double[] d, LeafKind kind, double[] row, Dimension dimension) {
         Normals.at(p[0], p[1], p[2], 0, d[0], d[1], d[2], kind, row, 0, normal, dimension, scratch);
     }
 
     /** A point of a leaf that is not near its edges. */
-    private static double[] pointOf(int kind, double[] row, SplittableRandom random) {
+    private static double[] pointOf(LeafKind kind, double[] row, SplittableRandom random) {
         double[] p = {row[0], row[1], row[2]};
         double[] s = Leaves.vector(random, 0.5);
-        if (kind == Leaf.TRIANGLE) {
+        if (kind == LeafKind.TRIANGLE) {
             for (int k = 0; k < 3; k++) {
                 p[k] = 0.5 * row[k] + (0.25 + s[0] / 4) * row[3 + k] + (0.25 - s[0] / 4) * row[6 + k];
             }
             return p;
         }
         for (int k = 0; k < 3; k++) {
-            if (kind == Leaf.PRISM) {
+            if (kind == LeafKind.PRISM) {
                 int at = new int[] {0, 8, 2}[k];
                 p[k] = (row[at] + row[at + 1]) / 2 + s[k] * (row[at + 1] - row[at]) / 2;
-            } else if (kind == Leaf.SPHERE) {
+            } else if (kind == LeafKind.SPHERE) {
                 p[k] += s[k] * row[3];
-            } else if (kind == Leaf.UPRIGHT_CYLINDER) {
+            } else if (kind == LeafKind.UPRIGHT_CYLINDER) {
                 p[k] += s[k] * row[k == 1 ? 4 : 3];
             } else {
-                double[] half = kind == Leaf.CYLINDER
+                double[] half = kind == LeafKind.CYLINDER
                         ? new double[] {row[3], row[4], row[3]}
                         : new double[] {row[3], row[4], row[5]};
                 for (int own = 0; own < 3; own++) {
@@ -180,9 +183,9 @@ class NormalsTest {
     }
 
     // The point of a leaf that is farthest along a level direction.
-    private static double[] extreme(int kind, double[] row, double[] n) {
+    private static double[] extreme(LeafKind kind, double[] row, double[] n) {
         double[] p = {row[0], 0, row[2]};
-        if (kind == Leaf.TRIANGLE) {
+        if (kind == LeafKind.TRIANGLE) {
             for (int i = 3; i < 9; i += 3) {
                 if (row[i] * n[0] + row[i + 2] * n[2] > p[0] * n[0] + p[2] * n[2]) {
                     p = new double[] {row[i], 0, row[i + 2]};
@@ -196,7 +199,7 @@ class NormalsTest {
         }
         double round = Math.hypot(along[0], along[2]);
         for (int i = 0; i < 3; i++) {
-            double share = kind == Leaf.BOX
+            double share = kind == LeafKind.BOX
                     ? Math.copySign(row[3 + i], along[i])
                     : i == 1 ? Math.copySign(row[4], along[1]) : row[3] * along[i] / round;
             p[0] += share * row[6 + i];
@@ -205,7 +208,7 @@ class NormalsTest {
         return p;
     }
 
-    private double ray(double[] o, double[] d, int kind, double[] row) {
+    private double ray(double[] o, double[] d, LeafKind kind, double[] row) {
         return SpatialRay.distance(o[0], o[1], o[2], d[0], d[1], d[2], kind, row, 0, scratch);
     }
 

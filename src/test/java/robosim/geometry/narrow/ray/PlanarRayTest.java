@@ -5,27 +5,29 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.PlanarReference;
 import robosim.geometry.narrow.PlanarRows;
 import robosim.geometry.narrow.PlanarSampling;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.planar.DiscRectangle;
 
 public class PlanarRayTest {
     private final Scratch scratch = new Scratch();
     private double worst;
 
-    private double ray(double ox, double oz, double ux, double uz, int kind, double[] row) {
+    private double ray(double ox, double oz, double ux, double uz, LeafKind kind, double[] row) {
         return PlanarRay.distance(ox, oz, ux, uz, kind, row, 0, scratch);
     }
 
-    public static String text(double ox, double oz, double ux, double uz, int kind, double[] row) {
-        return "ray (%s, %s) -> (%s, %s), kind %d %s".formatted(ox, oz, ux, uz, kind, Arrays.toString(row));
+    public static String text(double ox, double oz, double ux, double uz, LeafKind kind, double[] row) {
+        return "ray (%s, %s) -> (%s, %s), kind %s %s".formatted(ox, oz, ux, uz, kind, Arrays.toString(row));
     }
 
     /** True where it hits; also compares the distance, in ulp of the largest number that went in. */
-    private boolean checked(double ox, double oz, double ux, double uz, int kind, double[] row, double ulps) {
+    private boolean checked(double ox, double oz, double ux, double uz, LeafKind kind, double[] row, double ulps) {
         PlanarReference.Place o = PlanarReference.place(ox, oz);
         PlanarReference.Place u = PlanarReference.place(ux, uz);
         PlanarReference.Shape shape = PlanarReference.of(kind, row, 0);
@@ -37,7 +39,7 @@ public class PlanarRayTest {
         if (truth) {
             double right = PlanarReference.distance(o, u, shape);
             double size = Math.max(right, Math.max(Math.abs(ox), Math.abs(oz)));
-            for (int k = 0; k < (kind == Leaf.TRIANGLE ? 9 : 6); k++) {
+            for (int k = 0; k < (kind == LeafKind.TRIANGLE ? 9 : 6); k++) {
                 size = Math.max(size, Math.abs(row[k]));
             }
             double off = Math.abs(distance - right) / Math.ulp(size);
@@ -56,7 +58,7 @@ public class PlanarRayTest {
         int hits = 0;
         int count = 4000;
         for (int k = 0; k < count; k++) {
-            int kind = rows.exactKind();
+            LeafKind kind = rows.exactKind();
             double[] row = rows.row(kind, 1, 1);
             double t = rows.between(4);
             double ox = row[0] + 2 * StrictMath.cos(t) + rows.between(0.5);
@@ -76,7 +78,7 @@ public class PlanarRayTest {
         int hits = 0;
         int count = 4000;
         for (int k = 0; k < count; k++) {
-            int kind = rows.exactKind();
+            LeafKind kind = rows.exactKind();
             double[] row = rows.gridRow(kind);
             double ux = random.nextInt(-2, 3);
             double uz = random.nextInt(-2, 3);
@@ -95,14 +97,14 @@ public class PlanarRayTest {
         int hits = 0;
         int count = 0;
         for (int k = 0; k < 1000; k++) {
-            int kind = k % 2 == 0 ? Leaf.TRIANGLE : Leaf.UPRIGHT_BOX;
+            LeafKind kind = k % 2 == 0 ? LeafKind.TRIANGLE : LeafKind.UPRIGHT_BOX;
             double factor = Math.scalb(1.0, rows.random().nextInt(-40, 41));
             double[] row = PlanarRows.scaled(kind, rows.gridRow(kind), factor);
             double ox = rows.random().nextInt(-40, 41) * factor;
             double oz = rows.random().nextInt(5, 41) * factor;
             double cornerX = row[0];
             double cornerZ = row[2];
-            if (kind == Leaf.UPRIGHT_BOX) {
+            if (kind == LeafKind.UPRIGHT_BOX) {
                 cornerX += DiscRectangle.alignedX(row, 0);
                 cornerZ -= DiscRectangle.alignedZ(row, 0);
             }
@@ -127,10 +129,13 @@ public class PlanarRayTest {
                 // the tangent point is (a, b), the direction across it
                 double ox = (t[0] - 2 * t[1]) * f;
                 double oz = (t[1] + 2 * t[0]) * f;
-                assertThat(checked(ox, oz, t[1], -t[0], Leaf.SPHERE, row, 4)).isTrue();
+                assertThat(checked(ox, oz, t[1], -t[0], LeafKind.SPHERE, row, 4))
+                        .isTrue();
                 row[3] = Math.nextDown(row[3]);
-                assertThat(checked(ox, oz, t[1], -t[0], Leaf.SPHERE, row, 4)).isFalse();
-                assertThat(checked(ox, oz, -t[1], t[0], Leaf.SPHERE, row, 4)).isFalse();
+                assertThat(checked(ox, oz, t[1], -t[0], LeafKind.SPHERE, row, 4))
+                        .isFalse();
+                assertThat(checked(ox, oz, -t[1], t[0], LeafKind.SPHERE, row, 4))
+                        .isFalse();
             }
         }
     }
@@ -151,7 +156,7 @@ public class PlanarRayTest {
                             far * StrictMath.sin(angle),
                             -StrictMath.cos(aim),
                             -StrictMath.sin(aim),
-                            Leaf.UPRIGHT_CYLINDER,
+                            LeafKind.UPRIGHT_CYLINDER,
                             row,
                             4)
                     ? 1
@@ -168,7 +173,7 @@ public class PlanarRayTest {
         int count = 2000;
         for (int k = 0; k < count; k++) {
             double heading = rows.between(180);
-            double[] row = rows.row(Leaf.UPRIGHT_BOX, 10, 5);
+            double[] row = rows.row(LeafKind.UPRIGHT_BOX, 10, 5);
             PlanarRows.upright(row, heading);
             double c = row[6];
             double s = row[8];
@@ -179,7 +184,7 @@ public class PlanarRayTest {
             double oz = row[2] + along * s + off * c;
             double ux = c - slope * s;
             double uz = -s - slope * c;
-            hits += checked(ox, oz, ux, uz, Leaf.UPRIGHT_BOX, row, 4) ? 1 : 0;
+            hits += checked(ox, oz, ux, uz, LeafKind.UPRIGHT_BOX, row, 4) ? 1 : 0;
         }
         assertThat(hits).isBetween(count * 3 / 10, count * 8 / 10);
     }
@@ -190,18 +195,18 @@ public class PlanarRayTest {
         int hits = 0;
         int count = 2000;
         for (int k = 0; k < count; k++) {
-            int kind = k % 2 == 0 ? Leaf.BOX : Leaf.TRIANGLE;
+            LeafKind kind = k % 2 == 0 ? LeafKind.BOX : LeafKind.TRIANGLE;
             double[] row = rows.row(kind, 10, 5);
-            double dirX = kind == Leaf.BOX ? row[6] : row[3] - row[0];
-            double dirZ = kind == Leaf.BOX ? row[12] : row[5] - row[2];
+            double dirX = kind == LeafKind.BOX ? row[6] : row[3] - row[0];
+            double dirZ = kind == LeafKind.BOX ? row[12] : row[5] - row[2];
             if (dirX == 0 && dirZ == 0) {
                 continue;
             }
             // towards a point of the leaf at a low angle to a side
             double along = 20 + 1000 * rows.random().nextDouble();
             double slope = rows.between(1e-5);
-            double offX = kind == Leaf.BOX ? row[5] * row[8] + row[4] * row[7] : 0;
-            double offZ = kind == Leaf.BOX ? row[5] * row[14] + row[4] * row[13] : 0;
+            double offX = kind == LeafKind.BOX ? row[5] * row[8] + row[4] * row[7] : 0;
+            double offZ = kind == LeafKind.BOX ? row[5] * row[14] + row[4] * row[13] : 0;
             double ux = dirX - slope * dirZ;
             double uz = dirZ + slope * dirX;
             double ox = row[0] + offX - along * ux + rows.between(1e-4);
@@ -218,7 +223,7 @@ public class PlanarRayTest {
         int hits = 0;
         int count = 0;
         for (int k = 0; k < 1000; k++) {
-            int kind = rows.exactKind();
+            LeafKind kind = rows.exactKind();
             double[] row = rows.row(kind, 1, 1);
             double ux = rows.between(0.3);
             double oz = rows.between(1);
@@ -251,9 +256,9 @@ public class PlanarRayTest {
     void directionsOfAnyLengthGiveTheSame() {
         PlanarRows rows = new PlanarRows(16);
         int hits = 0;
-        int[] kinds = {0, 1, 2, 3, 4, 5, 6};
+        LeafKind[] kinds = Leaves.KINDS;
         for (int k = 0; k < 500; k++) {
-            int kind = kinds[k % 7];
+            LeafKind kind = kinds[k % 7];
             double[] row = rows.row(kind, 1, 1);
             double ux = rows.random().nextInt(-8, 9);
             double uz = rows.random().nextInt(1, 9);
@@ -273,9 +278,9 @@ public class PlanarRayTest {
         int hits = 0;
         int count = 3000;
         for (int k = 0; k < count; k++) {
-            int kind = k % 2 == 0 ? Leaf.CYLINDER : Leaf.PRISM;
+            LeafKind kind = k % 2 == 0 ? LeafKind.CYLINDER : LeafKind.PRISM;
             double[] row = rows.row(kind, 0, 1);
-            if (kind == Leaf.CYLINDER && row[3] == 0) {
+            if (kind == LeafKind.CYLINDER && row[3] == 0) {
                 row[3] = 0.25; // a hull of some area
             }
             double angle = rows.between(3.2);
@@ -310,11 +315,11 @@ public class PlanarRayTest {
     void startsInsideAreAtNoDistance() {
         PlanarRows rows = new PlanarRows(18);
         for (int k = 0; k < 700; k++) {
-            int kind = k % 7;
+            LeafKind kind = Leaves.KINDS[k % 7];
             double[] row = rows.row(kind, 1, 1);
-            double x = kind == Leaf.TRIANGLE ? (row[0] + row[3] + row[6]) / 3 : row[0];
-            double z = kind == Leaf.TRIANGLE ? (row[2] + row[5] + row[8]) / 3 : row[2];
-            if (kind == Leaf.PRISM || (kind == Leaf.TRIANGLE && row[0] == row[3])) {
+            double x = kind == LeafKind.TRIANGLE ? (row[0] + row[3] + row[6]) / 3 : row[0];
+            double z = kind == LeafKind.TRIANGLE ? (row[2] + row[5] + row[8]) / 3 : row[2];
+            if (kind == LeafKind.PRISM || (kind == LeafKind.TRIANGLE && row[0] == row[3])) {
                 continue;
             }
             assertThat(ray(x, z, rows.between(1), 1, kind, row)).isZero();

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import robosim.geometry.narrow.RayOracle;
 import robosim.geometry.narrow.Rows;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 class RayIntervalTest {
     private final Scratch scratch = new Scratch();
@@ -28,7 +28,7 @@ class RayIntervalTest {
                 });
         double[] o = {-1.9954872246176206E12, -2.2379826858134766E12, 1.6386325936302646E12};
         double[] d = {1.7573477343533975E12, 2.028811349746599E12, -1.0687032378360546E12};
-        assertThat(ulps(o, d, Leaf.UPRIGHT_BOX, row)).isLessThanOrEqualTo(4);
+        assertThat(ulps(o, d, LeafKind.UPRIGHT_BOX, row)).isLessThanOrEqualTo(4);
     }
 
     /** Rays at a corner of a box, so that sides tie. */
@@ -58,7 +58,7 @@ class RayIntervalTest {
                 }
                 d[axis] = corner - o[axis];
             }
-            double off = ulps(o, d, upright ? Leaf.UPRIGHT_BOX : Leaf.BOX, row);
+            double off = ulps(o, d, upright ? LeafKind.UPRIGHT_BOX : LeafKind.BOX, row);
             met += Double.isNaN(off) ? 0 : 1;
             worst = Math.max(worst, Double.isNaN(off) ? 0 : off);
         }
@@ -67,7 +67,7 @@ class RayIntervalTest {
     }
 
     // How far the distance is off, in ulp of the largest of it and the coordinates; NaN where both miss.
-    private double ulps(double[] o, double[] d, int kind, double[] row) {
+    private double ulps(double[] o, double[] d, LeafKind kind, double[] row) {
         double distance = SpatialRay.distance(o[0], o[1], o[2], d[0], d[1], d[2], kind, row, 0, scratch);
         BigDecimal truth = RayOracle.distance(o, d, kind, row);
         assertThat(distance < Double.POSITIVE_INFINITY).isEqualTo(truth != null);

@@ -7,11 +7,11 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.RayOracle;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 public class SpatialRayTest {
     private static final int[] PRISM_FROM = {0, 8, 2};
@@ -23,9 +23,11 @@ public class SpatialRayTest {
     private double worst;
 
     @ParameterizedTest
-    @ValueSource(ints = {0, 1, 2, 3, 4, 5, 6})
-    void agreesWithDecimalsOnRandomRays(int kind) {
-        SplittableRandom random = new SplittableRandom(kind);
+    @EnumSource(
+            names = {"MESH", "SOLID_MESH"},
+            mode = EnumSource.Mode.EXCLUDE)
+    void agreesWithDecimalsOnRandomRays(LeafKind kind) {
+        SplittableRandom random = new SplittableRandom(kind.ordinal());
         for (int i = 0; i < 1500; i++) {
             double size = Math.scalb(1, random.nextInt(-30, 31));
             double[] row = Leaves.random(kind, random, size);
@@ -36,16 +38,19 @@ public class SpatialRayTest {
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {0, 1, 2, 3, 4, 5, 6})
-    void agreesWithDecimalsWhereEverythingTies(int kind) {
-        SplittableRandom random = new SplittableRandom(100 + kind);
+    @EnumSource(
+            names = {"MESH", "SOLID_MESH"},
+            mode = EnumSource.Mode.EXCLUDE)
+    void agreesWithDecimalsWhereEverythingTies(LeafKind kind) {
+        SplittableRandom random = new SplittableRandom(100 + kind.ordinal());
         for (int i = 0; i < 3000; i++) {
             double[] row = Leaves.grid(kind, random);
             double[] o = Leaves.gridVector(random, 5);
             double[] d = Leaves.gridVector(random, 2);
             if (random.nextBoolean()) {
                 for (int k = 0; k < 3; k++) {
-                    d[k] += (kind == Leaf.PRISM ? (row[PRISM_FROM[k]] + row[PRISM_FROM[k] + 1]) / 2 : row[k]) - o[k];
+                    d[k] += (kind == LeafKind.PRISM ? (row[PRISM_FROM[k]] + row[PRISM_FROM[k] + 1]) / 2 : row[k])
+                            - o[k];
                 }
             }
             if (d[0] == 0 && d[1] == 0 && d[2] == 0) {
@@ -65,9 +70,11 @@ public class SpatialRayTest {
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {0, 1, 2, 3, 4, 5, 6})
-    void agreesWithDecimalsFromAMillionAway(int kind) {
-        SplittableRandom random = new SplittableRandom(200 + kind);
+    @EnumSource(
+            names = {"MESH", "SOLID_MESH"},
+            mode = EnumSource.Mode.EXCLUDE)
+    void agreesWithDecimalsFromAMillionAway(LeafKind kind) {
+        SplittableRandom random = new SplittableRandom(200 + kind.ordinal());
         for (int i = 0; i < 800; i++) {
             double[] row = Leaves.random(kind, random, 1);
             double[] way = Leaves.vector(random, 1);
@@ -79,16 +86,16 @@ public class SpatialRayTest {
 
     /** Tangents missed or hit by some 1e-1 to 1e-17 of the radius. */
     @ParameterizedTest
-    @ValueSource(ints = {1, 2, 4})
-    void agreesWithDecimalsOnGrazingRays(int kind) {
-        SplittableRandom random = new SplittableRandom(300 + kind);
+    @EnumSource(names = {"UPRIGHT_CYLINDER", "SPHERE", "CYLINDER"})
+    void agreesWithDecimalsOnGrazingRays(LeafKind kind) {
+        SplittableRandom random = new SplittableRandom(300 + kind.ordinal());
         for (int i = 0; i < 2000; i++) {
             double[] row = Leaves.random(kind, random, 1);
             double far = i % 2 == 0 ? 1e6 : 3;
             // A point at about the radius from the axis, and a direction across both.
-            double[] axis = kind == Leaf.CYLINDER
+            double[] axis = kind == LeafKind.CYLINDER
                     ? new double[] {row[7], row[10], row[13]}
-                    : kind == Leaf.UPRIGHT_CYLINDER ? new double[] {0, 1, 0} : unit(Leaves.vector(random, 1));
+                    : kind == LeafKind.UPRIGHT_CYLINDER ? new double[] {0, 1, 0} : unit(Leaves.vector(random, 1));
             double[] out = unit(cross(axis, Leaves.vector(random, 1)));
             double[] d = unit(cross(out, Leaves.vector(random, 1)));
             double gap = StrictMath.pow(10, -random.nextDouble(1, 17)) * (random.nextBoolean() ? 1 : -1);
@@ -102,9 +109,11 @@ public class SpatialRayTest {
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {0, 1, 2, 3, 4, 5, 6})
-    void powersOfTwoScaleTheBits(int kind) {
-        SplittableRandom random = new SplittableRandom(400 + kind);
+    @EnumSource(
+            names = {"MESH", "SOLID_MESH"},
+            mode = EnumSource.Mode.EXCLUDE)
+    void powersOfTwoScaleTheBits(LeafKind kind) {
+        SplittableRandom random = new SplittableRandom(400 + kind.ordinal());
         int hit = 0;
         for (int i = 0; i < 400; i++) {
             boolean isTied = i % 2 == 0;
@@ -134,9 +143,11 @@ public class SpatialRayTest {
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {0, 1, 2, 3, 4, 5, 6})
-    void subnormalsAreDecidedToo(int kind) {
-        SplittableRandom random = new SplittableRandom(500 + kind);
+    @EnumSource(
+            names = {"MESH", "SOLID_MESH"},
+            mode = EnumSource.Mode.EXCLUDE)
+    void subnormalsAreDecidedToo(LeafKind kind) {
+        SplittableRandom random = new SplittableRandom(500 + kind.ordinal());
         for (int i = 0; i < 100; i++) {
             double[] row = Leaves.scaled(kind, Leaves.grid(kind, random), -1073);
             double[] o = Leaves.gridVector(random, 5);
@@ -150,12 +161,14 @@ public class SpatialRayTest {
 
     /** Shooting again from the hit answers next to nothing. */
     @ParameterizedTest
-    @ValueSource(ints = {0, 1, 2, 3, 4, 6})
-    void startsInsideSolidsAnswerZero(int kind) {
-        SplittableRandom random = new SplittableRandom(600 + kind);
+    @EnumSource(
+            names = {"TRIANGLE", "MESH", "SOLID_MESH"},
+            mode = EnumSource.Mode.EXCLUDE)
+    void startsInsideSolidsAnswerZero(LeafKind kind) {
+        SplittableRandom random = new SplittableRandom(600 + kind.ordinal());
         for (int i = 0; i < 300; i++) {
             double[] row = Leaves.random(kind, random, 1);
-            double[] center = kind == Leaf.PRISM
+            double[] center = kind == LeafKind.PRISM
                     ? new double[] {(row[0] + row[1]) / 2, (row[8] + row[9]) / 2, (row[2] + row[3]) / 2}
                     : new double[] {row[0], row[1], row[2]};
             assertThat(ray(center, Leaves.vector(random, 1), kind, row)).isZero();
@@ -166,8 +179,8 @@ public class SpatialRayTest {
     void allocatesNothingWhileDoublesAreEnough() {
         SplittableRandom random = new SplittableRandom(7);
         double[][] rows = new double[7][];
-        for (int kind = 0; kind < 7; kind++) {
-            rows[kind] = Leaves.random(kind, random, 1);
+        for (LeafKind kind : Leaves.KINDS) {
+            rows[kind.ordinal()] = Leaves.random(kind, random, 1);
         }
         com.sun.management.ThreadMXBean threads =
                 (com.sun.management.ThreadMXBean) java.lang.management.ManagementFactory.getThreadMXBean();
@@ -179,18 +192,18 @@ public class SpatialRayTest {
             }
             double[] row = rows[i % 7];
             // Past everything: no verdict is close.
-            sum += Math.min(1, scratchRay(10 + i * 1e-6, 20, 30, 1, 0.3, 0.2, i % 7, row));
+            sum += Math.min(1, scratchRay(10 + i * 1e-6, 20, 30, 1, 0.3, 0.2, Leaves.KINDS[i % 7], row));
         }
         assertThat(sum).isEqualTo(30_000);
         assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(20_000);
     }
 
     private double scratchRay(
-            double ox, double oy, double oz, double dx, double dy, double dz, int kind, double[] row) {
+            double ox, double oy, double oz, double dx, double dy, double dz, LeafKind kind, double[] row) {
         return SpatialRay.distance(ox, oy, oz, dx, dy, dz, kind, row, 0, scratch);
     }
 
-    private void check(double[] o, double[] d, int kind, double[] row) {
+    private void check(double[] o, double[] d, LeafKind kind, double[] row) {
         String name = name(o, d, kind, row);
         double distance = ray(o, d, kind, row);
         BigDecimal truth = RayOracle.distance(o, d, kind, row);
@@ -224,18 +237,18 @@ public class SpatialRayTest {
         assertThat(worst).isBetween(0.1, 4.0);
     }
 
-    private double ray(double[] o, double[] d, int kind, double[] row) {
+    private double ray(double[] o, double[] d, LeafKind kind, double[] row) {
         return SpatialRay.distance(o[0], o[1], o[2], d[0], d[1], d[2], kind, row, 0, scratch);
     }
 
     // Half of the rays go at about the leaf, the others anywhere near.
-    private static double[] aimed(double[] o, int kind, double[] row, SplittableRandom random) {
+    private static double[] aimed(double[] o, LeafKind kind, double[] row, SplittableRandom random) {
         double[] aim = {row[0], row[1], row[2]};
         double spread = row[3];
-        if (kind == Leaf.PRISM) {
+        if (kind == LeafKind.PRISM) {
             aim = new double[] {(row[0] + row[1]) / 2, (row[8] + row[9]) / 2, (row[2] + row[3]) / 2};
             spread = row[1] - row[0];
-        } else if (kind == Leaf.TRIANGLE) {
+        } else if (kind == LeafKind.TRIANGLE) {
             double v = random.nextDouble(-0.2, 1);
             double w = random.nextDouble(-0.2, 1 - v);
             for (int i = 0; i < 3; i++) {
@@ -263,7 +276,7 @@ public class SpatialRayTest {
         return new double[] {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
     }
 
-    public static String name(double[] o, double[] d, int kind, double[] row) {
-        return "ray %s %s, kind %d %s".formatted(Arrays.toString(o), Arrays.toString(d), kind, Arrays.toString(row));
+    public static String name(double[] o, double[] d, LeafKind kind, double[] row) {
+        return "ray %s %s, kind %s %s".formatted(Arrays.toString(o), Arrays.toString(d), kind, Arrays.toString(row));
     }
 }

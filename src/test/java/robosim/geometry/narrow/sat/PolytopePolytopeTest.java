@@ -11,10 +11,11 @@ import robosim.geometry.narrow.Rows;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.distance.SpatialDistance;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
 
 class PolytopePolytopeTest {
-    private static final int[] KINDS = {Leaf.BOX, Leaf.UPRIGHT_BOX, Leaf.TRIANGLE};
+    private static final LeafKind[] KINDS = {LeafKind.BOX, LeafKind.UPRIGHT_BOX, LeafKind.TRIANGLE};
     private final Scratch scratch = new Scratch();
     private final PolytopePolytope polytopes = new PolytopePolytope();
     private static final Stages.Counter EXACT = Stages.counter("PolytopePolytope");
@@ -29,8 +30,8 @@ class PolytopePolytopeTest {
     void randomPairsAgreeWithDecimalsAndSeldomNeedThem() {
         SplittableRandom random = new SplittableRandom(11);
         for (int n = 0; n < 80; n++) {
-            for (int kindA : KINDS) {
-                for (int kindB : KINDS) {
+            for (LeafKind kindA : KINDS) {
+                for (LeafKind kindB : KINDS) {
                     agree(kindA, Rows.random(kindA, random, 1), kindB, Rows.random(kindB, random, 1));
                 }
             }
@@ -44,8 +45,8 @@ class PolytopePolytopeTest {
     void coarseNumbersTouchInEveryWay() {
         SplittableRandom random = new SplittableRandom(12);
         for (int n = 0; n < 1500; n++) {
-            int kindA = KINDS[random.nextInt(3)];
-            int kindB = KINDS[random.nextInt(3)];
+            LeafKind kindA = KINDS[random.nextInt(3)];
+            LeafKind kindB = KINDS[random.nextInt(3)];
             agree(kindA, coarse(kindA, random), kindB, coarse(kindB, random));
         }
         assertThat(hits).isBetween(asked * 3 / 10, asked * 8 / 10);
@@ -65,13 +66,13 @@ class PolytopePolytopeTest {
                     b[axis] += a[3 + k] * a[6 + 3 * axis + k] + b[3 + k] * b[6 + 3 * axis + k];
                 }
             }
-            agree(Leaf.BOX, a, Leaf.BOX, b);
+            agree(LeafKind.BOX, a, LeafKind.BOX, b);
             for (int axis = 0; axis < 3; axis++) {
                 double exact = b[axis];
                 b[axis] = Math.nextUp(exact);
-                agree(Leaf.BOX, a, Leaf.BOX, b);
+                agree(LeafKind.BOX, a, LeafKind.BOX, b);
                 b[axis] = Math.nextDown(exact);
-                agree(Leaf.BOX, a, Leaf.BOX, b);
+                agree(LeafKind.BOX, a, LeafKind.BOX, b);
                 b[axis] = exact;
             }
         }
@@ -82,9 +83,9 @@ class PolytopePolytopeTest {
     void scalesByPowersOfTwoChangeNothing() {
         SplittableRandom random = new SplittableRandom(14);
         for (int n = 0; n < 200; n++) {
-            double[] a = coarse(Leaf.TRIANGLE, random);
-            double[] b = coarse(Leaf.TRIANGLE, random);
-            boolean truth = SpatialOverlap.test(Leaf.TRIANGLE, a, 0, Leaf.TRIANGLE, b, 0, scratch);
+            double[] a = coarse(LeafKind.TRIANGLE, random);
+            double[] b = coarse(LeafKind.TRIANGLE, random);
+            boolean truth = SpatialOverlap.test(LeafKind.TRIANGLE, a, 0, LeafKind.TRIANGLE, b, 0, scratch);
             for (int power : new int[] {-1060, -340, -40, 40, 100}) {
                 double[] p = a.clone();
                 double[] q = b.clone();
@@ -92,14 +93,14 @@ class PolytopePolytopeTest {
                     p[k] = Math.scalb(p[k], power);
                     q[k] = Math.scalb(q[k], power);
                 }
-                assertThat(SpatialOverlap.test(Leaf.TRIANGLE, p, 0, Leaf.TRIANGLE, q, 0, scratch))
+                assertThat(SpatialOverlap.test(LeafKind.TRIANGLE, p, 0, LeafKind.TRIANGLE, q, 0, scratch))
                         .as(power + " " + Arrays.toString(a) + Arrays.toString(b))
                         .isEqualTo(truth);
             }
         }
     }
 
-    private void agree(int kindA, double[] a, int kindB, double[] b) {
+    private void agree(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
         String pair = kindA + " " + Arrays.toString(a) + " with " + kindB + " " + Arrays.toString(b);
         boolean truth = DecimalAxes.overlap(kindA, a, kindB, b);
         asked++;
@@ -118,8 +119,8 @@ class PolytopePolytopeTest {
         }
     }
 
-    private static double[] coarse(int kind, SplittableRandom random) {
-        if (kind == Leaf.TRIANGLE) {
+    private static double[] coarse(LeafKind kind, SplittableRandom random) {
+        if (kind == LeafKind.TRIANGLE) {
             double[] row = new double[Leaf.STRIDE];
             for (int k = 0; k < 9; k++) {
                 row[k] = random.nextInt(-1, 3);
@@ -134,7 +135,7 @@ class PolytopePolytopeTest {
                 random.nextInt(3),
                 random.nextInt(3),
                 Rows.identity());
-        if (kind == Leaf.BOX && random.nextBoolean()) {
+        if (kind == LeafKind.BOX && random.nextBoolean()) {
             // Columns of few bits at right angles, of length 1/2 and 5/8: what is stored counts, whatever its length.
             double[] turned = {0.375, -0.5, 0, 0.5, 0.375, 0, 0, 0, 0.5};
             System.arraycopy(turned, 0, row, Leaf.ROTATION, 9);
@@ -143,7 +144,7 @@ class PolytopePolytopeTest {
     }
 
     private static double[] coarseTurned(SplittableRandom random) {
-        double[] row = Rows.random(Leaf.BOX, random, 4);
+        double[] row = Rows.random(LeafKind.BOX, random, 4);
         for (int k = 0; k < 15; k++) {
             row[k] = Math.rint(row[k] * 0x1p16) * 0x1p-16;
         }

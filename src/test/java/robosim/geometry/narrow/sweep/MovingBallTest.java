@@ -11,6 +11,7 @@ import robosim.geometry.narrow.RimTwin;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.SweepRows;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.Poses;
 
 /** Spheres that move straight on, in space: exact where a root tells when, and within a bound on rims. */
@@ -23,17 +24,17 @@ class MovingBallTest {
     private int misses;
     private int inDoubles;
 
-    private double time(double[] ball, double[] d, int kindB, double[] b) {
-        return SpatialSweep.translation(Leaf.SPHERE, ball, 0, d[0], d[1], d[2], kindB, b, 0, scratch);
+    private double time(double[] ball, double[] d, LeafKind kindB, double[] b) {
+        return SpatialSweep.translation(LeafKind.SPHERE, ball, 0, d[0], d[1], d[2], kindB, b, 0, scratch);
     }
 
     @Test
     void timesAreRoundedDownToTheNextDouble() {
-        int[] kinds = {Leaf.UPRIGHT_BOX, Leaf.BOX, Leaf.TRIANGLE, Leaf.SPHERE};
+        LeafKind[] kinds = {LeafKind.UPRIGHT_BOX, LeafKind.BOX, LeafKind.TRIANGLE, LeafKind.SPHERE};
         for (int k = 0; k < 320; k++) {
-            int kind = kinds[k % 4];
+            LeafKind kind = kinds[k % 4];
             double[] b = SweepRows.random(kind, 1, random);
-            double[] ball = SweepRows.random(Leaf.SPHERE, 2.5, random);
+            double[] ball = SweepRows.random(LeafKind.SPHERE, 2.5, random);
             if (k % 3 == 0) {
                 ball[3] = Math.scalb(random.nextDouble(), -random.nextInt(50));
             }
@@ -41,7 +42,7 @@ class MovingBallTest {
             if (k % 5 == 0) { // to contact, and then across
                 double first = time(ball, d, kind, b);
                 if (first <= 1) {
-                    Poses.moved(Leaf.SPHERE, ball.clone(), 0, first * d[0], first * d[1], first * d[2], ball);
+                    Poses.moved(LeafKind.SPHERE, ball.clone(), 0, first * d[0], first * d[1], first * d[2], ball);
                     d = new double[] {d[1], -d[0], d[2]};
                 }
             }
@@ -50,7 +51,7 @@ class MovingBallTest {
             for (int m = 0; m < 3; m++) {
                 d[m] *= scale;
             }
-            check(placed(Leaf.SPHERE, ball, scale, far), d, kind, placed(kind, b, scale, far));
+            check(placed(LeafKind.SPHERE, ball, scale, far), d, kind, placed(kind, b, scale, far));
         }
         assertThat(hits).isGreaterThan(60);
         assertThat(misses).isGreaterThan(60);
@@ -62,17 +63,19 @@ class MovingBallTest {
     void endsExactlyInContactOrOneUlpShort() {
         double[] box = SweepRows.uprightBox(0, 0, 0, 1, 1, 1, 0);
         double[] b = SweepRows.disc(-4, 0, 0, 1, 0);
-        assertThat(time(b, new double[] {2, 0, 0}, Leaf.UPRIGHT_BOX, box)).isEqualTo(1);
-        assertThat(time(b, new double[] {Math.nextDown(2.0), 0, 0}, Leaf.UPRIGHT_BOX, box))
+        assertThat(time(b, new double[] {2, 0, 0}, LeafKind.UPRIGHT_BOX, box)).isEqualTo(1);
+        assertThat(time(b, new double[] {Math.nextDown(2.0), 0, 0}, LeafKind.UPRIGHT_BOX, box))
                 .isEqualTo(FREE);
         // An edge, 3, 4, 5; a corner, 2, 3, 6, 7.
         double[] edge = SweepRows.disc(-12, 0, -5, 5, 0);
-        assertThat(time(edge, new double[] {8, 0, 0}, Leaf.UPRIGHT_BOX, box)).isEqualTo(1);
-        assertThat(time(edge, new double[] {Math.nextDown(8.0), 0, 0}, Leaf.UPRIGHT_BOX, box))
+        assertThat(time(edge, new double[] {8, 0, 0}, LeafKind.UPRIGHT_BOX, box))
+                .isEqualTo(1);
+        assertThat(time(edge, new double[] {Math.nextDown(8.0), 0, 0}, LeafKind.UPRIGHT_BOX, box))
                 .isEqualTo(FREE);
         double[] corner = SweepRows.disc(-17, 3, 4, 7, 0);
-        assertThat(time(corner, new double[] {10, 0, 0}, Leaf.UPRIGHT_BOX, box)).isEqualTo(1);
-        assertThat(time(corner, new double[] {Math.nextDown(10.0), 0, 0}, Leaf.UPRIGHT_BOX, box))
+        assertThat(time(corner, new double[] {10, 0, 0}, LeafKind.UPRIGHT_BOX, box))
+                .isEqualTo(1);
+        assertThat(time(corner, new double[] {Math.nextDown(10.0), 0, 0}, LeafKind.UPRIGHT_BOX, box))
                 .isEqualTo(FREE);
         // Grazing a face, an edge and another ball in passing, and one ulp beside.
         for (double height : new double[] {2, Math.nextUp(2.0)}) {
@@ -80,9 +83,9 @@ class MovingBallTest {
             double[] slab = SweepRows.triangle(-1, 1, -1, 1, 1, -1, 0, 1, 8);
             double[] other = SweepRows.disc(0, 0.5, 0.5, 0.5, 0);
             double[] d = {16, 0, 0};
-            assertThat(time(passing, d, Leaf.UPRIGHT_BOX, box) <= 1).isEqualTo(height == 2);
-            assertThat(time(passing, d, Leaf.TRIANGLE, slab) <= 1).isEqualTo(height == 2);
-            assertThat(time(passing, d, Leaf.SPHERE, other) <= 1).isEqualTo(height == 2);
+            assertThat(time(passing, d, LeafKind.UPRIGHT_BOX, box) <= 1).isEqualTo(height == 2);
+            assertThat(time(passing, d, LeafKind.TRIANGLE, slab) <= 1).isEqualTo(height == 2);
+            assertThat(time(passing, d, LeafKind.SPHERE, other) <= 1).isEqualTo(height == 2);
         }
     }
 
@@ -118,9 +121,9 @@ class MovingBallTest {
             }
             boolean deeper = square > 0 ? inward > 0 : against;
             String what = Arrays.toString(ball) + " by " + Arrays.toString(d);
-            assertThat(time(ball, d, Leaf.UPRIGHT_BOX, box)).as(what).isEqualTo(deeper ? 0 : FREE);
+            assertThat(time(ball, d, LeafKind.UPRIGHT_BOX, box)).as(what).isEqualTo(deeper ? 0 : FREE);
             assertThat(SpatialSweep.translation(
-                            Leaf.UPRIGHT_BOX, box, 0, -d[0], -d[1], -d[2], Leaf.SPHERE, ball, 0, scratch))
+                            LeafKind.UPRIGHT_BOX, box, 0, -d[0], -d[1], -d[2], LeafKind.SPHERE, ball, 0, scratch))
                     .as(what)
                     .isEqualTo(deeper ? 0 : FREE);
             into += deeper ? 1 : 0;
@@ -135,12 +138,12 @@ class MovingBallTest {
         for (double half : new double[] {5, 50, 500}) {
             double[] cuboid = SweepRows.box(0, 0, 0, half, half, half, 20, 30, 40);
             double[] ball = SweepRows.disc(2 * half, half, -3 * half, 0.5166, 0);
-            check(ball, new double[] {-2 * half, -half, 3 * half}, Leaf.BOX, cuboid);
+            check(ball, new double[] {-2 * half, -half, 3 * half}, LeafKind.BOX, cuboid);
             double[] straight = SweepRows.disc(3 * half, 0.25 * half, 0, 0.5166, 0);
             check(
                     straight,
                     new double[] {-3 * half, 0, 0},
-                    Leaf.UPRIGHT_BOX,
+                    LeafKind.UPRIGHT_BOX,
                     SweepRows.uprightBox(0, 0, 0, half, half, half, 0));
         }
         assertThat(hits).isEqualTo(6);
@@ -150,7 +153,7 @@ class MovingBallTest {
     void ncollideCase4BallAtABlockInSpace() {
         double[] ball = SweepRows.disc(784.470154 - 1e3, 0, 0, 15, 0);
         double[] block = SweepRows.uprightBox(820 - 1e3, 0, 0, 20, 20, 20, 0);
-        assertThat(time(ball, new double[] {63.0261, 0, 0}, Leaf.UPRIGHT_BOX, block) * 100)
+        assertThat(time(ball, new double[] {63.0261, 0, 0}, LeafKind.UPRIGHT_BOX, block) * 100)
                 .isBetween(0.840676, 0.840679);
     }
 
@@ -160,8 +163,8 @@ class MovingBallTest {
         double[] cylinder = SweepRows.disc(0, 0, 0, 0.4975, 0.3);
         double[] ball = SweepRows.disc(2.5, 0.1, 0.25, 2.0311, 0);
         double[] d = {-0.00244140625, -0.0068359375, 0.0029296875};
-        RimTwin twin = new RimTwin(ball, d, Leaf.UPRIGHT_CYLINDER, cylinder);
-        double time = time(ball, d, Leaf.UPRIGHT_CYLINDER, cylinder);
+        RimTwin twin = new RimTwin(ball, d, LeafKind.UPRIGHT_CYLINDER, cylinder);
+        double time = time(ball, d, LeafKind.UPRIGHT_CYLINDER, cylinder);
         assertThat(twin.gap(twin.nearest()).signum()).isEqualTo(time <= 1 ? -1 : 1);
     }
 
@@ -170,10 +173,10 @@ class MovingBallTest {
         int caps = 0;
         int sides = 0;
         for (int k = 0; k < 60; k++) {
-            double[] cylinder = SweepRows.random(Leaf.UPRIGHT_CYLINDER, 0.5, random);
+            double[] cylinder = SweepRows.random(LeafKind.UPRIGHT_CYLINDER, 0.5, random);
             cylinder[3] += 2;
             cylinder[4] += 2;
-            double[] ball = SweepRows.random(Leaf.SPHERE, 0.5, random);
+            double[] ball = SweepRows.random(LeafKind.SPHERE, 0.5, random);
             double[] d = {random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextDouble(-1, 1)};
             if (k % 2 == 0) {
                 ball[1] += 6;
@@ -182,8 +185,8 @@ class MovingBallTest {
                 ball[0] += 6;
                 d[0] = -7;
             }
-            double time = time(ball, d, Leaf.UPRIGHT_CYLINDER, cylinder);
-            RimTwin twin = new RimTwin(ball, d, Leaf.UPRIGHT_CYLINDER, cylinder);
+            double time = time(ball, d, LeafKind.UPRIGHT_CYLINDER, cylinder);
+            RimTwin twin = new RimTwin(ball, d, LeafKind.UPRIGHT_CYLINDER, cylinder);
             assertThat(time).isBetween(0.0, 1.0);
             assertThat(twin.gap(new BigDecimal(time)).signum()).isNotNegative();
             assertThat(twin.gap(new BigDecimal(Math.nextUp(time))).signum()).isNotPositive();
@@ -201,9 +204,9 @@ class MovingBallTest {
     void rimsAndTurnedCylindersAreMetWithinTheBound() {
         double worst = 0;
         for (int k = 0; k < 60; k++) {
-            int kind = k % 2 == 0 ? Leaf.CYLINDER : Leaf.UPRIGHT_CYLINDER;
+            LeafKind kind = k % 2 == 0 ? LeafKind.CYLINDER : LeafKind.UPRIGHT_CYLINDER;
             double[] cylinder = SweepRows.random(kind, 1, random);
-            double[] ball = SweepRows.random(Leaf.SPHERE, 2.5, random);
+            double[] ball = SweepRows.random(LeafKind.SPHERE, 2.5, random);
             double[] d = towards(ball, cylinder);
             RimTwin twin = new RimTwin(ball, d, kind, cylinder);
             if (k % 3 == 0 && twin.gap(twin.nearest()).doubleValue() > -0.9 * ball[3]) {
@@ -243,11 +246,11 @@ class MovingBallTest {
         assertThat(worst).isGreaterThan(TranslationAdvancement.EARLY / 1000);
     }
 
-    private void check(double[] ball, double[] d, int kind, double[] b) {
-        String what = "ball %s by %s, kind %d %s"
+    private void check(double[] ball, double[] d, LeafKind kind, double[] b) {
+        String what = "ball %s by %s, kind %s %s"
                 .formatted(Arrays.toString(ball), Arrays.toString(d), kind, Arrays.toString(b));
         double time = time(ball, d, kind, b);
-        assertThat(SpatialSweep.translation(kind, b, 0, -d[0], -d[1], -d[2], Leaf.SPHERE, ball, 0, scratch))
+        assertThat(SpatialSweep.translation(kind, b, 0, -d[0], -d[1], -d[2], LeafKind.SPHERE, ball, 0, scratch))
                 .as(what + " the other way round")
                 .isEqualTo(time);
         BallTwin twin = new BallTwin(ball, d, kind, b);
@@ -258,7 +261,8 @@ class MovingBallTest {
             BigDecimal justBefore = new BigDecimal(time).multiply(BigDecimal.ONE.subtract(new BigDecimal(0x1p-200)));
             assertThat(twin.meetsBy(justBefore)).as(what).isFalse();
             assertThat(twin.meetsBy(new BigDecimal(Math.nextUp(time)))).as(what).isTrue();
-            double held = scratch.sweep().move.time(false, Leaf.SPHERE, ball, 0, d[0], d[1], d[2], kind, b, 0, scratch);
+            double held =
+                    scratch.sweep().move.time(false, LeafKind.SPHERE, ball, 0, d[0], d[1], d[2], kind, b, 0, scratch);
             double found = scratch.sweep().ball.time(ball, 0, d[0], d[1], d[2], kind, b, 0, held);
             inDoubles += Double.isNaN(found) ? 0 : 1;
         } else {
@@ -278,9 +282,9 @@ class MovingBallTest {
         return d;
     }
 
-    private static double[] placed(int kind, double[] row, double scale, double far) {
+    private static double[] placed(LeafKind kind, double[] row, double scale, double far) {
         double[] out = row.clone();
-        int sizes = kind == Leaf.TRIANGLE ? 9 : 6;
+        int sizes = kind == LeafKind.TRIANGLE ? 9 : 6;
         for (int k = 0; k < sizes; k++) {
             out[k] *= scale;
         }

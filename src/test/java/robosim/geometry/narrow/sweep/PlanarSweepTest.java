@@ -9,11 +9,16 @@ import org.junit.jupiter.api.Test;
 import robosim.geometry.narrow.FlatTwin;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.SweepRows;
-import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 class PlanarSweepTest {
-    private static final int[] KINDS = {
-        Leaf.UPRIGHT_BOX, Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE, Leaf.BOX, Leaf.TRIANGLE, Leaf.PRISM
+    private static final LeafKind[] KINDS = {
+        LeafKind.UPRIGHT_BOX,
+        LeafKind.UPRIGHT_CYLINDER,
+        LeafKind.SPHERE,
+        LeafKind.BOX,
+        LeafKind.TRIANGLE,
+        LeafKind.PRISM
     };
 
     private final Scratch scratch = new Scratch();
@@ -26,8 +31,8 @@ class PlanarSweepTest {
     @Test
     void agreesWithTheExactTwinAtRandom() {
         for (int k = 0; k < 12; k++) {
-            for (int kindA : KINDS) {
-                for (int kindB : KINDS) {
+            for (LeafKind kindA : KINDS) {
+                for (LeafKind kindB : KINDS) {
                     double[] a = SweepRows.random(kindA, 2, random);
                     double[] b = SweepRows.random(kindB, 2, random);
                     check(kindA, a, random.nextDouble(-4, 4), random.nextDouble(-4, 4), kindB, b);
@@ -40,8 +45,8 @@ class PlanarSweepTest {
     @Test
     void agreesWithTheExactTwinOnAGridFullOfTies() {
         for (int k = 0; k < 12; k++) {
-            for (int kindA : KINDS) {
-                for (int kindB : KINDS) {
+            for (LeafKind kindA : KINDS) {
+                for (LeafKind kindB : KINDS) {
                     double[] a = SweepRows.onGrid(kindA, 3, random);
                     double[] b = SweepRows.onGrid(kindB, 3, random);
                     check(kindA, a, random.nextInt(-5, 6), random.nextInt(-5, 6), kindB, b);
@@ -59,8 +64,8 @@ class PlanarSweepTest {
         assertThat(contacts).isGreaterThan(count / 10);
     }
 
-    private void check(int kindA, double[] a, double dx, double dz, int kindB, double[] b) {
-        String what = "kind %d %s by (%s, %s), kind %d %s"
+    private void check(LeafKind kindA, double[] a, double dx, double dz, LeafKind kindB, double[] b) {
+        String what = "kind %s %s by (%s, %s), kind %s %s"
                 .formatted(kindA, Arrays.toString(a), dx, dz, kindB, Arrays.toString(b));
         double time = PlanarSweep.translation(kindA, a, 0, dx, 17, dz, kindB, b, 0, scratch);
         FlatTwin twin = new FlatTwin(kindA, a, dx, dz, kindB, b);

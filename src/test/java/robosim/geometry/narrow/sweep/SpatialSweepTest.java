@@ -5,11 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.SweepRows;
 import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.gjk.Penetration;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.Poses;
 import robosim.geometry.narrow.turn.SpatialTurnSweep;
 
@@ -29,8 +31,8 @@ class SpatialSweepTest {
     @Test
     void aTranslationIsFreeUpToContactAndNoFurther() {
         for (int k = 0; k < 12; k++) {
-            for (int kindA = 0; kindA < Leaf.KINDS; kindA++) {
-                for (int kindB = 0; kindB < Leaf.KINDS; kindB++) {
+            for (LeafKind kindA : Leaves.KINDS) {
+                for (LeafKind kindB : Leaves.KINDS) {
                     double[] a = SweepRows.random(kindA, 1.4, random);
                     double[] b = SweepRows.random(kindB, 1.4, random);
                     double level = k % 3 == 0 ? 0 : 1;
@@ -51,9 +53,9 @@ class SpatialSweepTest {
     @Test
     void aTurnIsFreeUpToContactAndNoFurther() {
         for (int k = 0; k < 12; k++) {
-            for (int kindA = 0; kindA < Leaf.KINDS; kindA++) {
-                for (int kindB = 0; kindB < Leaf.KINDS; kindB++) {
-                    if (kindA == Leaf.PRISM) {
+            for (LeafKind kindA : Leaves.KINDS) {
+                for (LeafKind kindB : Leaves.KINDS) {
+                    if (kindA == LeafKind.PRISM) {
                         continue; // cannot be posed on a slant
                     }
                     double[] a = SweepRows.random(kindA, 1.5, random);
@@ -77,13 +79,13 @@ class SpatialSweepTest {
         int headOn = 0;
         double[] pose = new double[Leaf.STRIDE];
         for (int k = 0; k < 4000; k++) {
-            int kindA = random.nextInt(Leaf.KINDS);
-            int kindB = random.nextInt(Leaf.KINDS);
+            LeafKind kindA = Leaves.KINDS[random.nextInt(Leaves.KINDS.length)];
+            LeafKind kindB = Leaves.KINDS[random.nextInt(Leaves.KINDS.length)];
             double[] a = SweepRows.random(kindA, 3, random);
             double[] b = SweepRows.random(kindB, 0.3, random);
             if (k % 4 == 0) { // side by side and upright, or hardly leaning
-                kindA = Leaf.CYLINDER;
-                kindB = Leaf.CYLINDER;
+                kindA = LeafKind.CYLINDER;
+                kindB = LeafKind.CYLINDER;
                 a = SweepRows.cylinder(a[0], 0.1 * a[1], a[2], 0.2, 0.7, 0, (k % 8) * 1e-4, 0);
                 b = SweepRows.cylinder(b[0], b[1], b[2], 0.5, 0.9, 0, 0, 0);
             }
@@ -96,7 +98,7 @@ class SpatialSweepTest {
             }
             Poses.moved(kindA, a, 0, time * dx, time * dy, time * dz, pose);
             double more = SpatialSweep.translation(kindA, pose, 0, dx, dy, dz, kindB, b, 0, scratch);
-            String what = "kind %d %s by (%s, %s, %s), kind %d %s"
+            String what = "kind %s %s by (%s, %s, %s), kind %s %s"
                     .formatted(kindA, Arrays.toString(a), dx, dy, dz, kindB, Arrays.toString(b));
             assertThat(more).as(what).isLessThan(1e-9);
             stopped++;
@@ -125,7 +127,7 @@ class SpatialSweepTest {
         if (k % 3 == 0) {
             return new double[] {0, k % 2 == 0 ? 1 : -1, 0};
         }
-        double[] row = SweepRows.random(Leaf.BOX, 1, random);
+        double[] row = SweepRows.random(LeafKind.BOX, 1, random);
         return new double[] {row[6], row[9], row[12]};
     }
 
@@ -137,8 +139,8 @@ class SpatialSweepTest {
         assertThat(blocked).isGreaterThan(count / 50);
     }
 
-    private void translate(int kindA, double[] a, double dx, double dy, double dz, int kindB, double[] b) {
-        String what = "kind %d %s by (%s, %s, %s), kind %d %s"
+    private void translate(LeafKind kindA, double[] a, double dx, double dy, double dz, LeafKind kindB, double[] b) {
+        String what = "kind %s %s by (%s, %s, %s), kind %s %s"
                 .formatted(kindA, Arrays.toString(a), dx, dy, dz, kindB, Arrays.toString(b));
         double time = SpatialSweep.translation(kindA, a, 0, dx, dy, dz, kindB, b, 0, scratch);
         double[] pose = new double[Leaf.STRIDE];
@@ -174,8 +176,9 @@ class SpatialSweepTest {
         misses += time <= 1 ? 0 : 1;
     }
 
-    private void turn(int kindA, double[] a, double[] pivot, double[] axis, double degrees, int kindB, double[] b) {
-        String what = "kind %d %s about %s through %s by %s, kind %d %s"
+    private void turn(
+            LeafKind kindA, double[] a, double[] pivot, double[] axis, double degrees, LeafKind kindB, double[] b) {
+        String what = "kind %s %s about %s through %s by %s, kind %s %s"
                 .formatted(
                         kindA,
                         Arrays.toString(a),
@@ -190,7 +193,7 @@ class SpatialSweepTest {
         double limit = Math.min(0, start);
         double end = Math.min(1, share);
         double[] pose = new double[Leaf.STRIDE];
-        int kind = Poses.turnedKind(kindA);
+        LeafKind kind = Poses.turnedKind(kindA);
         // Depths that a rim has a part in are found by a search that may stop in a valley of its own.
         boolean rim = isCylinder(kindA) || isCylinder(kindB);
         double slack = rim && start < 0 ? 5e-3 : 1e-10;
@@ -209,17 +212,18 @@ class SpatialSweepTest {
         misses += start >= 0 && share > 1 ? 1 : 0;
     }
 
-    private static void turned(int kind, double[] a, double[] pivot, double[] axis, double degrees, double[] pose) {
+    private static void turned(
+            LeafKind kind, double[] a, double[] pivot, double[] axis, double degrees, double[] pose) {
         double cos = StrictMath.cos(Math.toRadians(degrees));
         double sin = StrictMath.sin(Math.toRadians(degrees));
         Poses.turned(kind, a, 0, pivot[0], pivot[1], pivot[2], axis[0], axis[1], axis[2], cos, sin, pose);
     }
 
-    private static boolean isCylinder(int kind) {
-        return kind == Leaf.CYLINDER || kind == Leaf.UPRIGHT_CYLINDER;
+    private static boolean isCylinder(LeafKind kind) {
+        return kind == LeafKind.CYLINDER || kind == LeafKind.UPRIGHT_CYLINDER;
     }
 
-    private double gap(int kindA, double[] a, int kindB, double[] b) {
+    private double gap(LeafKind kindA, double[] a, LeafKind kindB, double[] b) {
         gjk.spatial(kindA, a, 0, kindB, b, 0);
         return gjk.lower() > 0 ? gjk.upper() : -penetration.spatial(kindA, a, 0, kindB, b, 0);
     }

@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.SweepRows;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** Tipped cylinders with parallel axes that move against each other, against decimals: two discs and two intervals. */
 class TranslationAdvancementTest {
@@ -30,8 +31,8 @@ class TranslationAdvancementTest {
         int hits = 0;
         double widest = 0;
         for (int k = 0; k < CASES; k++) {
-            double[] a = SweepRows.random(Leaf.CYLINDER, 1.5, random);
-            double[] b = SweepRows.random(Leaf.CYLINDER, 1.5, random);
+            double[] a = SweepRows.random(LeafKind.CYLINDER, 1.5, random);
+            double[] b = SweepRows.random(LeafKind.CYLINDER, 1.5, random);
             System.arraycopy(a, Leaf.ROTATION, b, Leaf.ROTATION, 9);
             for (double[] row : new double[][] {a, b}) {
                 row[3] = StrictMath.pow(10, random.nextDouble(-6, 1));
@@ -43,7 +44,8 @@ class TranslationAdvancementTest {
             for (int m = 0; m < 3; m++) {
                 d[m] = length * (b[m] - a[m] + aside * random.nextDouble(-1, 1));
             }
-            double time = SpatialSweep.translation(Leaf.CYLINDER, a, 0, d[0], d[1], d[2], Leaf.CYLINDER, b, 0, scratch);
+            double time = SpatialSweep.translation(
+                    LeafKind.CYLINDER, a, 0, d[0], d[1], d[2], LeafKind.CYLINDER, b, 0, scratch);
             load(a, d, b);
             BigDecimal truth = meet(a, b);
             if (truth == null) {

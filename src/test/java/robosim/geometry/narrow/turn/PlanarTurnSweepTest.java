@@ -9,11 +9,17 @@ import robosim.geometry.narrow.FlatPair;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.SweepRows;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 
 /** Turns in the plane, against sampled poses: no contact before the answer, and contact right after it. */
 class PlanarTurnSweepTest {
-    private static final int[] KINDS = {
-        Leaf.UPRIGHT_BOX, Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE, Leaf.BOX, Leaf.TRIANGLE, Leaf.PRISM
+    private static final LeafKind[] KINDS = {
+        LeafKind.UPRIGHT_BOX,
+        LeafKind.UPRIGHT_CYLINDER,
+        LeafKind.SPHERE,
+        LeafKind.BOX,
+        LeafKind.TRIANGLE,
+        LeafKind.PRISM
     };
 
     private final Scratch scratch = new Scratch();
@@ -27,8 +33,8 @@ class PlanarTurnSweepTest {
     void isFreeUpToContactAndNoFurther() {
         int count = 0;
         for (int k = 0; k < 15; k++) {
-            for (int kindA : KINDS) {
-                for (int kindB : KINDS) {
+            for (LeafKind kindA : KINDS) {
+                for (LeafKind kindB : KINDS) {
                     double[] a = SweepRows.random(kindA, 1.6, random);
                     double[] b = SweepRows.random(kindB, 1.6, random);
                     double px = k % 3 == 0 ? centre(kindA, a, 0) : random.nextDouble(-2, 2);
@@ -67,8 +73,9 @@ class PlanarTurnSweepTest {
         double pz = -0.34756818533578415;
         double degrees = -51.102608853458996;
         double share = PlanarTurnSweep.free(
-                Leaf.SPHERE, disc, 0, px, 0, pz, 0, 1, 0, degrees, Leaf.UPRIGHT_BOX, box, 0, scratch);
-        double gap = new FlatPair(Leaf.SPHERE, disc, px, pz, Leaf.UPRIGHT_BOX, box).gap(degrees * Math.min(1, share));
+                LeafKind.SPHERE, disc, 0, px, 0, pz, 0, 1, 0, degrees, LeafKind.UPRIGHT_BOX, box, 0, scratch);
+        double gap = new FlatPair(LeafKind.SPHERE, disc, px, pz, LeafKind.UPRIGHT_BOX, box)
+                .gap(degrees * Math.min(1, share));
         assertThat(share > 1 || gap < 0x1p-30)
                 .as("share %s, gap %s", share, gap)
                 .isTrue();
@@ -100,17 +107,17 @@ class PlanarTurnSweepTest {
         double px = 1.5984062612296086;
         double pz = 1.1514794349385777;
         double share = PlanarTurnSweep.free(
-                Leaf.SPHERE, disc, 0, px, 0, pz, 0, 1, 0, 35.23771176608052, Leaf.BOX, box, 0, scratch);
-        double gap = new FlatPair(Leaf.SPHERE, disc, px, pz, Leaf.BOX, box).gap(35.23771176608052 * share);
+                LeafKind.SPHERE, disc, 0, px, 0, pz, 0, 1, 0, 35.23771176608052, LeafKind.BOX, box, 0, scratch);
+        double gap = new FlatPair(LeafKind.SPHERE, disc, px, pz, LeafKind.BOX, box).gap(35.23771176608052 * share);
         assertThat(gap).as("share %s", share).isGreaterThan(-1e-14);
     }
 
-    private static double centre(int kind, double[] row, int axis) {
-        return kind == Leaf.PRISM ? 0.5 * (row[axis] + row[axis + 1]) : row[axis];
+    private static double centre(LeafKind kind, double[] row, int axis) {
+        return kind == LeafKind.PRISM ? 0.5 * (row[axis] + row[axis + 1]) : row[axis];
     }
 
-    private void check(int kindA, double[] a, double px, double pz, double degrees, int kindB, double[] b) {
-        String what = "kind %d %s about (%s, %s) by %s, kind %d %s"
+    private void check(LeafKind kindA, double[] a, double px, double pz, double degrees, LeafKind kindB, double[] b) {
+        String what = "kind %s %s about (%s, %s) by %s, kind %s %s"
                 .formatted(kindA, Arrays.toString(a), px, pz, degrees, kindB, Arrays.toString(b));
         double share = PlanarTurnSweep.free(kindA, a, 0, px, 0, pz, 0, 1, 0, degrees, kindB, b, 0, scratch);
         FlatPair pair = new FlatPair(kindA, a, px, pz, kindB, b);

@@ -3,12 +3,14 @@ package robosim.geometry.narrow.turn;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
+import java.util.EnumSet;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.SweepRows;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafBounds;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.Poses;
 
 class SweptBoundsTest {
@@ -22,9 +24,9 @@ class SweptBoundsTest {
         int pushed = 0;
         int still = 0;
         for (int k = 0; k < 60; k++) {
-            for (int kind = 0; kind < Leaf.PRISM; kind++) {
+            for (LeafKind kind : EnumSet.range(LeafKind.UPRIGHT_BOX, LeafKind.TRIANGLE)) {
                 double[] row = SweepRows.random(kind, 3, random);
-                double[] frame = SweepRows.random(Leaf.BOX, 3, random);
+                double[] frame = SweepRows.random(LeafKind.BOX, 3, random);
                 double[] axis = k % 3 == 0 ? new double[] {0, 1, 0} : new double[] {frame[6], frame[9], frame[12]};
                 double[] p = k % 2 == 0 ? row.clone() : frame;
                 double degrees = random.nextDouble(-200, 200) * (k % 5 == 0 ? 3 : 1);
@@ -34,7 +36,7 @@ class SweptBoundsTest {
                 double[] start = new double[6];
                 LeafBounds.of(kind, row, 0, start);
                 for (int m = 0; m < 6; m++) {
-                    String what = "kind %d %s about %s by %s: %s"
+                    String what = "kind %s %s about %s by %s: %s"
                             .formatted(kind, Arrays.toString(row), Arrays.toString(axis), degrees, m);
                     double sign = m < 3 ? -1 : 1;
                     assertThat(sign * (bounds[m] - seen[m])).as(what).isBetween(-1e-13, 2e-5);
@@ -53,8 +55,8 @@ class SweptBoundsTest {
         double[] robot = SweepRows.disc(0.1, 0.2, 0.3, 0.7, 1.1);
         double[] bounds = new double[6];
         double[] start = new double[6];
-        LeafBounds.of(Leaf.UPRIGHT_CYLINDER, robot, 0, start);
-        SweptBounds.turn(Leaf.UPRIGHT_CYLINDER, robot, 0, 0.1, 0.2, 0.3, 0, 1, 0, 1234.5, bounds, scratch);
+        LeafBounds.of(LeafKind.UPRIGHT_CYLINDER, robot, 0, start);
+        SweptBounds.turn(LeafKind.UPRIGHT_CYLINDER, robot, 0, 0.1, 0.2, 0.3, 0, 1, 0, 1234.5, bounds, scratch);
         assertThat(bounds).containsExactly(start);
     }
 
@@ -62,11 +64,11 @@ class SweptBoundsTest {
     void aTranslationStretchesTheBounds() {
         double[] box = SweepRows.uprightBox(1, 2, 3, 0.5, 1, 2, 90);
         double[] bounds = new double[6];
-        SweptBounds.translation(Leaf.UPRIGHT_BOX, box, 0, 4, -8, 0, bounds);
+        SweptBounds.translation(LeafKind.UPRIGHT_BOX, box, 0, 4, -8, 0, bounds);
         assertThat(bounds).containsExactly(-1, -7, 2.5, 7, 3, 3.5);
     }
 
-    private static double[] sampled(int kind, double[] row, double[] p, double[] axis, double degrees) {
+    private static double[] sampled(LeafKind kind, double[] row, double[] p, double[] axis, double degrees) {
         double[] seen = new double[6];
         Arrays.fill(seen, 0, 3, Double.POSITIVE_INFINITY);
         Arrays.fill(seen, 3, 6, Double.NEGATIVE_INFINITY);

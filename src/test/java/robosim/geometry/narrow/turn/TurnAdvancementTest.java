@@ -14,6 +14,7 @@ import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.SweepRows;
 import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.Poses;
 
 /** Turns that pass closely: the gap that is let through, and how close a turn comes that is stopped. */
@@ -34,15 +35,16 @@ class TurnAdvancementTest {
             for (double gap = 0.1; gap > 2e-9; gap /= 2) {
                 // Least gap at the waist: some gap * slope / sqrt(1 + slope^2) of a radius up to sqrt(2 + slope^2).
                 double[] still = SweepRows.triangle(1 + gap, -1, slope, 1 + gap, 1, -slope, 3, 0, 0);
-                double[] mover = turned(-60, Leaf.TRIANGLE, SweepRows.triangle(1, -1, -slope, 1, 1, slope, 0, 0, 0));
+                double[] mover =
+                        turned(-60, LeafKind.TRIANGLE, SweepRows.triangle(1, -1, -slope, 1, 1, slope, 0, 0, 0));
                 String what = "slope " + slope + ", gap " + gap;
-                assertThat(turn(Leaf.TRIANGLE, mover, 0, 1, 0, 120, Leaf.TRIANGLE, still))
+                assertThat(turn(LeafKind.TRIANGLE, mover, 0, 1, 0, 120, LeafKind.TRIANGLE, still))
                         .as(what)
                         .isInfinite();
                 assertThat(scratch.turns().advancement.steps()).as(what).isLessThan(FEW);
                 // Through the waist, where the edges cross, and no further.
                 double[] cut = SweepRows.triangle(1 - gap, -1, slope, 1 - gap, 1, -slope, 3, 0, 0);
-                assertThat(turn(Leaf.TRIANGLE, mover, 0, 1, 0, 120, Leaf.TRIANGLE, cut))
+                assertThat(turn(LeafKind.TRIANGLE, mover, 0, 1, 0, 120, LeafKind.TRIANGLE, cut))
                         .as(what)
                         .isLessThan(1);
             }
@@ -74,9 +76,9 @@ class TurnAdvancementTest {
         for (double radius : new double[] {0, 1e-9, 1e-6, 1e-3}) {
             for (double gap = 0.05; gap > 4e-9; gap /= 3) {
                 double[] still = rod(1 + gap + 2 * radius * Math.sqrt(2), -1, radius);
-                double[] mover = turned(-50, Leaf.CYLINDER, rod(1, 1, radius));
+                double[] mover = turned(-50, LeafKind.CYLINDER, rod(1, 1, radius));
                 String what = "radius " + radius + ", gap " + gap;
-                double share = turn(Leaf.CYLINDER, mover, 0, 1, 0, 100, Leaf.CYLINDER, still);
+                double share = turn(LeafKind.CYLINDER, mover, 0, 1, 0, 100, LeafKind.CYLINDER, still);
                 if (radius < gap) {
                     assertThat(share).as(what).isInfinite();
                 }
@@ -100,15 +102,15 @@ class TurnAdvancementTest {
             double angle = random.nextDouble(-3, 3);
             double[] still = SweepRows.disc(away * Math.cos(angle), 0, away * Math.sin(angle), post, 3);
             String what = "%s by 360 degrees beside %s".formatted(Arrays.toString(mover), Arrays.toString(still));
-            assertThat(turn(Leaf.CYLINDER, mover, 0, 1, 0, 360, Leaf.UPRIGHT_CYLINDER, still))
+            assertThat(turn(LeafKind.CYLINDER, mover, 0, 1, 0, 360, LeafKind.UPRIGHT_CYLINDER, still))
                     .as(what)
                     .isInfinite();
-            assertThat(turn(Leaf.CYLINDER, mover, 0, -1, 0, 1000, Leaf.UPRIGHT_CYLINDER, still))
+            assertThat(turn(LeafKind.CYLINDER, mover, 0, -1, 0, 1000, LeafKind.UPRIGHT_CYLINDER, still))
                     .as(what)
                     .isInfinite();
             passed++;
             still[3] += 2 * gap;
-            assertThat(turn(Leaf.CYLINDER, mover, 0, 1, 0, 360, Leaf.UPRIGHT_CYLINDER, still))
+            assertThat(turn(LeafKind.CYLINDER, mover, 0, 1, 0, 360, LeafKind.UPRIGHT_CYLINDER, still))
                     .as(what)
                     .isLessThan(1);
         }
@@ -117,16 +119,23 @@ class TurnAdvancementTest {
 
     @Test
     void whatWasStoppedIsWithinTheBoundAndGoesNoFurther() {
-        int[] kinds = {Leaf.BOX, Leaf.UPRIGHT_BOX, Leaf.TRIANGLE, Leaf.CYLINDER, Leaf.UPRIGHT_CYLINDER, Leaf.SPHERE};
+        LeafKind[] kinds = {
+            LeafKind.BOX,
+            LeafKind.UPRIGHT_BOX,
+            LeafKind.TRIANGLE,
+            LeafKind.CYLINDER,
+            LeafKind.UPRIGHT_CYLINDER,
+            LeafKind.SPHERE
+        };
         int stopped = 0;
         int most = 0;
         double[] pose = new double[Leaf.STRIDE];
         for (int k = 0; k < 40_000; k++) {
-            int kindA = kinds[random.nextInt(kinds.length)];
-            int kindB = kinds[random.nextInt(kinds.length)];
+            LeafKind kindA = kinds[random.nextInt(kinds.length)];
+            LeafKind kindB = kinds[random.nextInt(kinds.length)];
             double[] a = SweepRows.random(kindA, 1, random);
             double[] b = SweepRows.random(kindB, 1, random);
-            double[] about = SweepRows.random(Leaf.BOX, 1, random);
+            double[] about = SweepRows.random(LeafKind.BOX, 1, random);
             gjk.spatial(kindA, a, 0, kindB, b, 0);
             if (!(gjk.lower() > 0)) {
                 continue;
@@ -154,7 +163,7 @@ class TurnAdvancementTest {
                     StrictMath.sin(angle),
                     pose);
             gjk.spatial(Poses.turnedKind(kindA), pose, 0, kindB, b, 0);
-            String what = "kind %d %s about %s by %s, kind %d %s"
+            String what = "kind %s %s about %s by %s, kind %s %s"
                     .formatted(kindA, Arrays.toString(a), Arrays.toString(about), degrees, kindB, Arrays.toString(b));
             // The mover reaches at least as far as its centre.
             double radius =
@@ -189,22 +198,23 @@ class TurnAdvancementTest {
             0
         };
         double share = turn(
-                Leaf.SPHERE,
+                LeafKind.SPHERE,
                 sphere,
                 0.26691504496058993,
                 -0.8844885351469147,
                 -0.3826700797911318,
                 30.94734570503472,
-                Leaf.CYLINDER,
+                LeafKind.CYLINDER,
                 cylinder);
         assertThat(share).isLessThan(1e-13);
     }
 
-    private double turn(int kindA, double[] a, double wx, double wy, double wz, double degrees, int kindB, double[] b) {
+    private double turn(
+            LeafKind kindA, double[] a, double wx, double wy, double wz, double degrees, LeafKind kindB, double[] b) {
         return SpatialTurnSweep.free(kindA, a, 0, 0, 0, 0, wx, wy, wz, degrees, kindB, b, 0, scratch);
     }
 
-    private static double[] turned(double degrees, int kind, double[] row) {
+    private static double[] turned(double degrees, LeafKind kind, double[] row) {
         double[] out = new double[Leaf.STRIDE];
         double cos = StrictMath.cos(Math.toRadians(degrees));
         double sin = StrictMath.sin(Math.toRadians(degrees));
