@@ -4,7 +4,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.ObjectRegistry;
-import robosim.geometry.engine.broadphase.SharedStatics;
+import robosim.geometry.engine.broadphase.SharedIndex;
 import robosim.geometry.engine.motion.Motion;
 import robosim.geometry.engine.motion.TranslationFastPath;
 import robosim.geometry.engine.objects.ObjectTable;
@@ -81,8 +81,8 @@ public final class Geometry {
     private final Accuracy accuracy;
 
     private final ObjectRegistry registry;
-    private final ObjectTable bodies;
-    private final AccuracyView level;
+    private final ObjectTable objects;
+    private final AccuracyView view;
     private final Beams beams;
     private final ProximityQuery proximity;
     private final Motion motion;
@@ -126,7 +126,7 @@ public final class Geometry {
             double length,
             Dimension dimension,
             Accuracy accuracy,
-            @Nullable SharedStatics shared,
+            @Nullable SharedIndex shared,
             Scratch scratch) {
         this.width = width;
         this.height = height;
@@ -134,12 +134,12 @@ public final class Geometry {
         this.dimension = dimension;
         this.accuracy = accuracy;
         registry = new ObjectRegistry(width, height, length, dimension, accuracy, shared, scratch);
-        bodies = registry.bodies;
-        level = registry.level;
-        beams = new Beams(dimension, bodies, new BeamQuery(bodies, scratch));
-        proximity = new ProximityQuery(bodies, scratch);
-        motion = new Motion(bodies, registry.border, scratch);
-        fastPath = new TranslationFastPath(bodies, registry.border, scratch);
+        objects = registry.objects;
+        view = registry.view;
+        beams = new Beams(dimension, objects, new BeamQuery(objects, scratch));
+        proximity = new ProximityQuery(objects, scratch);
+        motion = new Motion(objects, registry.worldBounds, scratch);
+        fastPath = new TranslationFastPath(objects, registry.worldBounds, scratch);
     }
 
     /** Extent along X in world units. */
@@ -192,7 +192,7 @@ public final class Geometry {
      * leave the world is refused when it is added.
      */
     public boolean testObject(GeometryObject object) {
-        return registry.collides(level, object, -1);
+        return registry.collides(view, object, -1);
     }
 
     /** Whether an object would touch or overlap another one, at a given accuracy. */
@@ -217,12 +217,12 @@ public final class Geometry {
 
     /** The object of a name, at its present place. */
     public GeometryObject getObject(String name) {
-        return bodies.present(registry.known(name));
+        return objects.present(registry.known(name));
     }
 
     /** Whether there is an object of that name. */
     public boolean hasObject(String name) {
-        return bodies.find(Checks.present("name", name)) >= 0;
+        return objects.find(Checks.present("name", name)) >= 0;
     }
 
     /** All objects at their present places, in the order in which they were added. */
@@ -236,7 +236,7 @@ public final class Geometry {
      * snapshot and its static objects are still the same.
      */
     public Snapshot snapshot() {
-        return Snapshot.of(this, bodies, registry.statics());
+        return Snapshot.of(this, objects, registry.shared());
     }
 
     /** Puts an object of a snapshot back where it was; for a world that is being made of it. */
@@ -246,7 +246,7 @@ public final class Geometry {
 
     /** Ends what {@link #restore} began: so many objects have come. */
     void restored(long arrivals) {
-        bodies.arriveAt(arrivals);
+        objects.arriveAt(arrivals);
     }
 
     /**
@@ -257,16 +257,16 @@ public final class Geometry {
      */
     public boolean simpleMove(String name, double x, double y, double z) {
         int id = registry.mover(name);
-        bodies.toWorld(id, Checks.coordinate("x", x), Checks.coordinate("y", y), Checks.coordinate("z", z), vector);
+        objects.toWorld(id, Checks.coordinate("x", x), Checks.coordinate("y", y), Checks.coordinate("z", z), vector);
         int verdict = stride(id, vector[0], vector[1], vector[2]);
         return verdict == TranslationFastPath.UNKNOWN
-                ? commitIf(id, motion.allows(level, id, vector[0], vector[1], vector[2]))
+                ? commitIf(id, motion.allows(view, id, vector[0], vector[1], vector[2]))
                 : verdict == TranslationFastPath.FREE;
     }
 
     /** Makes a straight move if it is known to be free. */
     private int stride(int id, double dx, double dy, double dz) {
-        int verdict = fastPath.ask(level, id, dx, dy, dz);
+        int verdict = fastPath.ask(view, id, dx, dy, dz);
         if (verdict == TranslationFastPath.FREE) {
             registry.shift(id, fastPath.end());
         }
@@ -282,12 +282,12 @@ public final class Geometry {
     public boolean simpleTurn(String name, double degrees) {
         int id = registry.mover(name);
         Checks.angle("degrees", degrees);
-        return commitIf(id, motion.allowsTurn(level, id, degrees));
+        return commitIf(id, motion.allowsTurn(view, id, degrees));
     }
 
     private boolean carryOut(int id, double dx, double dy, double dz, double rx, double ry, boolean isGlobal) {
         boolean isMade = rx == 0 && ry == 0 && stride(id, dx, dy, dz) == TranslationFastPath.FREE;
-        return isMade || commitIf(id, motion.attempt(level, id, dx, dy, dz, rx, ry, isGlobal, 0));
+        return isMade || commitIf(id, motion.attempt(view, id, dx, dy, dz, rx, ry, isGlobal, 0));
     }
 
     private boolean commitIf(int id, boolean free) {
@@ -304,7 +304,7 @@ public final class Geometry {
     public MoveResult move(String name, Move move) {
         int id = registry.mover(name);
         Move asked = Checks.present("move", move);
-        bodies.toWorld(id, asked.x(), asked.y(), asked.z(), vector);
+        objects.toWorld(id, asked.x(), asked.y(), asked.z(), vector);
         return result(carryOut(id, vector[0], vector[1], vector[2], asked.rx(), asked.ry(), false));
     }
 
@@ -331,9 +331,9 @@ public final class Geometry {
         int id = registry.mover(name);
         Move asked = Checks.present("move", move);
         Checks.clearance(clearance);
-        bodies.toWorld(id, asked.x(), asked.y(), asked.z(), vector);
+        objects.toWorld(id, asked.x(), asked.y(), asked.z(), vector);
         boolean all =
-                motion.attempt(level, id, vector[0], vector[1], vector[2], asked.rx(), asked.ry(), false, clearance);
+                motion.attempt(view, id, vector[0], vector[1], vector[2], asked.rx(), asked.ry(), false, clearance);
         MoveResult result = result(all);
         registry.move(id, motion.end());
         return result;
@@ -349,7 +349,7 @@ public final class Geometry {
                 false,
                 motion.fraction(),
                 motion.turnFraction(),
-                obstacle >= 0 ? bodies.present(obstacle) : null,
+                obstacle >= 0 ? objects.present(obstacle) : null,
                 new Point(vector[0], vector[1], vector[2]),
                 new Point(vector[3], vector[4], vector[5]));
     }
@@ -366,7 +366,7 @@ public final class Geometry {
      * @throws IllegalArgumentException naming the argument that is NaN or out of range; in PLANAR also for a vertical ray
      */
     public double getRayDistance(Ray ray, double min, double max, double width) {
-        return beams.distance(level, ray, min, max, width, -1);
+        return beams.distance(view, ray, min, max, width, -1);
     }
 
     /** Distance along a ray at a given accuracy. */
@@ -376,7 +376,7 @@ public final class Geometry {
 
     /** Distance along a ray to the nearest object but one, which does not echo. */
     public double getRayDistance(Ray ray, double min, double max, double width, String ignored) {
-        return beams.distance(level, ray, min, max, width, registry.known(ignored));
+        return beams.distance(view, ray, min, max, width, registry.known(ignored));
     }
 
     /**
@@ -392,7 +392,7 @@ public final class Geometry {
         if (x == 0 && z == 0) {
             throw new IllegalArgumentException("direction must not be zero (got: x " + x + ", z " + z + ")");
         }
-        return beams.sonar(level, id, 0, 0, 0, x, 0, z, min, max, width);
+        return beams.sonar(view, id, 0, 0, 0, x, 0, z, min, max, width);
     }
 
     /** Distance that a sonar hears along a ray given in a moveable object's own frame; the object itself is silent. */
@@ -400,7 +400,7 @@ public final class Geometry {
         int id = registry.mover(name);
         Point from = Checks.present("mount", mount).start();
         Point to = mount.direction();
-        return beams.sonar(level, id, from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), min, max, width);
+        return beams.sonar(view, id, from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), min, max, width);
     }
 
     /**
@@ -413,7 +413,7 @@ public final class Geometry {
     public double getProximity(String name, double max) {
         int id = registry.known(name);
         Checks.range(0, max);
-        return proximity.of(level, id, max);
+        return proximity.of(view, id, max);
     }
 
     /**
@@ -421,14 +421,14 @@ public final class Geometry {
      * distance 0. In PLANAR the point keeps the height of the ray's start.
      */
     public @Nullable RayHit castRay(Ray ray, double max) {
-        double distance = beams.cast(level, ray, max, vector);
+        double distance = beams.cast(view, ray, max, vector);
         return distance == Double.POSITIVE_INFINITY
                 ? null
                 : new RayHit(
                         distance,
                         new Point(beams.point(0, distance), beams.point(1, distance), beams.point(2, distance)),
                         new Point(vector[0], vector[1], vector[2]),
-                        bodies.present(beams.hit()));
+                        objects.present(beams.hit()));
     }
 
     /**
@@ -446,7 +446,7 @@ public final class Geometry {
 
     /** A scan into a given array, as many as it has room for. */
     public void scan(String name, double firstDegrees, double stepDegrees, double min, double max, double[] out) {
-        beams.scan(level, registry.mover(name), 0, 0, 0, firstDegrees, stepDegrees, min, max, out);
+        beams.scan(view, registry.mover(name), 0, 0, 0, firstDegrees, stepDegrees, min, max, out);
     }
 
     /**
@@ -458,6 +458,6 @@ public final class Geometry {
             String name, Point mount, double firstDegrees, double stepDegrees, double min, double max, double[] out) {
         Checks.present("mount", mount);
         beams.scan(
-                level, registry.mover(name), mount.x(), mount.y(), mount.z(), firstDegrees, stepDegrees, min, max, out);
+                view, registry.mover(name), mount.x(), mount.y(), mount.z(), firstDegrees, stepDegrees, min, max, out);
     }
 }

@@ -13,7 +13,7 @@ import java.util.Set;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.engine.broadphase.SharedStatics;
+import robosim.geometry.engine.broadphase.SharedIndex;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.engine.objects.WorldBounds;
 import robosim.geometry.exact.Checks;
@@ -46,7 +46,7 @@ public final class Snapshot implements Serializable {
     private final transient double length;
     private final transient Dimension dimension;
     private final transient Accuracy accuracy;
-    private final transient SharedStatics statics;
+    private final transient SharedIndex statics;
     private final transient GeometryObject[] movers;
 
     /** When each of the moveable objects came, in arrivals before it. */
@@ -55,7 +55,7 @@ public final class Snapshot implements Serializable {
     /** How many objects had come. */
     private final transient long time;
 
-    private Snapshot(Settings settings, SharedStatics statics, GeometryObject[] movers, long[] arrivals, long time) {
+    private Snapshot(Settings settings, SharedIndex statics, GeometryObject[] movers, long[] arrivals, long time) {
         width = settings.width;
         height = settings.height;
         length = settings.length;
@@ -65,33 +65,33 @@ public final class Snapshot implements Serializable {
         this.movers = movers;
         this.arrivals = arrivals;
         this.time = time;
-        statics.view(accuracy); // whoever comes first would have to wait for it
+        statics.table(accuracy); // whoever comes first would have to wait for it
     }
 
     private record Settings(double width, double height, double length, Dimension dimension, Accuracy accuracy) {
-        SharedStatics statics(GeometryObject[] objects, long[] arrivals) {
-            return new SharedStatics(width, length, dimension, objects, arrivals);
+        SharedIndex statics(GeometryObject[] objects, long[] arrivals) {
+            return new SharedIndex(width, length, dimension, objects, arrivals);
         }
     }
 
-    static Snapshot of(Geometry world, ObjectTable bodies, @Nullable SharedStatics statics) {
+    static Snapshot of(Geometry world, ObjectTable objects, @Nullable SharedIndex statics) {
         Settings settings =
                 new Settings(world.width(), world.height(), world.length(), world.dimension(), world.accuracy());
-        SharedStatics shared = statics;
-        if (shared == null || bodies.ownStatics() > 0) {
-            int[] ids = bodies.ids().filter(id -> !bodies.isMoveable(id)).toArray();
-            shared = settings.statics(present(bodies, ids), times(bodies, ids));
+        SharedIndex shared = statics;
+        if (shared == null || objects.ownStatics() > 0) {
+            int[] ids = objects.ids().filter(id -> !objects.isMoveable(id)).toArray();
+            shared = settings.statics(present(objects, ids), times(objects, ids));
         }
-        int[] ids = bodies.moverIds().toArray();
-        return new Snapshot(settings, shared, present(bodies, ids), times(bodies, ids), bodies.arrivals());
+        int[] ids = objects.moverIds().toArray();
+        return new Snapshot(settings, shared, present(objects, ids), times(objects, ids), objects.arrivals());
     }
 
-    private static GeometryObject[] present(ObjectTable bodies, int[] ids) {
-        return Arrays.stream(ids).mapToObj(bodies::present).toArray(GeometryObject[]::new);
+    private static GeometryObject[] present(ObjectTable objects, int[] ids) {
+        return Arrays.stream(ids).mapToObj(objects::present).toArray(GeometryObject[]::new);
     }
 
-    private static long[] times(ObjectTable bodies, int[] ids) {
-        return Arrays.stream(ids).mapToLong(bodies::arrival).toArray();
+    private static long[] times(ObjectTable objects, int[] ids) {
+        return Arrays.stream(ids).mapToLong(objects::arrival).toArray();
     }
 
     /** Extent along X in world units. */
@@ -121,14 +121,14 @@ public final class Snapshot implements Serializable {
 
     /** How many objects there are. */
     public int size() {
-        return movers.length + statics.bodies.size();
+        return movers.length + statics.objects.size();
     }
 
     /** All objects at their places, in the order in which they were added. */
     public List<GeometryObject> objects() {
         record Arrival(GeometryObject object, long time) {}
-        Stream<Arrival> fixed = IntStream.range(0, statics.bodies.size())
-                .mapToObj(id -> new Arrival(statics.bodies.value(id), statics.arrival(id)));
+        Stream<Arrival> fixed = IntStream.range(0, statics.objects.size())
+                .mapToObj(id -> new Arrival(statics.objects.value(id), statics.arrival(id)));
         Stream<Arrival> moving = IntStream.range(0, movers.length).mapToObj(k -> new Arrival(movers[k], arrivals[k]));
         return Stream.concat(fixed, moving)
                 .sorted(Comparator.comparingLong(Arrival::time))
@@ -195,13 +195,13 @@ public final class Snapshot implements Serializable {
             check(all);
             int[] fixed = ids(all, false);
             int[] moving = ids(all, true);
-            SharedStatics statics = settings.statics(at(all, fixed), times(fixed));
+            SharedIndex statics = settings.statics(at(all, fixed), times(fixed));
             return new Snapshot(settings, statics, at(all, moving), times(moving), all.size());
         }
 
         /** Refuses what a world would. */
         private void check(List<GeometryObject> all) {
-            WorldBounds border = new WorldBounds(width, height, length, dimension);
+            WorldBounds worldBounds = new WorldBounds(width, height, length, dimension);
             LeafColumn leaves = new LeafColumn(1);
             Set<String> names = new HashSet<>();
             for (GeometryObject object : all) {
@@ -211,7 +211,7 @@ public final class Snapshot implements Serializable {
                             "name must be unique in its world (got: \"" + name + "\" again)");
                 }
                 OwnLeaves.placed(object, leaves);
-                if (!border.holds(leaves, 0, leaves.size())) {
+                if (!worldBounds.holds(leaves, 0, leaves.size())) {
                     throw new IllegalArgumentException("every object must be within the world (got: " + object + ")");
                 }
             }

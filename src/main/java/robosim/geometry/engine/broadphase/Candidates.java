@@ -1,20 +1,16 @@
 package robosim.geometry.engine.broadphase;
 
 import java.util.Arrays;
-import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.objects.ObjectTable;
-import robosim.geometry.index.boxes.OctTree;
-import robosim.geometry.index.boxes.SpaceKeys;
 
-/** The objects whose bounds meet a box: from the trees, and from the list of moveable ones where these are few. */
+/** A list of the objects whose bounds meet a box, each once. */
 public final class Candidates {
-    private final ObjectTable bodies;
-    private final SpaceKeys keys = new SpaceKeys();
+    private final BoxQuery query;
     private int[] ids = new int[16];
     private int count;
 
-    public Candidates(ObjectTable bodies) {
-        this.bodies = bodies;
+    public Candidates(ObjectTable objects) {
+        query = new BoxQuery(objects, this::add);
     }
 
     public int count() {
@@ -25,50 +21,21 @@ public final class Candidates {
         return ids[k];
     }
 
-    /** Finds all but one, or all with -1. */
-    public void find(AccuracyView level, double[] box, int but) {
+    /**
+     * Finds the candidates of a box.
+     *
+     * @param ignored an object that is left out; -1 for none
+     */
+    public void find(AccuracyView view, double[] box, int ignored) {
         count = 0;
-        gather(level, box, but);
-        AccuracyView shared = level.shared();
-        if (shared != null) {
-            gather(shared, box, but);
-        }
+        query.each(view, box, ignored);
     }
 
-    /** Finds all but one of those that are a level's own. */
-    void findIn(AccuracyView level, double[] box, int but) {
-        count = 0;
-        gather(level, box, but);
-    }
-
-    private void gather(AccuracyView level, double[] box, int but) {
-        int mark = level.mark;
-        level.cursor.startBox(box[0], box[2], box[3], box[5]);
-        for (int id = level.cursor.next(); id >= 0; id = level.cursor.next()) {
-            if ((id | mark) != but && level.meets(id, box)) {
-                add(id | mark);
-            }
-        }
-        OctTree.@Nullable Cursor stacked = level.spaceIndex.cursor();
-        if (stacked != null) {
-            keys.startBox(box);
-            stacked.start(level.bounds(), keys);
-            for (int id = stacked.next(0); id >= 0; id = stacked.next(0)) {
-                add(id | mark);
-            }
-        }
-        for (int k = 0; k < level.moversBesideTree(); k++) {
-            int id = bodies.mover(k);
-            if (id != but && level.meets(id, box)) {
-                add(id);
-            }
-        }
-    }
-
-    private void add(int id) {
+    private boolean add(LeafTable table, int id) {
         if (count == ids.length) {
             ids = Arrays.copyOf(ids, 2 * count);
         }
         ids[count++] = id;
+        return false;
     }
 }

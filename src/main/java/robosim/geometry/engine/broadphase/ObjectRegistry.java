@@ -1,6 +1,5 @@
 package robosim.geometry.engine.broadphase;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -23,42 +22,43 @@ import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.OwnLeaves;
 
 /**
- * Who is in a world: objects come, go and are put elsewhere, the same at every {@link AccuracyView} that has been asked for.
- * What is refused changes nothing.
+ * The objects of a world: they are added, removed and moved, in the table of objects and in every {@link AccuracyView} that
+ * has been asked for. A refused change changes nothing.
  */
 public final class ObjectRegistry {
-    public final ObjectTable bodies;
-    public final WorldBounds border;
+    public final ObjectTable objects;
+    public final WorldBounds worldBounds;
 
     /** The world as it is seen where a query does not say how. */
-    public final AccuracyView level;
+    public final AccuracyView view;
 
     private final Dimension dimension;
     private final double width;
     private final double length;
     private final Scratch s;
-    private final Candidates near;
 
-    /** The levels made so far, the world's own first. */
-    private AccuracyView[] levels;
+    /** The views made so far, the world's own first. */
+    private AccuracyView[] views;
 
     /** The leaves of an object that is asked about, and their bounds. */
     private final LeafColumn candidate = new LeafColumn(1);
 
     private final double[] box = new double[6];
 
-    // What is asked: an upright cylinder about all that stand still, or what has been placed about all but one.
-    private AccuracyView asked;
-    private int ignored;
+    private final BoxQuery overlaps;
+
+    // The upright cylinder about which a world without heights is asked, and whether something near it needs a closer
+    // look.
+    private LeafTable asked;
+
     private double discX;
     private double discZ;
     private double discRadius;
     private boolean isDoubtful;
     private final NearTarget meetDisc = this::meetDisc;
-    /** The static objects that are shared with other worlds; null where there are none. */
-    private @Nullable SharedStatics statics;
 
-    private final NearTarget meetCandidate = this::meetCandidate;
+    /** The static objects that are shared with other worlds; null where there are none. */
+    private @Nullable SharedIndex shared;
 
     public ObjectRegistry(
             double width,
@@ -66,227 +66,193 @@ public final class ObjectRegistry {
             double length,
             Dimension dimension,
             Accuracy accuracy,
-            @Nullable SharedStatics shared,
+            @Nullable SharedIndex shared,
             Scratch scratch) {
-        statics = shared;
+        this.shared = shared;
         this.width = width;
         this.length = length;
         this.dimension = dimension;
         s = scratch;
-        border = new WorldBounds(width, height, length, dimension);
-        bodies = shared == null ? new ObjectTable() : new ObjectTable(shared);
-        level = new AccuracyView(bodies, accuracy, dimension, width, length, view(accuracy));
-        levels = new AccuracyView[] {level};
-        asked = level;
-        near = new Candidates(bodies);
+        worldBounds = new WorldBounds(width, height, length, dimension);
+        objects = shared == null ? new ObjectTable() : new ObjectTable(shared);
+        view = new AccuracyView(objects, accuracy, dimension, width, length, shared(accuracy));
+        views = new AccuracyView[] {view};
+        asked = view.own;
+        overlaps = new BoxQuery(objects, this::touches);
     }
 
     /** The static objects that are shared with other worlds; null where there are none. */
     @Nullable
-    public SharedStatics statics() {
-        return statics;
+    public SharedIndex shared() {
+        return shared;
     }
 
     /** What is shared as it is seen at an accuracy. */
-    private @Nullable AccuracyView view(Accuracy accuracy) {
-        return statics == null ? null : statics.view(accuracy);
+    private @Nullable LeafTable shared(Accuracy accuracy) {
+        return shared == null ? null : shared.table(accuracy);
     }
 
     /** The world as it is seen at an accuracy, made when it is first asked. */
     public AccuracyView at(Accuracy asked) {
         Checks.present("accuracy", asked);
-        for (AccuracyView each : levels) {
+        for (AccuracyView each : views) {
             if (each.accuracy == asked) {
                 return each;
             }
         }
-        AccuracyView made = new AccuracyView(bodies, asked, dimension, width, length, view(asked));
-        IntStream.range(0, bodies.limit()).filter(bodies::isPresent).forEach(id -> made.add(id, bodies.present(id)));
-        levels = Arrays.copyOf(levels, levels.length + 1);
-        levels[levels.length - 1] = made;
+        AccuracyView made = new AccuracyView(objects, asked, dimension, width, length, shared(asked));
+        IntStream.range(0, objects.limit()).filter(objects::isPresent).forEach(id -> made.add(id, objects.present(id)));
+        views = Arrays.copyOf(views, views.length + 1);
+        views[views.length - 1] = made;
         return made;
     }
 
     /** Adds an object; a checked one only where it touches nothing. */
     public boolean add(GeometryObject object, boolean checked) {
         String name = Checks.present("object", object).name();
-        if (name != null && bodies.find(name) >= 0) {
+        if (name != null && objects.find(name) >= 0) {
             throw new IllegalArgumentException("name must be unique in its world (got: \"" + name + "\" again)");
         }
-        if (!fitsAsPlaced(object) || (checked && touchesAny())) {
+        if (!fitsAsPlaced(object) || (checked && overlaps.gather(view, box, -1))) {
             return false;
         }
-        int id = bodies.add(object);
-        level.add(id, object, candidate, box);
-        for (int k = 1; k < levels.length; k++) {
-            levels[k].add(id, object);
+        int id = objects.add(object);
+        view.own.add(id, object, candidate, box);
+        for (int k = 1; k < views.length; k++) {
+            views[k].add(id, object);
         }
         return true;
     }
 
     /** Adds an object that has been in such a world, at its place among the arrivals there. */
     public void restore(GeometryObject object, long arrival) {
-        bodies.arriveAt(arrival);
-        int id = bodies.add(object);
-        for (AccuracyView each : levels) {
+        objects.arriveAt(arrival);
+        int id = objects.add(object);
+        for (AccuracyView each : views) {
             each.add(id, object);
         }
     }
 
     /** Makes static objects that are shared with other worlds this world's own, so that they can be taken out. */
-    private void unshare(SharedObjects shared) {
-        statics = null;
-        bodies.unshare();
-        for (AccuracyView each : levels) {
-            each.unshare();
+    private void unshare(SharedObjects others) {
+        shared = null;
+        objects.unshare();
+        for (AccuracyView each : views) {
+            each.shared = null;
         }
-        long arrivals = bodies.arrivals();
-        for (int id = 0; id < shared.bodies.limit(); id++) {
-            restore(shared.bodies.value(id), shared.arrival(id));
+        long arrivals = objects.arrivals();
+        for (int id = 0; id < others.objects.limit(); id++) {
+            restore(others.objects.value(id), others.arrival(id));
         }
-        bodies.arriveAt(arrivals);
+        objects.arriveAt(arrivals);
     }
 
-    /** Places an object at the world's own level, with its bounds; false where the object itself is not in the world. */
+    /** Places an object as the world's own view has it, with its bounds; false where the object itself is not in the world. */
     private boolean fitsAsPlaced(GeometryObject object) {
-        boolean isExact = level.accuracy == Accuracy.EXACT;
+        boolean isExact = view.accuracy == Accuracy.EXACT;
         if (!isExact && !fits(object)) {
             return false;
         }
-        level.placed(object, candidate);
-        level.outline(candidate, box);
-        return !isExact || border.clearlyHolds(box) || border.holds(candidate, 0, candidate.size());
-    }
-
-    /** Whether what has been placed touches or overlaps any object in the world. */
-    private boolean touchesAny() {
-        AccuracyView shared = level.shared();
-        return touchesAny(level) || (shared != null && touchesAny(shared));
-    }
-
-    private boolean touchesAny(AccuracyView at) {
-        if (at.spaceIndex.cursor() != null) {
-            return collidesAnywhere(at, -1);
-        }
-        int near =
-                at.cursor.gather(box[0], box[2], box[3], box[5], -1, at.leaves().outlines());
-        for (int k = 0; k < near; k++) {
-            int other = at.cursor.gathered(k);
-            if ((dimension == Dimension.PLANAR || at.meets(other, box)) && touches(at, other)) {
-                return true;
-            }
-        }
-        return collidesBeside(at, -1);
-    }
-
-    /** Whether what has been placed touches one of the moveable objects that are not in the tree. */
-    private boolean collidesBeside(AccuracyView at, int but) {
-        for (int k = 0; k < at.moversBesideTree(); k++) {
-            int other = bodies.mover(k);
-            if (other != but && at.meets(other, box) && touches(at, other)) {
-                return true;
-            }
-        }
-        return false;
+        view.own.placed(object, candidate);
+        view.own.outline(candidate, box);
+        return !isExact || worldBounds.clearlyHolds(box) || worldBounds.holds(candidate, 0, candidate.size());
     }
 
     public boolean remove(String name) {
-        int id = bodies.find(Checks.present("name", name));
+        int id = objects.find(Checks.present("name", name));
         if (id < 0) {
             return false;
         }
-        SharedStatics shared = statics;
-        if (id >= ObjectTable.SHARED && shared != null) {
-            unshare(shared);
-            id = bodies.find(name);
+        SharedIndex others = shared;
+        if (ObjectTable.isShared(id) && others != null) {
+            unshare(others);
+            id = objects.find(name);
         }
-        for (AccuracyView each : levels) {
-            each.remove(id);
+        for (AccuracyView each : views) {
+            each.own.remove(id);
         }
-        bodies.remove(id);
+        objects.remove(id);
         return true;
     }
 
     /** Puts a moveable object upright at a place where it touches nothing. */
     public boolean place(int id, Point center, double heading) {
         GeometryObject placed =
-                bodies.value(id).at(Pose.of(Checks.present("center", center), Checks.angle("heading", heading)));
-        if (!fits(placed) || collides(level, placed, id)) {
+                objects.value(id).at(Pose.of(Checks.present("center", center), Checks.angle("heading", heading)));
+        if (!fits(placed) || collides(view, placed, id)) {
             return false;
         }
-        bodies.put(id, placed.pose());
+        objects.put(id, placed.pose());
         moved(id);
         return true;
     }
 
     /** Puts a moveable object where a motion ends. */
     public void move(int id, double[] place) {
-        bodies.put(id, place);
+        objects.put(id, place);
         moved(id);
     }
 
     /** Moves the centre of an object, which keeps its attitude; six numbers, see {@link ObjectTable#shift}. */
     public void shift(int id, double[] centre) {
-        bodies.shift(id, centre);
-        for (AccuracyView each : levels) {
-            each.shift(id, bodies.places(), bodies.place(id));
+        objects.shift(id, centre);
+        for (AccuracyView each : views) {
+            each.own.shift(id, objects.places(), objects.place(id));
         }
     }
 
     private void moved(int id) {
-        for (AccuracyView each : levels) {
-            each.move(id, bodies.places(), bodies.place(id));
+        for (AccuracyView each : views) {
+            each.own.move(id, objects.places(), objects.place(id));
         }
     }
 
     private boolean fits(GeometryObject object) {
         OwnLeaves.placed(object, candidate);
-        return border.holds(candidate, 0, candidate.size());
+        return worldBounds.holds(candidate, 0, candidate.size());
     }
 
-    /** Whether an object would touch or overlap any in the world but one; any with -1. */
-    public boolean collides(AccuracyView at, GeometryObject object, int but) {
-        ignored = but;
-        AccuracyView shared = at.shared();
-        if (at.isFlat
-                && shared == null
+    /**
+     * Whether an object would touch or overlap any in the world.
+     *
+     * @param ignored an object that is left out; -1 for none
+     */
+    public boolean collides(AccuracyView at, GeometryObject object, int ignored) {
+        LeafTable own = at.own;
+        if (own.isFlat
+                && at.shared == null
                 && Checks.present("object", object) instanceof CylinderObject cylinder
                 && cylinder.pose().isUpright()) {
-            int near = quickly(at, cylinder);
-            if (near == QuadCursor.ENOUGH || (near == QuadCursor.ALL && at.moversBesideTree() == 0)) {
-                return near == QuadCursor.ENOUGH;
+            int met = probe(own, cylinder);
+            if (met == QuadCursor.ENOUGH || (met == QuadCursor.ALL && own.moversBesideTree() == 0)) {
+                return met == QuadCursor.ENOUGH;
             }
         }
-        at.placed(Checks.present("object", object), candidate);
+        own.placed(Checks.present("object", object), candidate);
         if (candidate.size() == 1) {
             candidate.roughBounds(0, box);
         } else {
-            at.boundsOf(candidate, 0, candidate.size(), box);
+            candidate.bounds(0, candidate.size(), box);
         }
-        return collidesIn(at, but) || (shared != null && collidesIn(shared, but));
+        return overlaps.probe(at, box, ignored);
     }
 
     /**
      * Whether an upright cylinder touches one that is in the tree and stands still: enough where it does, all where it does
      * not, too many where it is not told so quickly, as with a moveable one nearby.
      */
-    private int quickly(AccuracyView at, CylinderObject cylinder) {
-        ask(at);
+    private int probe(LeafTable table, CylinderObject cylinder) {
         Point c = cylinder.center();
         discX = c.x();
         discZ = c.z();
         discRadius = cylinder.radius();
         isDoubtful = false;
-        int near =
-                at.cursor.near(discX, discZ, discRadius, discRadius, at.leaves().outlines(), meetDisc);
-        return near == QuadCursor.ALL && isDoubtful ? QuadCursor.TOO_MANY : near;
-    }
-
-    /** A reference is only written where it is another: that is slow. */
-    private void ask(AccuracyView at) {
-        if (asked != at) {
-            asked = at;
+        if (asked != table) { // writing a reference is slow
+            asked = table;
         }
+        int met = table.cursor.near(
+                discX, discZ, discRadius, discRadius, table.leaves().outlines(), meetDisc);
+        return met == QuadCursor.ALL && isDoubtful ? QuadCursor.TOO_MANY : met;
     }
 
     private boolean meetDisc(int id) {
@@ -295,37 +261,11 @@ public final class ObjectRegistry {
         return sure < 0;
     }
 
-    private boolean collidesIn(AccuracyView at, int but) {
-        int near = QuadCursor.TOO_MANY;
-        if (at.spaceIndex.cursor() == null) {
-            ask(at);
-            double x = box[0] / 2 + box[3] / 2;
-            double z = box[2] / 2 + box[5] / 2;
-            double halfX = QuadCursor.half(box[0], box[3]);
-            double halfZ = QuadCursor.half(box[2], box[5]);
-            near = at.cursor.near(x, z, halfX, halfZ, at.leaves().outlines(), meetCandidate);
+    /** Whether the leaves of the candidate touch those of an object. */
+    private boolean touches(LeafTable at, int other) {
+        if (dimension == Dimension.SPATIAL && !at.meets(other, box)) {
+            return false;
         }
-        return near == QuadCursor.TOO_MANY
-                ? collidesAnywhere(at, but)
-                : near == QuadCursor.ENOUGH || collidesBeside(at, but);
-    }
-
-    private boolean meetCandidate(int id) {
-        boolean isOther = (id | asked.mark) != ignored;
-        return isOther && (dimension == Dimension.PLANAR || asked.meets(id, box)) && touches(asked, id);
-    }
-
-    private boolean collidesAnywhere(AccuracyView at, int but) {
-        near.findIn(at, box, but);
-        for (int k = 0; k < near.count(); k++) {
-            if (touches(at, ObjectTable.bare(near.id(k)))) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    private boolean touches(AccuracyView at, int other) {
         for (int j = at.first(other); j < at.first(other) + at.count(other); j++) {
             for (int i = 0; i < candidate.size(); i++) {
                 if (Overlap.test(dimension, candidate, i, at.leaves(), j, s)) {
@@ -338,14 +278,12 @@ public final class ObjectRegistry {
 
     /** All objects at their present places, in the order in which they were added. */
     public List<GeometryObject> present() {
-        List<GeometryObject> objects = new ArrayList<>(bodies.size());
-        bodies.ids().forEach(id -> objects.add(bodies.present(id)));
-        return List.copyOf(objects);
+        return objects.ids().mapToObj(objects::present).toList();
     }
 
     /** The id of an object that must be there. */
     public int known(String name) {
-        int id = bodies.find(Checks.present("name", name));
+        int id = objects.find(Checks.present("name", name));
         if (id < 0) {
             throw new IllegalArgumentException("name must be that of an object in the world (got: \"" + name + "\")");
         }
@@ -355,7 +293,7 @@ public final class ObjectRegistry {
     /** The id of a moveable object that must be there. */
     public int mover(String name) {
         int id = known(name);
-        if (!bodies.isMoveable(id)) {
+        if (!objects.isMoveable(id)) {
             throw new IllegalArgumentException(
                     "name must be that of a moveable object; this one is static (got: \"" + name + "\")");
         }

@@ -6,7 +6,7 @@ import robosim.geometry.index.QuadTree;
 import robosim.geometry.index.boxes.OctTree;
 
 /**
- * Where the static objects of a level are looked for: in its quadtree, or, where heights count and the scene is stacked, in
+ * Where the static objects of a table are looked for: in its quadtree, or, where heights count and the scene is stacked, in
  * an octree. It is taken for stacked when its objects' heights above the ground vary by more than they are high themselves;
  * that is looked at as the scene grows, and once an octree has been made it stays.
  */
@@ -14,7 +14,7 @@ public final class StaticSpaceIndex {
     /** So few objects are no stack. */
     private static final int FEW = 64;
 
-    /** The standard deviation of heights above the ground, in mean heights of objects: above that of some five levels. */
+    /** The standard deviation of heights above the ground, in mean heights of objects: above that of some five storeys. */
     private static final double SPREAD = 1.5;
 
     private final boolean hasHeights;

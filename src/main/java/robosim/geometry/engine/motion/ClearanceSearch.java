@@ -1,7 +1,7 @@
 package robosim.geometry.engine.motion;
 
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.engine.broadphase.AccuracyView;
+import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.Scratch;
@@ -29,7 +29,7 @@ final class ClearanceSearch implements Sweep.Stop {
     private final LeafColumn own = new LeafColumn(1);
     private final LeafColumn other = new LeafColumn(1);
 
-    private AccuracyView level;
+    private LeafTable table;
     private int leaf;
     private int otherLeaf;
     private double clearance;
@@ -41,8 +41,8 @@ final class ClearanceSearch implements Sweep.Stop {
     }
 
     /** From now on it is about leaf i of the mover and leaf j. */
-    ClearanceSearch of(AccuracyView inLevel, int i, int j, double gap) {
-        level = inLevel;
+    ClearanceSearch of(LeafTable in, int i, int j, double gap) {
+        table = in;
         leaf = i;
         otherLeaf = j;
         clearance = gap;
@@ -52,7 +52,7 @@ final class ClearanceSearch implements Sweep.Stop {
     /** The greatest share up to contact at which the two, and all other parts of the mover, are as far away as the clearance. */
     @Override
     public double share(int t, int u, double contact, double least) {
-        other.setPiece(level.leaves(), otherLeaf, u);
+        other.setPiece(table.leaves(), otherLeaf, u);
         if (gap(0, t) < clearance) {
             return 0;
         }
@@ -128,11 +128,11 @@ final class ClearanceSearch implements Sweep.Stop {
     private double way() {
         if (!leg.turns()) {
             double dx = leg.displacement(0);
-            double dy = level.dimension == Dimension.PLANAR ? 0 : leg.displacement(1);
+            double dy = leg.dimension() == Dimension.PLANAR ? 0 : leg.displacement(1);
             double dz = leg.displacement(2);
             return Math.sqrt(dx * dx + dy * dy + dz * dz);
         }
-        level.boundsOf(leg.atStart, 0, leg.atStart.size(), box);
+        leg.atStart.bounds(0, leg.atStart.size(), box);
         double reach = 0;
         for (int k = 0; k < 3; k++) {
             double far = Math.max(Math.abs(box[k] - leg.start[k]), Math.abs(box[3 + k] - leg.start[k]));
@@ -147,11 +147,11 @@ final class ClearanceSearch implements Sweep.Stop {
             all = new Distance(new Scratch());
             wholeDistance = all;
         }
-        return all.between(level.dimension, leg.after(share), part, other, 0, Double.POSITIVE_INFINITY);
+        return all.between(leg.dimension(), leg.after(share), part, other, 0, Double.POSITIVE_INFINITY);
     }
 
     private double gap(double share, int t) {
         own.setPiece(leg.after(share), leaf, t);
-        return distance.between(level.dimension, own, 0, other, 0, Double.POSITIVE_INFINITY);
+        return distance.between(leg.dimension(), own, 0, other, 0, Double.POSITIVE_INFINITY);
     }
 }

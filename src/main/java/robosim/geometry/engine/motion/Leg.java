@@ -46,7 +46,7 @@ public final class Leg {
     final double[] start = new double[PLACE];
     final double[] end = new double[PLACE];
 
-    /** What stands for the object at its start, at the level asked. */
+    /** What stands for the object at its start, at the accuracy asked for. */
     final LeafColumn atStart = new LeafColumn(1);
 
     final Sweep sweep;
@@ -65,7 +65,7 @@ public final class Leg {
     private final LeafColumn exact = new LeafColumn(1);
     private final double[] part = new double[6];
 
-    private AccuracyView level;
+    private AccuracyView view;
     private Form form;
     private double dx;
     private double dy;
@@ -73,15 +73,15 @@ public final class Leg {
     private int axis;
     private double degrees;
 
-    @SuppressWarnings("NullAway.Init") // a motion begins with its level and form
+    @SuppressWarnings("NullAway.Init") // a motion begins with its view and form
     Leg(Scratch scratch) {
         sweep = new Sweep(scratch);
     }
 
     /** Starts a motion of an object from its place. */
-    void begin(AccuracyView inLevel, int mover, double[] places, int at) {
-        level = inLevel;
-        form = inLevel.form(mover);
+    void begin(AccuracyView inView, int mover, double[] places, int at) {
+        view = inView;
+        form = inView.form(mover);
         System.arraycopy(places, at, start, 0, PLACE);
         atStart.clear();
         atStart.append(form.size());
@@ -105,11 +105,11 @@ public final class Leg {
         if (Arrays.equals(start, 0, Pose.LOST, end, 0, Pose.LOST) && degrees == 0) {
             return false;
         }
-        level.place(form, start[0], start[1], start[2], start, 3, atStart, 0);
+        form.place(view.dimension, start[0], start[1], start[2], start, 3, atStart, 0);
         if (turns()) {
             turnBy(1);
         } else {
-            sweep.translation(level.dimension, end[0] - start[0], end[1] - start[1], end[2] - start[2]);
+            sweep.translation(view.dimension, end[0] - start[0], end[1] - start[1], end[2] - start[2]);
         }
         return true;
     }
@@ -157,7 +157,7 @@ public final class Leg {
         int column = axis == OWN_X ? 3 : 4; // of the attitude, where it begins at 3
         boolean isOwn = axis == OWN_X || axis == OWN_Y;
         sweep.turn(
-                level.dimension,
+                view.dimension,
                 start[0],
                 start[1],
                 start[2],
@@ -165,6 +165,11 @@ public final class Leg {
                 isOwn ? start[column + 3] : axis == WORLD_X ? 0 : 1,
                 isOwn ? start[column + 6] : 0,
                 share * degrees);
+    }
+
+    /** Whether heights count. */
+    Dimension dimension() {
+        return view.dimension;
     }
 
     boolean turns() {
@@ -184,7 +189,7 @@ public final class Leg {
     /** Whether what stands for the object moves with it as one piece. */
     boolean isRigid() {
         return !turns()
-                || switch (level.accuracy) {
+                || switch (view.accuracy) {
                     case AABB, DOP -> false;
                     case SPHERE -> !tips();
                     case OBB, EXACT -> true;
@@ -193,16 +198,16 @@ public final class Leg {
 
     /** Whether an upright object whose heights do not matter is tipped, so that from then on they do. */
     private boolean tips() {
-        return axis == OWN_X && level.dimension == Dimension.PLANAR && Rotations.isUpright(start, 3);
+        return axis == OWN_X && view.dimension == Dimension.PLANAR && Rotations.isUpright(start, 3);
     }
 
     /** The bounds of all places of what stands for the object during the first share of the leg. */
     void sweptBox(double share, double[] out) {
         if (isRigid()) {
             union(atStart, out);
-        } else if (level.accuracy == Accuracy.SPHERE) {
+        } else if (view.accuracy == Accuracy.SPHERE) {
             turnBy(share);
-            level.placeTipped(form, start[0], start[1], start[2], start, 3, probe, 0);
+            form.place(Dimension.SPATIAL, start[0], start[1], start[2], start, 3, probe, 0);
             probed = Double.NaN;
             union(probe, out);
         } else {
@@ -266,7 +271,7 @@ public final class Leg {
     LeafColumn after(double share) {
         if (share != probed) {
             placeAt(share, between);
-            level.place(form, between[0], between[1], between[2], between, 3, probe, 0);
+            form.place(view.dimension, between[0], between[1], between[2], between, 3, probe, 0);
             probed = share;
         }
         return probe;
@@ -291,12 +296,12 @@ public final class Leg {
     /** Writes {@link #atLast}: the end of the whole leg, whatever was asked since. */
     void placeEnd() {
         placeAt(1, between);
-        level.place(form, between[0], between[1], between[2], between, 3, atLast, 0);
+        form.place(view.dimension, between[0], between[1], between[2], between, 3, atLast, 0);
     }
 
     /** What stands for the object at the end; valid until the next call. */
     LeafColumn atEnd() {
-        level.place(form, end[0], end[1], end[2], end, 3, probe, 0);
+        form.place(view.dimension, end[0], end[1], end[2], end, 3, probe, 0);
         probed = Double.NaN;
         return probe;
     }

@@ -2,6 +2,7 @@ package robosim.geometry.engine.motion;
 
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.Candidates;
+import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.engine.objects.WorldBounds;
 import robosim.geometry.model.Accuracy;
@@ -9,6 +10,7 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.Standing;
+import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
 
 /**
@@ -30,9 +32,9 @@ public final class Motion {
     /** The largest share of what is refused. */
     private static final double MOST = Math.nextDown(1.0);
 
-    private final ObjectTable bodies;
-    private final WorldBounds border;
-    private final Candidates near;
+    private final ObjectTable objects;
+    private final WorldBounds worldBounds;
+    private final Candidates candidates;
     private final Leg leg;
     private final ClearanceSearch search;
     private final Standing standing;
@@ -50,7 +52,7 @@ public final class Motion {
     /** The bounds of what stands for the object at the end of the leg. */
     private final double[] endBox = new double[6];
 
-    private AccuracyView level;
+    private AccuracyView view;
     private int id;
     private double clearance;
     private boolean isEndWanted;
@@ -72,11 +74,11 @@ public final class Motion {
     private double fraction;
     private double turnFraction;
 
-    @SuppressWarnings("NullAway.Init") // an attempt sets its level
-    public Motion(ObjectTable bodies, WorldBounds border, Scratch scratch) {
-        this.bodies = bodies;
-        this.border = border;
-        near = new Candidates(bodies);
+    @SuppressWarnings("NullAway.Init") // an attempt sets its view
+    public Motion(ObjectTable objects, WorldBounds worldBounds, Scratch scratch) {
+        this.objects = objects;
+        this.worldBounds = worldBounds;
+        candidates = new Candidates(objects);
         leg = new Leg(scratch);
         search = new ClearanceSearch(leg, scratch);
         standing = new Standing(scratch);
@@ -108,7 +110,7 @@ public final class Motion {
      * @return whether all of it is free; else {@link #end()} is the place before contact
      */
     public boolean attempt(
-            AccuracyView inLevel,
+            AccuracyView inView,
             int mover,
             double x,
             double y,
@@ -117,7 +119,7 @@ public final class Motion {
             double turnY,
             boolean isGlobal,
             double gap) {
-        begin(inLevel, mover, gap, true);
+        begin(inView, mover, gap, true);
         boolean free = isFree(x, y, z, Leg.NO_TURN, 0);
         if (!free) {
             fraction = share;
@@ -137,26 +139,26 @@ public final class Motion {
     }
 
     /** Whether a displacement in the world's axes is free, and no more: {@link #end()} is only set where it is. */
-    public boolean allows(AccuracyView inLevel, int mover, double x, double y, double z) {
-        begin(inLevel, mover, 0, false);
+    public boolean allows(AccuracyView inView, int mover, double x, double y, double z) {
+        begin(inView, mover, 0, false);
         return isFree(x, y, z, Leg.NO_TURN, 0);
     }
 
     /** Whether a turn about the vertical through the centre is free, and no more. */
-    public boolean allowsTurn(AccuracyView inLevel, int mover, double byDegrees) {
-        begin(inLevel, mover, 0, false);
+    public boolean allowsTurn(AccuracyView inView, int mover, double byDegrees) {
+        begin(inView, mover, 0, false);
         return isFree(0, 0, 0, Leg.VERTICAL, byDegrees);
     }
 
-    private void begin(AccuracyView inLevel, int mover, double gap, boolean isToEnd) {
+    private void begin(AccuracyView inView, int mover, double gap, boolean isToEnd) {
         isEndWanted = isToEnd;
-        level = inLevel;
+        view = inView;
         id = mover;
         clearance = gap;
         obstacle = NOTHING;
         fraction = 1;
         turnFraction = 1;
-        leg.begin(inLevel, mover, bodies.places(), bodies.place(mover));
+        leg.begin(inView, mover, objects.places(), objects.place(mover));
     }
 
     /** The free share of the leg that was blocked last. */
@@ -170,10 +172,10 @@ public final class Motion {
         }
         leg.sweptBox(1, box);
         leg.around(box, around);
-        near.find(level, around, id);
-        standing.begin(level.dimension, leg.sweep, leg.atStart, leg.atLast);
+        candidates.find(view, around, id);
+        standing.begin(view.dimension, leg.sweep, leg.atStart, leg.atLast);
         isStandingKnown = false;
-        level.boundsOf(leg.after(1), 0, leg.atStart.size(), endBox);
+        leg.after(1).bounds(0, leg.atStart.size(), endBox);
         if (!isEndWanted) {
             if (isBlockedAnywhere()) {
                 return false;
@@ -192,13 +194,13 @@ public final class Motion {
     }
 
     private boolean isBlockedAnywhere() {
-        for (int k = 0; k < near.count(); k++) {
-            int other = near.id(k);
+        for (int k = 0; k < candidates.count(); k++) {
+            int other = candidates.id(k);
             if (met(other) != Double.POSITIVE_INFINITY || endsOn(other)) {
                 return true;
             }
         }
-        return !border.clearlyHolds(box) && leavesWorld() != Double.POSITIVE_INFINITY;
+        return !worldBounds.clearlyHolds(box) && leavesWorld() != Double.POSITIVE_INFINITY;
     }
 
     /**
@@ -207,14 +209,14 @@ public final class Motion {
      */
     private double leastFree() {
         double least = Double.POSITIVE_INFINITY;
-        for (int k = 0; k < near.count(); k++) {
-            int other = near.id(k);
+        for (int k = 0; k < candidates.count(); k++) {
+            int other = candidates.id(k);
             double met = met(other);
             if (met == Double.POSITIVE_INFINITY && !endsOn(other)) {
                 continue;
             }
             double free = backOff(other, Math.min(met, MOST));
-            if (free < least || (free == least && bodies.isEarlier(other, obstacle))) {
+            if (free < least || (free == least && objects.isEarlier(other, obstacle))) {
                 least = free;
                 obstacle = other;
                 ownLeaf = metOwnLeaf;
@@ -223,7 +225,7 @@ public final class Motion {
                 obstaclePiece = metPiece;
             }
         }
-        double leaves = border.clearlyHolds(box) ? Double.POSITIVE_INFINITY : leavesWorld();
+        double leaves = worldBounds.clearlyHolds(box) ? Double.POSITIVE_INFINITY : leavesWorld();
         if (leaves != Double.POSITIVE_INFINITY) {
             double free = backOff(BORDER, Math.min(leaves, MOST));
             if (free < least) {
@@ -241,12 +243,12 @@ public final class Motion {
 
     private double metAsItIs(int other) {
         LeafColumn atStart = leg.atStart;
-        AccuracyView of = level.of(other);
-        int first = of.first(ObjectTable.bare(other));
+        LeafTable of = view.table(other);
+        int first = of.first(other);
         double least = Double.POSITIVE_INFINITY;
-        for (int j = first; j < first + of.count(ObjectTable.bare(other)); j++) {
+        for (int j = first; j < first + of.count(other); j++) {
             for (int i = 0; i < atStart.size(); i++) {
-                boolean isOnFloor = isOnMesh(of, other, i, j) && stands(); // whose levels spare most of a sweep
+                boolean isOnFloor = isOnMesh(of, other, i, j) && stands(); // whose planes spare most of a sweep
                 double free = isOnFloor
                         ? leg.sweep.free(atStart, i, of.leaves(), j, standing, null)
                         : leg.sweep.free(atStart, i, of.leaves(), j);
@@ -266,12 +268,12 @@ public final class Motion {
     }
 
     /** Whether one of the leaves is a mesh, and the object may touch the other at the start. */
-    private boolean isOnMesh(AccuracyView of, int other, int i, int j) {
+    private boolean isOnMesh(LeafTable of, int other, int i, int j) {
         if (!leg.atStart.kind(i).isMesh() && !of.leaves().kind(j).isMesh()) {
             return false;
         }
-        level.boundsOf(leg.atStart, 0, leg.atStart.size(), part);
-        return of.meets(ObjectTable.bare(other), part);
+        leg.atStart.bounds(0, leg.atStart.size(), part);
+        return of.meets(other, part);
     }
 
     private void meet(int i, int t, int j, int u) {
@@ -286,13 +288,13 @@ public final class Motion {
         if (!isStandingKnown) {
             isStandingKnown = true;
             leg.placeEnd();
-            level.boundsOf(leg.atStart, 0, leg.atStart.size(), part);
-            for (int k = 0; k < near.count(); k++) {
-                int other = near.id(k);
-                AccuracyView of = level.of(other);
-                if (of.meets(ObjectTable.bare(other), part)) {
-                    int first = of.first(ObjectTable.bare(other));
-                    for (int j = first; j < first + of.count(ObjectTable.bare(other)); j++) {
+            leg.atStart.bounds(0, leg.atStart.size(), part);
+            for (int k = 0; k < candidates.count(); k++) {
+                int other = candidates.id(k);
+                LeafTable of = view.table(other);
+                if (of.meets(other, part)) {
+                    int first = of.first(other);
+                    for (int j = first; j < first + of.count(other); j++) {
                         standing.add(of.leaves(), j);
                     }
                 }
@@ -303,10 +305,10 @@ public final class Motion {
 
     /** A turn of an enclosure that changes as it turns: free where what holds all of it meets nothing new or deeper. */
     private double metByEnclosure(int other) {
-        if (!level.of(other).meets(ObjectTable.bare(other), box)) {
+        if (!view.table(other).meets(other, box)) {
             return Double.POSITIVE_INFINITY;
         }
-        level.boundsOf(leg.atStart, 0, leg.atStart.size(), part);
+        leg.atStart.bounds(0, leg.atStart.size(), part);
         takeDiagonals(0);
         double before = depth(other, part);
         if (!deepens(other, 1, before)) {
@@ -324,13 +326,13 @@ public final class Motion {
             }
         }
         leg.sweptBox(1, box);
-        meet(0, -1, level.of(other).first(ObjectTable.bare(other)), -1);
+        meet(0, -1, view.table(other).first(other), -1);
         return low;
     }
 
     /** Whether what holds the object up to a share of the turn, {@link #box}, overlaps another more deeply than before. */
     private boolean deepens(int other, double share, double before) {
-        if (depth(other, box, level.dimension) < 0) {
+        if (depth(other, box, view.dimension) < 0) {
             return false;
         }
         takeDiagonals(share);
@@ -339,17 +341,17 @@ public final class Motion {
     }
 
     private void takeDiagonals(double share) {
-        if (level.accuracy == Accuracy.DOP) {
+        if (view.accuracy == Accuracy.DOP) {
             leg.sweptDiagonals(share, diagonals);
         }
     }
 
     /** How deeply two enclosures overlap, below 0 where they do not: along the axes and, of octagons, between them. */
     private double depth(int other, double[] of) {
-        double least = depth(other, of, level.dimension);
-        if (level.accuracy == Accuracy.DOP) {
-            AccuracyView home = level.of(other);
-            int leaf = home.first(ObjectTable.bare(other));
+        double least = depth(other, of, view.dimension);
+        if (view.accuracy == Accuracy.DOP) {
+            LeafTable home = view.table(other);
+            int leaf = home.first(other);
             double[] row = home.leaves().rows(leaf);
             int at = home.leaves().at(leaf) + 4;
             for (int k = 0; k < 4; k += 2) {
@@ -362,8 +364,8 @@ public final class Motion {
     }
 
     private double depth(int other, double[] of, Dimension dimension) {
-        double[] b = level.of(other).bounds();
-        int at = 6 * ObjectTable.bare(other);
+        double[] b = view.table(other).bounds();
+        int at = view.table(other).boundsAt(other);
         double least = Double.POSITIVE_INFINITY;
         for (int k = 0; k < 3; k += dimension == Dimension.PLANAR ? 2 : 1) {
             double one = of[3 + k] - b[at + k];
@@ -386,17 +388,17 @@ public final class Motion {
         double dy = leg.displacement(1);
         double dz = leg.displacement(2);
         LeafColumn exact = leg.exactAtStart();
-        double leaves = border.share(exact, 0, exact.size(), dx, dy, dz);
+        double leaves = worldBounds.share(exact, 0, exact.size(), dx, dy, dz);
         double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
         return Math.max(0, Math.min(1, leaves) - (clearance > 0 ? clearance / length : 0));
     }
 
     private double turnLeavesWorld() {
         leg.exactlySwept(1, swept);
-        if (!border.nearlyHolds(swept)) {
+        if (!worldBounds.nearlyHolds(swept)) {
             leg.tightlySwept(1, swept);
         }
-        if (border.nearlyHolds(swept) && isHeld(leg.exactAtEnd())) {
+        if (worldBounds.nearlyHolds(swept) && isHeld(leg.exactAtEnd())) {
             return Double.POSITIVE_INFINITY;
         }
         double low = 0;
@@ -404,7 +406,7 @@ public final class Motion {
         for (int halving = 0; halving < 50; halving++) {
             double middle = low / 2 + high / 2;
             leg.tightlySwept(middle, swept);
-            if (border.nearlyHolds(swept)) {
+            if (worldBounds.nearlyHolds(swept)) {
                 low = middle;
             } else {
                 high = middle;
@@ -415,20 +417,20 @@ public final class Motion {
     }
 
     private boolean isHeld(LeafColumn exact) {
-        return border.holds(exact, 0, exact.size());
+        return worldBounds.holds(exact, 0, exact.size());
     }
 
     /** Whether the object, as stored at the end of the leg, overlaps one that it does not at the start. */
     private boolean endsOn(int other) {
-        return level.of(other).meets(ObjectTable.bare(other), endBox) && touchesAnew(other, 1);
+        return view.table(other).meets(other, endBox) && touchesAnew(other, 1);
     }
 
     /** Whether the object, after a share of the leg, overlaps one that it does not at the start. */
     private boolean touchesAnew(int other, double share) {
         LeafColumn there = leg.after(share);
-        AccuracyView of = level.of(other);
-        int first = of.first(ObjectTable.bare(other));
-        for (int j = first; j < first + of.count(ObjectTable.bare(other)); j++) {
+        LeafTable of = view.table(other);
+        int first = of.first(other);
+        for (int j = first; j < first + of.count(other); j++) {
             for (int i = 0; i < leg.atStart.size(); i++) {
                 if (standing.touchesAnew(there, i, of.leaves(), j)) {
                     // Contacts are only looked for here, as mostly there is no need of them.
@@ -445,8 +447,8 @@ public final class Motion {
     }
 
     private boolean isFreeAfter(double share) {
-        for (int k = 0; k < near.count(); k++) {
-            if (near.id(k) != obstacle && touchesAnew(near.id(k), share)) {
+        for (int k = 0; k < candidates.count(); k++) {
+            if (candidates.id(k) != obstacle && touchesAnew(candidates.id(k), share)) {
                 return false;
             }
         }
@@ -487,14 +489,14 @@ public final class Motion {
     public void contact(double[] out) {
         if (obstacle == BORDER) {
             LeafColumn exact = leg.exactAtEnd();
-            level.boundsOf(exact, 0, exact.size(), part);
+            exact.bounds(0, exact.size(), part);
             exact = leg.exactAfter(1);
-            level.boundsOf(exact, 0, exact.size(), swept);
-            border.contact(swept, part, out);
+            exact.bounds(0, exact.size(), swept);
+            worldBounds.contact(swept, part, out);
             return;
         }
         touching.setPiece(leg.atEnd(), ownLeaf, ownPiece);
-        touched.setPiece(level.of(obstacle).leaves(), obstacleLeaf, obstaclePiece);
-        distance.contact(level.dimension, touching, 0, touched, 0, out);
+        touched.setPiece(view.table(obstacle).leaves(), obstacleLeaf, obstaclePiece);
+        distance.contact(view.dimension, touching, 0, touched, 0, out);
     }
 }

@@ -61,7 +61,7 @@ public final class ObjectTable {
 
     /** How many objects there are, shared ones too. */
     public int size() {
-        return shared == null ? size : size + shared.bodies.size;
+        return shared == null ? size : size + shared.objects.size;
     }
 
     /** How many static objects are this world's own. */
@@ -80,8 +80,13 @@ public final class ObjectTable {
         shared = null;
     }
 
+    /** Whether an object is one that its world shares with others. */
+    public static boolean isShared(int id) {
+        return id >= SHARED;
+    }
+
     /** An object's number among those of its world that are shared, or among those that are not. */
-    public static int bare(int id) {
+    public static int local(int id) {
         return id & ~SHARED;
     }
 
@@ -159,8 +164,8 @@ public final class ObjectTable {
 
     /** When an object came, in arrivals before it. */
     public long arrival(int id) {
-        if (id >= SHARED && shared != null) {
-            return shared.arrival(bare(id));
+        if (isShared(id) && shared != null) {
+            return shared.arrival(local(id));
         }
         return isOrdered ? order[id] : id;
     }
@@ -251,7 +256,7 @@ public final class ObjectTable {
 
     /** The ids of all objects, in the order in which they were added. */
     public IntStream ids() {
-        int others = shared == null ? 0 : shared.bodies.limit();
+        int others = shared == null ? 0 : shared.objects.limit();
         return inOrder(IntStream.concat(IntStream.range(0, others).map(id -> id | SHARED), own()));
     }
 
@@ -270,8 +275,8 @@ public final class ObjectTable {
 
     /** The object as it was added. */
     public GeometryObject value(int id) {
-        if (id >= SHARED && shared != null) {
-            return shared.bodies.value(bare(id));
+        if (isShared(id) && shared != null) {
+            return shared.objects.value(local(id));
         }
         GeometryObject value = values[id];
         if (value == null) {

@@ -10,7 +10,7 @@ import robosim.geometry.model.Ray;
 /** Beams as callers ask for them: from a place or from a sensor on an object, one or a scan, between two ranges. */
 public final class Beams {
     private final Dimension dimension;
-    private final ObjectTable bodies;
+    private final ObjectTable objects;
     private final BeamQuery ranging;
     private final double[] vector = new double[3];
     private final ScanDirections directions = new ScanDirections();
@@ -20,17 +20,21 @@ public final class Beams {
     private double oy;
     private double oz;
 
-    public Beams(Dimension dimension, ObjectTable bodies, BeamQuery ranging) {
+    public Beams(Dimension dimension, ObjectTable objects, BeamQuery ranging) {
         this.dimension = dimension;
-        this.bodies = bodies;
+        this.objects = objects;
         this.ranging = ranging;
     }
 
-    /** Distance of the nearest echo of any object but one; of any with -1. */
-    public double distance(AccuracyView seen, Ray ray, double min, double max, double width, int but) {
+    /**
+     * Distance to the nearest echo.
+     *
+     * @param ignored an object that does not echo; -1 for none
+     */
+    public double distance(AccuracyView seen, Ray ray, double min, double max, double width, int ignored) {
         Point from = Checks.present("ray", ray).start();
         Point to = ray.direction();
-        return distance(seen, from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), min, max, width, but);
+        return distance(seen, from.x(), from.y(), from.z(), to.x(), to.y(), to.z(), min, max, width, ignored);
     }
 
     private double distance(
@@ -44,12 +48,12 @@ public final class Beams {
             double min,
             double max,
             double width,
-            int but) {
+            int ignored) {
         Checks.range(min, max);
         Checks.width(width);
         checkLevel(dx, dy, dz);
         ranging.beam(dimension, x, y, z, dx, dy, dz, width);
-        double nearest = ranging.nearest(seen, max, but);
+        double nearest = ranging.nearest(seen, max, ignored);
         return nearest < min ? min : nearest;
     }
 
@@ -75,21 +79,21 @@ public final class Beams {
             double max,
             double width) {
         mount(id, x, y, z);
-        bodies.toWorld(id, dx, dy, dz, vector);
+        objects.toWorld(id, dx, dy, dz, vector);
         return distance(seen, ox, oy, oz, vector[0], vector[1], vector[2], min, max, width, id);
     }
 
     /** Takes a point of an object's own frame for where a beam begins. */
     private void mount(int id, double x, double y, double z) {
-        double[] places = bodies.places();
-        int at = bodies.place(id);
-        bodies.toWorld(id, x, y, z, vector);
+        double[] places = objects.places();
+        int at = objects.place(id);
+        objects.toWorld(id, x, y, z, vector);
         ox = places[at] + vector[0];
         oy = places[at + 1] + vector[1];
         oz = places[at + 2] + vector[2];
     }
 
-    /** A scan: single rays from a point of an object's own frame, level with it, as many as there is room for. */
+    /** A scan: single rays from a point of an object's own frame, in the plane of its own X and Z, as many as there is room for. */
     public void scan(
             AccuracyView seen,
             int id,
@@ -108,7 +112,7 @@ public final class Beams {
         mount(id, x, y, z);
         for (int k = 0; k < out.length; k++) {
             directions.aim(firstDegrees, stepDegrees, k);
-            bodies.toWorld(id, directions.x(), 0, directions.z(), vector);
+            objects.toWorld(id, directions.x(), 0, directions.z(), vector);
             out[k] = distance(seen, ox, oy, oz, vector[0], vector[1], vector[2], min, max, 0, id);
         }
     }

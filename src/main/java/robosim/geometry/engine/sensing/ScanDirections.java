@@ -5,7 +5,7 @@ import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
 
 /**
- * The directions of the rays of a scan, level, in the frame of what looks. Those of the last scan are kept: a scanner
+ * The directions of the rays of a scan in the sensor's own XZ plane. Those of the last scan are kept: a scanner
  * looks in the same directions again and again.
  */
 final class ScanDirections {

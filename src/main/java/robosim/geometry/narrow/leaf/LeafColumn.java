@@ -32,6 +32,9 @@ public final class LeafColumn {
     /** None until the first mesh comes. */
     private @Nullable TriangleMesh @Nullable [] meshes;
 
+    /** The bounds of one of several leaves. */
+    private final double[] part = new double[6];
+
     /** An empty column with room for so many leaves. */
     public LeafColumn(int capacity) {
         kinds = new byte[Math.max(1, capacity)];
@@ -312,5 +315,21 @@ public final class LeafColumn {
             meshes = new TriangleMesh[kinds.length];
         }
         meshes[leaf] = mesh;
+    }
+
+    /**
+     * Writes outward bounds of several leaves, six numbers.
+     *
+     * @param number how many leaves, from the first on
+     */
+    public void bounds(int first, int number, double[] out) {
+        bounds(first, out);
+        for (int leaf = first + 1; leaf < first + number; leaf++) {
+            bounds(leaf, part);
+            for (int k = 0; k < 3; k++) {
+                out[k] = Math.min(out[k], part[k]);
+                out[3 + k] = Math.max(out[3 + k], part[3 + k]);
+            }
+        }
     }
 }

@@ -13,14 +13,14 @@ import robosim.geometry.model.GeometryObject;
  * that has been built changes any more; every world reads it through a view of its own, with cursors and working memory of
  * its own.
  */
-public final class SharedStatics extends SharedObjects {
+public final class SharedIndex extends SharedObjects {
     private final Dimension dimension;
     private final double width;
     private final double length;
-    private final Map<Accuracy, AccuracyView> levels = new EnumMap<>(Accuracy.class);
+    private final Map<Accuracy, LeafTable> tables = new EnumMap<>(Accuracy.class);
 
     /** Some objects in their order, with when they came. */
-    public SharedStatics(double width, double length, Dimension dimension, GeometryObject[] objects, long[] arrivals) {
+    public SharedIndex(double width, double length, Dimension dimension, GeometryObject[] objects, long[] arrivals) {
         super(objects, arrivals);
         this.width = width;
         this.length = length;
@@ -28,15 +28,15 @@ public final class SharedStatics extends SharedObjects {
     }
 
     /** The objects as they are seen at an accuracy, for one more thread to ask; built when anybody first asks. */
-    public synchronized AccuracyView view(Accuracy accuracy) {
-        AccuracyView built = levels.get(accuracy);
+    public synchronized LeafTable table(Accuracy accuracy) {
+        LeafTable built = tables.get(accuracy);
         if (built == null) {
-            built = new AccuracyView(bodies, accuracy, dimension, width, length, null);
-            for (int id = 0; id < bodies.limit(); id++) {
-                built.add(id, bodies.value(id));
+            built = new LeafTable(objects, accuracy, dimension, width, length);
+            for (int id = 0; id < objects.limit(); id++) {
+                built.add(id, objects.value(id));
             }
             built.freeze();
-            levels.put(accuracy, built);
+            tables.put(accuracy, built);
         }
         return Objects.requireNonNull(built).view();
     }

@@ -1,0 +1,302 @@
+package robosim.geometry.engine.broadphase;
+
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.engine.objects.ObjectTable;
+import robosim.geometry.index.QuadCursor;
+import robosim.geometry.index.boxes.OctTree;
+import robosim.geometry.index.boxes.SpaceKeys;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.Cast;
+
+/**
+ * Shows a target the objects that a line or a cone may meet, those that begin nearer mostly first, and none that begins
+ * farther than the target still looks.
+ */
+public final class BeamSearch {
+    /** More than what a square may lose by underflow. */
+    private static final double UNDERFLOW = 0x1p-1000;
+
+    /** Among so few objects in the quadtree, heights are not worth a look. */
+    private static final int FEW = 4;
+
+    /** How many objects are remembered that a ray has been tried on. */
+    private static final int RECENT = 8;
+
+    private final ObjectTable objects;
+    private final Cast cast;
+    private final BeamTarget target;
+
+    private double ox;
+    private double oy;
+    private double oz;
+    private double ux;
+    private double uz;
+    private boolean isCone;
+    private double halfCos;
+    private double halfSin;
+
+    /** The sides of the cone seen from above: outward normals; both zero where it has none. */
+    private double leftX;
+
+    private double leftZ;
+    private double rightX;
+    private double rightZ;
+
+    /** Where bounds begin along the beam, with their heights. */
+    private final SpaceKeys keys = new SpaceKeys();
+
+    private boolean hasHeights;
+    private double highest;
+
+    /** By the last bits of an id: the query's number above the id. */
+    private final long[] recent = new long[RECENT];
+
+    private long query;
+
+    /** A search along the line of a cast. */
+    public BeamSearch(ObjectTable objects, Cast cast, BeamTarget target) {
+        this.objects = objects;
+        this.cast = cast;
+        this.target = target;
+    }
+
+    /** Follows the line of the cast, from its start. */
+    public void line(double x, double y, double z) {
+        ox = x;
+        oy = y;
+        oz = z;
+        isCone = false;
+    }
+
+    /** Follows a cone about the line of the cast, from its start; with the cosine and the sine of half its opening angle. */
+    public void cone(double x, double y, double z, double cos, double sin) {
+        line(x, y, z);
+        isCone = true;
+        takeUnit();
+        setSides(sin);
+        halfCos = cos;
+        halfSin = sin;
+    }
+
+    private void takeUnit() {
+        ux = cast.unit(0);
+        uz = cast.unit(2);
+    }
+
+    /**
+     * The cone's shadow on the XZ plane is a sector where its axis rises less than it leaves room for: the sine of the
+     * half angle seen from above is that of the cone over the cosine of the axis's rise.
+     */
+    private void setSides(double sin) {
+        double level = Math.sqrt(ux * ux + uz * uz);
+        double shadow = sin * (1 + 0x1p-40) + 0x1p-40;
+        if (shadow >= level) {
+            leftX = 0;
+            leftZ = 0;
+            rightX = 0;
+            rightZ = 0;
+            return;
+        }
+        double sine = shadow / level;
+        double cosine = Math.sqrt((1 - sine) * (1 + sine));
+        double ax = ux / level;
+        double az = uz / level;
+        leftX = -sine * ax - cosine * az;
+        leftZ = -sine * az + cosine * ax;
+        rightX = -sine * ax + cosine * az;
+        rightZ = -sine * az - cosine * ax;
+    }
+
+    /**
+     * Searches a world.
+     *
+     * @param limit how far the target looks before it has found anything
+     * @param ignored an object that is left out; -1 for none
+     */
+    public void search(AccuracyView view, double limit, int ignored) {
+        LeafTable shared = view.shared;
+        double reach = shared == null ? limit : searchTrees(shared, limit, ignored);
+        reach = searchTrees(view.own, reach, ignored);
+        searchBesideTree(view.own, reach, ignored);
+    }
+
+    private double searchTrees(LeafTable table, double limit, int ignored) {
+        double reach = searchSpace(table, limit, ignored);
+        if (isCone) {
+            return searchSector(table, reach, ignored);
+        }
+        double dx = cast.way(0);
+        double dz = cast.way(2);
+        return dx == 0 && dz == 0 ? searchColumn(table, reach, ignored) : searchLine(table, reach, ignored, dx, dz);
+    }
+
+    private void searchBesideTree(LeafTable table, double limit, int ignored) {
+        int movers = table.moversBesideTree();
+        if (movers == 0) {
+            return;
+        }
+        takeUnit();
+        double slack = slack(table);
+        double reach = limit;
+        for (int k = 0; k < movers; k++) {
+            int id = objects.mover(k);
+            if (id != ignored && (isCone ? coneMeets(table, id, loose(reach, slack)) : lineMeets(table, id, reach))) {
+                reach = target.meet(table, id, reach);
+            }
+        }
+    }
+
+    /** Searches the quadtree along a line that is not vertical. */
+    private double searchLine(LeafTable table, double limit, int ignored, double dx, double dz) {
+        boolean isPlanar = table.dimension == Dimension.PLANAR;
+        int mark = table.mark;
+        double slack = slack(table);
+        double inverse = cast.inverseLength();
+        double[] outlines = table.leaves().outlines();
+        QuadCursor cursor = table.cursor;
+        double reach = limit;
+        double last = loose(reach, slack) * inverse;
+        query += 1L << Integer.SIZE;
+        cursor.startRay(ox, oz, dx, dz);
+        for (int local = cursor.nextOnRay(last, outlines); local >= 0; local = cursor.nextOnRay(last, outlines)) {
+            // What is the nearest so far comes again where it lies across regions.
+            int id = local | mark;
+            if (id != ignored && !target.isNearest(id)) {
+                reach = isPlanar ? meetOnPlane(table, id, outlines, local, reach) : meetOnce(table, id, reach);
+                last = loose(reach, slack) * inverse;
+            }
+        }
+        return reach;
+    }
+
+    private double meetOnPlane(LeafTable table, int id, double[] outlines, int local, double reach) {
+        double found = target.meetOutline(table, id, outlines, local, reach);
+        return Double.isNaN(found) ? meetOnce(table, id, reach) : found;
+    }
+
+    /** Shows an object that may come again and again along a ray, as it lies across regions. */
+    private double meetOnce(LeafTable table, int id, double reach) {
+        long mark = query | id;
+        int place = id & (RECENT - 1);
+        if (recent[place] == mark || !isAtHeight(table, id, reach)) {
+            return reach;
+        }
+        recent[place] = mark;
+        return target.meet(table, id, reach);
+    }
+
+    /** Searches what stands in the quadtree above and below the start. */
+    private double searchColumn(LeafTable table, double limit, int ignored) {
+        double reach = limit;
+        table.cursor.startBox(ox, oz, ox, oz);
+        for (int local = table.cursor.next(); local >= 0; local = table.cursor.next()) {
+            if ((local | table.mark) != ignored) {
+                reach = target.meet(table, local | table.mark, reach);
+            }
+        }
+        return reach;
+    }
+
+    /** Searches the quadtree in the sector that is the cone as seen from above. */
+    private double searchSector(LeafTable table, double limit, int ignored) {
+        double reach = limit;
+        double slack = slack(table);
+        QuadCursor cursor = table.cursor;
+        cursor.startSector(ox, oz, leftX, leftZ, rightX, rightZ, loose(reach, slack));
+        for (int local = cursor.next(loose(reach, slack)); local >= 0; local = cursor.next(loose(reach, slack))) {
+            int id = local | table.mark;
+            if (id != ignored && coneMeets(table, id, loose(reach, slack)) && isAtHeight(table, id, reach)) {
+                reach = target.meet(table, id, reach);
+            }
+        }
+        return reach;
+    }
+
+    /** Searches the octree, in which are no moveable objects. */
+    private double searchSpace(LeafTable table, double limit, int ignored) {
+        hasHeights = false;
+        if (table.dimension == Dimension.PLANAR) {
+            return limit;
+        }
+        OctTree.@Nullable Cursor stacked = table.spaceIndex.cursor();
+        hasHeights = stacked != null || table.tree.size() > FEW;
+        if (!hasHeights) {
+            return limit;
+        }
+        takeUnit();
+        double uy = cast.unit(1);
+        highest = 0x1p-44 * (table.spaceIndex.most() + Math.abs(oy));
+        if (isCone) {
+            keys.startCone(ox, oy, oz, ux, uy, uz, halfCos, halfSin);
+        } else {
+            keys.startRay(ox, oy, oz, ux, uy, uz);
+        }
+        double reach = limit;
+        if (stacked != null) {
+            double slack = slack(table) + highest;
+            stacked.start(table.bounds(), keys);
+            for (int local = stacked.next(loose(reach, slack)); local >= 0; local = stacked.next(loose(reach, slack))) {
+                if ((local | table.mark) != ignored) {
+                    reach = target.meet(table, local | table.mark, reach);
+                }
+            }
+        }
+        return reach;
+    }
+
+    /** Whether the beam may meet an object's bounds, with its height, within reach. */
+    private boolean isAtHeight(LeafTable table, int id, double reach) {
+        return !hasHeights || keys.key(table.bounds(), table.boundsAt(id)) <= loose(reach, slack(table) + highest);
+    }
+
+    /**
+     * The reach of the index and of bounds. A certified distance may be below the true one, and so below where the bounds
+     * begin: by 2^-40 of itself in a cone, and for a cylinder by 2^-44 of its place and size, both of which the
+     * world limits. What is answered at all is to be found again with its own distance as the limit.
+     */
+    private static double loose(double reach, double slack) {
+        return reach + (0x1p-38 * reach + slack);
+    }
+
+    private double slack(LeafTable table) {
+        return 0x1p-44 * (table.extent + Math.abs(ox) + Math.abs(oz));
+    }
+
+    /** Whether the line may meet an object's bounds within reach; never wrong where it says no. */
+    private boolean lineMeets(LeafTable table, int id, double reach) {
+        double[] b = table.bounds();
+        int k = table.boundsAt(id);
+        double mx = b[k] / 2 + b[k + 3] / 2 - ox;
+        double mz = b[k + 2] / 2 + b[k + 5] / 2 - oz;
+        double hx = b[k + 3] / 2 - b[k] / 2;
+        double hz = b[k + 5] / 2 - b[k + 2] / 2;
+        double slack = 0x1p-40 * (Math.abs(mx) + Math.abs(mz) + Math.abs(ox) + Math.abs(oz) + hx + hz);
+        double aside = Math.abs(mx * uz - mz * ux);
+        double ahead = mx * ux + mz * uz;
+        double half = hx * Math.abs(ux) + hz * Math.abs(uz) + slack;
+        return aside <= hx * Math.abs(uz) + hz * Math.abs(ux) + slack
+                && ahead >= -half
+                && (reach == Double.POSITIVE_INFINITY || ahead - half <= reach);
+    }
+
+    private boolean coneMeets(LeafTable table, int id, double reach) {
+        double[] b = table.bounds();
+        int k = table.boundsAt(id);
+        double dx = Math.max(0, Math.max(b[k] - ox, ox - b[k + 3]));
+        double dz = Math.max(0, Math.max(b[k + 2] - oz, oz - b[k + 5]));
+        if ((dx * dx + dz * dz) * (1 - 0x1p-50) > reach * reach + UNDERFLOW) {
+            return false;
+        }
+        return !isBeyond(b, k, leftX, leftZ) && !isBeyond(b, k, rightX, rightZ);
+    }
+
+    /** Whether a box is wholly on the outer side of one of the cone's sides. */
+    private boolean isBeyond(double[] b, int k, double nx, double nz) {
+        double x = nx > 0 ? b[k] - ox : b[k + 3] - ox;
+        double z = nz > 0 ? b[k + 2] - oz : b[k + 5] - oz;
+        // What a certified shape is taken larger by goes with its size, not with how near its box is.
+        double size = Math.abs(b[k]) + Math.abs(b[k + 2]) + Math.abs(b[k + 3]) + Math.abs(b[k + 5]);
+        double slack = 0x1p-40 * (size + Math.abs(ox) + Math.abs(oz));
+        return nx * x + nz * z > slack;
+    }
+}

@@ -1,0 +1,121 @@
+package robosim.geometry.engine.broadphase;
+
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.engine.objects.ObjectTable;
+import robosim.geometry.index.QuadCursor;
+import robosim.geometry.index.boxes.OctTree;
+import robosim.geometry.index.boxes.SpaceKeys;
+import robosim.geometry.index.tiles.NearTarget;
+
+/**
+ * Shows the objects that may meet a box to a target, one by one, until it needs no more. Bounds are compared for those that
+ * come from a list or from the octree; of what comes from the quadtree, some may lie beside the box, above it or below it.
+ */
+public final class BoxQuery {
+    private final ObjectTable objects;
+    private final BoxTarget target;
+    private final SpaceKeys keys = new SpaceKeys();
+    private final NearTarget passOn = this::passOn;
+
+    // What passOn refers to.
+    private LeafTable table;
+    private int ignored;
+
+    @SuppressWarnings("NullAway.Init") // a query sets its table
+    public BoxQuery(ObjectTable objects, BoxTarget target) {
+        this.objects = objects;
+        this.target = target;
+    }
+
+    /**
+     * Asks while objects come and move: nothing is laid out anew for one question.
+     *
+     * @param ignored an object that is left out; -1 for none
+     * @return whether the target needed no more
+     */
+    public boolean gather(AccuracyView view, double[] box, int ignored) {
+        LeafTable shared = view.shared;
+        return gathers(view.own, box, ignored) || (shared != null && gathers(shared, box, ignored));
+    }
+
+    private boolean gathers(LeafTable of, double[] box, int ignored) {
+        QuadCursor cursor = of.cursor;
+        int count = cursor.gather(
+                box[0], box[2], box[3], box[5], ignored ^ of.mark, of.leaves().outlines());
+        for (int k = 0; k < count; k++) {
+            if (target.meet(of, cursor.gathered(k) | of.mark)) {
+                return true;
+            }
+        }
+        return meetsBesideTree(of, box, ignored);
+    }
+
+    /** Asks a world that mostly stands still: the quadtree may be laid out anew, and later questions gain by it. */
+    public boolean probe(AccuracyView view, double[] box, int ignored) {
+        LeafTable shared = view.shared;
+        return probes(view.own, box, ignored) || (shared != null && probes(shared, box, ignored));
+    }
+
+    private boolean probes(LeafTable of, double[] box, int but) {
+        double x = box[0] / 2 + box[3] / 2;
+        double z = box[2] / 2 + box[5] / 2;
+        double halfX = QuadCursor.half(box[0], box[3]);
+        double halfZ = QuadCursor.half(box[2], box[5]);
+        ignored = but;
+        if (table != of) { // writing a reference is slow
+            table = of;
+        }
+        int asked = of.cursor.near(x, z, halfX, halfZ, of.leaves().outlines(), passOn);
+        return switch (asked) {
+            case QuadCursor.ENOUGH -> true;
+            case QuadCursor.ALL -> meetsBesideTree(of, box, but);
+            default -> meetsEach(of, box, but);
+        };
+    }
+
+    /** Shows each object whose bounds meet the box once. */
+    public boolean each(AccuracyView view, double[] box, int ignored) {
+        LeafTable shared = view.shared;
+        return meetsEach(view.own, box, ignored) || (shared != null && meetsEach(shared, box, ignored));
+    }
+
+    private boolean meetsEach(LeafTable of, double[] box, int but) {
+        return meetsInTree(of, box, but) || meetsBesideTree(of, box, but);
+    }
+
+    private boolean passOn(int local) {
+        int id = local | table.mark;
+        return id != ignored && target.meet(table, id);
+    }
+
+    private boolean meetsInTree(LeafTable of, double[] box, int but) {
+        of.cursor.startBox(box[0], box[2], box[3], box[5]);
+        for (int local = of.cursor.next(); local >= 0; local = of.cursor.next()) {
+            int id = local | of.mark;
+            if (id != but && of.meets(id, box) && target.meet(of, id)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean meetsBesideTree(LeafTable of, double[] box, int but) {
+        OctTree.@Nullable Cursor stacked = of.spaceIndex.cursor();
+        if (stacked != null) {
+            keys.startBox(box);
+            stacked.start(of.bounds(), keys);
+            for (int local = stacked.next(0); local >= 0; local = stacked.next(0)) {
+                if ((local | of.mark) != but && target.meet(of, local | of.mark)) {
+                    return true;
+                }
+            }
+        }
+        for (int k = 0; k < of.moversBesideTree(); k++) {
+            int id = objects.mover(k);
+            if (id != but && of.meets(id, box) && target.meet(of, id)) {
+                return true;
+            }
+        }
+        return false;
+    }
+}

@@ -1,0 +1,358 @@
+package robosim.geometry.engine.broadphase;
+
+import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.engine.objects.Form;
+import robosim.geometry.engine.objects.LeafRanges;
+import robosim.geometry.engine.objects.ObjectTable;
+import robosim.geometry.exact.Attitude;
+import robosim.geometry.index.Growth;
+import robosim.geometry.index.QuadCursor;
+import robosim.geometry.index.QuadTree;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.narrow.Distance;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafColumn;
+import robosim.geometry.narrow.leaf.OwnLeaves;
+
+/**
+ * The objects of a world that are its own, or those that it shares with others, as they are seen at one accuracy: their
+ * leaves in one column, their bounds, and the trees over them.
+ *
+ * <p>Objects go by the ids of their world.
+ */
+public final class LeafTable {
+    final Accuracy accuracy;
+    final Dimension dimension;
+    final QuadTree tree;
+    final QuadCursor cursor;
+    final StaticSpaceIndex spaceIndex;
+
+    /** More than any place or size in the plane. */
+    final double extent;
+
+    /** Whether heights do not count, and objects are as they are. */
+    final boolean isFlat;
+
+    /** What ids in the world have beside the number of an object in the columns and trees here: see {@link ObjectTable#SHARED}. */
+    final int mark;
+
+    private LeafColumn leaves;
+    private final LeafRanges spans;
+
+    /** So few moveable objects are tried one by one just as fast; more of them are in the quadtree. */
+    private static final int FEW_MOVERS = 16;
+
+    private int movers;
+    private boolean hasMoversInTree;
+
+    /** The longest sum of three sides of bounds that were taken in. */
+    private double longest;
+
+    /** How to place a moveable object; null until it is first needed. */
+    private @Nullable Form[] forms = new Form[0];
+
+    /** What is known of each object beforehand: a sum of the bits below. */
+    private byte[] shapes;
+
+    /** It is moveable, and its leaves are convex and keep their shape as it moves. */
+    private static final byte CONVEX = 1;
+
+    /** There is one such leaf, about the object's centre. */
+    private static final byte SINGLE = 2;
+
+    /** It is a disc as seen from above. */
+    private static final byte DISC = 4;
+
+    /** It is moveable. */
+    private static final byte MOVER = 8;
+
+    private final ObjectTable objects;
+    private final LeafColumn incoming = new LeafColumn(1);
+    private final double[] box = new double[6];
+    private final double[] attitude = new double[Attitude.STRIDE];
+
+    LeafTable(ObjectTable objects, Accuracy accuracy, Dimension dimension, double width, double length) {
+        this.objects = objects;
+        mark = 0;
+        leaves = new LeafColumn(1);
+        leaves.reserveUpright(0);
+        spans = new LeafRanges();
+        shapes = new byte[Growth.FIRST];
+        this.accuracy = accuracy;
+        this.dimension = dimension;
+        tree = new QuadTree(-width / 2, -length / 2, width / 2, length / 2, this::trim);
+        cursor = tree.cursor();
+        spaceIndex = new StaticSpaceIndex(dimension == Dimension.SPATIAL);
+        extent = width + length;
+        isFlat = dimension == Dimension.PLANAR && accuracy == Accuracy.EXACT;
+    }
+
+    private LeafTable(LeafTable of) {
+        objects = of.objects;
+        accuracy = of.accuracy;
+        dimension = of.dimension;
+        extent = of.extent;
+        isFlat = of.isFlat;
+        mark = ObjectTable.SHARED;
+        tree = of.tree.view();
+        cursor = tree.cursor();
+        spaceIndex = of.spaceIndex.view();
+        leaves = of.leaves.view();
+        spans = of.spans;
+        shapes = of.shapes;
+        longest = of.longest;
+    }
+
+    /** Builds now what is otherwise built on demand. From now on nothing may change here, and many threads may ask views of it. */
+    void freeze() {
+        tree.freeze();
+        trim();
+    }
+
+    /** The same objects, of which none comes or goes any more, for one more thread to ask. */
+    LeafTable view() {
+        return new LeafTable(this);
+    }
+
+    /** Makes a column hold what stands here for an object that is not, or not yet, in the world. */
+    void placed(GeometryObject object, LeafColumn column) {
+        if (accuracy == Accuracy.EXACT) {
+            OwnLeaves.placed(object, column);
+            return;
+        }
+        Form form = new Form(object, accuracy);
+        column.clear();
+        column.append(form.size());
+        placeForm(form, object, column, 0);
+    }
+
+    private void placeForm(Form form, GeometryObject object, LeafColumn column, int firstLeaf) {
+        object.pose().attitude(attitude, 0);
+        Point c = object.center();
+        form.place(dimension, c.x(), c.y(), c.z(), attitude, 0, column, firstLeaf);
+    }
+
+    /** Takes an object in under an id that it has elsewhere; in a world of moveable and static ones. */
+    void add(int id, GeometryObject object) {
+        placed(object, incoming);
+        outline(incoming, box);
+        add(id, object, incoming, box);
+    }
+
+    /**
+     * Bounds of what stands for an object, which is all that a column holds; where they only pass over what cannot meet,
+     * quick ones.
+     */
+    void outline(LeafColumn column, double[] out) {
+        if (column.size() == 1 && accuracy == Accuracy.EXACT) {
+            column.roughBounds(0, out);
+        } else {
+            column.bounds(0, column.size(), out);
+        }
+    }
+
+    /** Takes an object in that has been placed, with the bounds of what stands for it. */
+    void add(int id, GeometryObject object, LeafColumn placed, double[] box) {
+        reserve(id);
+        int leaf = spans.claim(id, placed.size(), leaves, !object.isMoveable() && placed.fitsUpright());
+        leaves.copy(placed, leaf);
+        tree.keep(id, box);
+        longest = Math.max(longest, Distance.sides(box));
+        leaves.outline(id, box[0], box[2], box[3], box[5]);
+        shapes[id] = placed.size() == 1 && leaves.kind(leaf).isDisc() ? DISC : 0;
+        if (object.isMoveable()) {
+            shapes[id] = (byte) (shapes[id] | MOVER | shape(id, object));
+            movers++;
+            countMovers(id);
+        } else {
+            spaceIndex.add(id, tree);
+        }
+    }
+
+    private byte shape(int id, GeometryObject object) {
+        if (accuracy != Accuracy.EXACT) {
+            return 0;
+        }
+        return switch (object.kind()) {
+            case BOX, CYLINDER, SPHERE -> CONVEX | SINGLE;
+            case MESH -> 0;
+            case GROUP -> form(id).own.hasMesh() ? 0 : CONVEX;
+        };
+    }
+
+    /** Adds all moveable objects to the quadtree once there are more than a few. */
+    private void countMovers(int last) {
+        if (hasMoversInTree) {
+            list(last);
+        } else if (movers > FEW_MOVERS) {
+            hasMoversInTree = true;
+            for (int k = 0; k < objects.moverCount(); k++) {
+                int id = objects.mover(k);
+                if (id < shapes.length
+                        && (shapes[id] & MOVER) != 0) { // not all are here yet while a view is being made
+                    list(id);
+                }
+            }
+        }
+    }
+
+    private void list(int id) {
+        double[] b = bounds();
+        int at = 6 * id;
+        leaves.outline(id, b[at], b[at + 2], b[at + 3], b[at + 5]);
+        tree.list(id);
+    }
+
+    /** How many moveable objects are not in the quadtree: all of them or none. */
+    int moversBesideTree() {
+        return hasMoversInTree ? 0 : movers;
+    }
+
+    /** Gives up room that there is for more objects. */
+    private void trim() {
+        int limit = objects.limit();
+        if (Growth.isWasteful(limit, shapes.length)) {
+            shapes = Arrays.copyOf(shapes, limit);
+        }
+        leaves.trim();
+    }
+
+    private void reserve(int id) {
+        if (id >= shapes.length) {
+            shapes = Arrays.copyOf(shapes, Growth.of(id));
+        }
+    }
+
+    void remove(int id) {
+        if (!objects.isMoveable(id)) {
+            spaceIndex.remove(id, tree);
+        } else {
+            movers--;
+            tree.remove(id);
+        }
+        if (id < forms.length) {
+            forms[id] = null;
+        }
+        shapes[id] = 0;
+        leaves = spans.release(id, leaves);
+    }
+
+    /** Puts a moveable object where its place now says. */
+    void move(int id, double[] places, int at) {
+        form(id).place(dimension, places[at], places[at + 1], places[at + 2], places, at + 3, leaves, first(id));
+        measure(id);
+    }
+
+    /** Puts a moveable object where its place now says, with the attitude that it had. */
+    void shift(int id, double[] places, int at) {
+        if ((shapes[id] & SINGLE) == 0) {
+            move(id, places, at);
+            return;
+        }
+        // Its own centre is the origin, and no coordinate is -0.0: placed, it has the centre to the bit.
+        double[] rows = leaves.rows();
+        int row = first(id) * Leaf.STRIDE;
+        rows[row] = places[at];
+        rows[row + 1] = places[at + 1];
+        rows[row + 2] = places[at + 2];
+        measure(id);
+    }
+
+    private void measure(int id) {
+        if (count(id) != 1) {
+            leaves.bounds(first(id), count(id), box);
+            shapes[id] = (byte) (shapes[id] & ~DISC);
+        } else {
+            if (accuracy == Accuracy.EXACT) {
+                leaves.roughBounds(first(id), box);
+            } else {
+                leaves.bounds(first(id), box);
+            }
+            shapes[id] = (byte) (leaves.kind(first(id)).isDisc() ? shapes[id] | DISC : shapes[id] & ~DISC);
+        }
+        if (hasMoversInTree) {
+            leaves.outline(id, box[0], box[2], box[3], box[5]);
+            tree.move(id, box);
+        } else {
+            tree.keep(id, box);
+        }
+    }
+
+    /** Whether the leaves of a moveable object are convex and keep their shape as it moves. */
+    boolean keepsShape(int id) {
+        return (shapes[id] & CONVEX) != 0;
+    }
+
+    /** Whether an object is a disc as seen from above, where it is now. */
+    public boolean isDisc(int id) {
+        return (shapes[ObjectTable.local(id)] & DISC) != 0;
+    }
+
+    /** How to place a moveable object; made when it is first needed, as most only go straight on. */
+    Form form(int id) {
+        Form form = id < forms.length ? forms[id] : null;
+        if (form == null) {
+            if (id >= forms.length) {
+                forms = Arrays.copyOf(forms, shapes.length);
+            }
+            form = new Form(objects.value(id), accuracy);
+            forms[id] = form;
+        }
+        return form;
+    }
+
+    /** The leaves of all objects. */
+    public LeafColumn leaves() {
+        return leaves;
+    }
+
+    /** The first of an object's leaves. */
+    public int first(int id) {
+        return spans.first(ObjectTable.local(id));
+    }
+
+    /** How many leaves stand for an object. */
+    public int count(int id) {
+        return spans.count(ObjectTable.local(id));
+    }
+
+    /** Whether one leaf of half a row stands for an object: {@link #uprightLeaf}. */
+    public boolean isUpright(int id) {
+        return leaves.isUprightObject(ObjectTable.local(id));
+    }
+
+    /** The one leaf of an object that {@link #isUpright}. */
+    public int uprightLeaf(int id) {
+        return ObjectTable.local(id) | LeafColumn.UPRIGHT;
+    }
+
+    /** No object is wider to any side, however it turns: twice, as what stands for it may be wider than it is. */
+    double widest() {
+        return 2 * longest;
+    }
+
+    /** The bounds of all objects; an object's six numbers begin at {@link #boundsAt}. */
+    public double[] bounds() {
+        return tree.boxes();
+    }
+
+    /** Where an object's bounds begin. */
+    public int boundsAt(int id) {
+        return 6 * ObjectTable.local(id);
+    }
+
+    /** Whether an object's bounds meet a box of six numbers; heights count in SPATIAL only. */
+    public boolean meets(int id, double[] box) {
+        double[] bounds = tree.boxes();
+        int b = boundsAt(id);
+        return bounds[b] <= box[3]
+                && box[0] <= bounds[b + 3]
+                && bounds[b + 2] <= box[5]
+                && box[2] <= bounds[b + 5]
+                && (dimension == Dimension.PLANAR || (bounds[b + 1] <= box[4] && box[1] <= bounds[b + 4]));
+    }
+}

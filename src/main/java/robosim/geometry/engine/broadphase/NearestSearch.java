@@ -1,0 +1,77 @@
+package robosim.geometry.engine.broadphase;
+
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.engine.objects.ObjectTable;
+import robosim.geometry.index.QuadCursor;
+import robosim.geometry.index.boxes.OctTree;
+import robosim.geometry.index.boxes.SpaceKeys;
+import robosim.geometry.narrow.Distance;
+
+/** Shows a target the objects around a box, nearest first, and none farther than the target still looks. */
+public final class NearestSearch {
+    /** More than what a square may lose by underflow. */
+    private static final double UNDERFLOW = 0x1p-1000;
+
+    private final ObjectTable objects;
+    private final NearestTarget target;
+    private final SpaceKeys keys = new SpaceKeys();
+
+    public NearestSearch(ObjectTable objects, NearestTarget target) {
+        this.objects = objects;
+        this.target = target;
+    }
+
+    /**
+     * Searches a world.
+     *
+     * @param box the bounds of an object, six numbers
+     * @param limit how far the target looks before it has found anything
+     * @param ignored an object that is left out, as the one whose bounds these are
+     */
+    public void search(AccuracyView view, double[] box, double limit, int ignored) {
+        LeafTable shared = view.shared;
+        double reach = shared == null ? limit : searchTrees(shared, box, limit, ignored);
+        reach = searchTrees(view.own, box, reach, ignored);
+        for (int k = 0; k < view.own.moversBesideTree(); k++) {
+            if (objects.mover(k) != ignored) {
+                reach = target.meet(view.own, objects.mover(k), reach);
+            }
+        }
+    }
+
+    private double searchTrees(LeafTable table, double[] box, double limit, int ignored) {
+        double sizes = Distance.sides(box) + table.widest();
+        double x = box[0] / 2 + box[3] / 2;
+        double z = box[2] / 2 + box[5] / 2;
+        double hx = Math.max(box[3] - x, x - box[0]);
+        double hz = Math.max(box[5] - z, z - box[2]);
+        double radius = Math.sqrt(hx * hx + hz * hz + UNDERFLOW) * (1 + 0x1p-50);
+        double reach = limit;
+        QuadCursor cursor = table.cursor;
+        cursor.startPoint(x, z, Distance.reach(reach, sizes) + radius);
+        for (int local = cursor.next(Distance.reach(reach, sizes) + radius);
+                local >= 0;
+                local = cursor.next(Distance.reach(reach, sizes) + radius)) {
+            if ((local | table.mark) != ignored) {
+                reach = target.meet(table, local | table.mark, reach);
+            }
+        }
+        OctTree.@Nullable Cursor stacked = table.spaceIndex.cursor();
+        if (stacked == null) {
+            return reach;
+        }
+        double y = box[1] / 2 + box[4] / 2;
+        double hy = Math.max(box[4] - y, y - box[1]);
+        double around = Math.sqrt(hx * hx + hy * hy + hz * hz + UNDERFLOW) * (1 + 0x1p-50);
+        keys.startPoint(x, y, z);
+        stacked.start(table.bounds(), keys);
+        for (int local = stacked.next(Distance.reach(reach, sizes) + around);
+                local >= 0;
+                local = stacked.next(Distance.reach(reach, sizes) + around)) {
+            if ((local | table.mark) != ignored) {
+                reach = target.meet(table, local | table.mark, reach);
+            }
+        }
+        return reach;
+    }
+}
