@@ -47,9 +47,23 @@ final class RayCylinder {
     /** Turned: the axis is the own Y of the stored rotation. */
     static double distance(
             double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
-        double ax = b[j + 7];
-        double ay = b[j + 10];
-        double az = b[j + 13];
+        return about(ox, oy, oz, dx, dy, dz, b, j, b[j + 7], b[j + 10], b[j + 13], s);
+    }
+
+    /** About an axis that is given. */
+    static double about(
+            double ox,
+            double oy,
+            double oz,
+            double dx,
+            double dy,
+            double dz,
+            double[] b,
+            int j,
+            double ax,
+            double ay,
+            double az,
+            RayScratch s) {
         double mx = ox - b[j];
         double my = oy - b[j + 1];
         double mz = oz - b[j + 2];
@@ -76,7 +90,7 @@ final class RayCylinder {
                         ? 0
                         : in.face == SIDE
                                 ? side(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, in.enter, s)
-                                : cap(ox, oy, oz, dx, dy, dz, b, j, in.enter, s);
+                                : cap(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, in.enter, s);
         return distance >= 0 ? distance : exact(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az);
     }
 
@@ -229,11 +243,11 @@ final class RayCylinder {
             double dz,
             double[] b,
             int j,
+            double ax,
+            double ay,
+            double az,
             double t,
             RayScratch s) {
-        double ax = b[j + 7];
-        double ay = b[j + 10];
-        double az = b[j + 13];
         double slope = dx * ax + dy * ay + dz * az;
         double slopeSize = Math.abs(dx * ax) + Math.abs(dy * ay) + Math.abs(dz * az);
         double qx = RayBox.moved(ox, b[j], t, dx);

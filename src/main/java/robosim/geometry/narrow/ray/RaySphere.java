@@ -121,7 +121,11 @@ final class RaySphere {
         double extent = Math.max(VectorMath.largest(b[j], b[j + 1], b[j + 2]), b[j + 3]);
         ExactRay ray = new ExactRay(ox, oy, oz, dx, dy, dz, extent);
         ExactVector m = ray.point(b, j).minus(ray.start);
-        Dyadic outside = m.square().subtract(ray.length(b[j + 3]).square());
+        return distance(ray, m, m.square().subtract(ray.length(b[j + 3]).square()));
+    }
+
+    /** To a sphere whose centre is seen at m from the start of an exact ray, and the start is outside by this much in squares. */
+    static double distance(ExactRay ray, ExactVector m, Dyadic outside) {
         if (outside.signum() <= 0) {
             return 0;
         }

@@ -1,0 +1,319 @@
+package robosim.geometry.narrow.cone;
+
+import robosim.geometry.exact.DoubleDoubles;
+import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.VectorMath;
+
+/**
+ * The least distance from a cone's apex, outside a capsule, to the capsule inside the cone, as a lower bound.
+ *
+ * <p>The places of the segment about which a ball reaches into the part of the cone up to some distance are an interval, as
+ * that part is convex. So the distance of the ball about a place, as for {@link ConeSphere}, falls to its least and rises again
+ * along the segment, and is found by golden section in doubles.
+ *
+ * <p>What is answered is certified by a plane, in pairs of doubles. For a direction n, no point of the capsule lies before
+ * {@code min n.x - r |n|} over the segment, and no point of the cone at distance s lies beyond {@code s k(n)}, where k(n) is
+ * the greatest n.y of all unit vectors y in the cone: so nothing is nearer than the one over the other. With n from the
+ * nearest point to the place on the segment, and square to the segment where that is between its ends, the bound is off by
+ * the square of what n is off by.
+ */
+final class ConeCapsule {
+    /** Steps of the golden section; each leaves 0.618 of the interval, so that after them it is 2^-52 of the segment. */
+    private static final int STEPS = 75;
+
+    private static final double GOLDEN = 0.6180339887498949;
+
+    /** Bracket that is wanted, as a share of the distance; a wider one is looked at again in pairs of doubles. */
+    private static final double TIGHT = 0x1p-41;
+
+    /** What a numerator is off by in pairs of doubles, as a share of its terms: some ten steps of 2^-102 to 2^-100. */
+    private static final double PAIRS_ERROR = 0x1p-92;
+
+    private static final Stages.Counter REFINED = Stages.counter("ConeCapsule.refined");
+
+    private static final int M = Cone.FREE;
+    private static final int A = M + 3;
+    private static final int X = A + 3;
+    private static final int G = X + 3;
+    private static final int N = G + 3;
+    private static final int CROSS = N + 3;
+    private static final int AHEAD = CROSS + 3;
+    private static final int ASIDE = AHEAD + 1;
+    private static final int ALONG = ASIDE + 1;
+    private static final int PAST = ALONG + 1;
+    private static final int SHARE = PAST + 1;
+    private static final int SUM = SHARE + 1;
+    private static final int TEMPORARY = SUM + 1; // and the next two
+
+    private Cone cone = new Cone();
+
+    // The segment in doubles: its middle seen from the apex, and from there to an end.
+    private double mx;
+    private double my;
+    private double mz;
+    private double hx;
+    private double hy;
+    private double hz;
+    private double half;
+    private double r;
+
+    /** Farther than all of the capsule. */
+    private double far;
+
+    private double upper;
+
+    /** At least what {@link #distance} answered is below the true distance: the distance of a point that is met. */
+    double upper() {
+        return upper;
+    }
+
+    /** The distance, at most the true one; +Infinity where the capsule is proved to be outside the cone. */
+    double distance(Cone in, double[] b, int j, double ax, double ay, double az) {
+        take(in, b, j, ax, ay, az);
+        double t = search(-1, 1);
+        double lower = certify(t, 0);
+        if (upper - lower > TIGHT * upper) {
+            REFINED.count();
+            // The place is known to some 2^-26 at least, as far as doubles see; pairs see on from there.
+            double around = 0x1p-22;
+            double from = Math.max(-1 - t, -around);
+            double to = Math.min(1 - t, around);
+            double rest = refine(t, from, to);
+            lower = Math.max(lower, certify(t, rest));
+        }
+        return lower > far ? Double.POSITIVE_INFINITY : lower;
+    }
+
+    private void take(Cone in, double[] b, int j, double ax, double ay, double az) {
+        cone = in;
+        DoubleDoubles p = cone.pairs;
+        p.difference(M, b[j], cone.ox);
+        p.difference(M + 1, b[j + 1], cone.oy);
+        p.difference(M + 2, b[j + 2], cone.oz);
+        p.set(A, ax);
+        p.set(A + 1, ay);
+        p.set(A + 2, az);
+        r = b[j + 3];
+        half = b[j + 4];
+        mx = p.get(M);
+        my = p.get(M + 1);
+        mz = p.get(M + 2);
+        hx = half * ax;
+        hy = half * ay;
+        hz = half * az;
+        far = 2 * (VectorMath.length(mx, my, mz) + VectorMath.length(hx, hy, hz) + r);
+    }
+
+    /** The place on the segment, from -1 to 1, about which a ball is nearest. */
+    private double search(double from, double to) {
+        double low = from;
+        double high = to;
+        double first = high - GOLDEN * (high - low);
+        double second = low + GOLDEN * (high - low);
+        double atFirst = about(first);
+        double atSecond = about(second);
+        for (int step = 0; step < STEPS; step++) {
+            if (atFirst <= atSecond) {
+                high = second;
+                second = first;
+                atSecond = atFirst;
+                first = high - GOLDEN * (high - low);
+                atFirst = about(first);
+            } else {
+                low = first;
+                first = second;
+                atFirst = atSecond;
+                second = low + GOLDEN * (high - low);
+                atSecond = about(second);
+            }
+        }
+        double best = atFirst <= atSecond ? first : second;
+        double least = Math.min(atFirst, atSecond);
+        // Where it is least at an end, what is square to the segment would not be the plane.
+        if (about(-1) <= least) {
+            return -1;
+        }
+        return about(1) <= least ? 1 : best;
+    }
+
+    /** The distance of the ball about a place; more than any of these where it is outside the cone, the farther the more. */
+    private double about(double t) {
+        double x = mx + t * hx;
+        double y = my + t * hy;
+        double z = mz + t * hz;
+        double ahead = x * cone.ux + y * cone.uy + z * cone.uz;
+        double aside = VectorMath.length(
+                y * cone.uz - z * cone.uy, z * cone.ux - x * cone.uz, x * cone.uy - y * cone.ux);
+        double past = aside * cone.cos - ahead * cone.sin;
+        double length = VectorMath.length(x, y, z);
+        if (past <= 0) {
+            return length - r;
+        }
+        double along = ahead * cone.cos + aside * cone.sin;
+        double gap = along < 0 ? length : past;
+        return gap > r ? far + gap : along - Math.sqrt((r - past) * (r + past));
+    }
+
+    /** The same near a place in pairs of doubles. */
+    private double refine(double t, double from, double to) {
+        double low = from;
+        double high = to;
+        double first = high - GOLDEN * (high - low);
+        double second = low + GOLDEN * (high - low);
+        place(t, first);
+        int order = 0;
+        for (int step = 0; step < STEPS; step++) {
+            order = compare(t, first, second);
+            if (order <= 0) {
+                high = second;
+                second = first;
+                first = high - GOLDEN * (high - low);
+            } else {
+                low = first;
+                first = second;
+                second = low + GOLDEN * (high - low);
+            }
+        }
+        return order <= 0 ? first : second;
+    }
+
+    private int compare(double t, double first, double second) {
+        DoubleDoubles p = cone.pairs;
+        boolean isFirstMet = place(t, first);
+        double one = p.get(ALONG);
+        double oneRest = p.rest(ALONG);
+        boolean isSecondMet = place(t, second);
+        if (isFirstMet != isSecondMet) {
+            return isFirstMet ? -1 : 1;
+        }
+        double difference = (one - p.get(ALONG)) + (oneRest - p.rest(ALONG));
+        return difference < 0 ? -1 : 1;
+    }
+
+    /**
+     * Takes the place {@code t + rest} in pairs: X, AHEAD, ASIDE, PAST; and in ALONG the distance of the ball about it, or how
+     * far it is outside the cone. Answers whether the ball reaches into the cone.
+     */
+    private boolean place(double t, double rest) {
+        DoubleDoubles p = cone.pairs;
+        p.difference(SHARE, t, -rest);
+        p.multiply(SHARE, SHARE, half);
+        p.advance(X, M, SHARE, A, TEMPORARY);
+        p.dot(AHEAD, X, Cone.AXIS, TEMPORARY);
+        p.cross(CROSS, X, Cone.AXIS, TEMPORARY);
+        p.dot(ASIDE, CROSS, CROSS, TEMPORARY);
+        p.root(ASIDE, ASIDE);
+        p.multiply(PAST, ASIDE, Cone.COS);
+        p.multiply(TEMPORARY, AHEAD, Cone.SIN);
+        p.subtract(PAST, PAST, TEMPORARY);
+        p.set(SUM, r);
+        if (p.get(PAST) <= 0) {
+            p.dot(ALONG, X, X, TEMPORARY);
+            p.root(ALONG, ALONG);
+            p.subtract(ALONG, ALONG, SUM);
+            return true;
+        }
+        p.subtract(TEMPORARY, SUM, PAST);
+        if (p.get(TEMPORARY) < 0) {
+            p.set(ALONG, p.get(PAST), p.rest(PAST));
+            return false;
+        }
+        p.add(TEMPORARY + 1, SUM, PAST);
+        p.multiply(SHARE, TEMPORARY, TEMPORARY + 1);
+        p.root(SHARE, SHARE); // how far before the foot on the border the ball begins
+        p.multiply(ALONG, AHEAD, Cone.COS);
+        p.multiply(TEMPORARY, ASIDE, Cone.SIN);
+        p.add(ALONG, ALONG, TEMPORARY);
+        p.subtract(ALONG, ALONG, SHARE);
+        return true;
+    }
+
+    /** The lower bound by the plane that the place {@code t + rest} suggests; the distance there becomes {@link #upper}. */
+    private double certify(double t, double rest) {
+        DoubleDoubles p = cone.pairs;
+        boolean isMet = place(t, rest);
+        boolean isWithin = p.get(PAST) <= 0;
+        upper = isMet ? Math.max(0, p.get(ALONG)) : Double.POSITIVE_INFINITY;
+        if (isWithin) {
+            copy(N, X);
+        } else {
+            // In the plane of X and the axis: e is square to the axis, and n = s (cos u + sin e) + past (cos e - sin u).
+            if (!isMet) {
+                p.set(SHARE, 0);
+            }
+            p.multiply(G, SHARE, Cone.COS);
+            p.multiply(TEMPORARY, PAST, Cone.SIN);
+            p.subtract(G, G, TEMPORARY);
+            p.multiply(G + 1, SHARE, Cone.SIN);
+            p.multiply(TEMPORARY, PAST, Cone.COS);
+            p.add(G + 1, G + 1, TEMPORARY);
+            p.divide(G + 1, G + 1, ASIDE); // e = (x - ahead u) / aside
+            p.multiply(TEMPORARY, AHEAD, G + 1);
+            p.subtract(G, G, TEMPORARY);
+            for (int k = 0; k < 3; k++) {
+                p.multiply(N + k, X + k, G + 1);
+                p.multiply(TEMPORARY, Cone.AXIS + k, G);
+                p.add(N + k, N + k, TEMPORARY);
+            }
+        }
+        boolean isBetween = Math.abs(t + rest) < 1 && half > 0;
+        if (isBetween) {
+            p.dot(SUM, N, A, TEMPORARY);
+            p.dot(SHARE, A, A, TEMPORARY);
+            p.divide(SUM, SUM, SHARE);
+            p.negate(SUM);
+            p.advance(N, N, SUM, A, TEMPORARY);
+        }
+        return bound();
+    }
+
+    private void copy(int to, int from) {
+        DoubleDoubles p = cone.pairs;
+        for (int k = 0; k < 3; k++) {
+            p.set(to + k, p.get(from + k), p.rest(from + k));
+        }
+    }
+
+    /** {@code (min n.x - r |n|) / k(n)}, less what it may be off by; 0 where the plane tells nothing, more than far where all. */
+    private double bound() {
+        DoubleDoubles p = cone.pairs;
+        p.dot(SHARE, N, N, TEMPORARY);
+        p.root(SHARE, SHARE);
+        double length = p.get(SHARE);
+        p.dot(AHEAD, N, Cone.AXIS, TEMPORARY);
+        p.cross(CROSS, N, Cone.AXIS, TEMPORARY);
+        p.dot(ASIDE, CROSS, CROSS, TEMPORARY);
+        p.root(ASIDE, ASIDE);
+        p.multiply(PAST, ASIDE, Cone.COS);
+        p.multiply(TEMPORARY, AHEAD, Cone.SIN);
+        p.subtract(PAST, PAST, TEMPORARY);
+        // k(n): all of n where that is within the cone, else its part along the border's direction nearest to it.
+        if (p.get(PAST) <= 0) {
+            p.set(PAST, length, p.rest(SHARE));
+        } else {
+            p.multiply(PAST, AHEAD, Cone.COS);
+            p.multiply(TEMPORARY, ASIDE, Cone.SIN);
+            p.add(PAST, PAST, TEMPORARY);
+        }
+        p.dot(SUM, N, M, TEMPORARY);
+        p.dot(G, N, A, TEMPORARY);
+        p.multiply(G, G, half);
+        if (p.get(G) < 0) {
+            p.negate(G);
+        }
+        p.subtract(SUM, SUM, G);
+        p.multiply(SHARE, SHARE, r);
+        p.subtract(SUM, SUM, SHARE);
+        double least = p.get(SUM) - PAIRS_ERROR * length * far;
+        double most = p.get(PAST) + PAIRS_ERROR * length;
+        if (!(least > 0) || !(length > 0)) {
+            return 0;
+        }
+        if (!(most > 0) || least > most * far) {
+            return 2 * far;
+        }
+        p.divide(SUM, SUM, PAST);
+        double error = p.get(SUM) * PAIRS_ERROR * (length / most) + PAIRS_ERROR * far * (length / most);
+        return Math.max(0, Math.nextDown((p.get(SUM) - error) * (1 - 0x1p-52)));
+    }
+}

@@ -1,0 +1,255 @@
+package robosim.geometry.narrow.ray;
+
+import static robosim.geometry.exact.VectorMath.UNDERFLOW;
+
+import robosim.geometry.exact.DoubleDoubles;
+import robosim.geometry.exact.Dyadic;
+import robosim.geometry.exact.ExactVector;
+import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.VectorMath;
+
+/**
+ * A ray against a solid capsule: the nearest of the cylinder about its segment and the spheres about the segment's ends. Exact
+ * verdict.
+ *
+ * <p>The ends {@code c + h a} are no doubles: they are seen from the ray's start in doubles with a bound, then in pairs of
+ * doubles, then in exact numbers.
+ */
+final class RayCapsule {
+    private static final double U = Filter.bound(VectorMath.U);
+
+    /** What a sum of products in pairs of doubles is off by, as a share of its terms; some ten steps of 2^-102 to 2^-100. */
+    private static final double PAIRS_ERROR = Filter.bound(0x1p-94);
+
+    /** The ball around all of a capsule is taken larger by this share, for its own rounding and that of the test. */
+    private static final double AROUND = 1 + 0x1p-40;
+
+    private static final Stages.Counter PAIRS = Stages.counter("RayCapsule.pairs");
+    private static final Stages.Counter EXACT = Stages.counter("RayCapsule");
+
+    private static final int PLACE = 0;
+    private static final int WAY = 3;
+    private static final int CROSS = 6;
+    private static final int OUTSIDE = 9;
+    private static final int AHEAD = 10;
+    private static final int CHORD = 11;
+    private static final int SQUARE = 12;
+    private static final int TEMPORARY = 13; // and the next
+
+    private final DoubleDoubles p = new DoubleDoubles(16);
+
+    /** The segment's axis (ax, ay, az) counts with its own length. */
+    double distance(
+            double ox,
+            double oy,
+            double oz,
+            double dx,
+            double dy,
+            double dz,
+            double[] b,
+            int j,
+            double ax,
+            double ay,
+            double az,
+            RayScratch s) {
+        if (missesAround(b[j] - ox, b[j + 1] - oy, b[j + 2] - oz, dx, dy, dz, b[j + 3], b[j + 4], ax, ay, az)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double side = RayCylinder.about(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, s);
+        if (side == 0) {
+            return 0;
+        }
+        double end = end(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, b[j + 4], side);
+        if (end == 0) {
+            return 0;
+        }
+        double nearest = Math.min(side, end);
+        return Math.min(nearest, end(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, -b[j + 4], nearest));
+    }
+
+    /** Whether a ray certainly misses the ball around a capsule, whose centre it sees at m. */
+    private static boolean missesAround(
+            double mx,
+            double my,
+            double mz,
+            double dx,
+            double dy,
+            double dz,
+            double radius,
+            double half,
+            double ax,
+            double ay,
+            double az) {
+        double reach = (half * (Math.abs(ax) + Math.abs(ay) + Math.abs(az)) + radius) * AROUND;
+        double mm = mx * mx + my * my + mz * mz;
+        if (!(mm > reach * reach * AROUND + UNDERFLOW)) {
+            return false;
+        }
+        double ahead = mx * dx + my * dy + mz * dz;
+        double wx = my * dz - mz * dy;
+        double wy = mz * dx - mx * dz;
+        double wz = mx * dy - my * dx;
+        double dd = dx * dx + dy * dy + dz * dz;
+        // The cross product is off by some roundings of m d, so its square by twice as much of m d times itself.
+        return (ahead < 0 && ahead * ahead > 0x1p-80 * mm * dd)
+                || wx * wx + wy * wy + wz * wz > reach * reach * dd * AROUND + 0x1p-40 * mm * dd + UNDERFLOW;
+    }
+
+    /**
+     * The sphere about one end of the segment.
+     *
+     * @param along   from the centre to the end, signed, in lengths of the axis
+     * @param nearest what is farther than this does not matter
+     */
+    private double end(
+            double ox,
+            double oy,
+            double oz,
+            double dx,
+            double dy,
+            double dz,
+            double[] b,
+            int j,
+            double ax,
+            double ay,
+            double az,
+            double along,
+            double nearest) {
+        double mx = b[j] - ox + along * ax;
+        double my = b[j + 1] - oy + along * ay;
+        double mz = b[j + 2] - oz + along * az;
+        double r = b[j + 3];
+        // A coordinate: offset 1u, product 1u, sum 1u of the magnitudes; all of them together, as a length.
+        double off = 3 * U
+                * (Math.abs(b[j] - ox)
+                        + Math.abs(b[j + 1] - oy)
+                        + Math.abs(b[j + 2] - oz)
+                        + Math.abs(along) * (Math.abs(ax) + Math.abs(ay) + Math.abs(az)));
+        double mm = mx * mx + my * my + mz * mz;
+        double m = Math.sqrt(mm) + off;
+        double outside = mm - r * r;
+        double outsideError = off * (2 * m + off) + 5 * U * (mm + r * r) + UNDERFLOW;
+        if (outside < -outsideError) {
+            return 0;
+        }
+        boolean isOutside = outside > outsideError;
+        double dd = dx * dx + dy * dy + dz * dz;
+        double d = Math.sqrt(dd);
+        double ahead = mx * dx + my * dy + mz * dz;
+        double aheadError = (off + 4 * U * m) * d + UNDERFLOW;
+        if (isOutside && ahead < -aheadError) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double wx = my * dz - mz * dy;
+        double wy = mz * dx - mx * dz;
+        double wz = mx * dy - my * dx;
+        double ww = wx * wx + wy * wy + wz * wz;
+        double chord = r * r * dd - ww;
+        double crossError = (off + 4 * U * m) * d;
+        double chordError =
+                crossError * (2 * Math.sqrt(ww) + crossError) + 7 * U * (r * r * dd + ww) + UNDERFLOW;
+        if (isOutside && chord < -chordError) {
+            return Double.POSITIVE_INFINITY;
+        }
+        if (isOutside && ahead > aheadError && nearest < Double.POSITIVE_INFINITY) {
+            // The entry is no nearer than this.
+            double first = ahead - aheadError - Math.sqrt(Math.max(0, chord + chordError));
+            if (first * (1 - 8 * U) > nearest * d) {
+                return Double.POSITIVE_INFINITY;
+            }
+        }
+        double distance = isOutside ? inPairs(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, along, m, d) : -1;
+        return distance >= 0 ? distance : exact(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, along);
+    }
+
+    /** The same in pairs of doubles, for a start outside; below 0 where they do not tell. */
+    private double inPairs(
+            double ox,
+            double oy,
+            double oz,
+            double dx,
+            double dy,
+            double dz,
+            double[] b,
+            int j,
+            double ax,
+            double ay,
+            double az,
+            double along,
+            double m,
+            double d) {
+        PAIRS.count();
+        double r = b[j + 3];
+        end(PLACE, b[j], ox, along, ax);
+        end(PLACE + 1, b[j + 1], oy, along, ay);
+        end(PLACE + 2, b[j + 2], oz, along, az);
+        p.set(WAY, dx);
+        p.set(WAY + 1, dy);
+        p.set(WAY + 2, dz);
+        p.product(SQUARE, r, r);
+        p.dot(OUTSIDE, PLACE, PLACE, TEMPORARY);
+        p.subtract(OUTSIDE, OUTSIDE, SQUARE);
+        p.dot(AHEAD, PLACE, WAY, TEMPORARY);
+        p.cross(CROSS, PLACE, WAY, TEMPORARY);
+        p.dot(CHORD, CROSS, CROSS, TEMPORARY);
+        p.dot(TEMPORARY, WAY, WAY, TEMPORARY + 1);
+        p.multiply(SQUARE, SQUARE, TEMPORARY);
+        p.subtract(CHORD, SQUARE, CHORD);
+        double largest = VectorMath.largest(ox, oy, oz)
+                + VectorMath.largest(b[j], b[j + 1], b[j + 2])
+                + Math.abs(along) * VectorMath.largest(ax, ay, az);
+        double size = m + r + largest;
+        double outsideError = PAIRS_ERROR * size * size;
+        double aheadError = PAIRS_ERROR * size * d;
+        double chordError = PAIRS_ERROR * size * size * d * d;
+        double outside = p.get(OUTSIDE);
+        double ahead = p.get(AHEAD);
+        double chord = p.get(CHORD);
+        if (!(outside > outsideError && Math.abs(ahead) > aheadError && Math.abs(chord) > chordError)
+                || outsideError < 0x1p-900
+                || chordError < 0x1p-900) {
+            return -1;
+        }
+        if (ahead < 0 || chord < 0) {
+            return Double.POSITIVE_INFINITY;
+        }
+        p.root(CHORD, CHORD);
+        double root = p.get(CHORD);
+        p.add(AHEAD, AHEAD, CHORD);
+        p.divide(OUTSIDE, OUTSIDE, AHEAD);
+        double t = p.get(OUTSIDE);
+        double distance = VectorMath.along(t, p.rest(OUTSIDE), dx, dy, dz);
+        double share =
+                outsideError / outside + (aheadError + chordError / root) / (ahead + root) + 4 * PAIRS_ERROR;
+        return VectorMath.isFine(share * distance, distance, Math.max(largest, r)) ? distance : -1;
+    }
+
+    private void end(int i, double centre, double start, double along, double axis) {
+        p.difference(i, centre, start);
+        p.product(TEMPORARY, along, axis);
+        p.add(i, i, TEMPORARY);
+    }
+
+    private static double exact(
+            double ox,
+            double oy,
+            double oz,
+            double dx,
+            double dy,
+            double dz,
+            double[] b,
+            int j,
+            double ax,
+            double ay,
+            double az,
+            double along) {
+        EXACT.count();
+        double extent = Math.max(VectorMath.largest(b[j], b[j + 1], b[j + 2]), Math.max(b[j + 3], b[j + 4]));
+        ExactRay ray = new ExactRay(ox, oy, oz, dx, dy, dz, extent);
+        ExactVector end = ray.point(b, j).plus(ExactVector.of(ax, ay, az).times(ray.length(along)));
+        ExactVector m = end.minus(ray.start);
+        Dyadic outside = m.square().subtract(ray.length(b[j + 3]).square());
+        return RaySphere.distance(ray, m, outside);
+    }
+}

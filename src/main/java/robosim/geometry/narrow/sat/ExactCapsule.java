@@ -1,0 +1,125 @@
+package robosim.geometry.narrow.sat;
+
+import robosim.geometry.exact.Dyadic;
+import robosim.geometry.exact.ExactVector;
+import robosim.geometry.narrow.leaf.Leaf;
+import robosim.geometry.narrow.leaf.LeafKind;
+
+/**
+ * A capsule, or a sphere, which is one of no length, against others of the kind, boxes and triangles with exact numbers: the
+ * squared distance from its segment is compared with that of its radius, and no root is taken. Slow.
+ */
+public final class ExactCapsule {
+    private final ExactVector centre;
+
+    /** From the centre to an end of the segment. */
+    private final ExactVector half;
+
+    private final Dyadic radius;
+
+    public ExactCapsule(LeafKind kind, double[] row, int at) {
+        centre = ExactVector.at(row, at);
+        radius = Dyadic.of(row[at + Leaf.SIZE]);
+        half = switch (kind) {
+            case SPHERE -> ExactVector.of(0, 0, 0);
+            case UPRIGHT_CAPSULE -> ExactVector.of(0, row[at + Leaf.SIZE + 1], 0);
+            case CAPSULE ->
+                ExactVector.column(row, at + Leaf.ROTATION + 1).times(Dyadic.of(row[at + Leaf.SIZE + 1]));
+            case UPRIGHT_BOX, BOX, UPRIGHT_CYLINDER, CYLINDER, TRIANGLE, PRISM, MESH, SOLID_MESH ->
+                throw new IllegalArgumentException("kind must be a capsule or a sphere (got: " + kind + ")");
+        };
+    }
+
+    private ExactVector from() {
+        return centre.minus(half);
+    }
+
+    private ExactVector along() {
+        return half.scale(1);
+    }
+
+    /** Whether it touches or overlaps another one. */
+    public boolean touches(ExactCapsule other) {
+        return areNear(
+                from(), along(), other.from(), other.along(), radius.add(other.radius).square());
+    }
+
+    /**
+     * Whether it touches or overlaps a box or a triangle: an end of the segment is inside, or no farther than the radius from
+     * a side, or the segment is no farther than that from an edge, or goes through a side.
+     */
+    public boolean touchesPolytope(ExactPolytope polytope) {
+        ExactVector from = from();
+        ExactVector to = centre.plus(half);
+        if (polytope.contains(from) || polytope.contains(to)) {
+            return true;
+        }
+        Dyadic square = radius.square();
+        for (ExactPolytope.Edge edge : polytope.outline()) {
+            if (areNear(from, along(), edge.from(), edge.along(), square)) {
+                return true;
+            }
+        }
+        for (ExactPolytope.Side side : polytope.sides()) {
+            Dyadic one = from.minus(side.corner()).dot(side.normal());
+            Dyadic two = to.minus(side.corner()).dot(side.normal());
+            Dyadic reach = square.multiply(side.normal().square());
+            if (isAbove(side, from, one, reach) || isAbove(side, to, two, reach) || crosses(side, from, one, to, two)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private static boolean isAbove(ExactPolytope.Side side, ExactVector end, Dyadic height, Dyadic reach) {
+        return height.square().compareTo(reach) <= 0 && side.coversFootOf(end, Dyadic.ONE);
+    }
+
+    /** Whether a segment whose ends are at two heights, times the length of the normal, goes through a side. */
+    private static boolean crosses(
+            ExactPolytope.Side side, ExactVector from, Dyadic one, ExactVector to, Dyadic two) {
+        if (one.signum() * two.signum() >= 0) {
+            return false; // an end in the plane has been asked
+        }
+        Dyadic whole = two.subtract(one);
+        ExactVector place = from.times(two).minus(to.times(one));
+        return whole.signum() > 0
+                ? side.coversFootOf(place, whole)
+                : side.coversFootOf(place.negate(), whole.negate());
+    }
+
+    /** Whether two segments, each from a point along a vector, are no farther apart than the root of a square. */
+    private static boolean areNear(ExactVector p, ExactVector u, ExactVector q, ExactVector v, Dyadic square) {
+        if (isNear(p, q, v, square)
+                || isNear(p.plus(u), q, v, square)
+                || isNear(q, p, u, square)
+                || isNear(q.plus(v), p, u, square)) {
+            return true;
+        }
+        ExactVector normal = u.cross(v);
+        Dyadic length = normal.square();
+        ExactVector w = q.minus(p);
+        Dyadic alongU = w.cross(v).dot(normal);
+        Dyadic alongV = w.cross(u).dot(normal);
+        // Strictly between all ends, which have been asked; segments that are parallel have nothing there.
+        return isBetween(alongU, length)
+                && isBetween(alongV, length)
+                && w.dot(normal).square().compareTo(square.multiply(length)) <= 0;
+    }
+
+    private static boolean isBetween(Dyadic value, Dyadic most) {
+        return value.signum() > 0 && value.compareTo(most) < 0;
+    }
+
+    /** Whether a point is no farther from a segment than the root of a square. */
+    private static boolean isNear(ExactVector point, ExactVector from, ExactVector along, Dyadic square) {
+        ExactVector w = point.minus(from);
+        if (w.square().compareTo(square) <= 0 || w.minus(along).square().compareTo(square) <= 0) {
+            return true;
+        }
+        Dyadic ahead = w.dot(along);
+        Dyadic length = along.square();
+        return isBetween(ahead, length)
+                && w.square().multiply(length).subtract(ahead.square()).compareTo(square.multiply(length)) <= 0;
+    }
+}
