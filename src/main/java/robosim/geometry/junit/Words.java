@@ -111,23 +111,26 @@ final class Words {
 
     /** About how large an object is. */
     private static double size(GeometryObject object) {
-        if (object instanceof BoxObject box) {
-            return Math.max(Math.max(box.width(), box.height()), box.length());
-        }
-        if (object instanceof CylinderObject cylinder) {
-            return Math.max(cylinder.radius(), cylinder.height());
-        }
-        if (object instanceof SphereObject sphere) {
-            return sphere.radius();
-        }
-        if (object instanceof ObjectGroup group) {
-            return group.members().stream()
-                    .mapToDouble(member -> Math.max(size(member), largest(member.center())))
-                    .max()
-                    .orElse(0);
-        }
-        return ((MeshObject) object)
-                .vertices().stream().mapToDouble(Words::largest).max().orElse(0);
+        return switch (object.kind()) {
+            case BOX -> {
+                BoxObject box = (BoxObject) object;
+                yield Math.max(Math.max(box.width(), box.height()), box.length());
+            }
+            case CYLINDER -> {
+                CylinderObject cylinder = (CylinderObject) object;
+                yield Math.max(cylinder.radius(), cylinder.height());
+            }
+            case SPHERE -> ((SphereObject) object).radius();
+            case MESH ->
+                ((MeshObject) object)
+                        .vertices().stream().mapToDouble(Words::largest).max().orElse(0);
+            case GROUP ->
+                ((ObjectGroup) object)
+                        .members().stream()
+                                .mapToDouble(member -> Math.max(size(member), largest(member.center())))
+                                .max()
+                                .orElse(0);
+        };
     }
 
     private static double largest(Point point) {

@@ -14,9 +14,7 @@ final class Enclosing {
     static void check(GeometryObject volume, GeometryObject object) {
         switch (volume.kind()) {
             case BOX, CYLINDER, SPHERE -> {}
-            case MESH, GROUP ->
-                throw new IllegalArgumentException(
-                        "boundingVolume must be a box, a cylinder or a sphere (got: " + volume + ")");
+            case MESH, GROUP -> throw notAVolume(volume);
         }
         double[] frame = identity();
         double[] origin = new double[3];
@@ -27,6 +25,11 @@ final class Enclosing {
         } else if (object instanceof MeshObject mesh) {
             checkMesh(volume, mesh.triangles(), frame, origin);
         }
+    }
+
+    private static IllegalArgumentException notAVolume(GeometryObject volume) {
+        return new IllegalArgumentException(
+                "boundingVolume must be a box, a cylinder or a sphere (got: " + volume + ")");
     }
 
     /** The object stands at its pose in a frame, which has a rotation and an origin in the frame of the volume. */
@@ -87,22 +90,28 @@ final class Enclosing {
                     1, Math.abs(axes[k] * rotation[1] + axes[k + 3] * rotation[4] + axes[k + 6] * rotation[7]));
             reach[k] = halfHeight < 0 ? radius : halfHeight * c + radius * Math.sqrt((1 - c) * (1 + c));
         }
-        boolean inside;
-        if (volume instanceof BoxObject box) {
-            inside = along[0] + reach[0] <= box.width() / 2
-                    && along[1] + reach[1] <= box.height() / 2
-                    && along[2] + reach[2] <= box.length() / 2;
-        } else if (volume instanceof CylinderObject cylinder) {
-            double across = reach[0] == radius && reach[2] == radius
-                    ? StrictMath.hypot(along[0], along[2]) + radius
-                    : StrictMath.hypot(along[0] + reach[0], along[2] + reach[2]);
-            inside = across <= cylinder.radius() && along[1] + reach[1] <= cylinder.height() / 2;
-        } else {
-            double far = halfHeight > 0 || (halfHeight == 0 && radius > 0)
-                    ? rim(dx, dy, dz, radius, halfHeight, rotation)
-                    : Math.sqrt(dx * dx + dy * dy + dz * dz) + radius;
-            inside = far <= ((SphereObject) volume).radius();
-        }
+        boolean inside = switch (volume.kind()) {
+            case BOX -> {
+                BoxObject box = (BoxObject) volume;
+                yield along[0] + reach[0] <= box.width() / 2
+                        && along[1] + reach[1] <= box.height() / 2
+                        && along[2] + reach[2] <= box.length() / 2;
+            }
+            case CYLINDER -> {
+                CylinderObject cylinder = (CylinderObject) volume;
+                double across = reach[0] == radius && reach[2] == radius
+                        ? StrictMath.hypot(along[0], along[2]) + radius
+                        : StrictMath.hypot(along[0] + reach[0], along[2] + reach[2]);
+                yield across <= cylinder.radius() && along[1] + reach[1] <= cylinder.height() / 2;
+            }
+            case SPHERE -> {
+                double far = halfHeight > 0 || (halfHeight == 0 && radius > 0)
+                        ? rim(dx, dy, dz, radius, halfHeight, rotation)
+                        : Math.sqrt(dx * dx + dy * dy + dz * dz) + radius;
+                yield far <= ((SphereObject) volume).radius();
+            }
+            case MESH, GROUP -> throw notAVolume(volume);
+        };
         if (!inside) {
             throw new IllegalArgumentException("boundingVolume must enclose its object, else collisions would be lost;"
                     + " make it larger or leave it out (got: " + volume + ", which does not hold " + part + ")");

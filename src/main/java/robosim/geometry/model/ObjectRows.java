@@ -97,9 +97,18 @@ public record ObjectRows(
     }
 
     private static Shape shape(GeometryObject object) {
-        return object instanceof MeshObject mesh
-                ? new Shape(mesh.triangles(), mesh.isSolid(), mesh.boundingVolume())
-                : new Shape(((ObjectGroup) object).members(), false, ((ObjectGroup) object).boundingVolume());
+        return switch (object.kind()) {
+            case MESH -> {
+                MeshObject mesh = (MeshObject) object;
+                yield new Shape(mesh.triangles(), mesh.isSolid(), mesh.boundingVolume());
+            }
+            case GROUP -> {
+                ObjectGroup group = (ObjectGroup) object;
+                yield new Shape(group.members(), false, group.boundingVolume());
+            }
+            case BOX, CYLINDER, SPHERE ->
+                throw new IllegalArgumentException("object must be a mesh or a group (got: " + object + ")");
+        };
     }
 
     private static byte size(GeometryObject object, double[] sizes, int at) {

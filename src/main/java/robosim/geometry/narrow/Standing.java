@@ -127,9 +127,9 @@ public final class Standing {
     /** Notes the level that parts a contact, if one does and the mover keeps to its side; what lies in it is on both. */
     private void noteLevel(int at, LeafKind kindA, LeafKind kindEnd, LeafKind kindB) {
         if (dimension == Dimension.PLANAR
-                || !Levels.has(kindA)
-                || !Levels.has(kindB)
-                || !Levels.has(kindEnd)
+                || !kindA.hasLevels()
+                || !kindB.hasLevels()
+                || !kindEnd.hasLevels()
                 || !motion.keepsLevel(kindA, rows, at)) {
             return;
         }
@@ -219,9 +219,9 @@ public final class Standing {
             double[] b,
             int j) {
         if (levelCount > 0
-                && Levels.has(kind)
-                && Levels.has(kindTo)
-                && Levels.has(kindB)
+                && kind.hasLevels()
+                && kindTo.hasLevels()
+                && kindB.hasLevels()
                 && motion.keepsLevel(kind, from, at)) {
             for (int k = 0; k < levelCount; k++) {
                 double middle = levels[2 * k];

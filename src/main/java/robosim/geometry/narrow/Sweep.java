@@ -85,7 +85,7 @@ public final class Sweep {
                 ExactExtent.axis(kind, row, at)
                         .cross(ExactVector.of(wx, wy, wz))
                         .isZero();
-            default -> false;
+            case UPRIGHT_BOX, BOX, TRIANGLE, PRISM, MESH, SOLID_MESH -> false;
         };
     }
 

@@ -8,12 +8,10 @@ import java.util.function.IntConsumer;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
-import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
-import robosim.geometry.model.SphereObject;
 
 /** Where one robot gets to on a grid of straight moves and turns by 45 degrees, among static objects alone. */
 final class GridReachability {
@@ -108,7 +106,11 @@ final class GridReachability {
 
     private static int turns(GeometryObject robot) {
         boolean upright = robot.pose().isUpright();
-        boolean round = robot instanceof SphereObject || (robot instanceof CylinderObject && upright);
+        boolean round = switch (robot.kind()) {
+            case SPHERE -> true;
+            case CYLINDER -> upright;
+            case BOX, MESH, GROUP -> false;
+        };
         return round || !upright ? 1 : TURNS;
     }
 

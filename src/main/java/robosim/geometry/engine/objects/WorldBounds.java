@@ -109,22 +109,38 @@ public final class WorldBounds {
 
     private boolean holds(LeafKind kind, double[] row, int at, int axis, int sign) {
         double reach = sign * row[at + axis] + extent(kind, row, at, axis);
-        double filter = kind == LeafKind.CYLINDER ? CYLINDER_FILTER : FILTER;
-        double bound = filter * (Math.abs(row[at + axis]) + extent(kind, row, at, axis) + half[axis]);
+        double bound = filter(kind) * (Math.abs(row[at + axis]) + extent(kind, row, at, axis) + half[axis]);
         if (Math.abs(reach - half[axis]) > bound) {
             return reach < half[axis];
         }
-        if (kind != LeafKind.CYLINDER && !Filter.isOff() && fits(kind, row, at, axis)) {
+        if (!Filter.isOff() && fits(kind, row, at, axis)) {
             SUMS.count();
             return roomAsSum(kind, row, at, axis, sign) >= 0;
         }
         return holdsExactly(kind, row, at, axis, sign);
     }
 
-    /** Whether the products of a box's half sizes and axes lose nothing. */
+    private static double filter(LeafKind kind) {
+        return switch (kind) {
+            case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, BOX -> FILTER;
+            case CYLINDER -> CYLINDER_FILTER;
+            case TRIANGLE, PRISM, MESH, SOLID_MESH -> throw kind.refused();
+        };
+    }
+
+    /** Whether a leaf's extent is a sum of numbers of its row, or of products of two that lose nothing. */
     private static boolean fits(LeafKind kind, double[] row, int at, int axis) {
+        return switch (kind) {
+            case UPRIGHT_BOX, BOX -> productsFit(row, at, axis);
+            case UPRIGHT_CYLINDER, SPHERE -> true;
+            case CYLINDER -> false;
+            case TRIANGLE, PRISM, MESH, SOLID_MESH -> throw kind.refused();
+        };
+    }
+
+    private static boolean productsFit(double[] row, int at, int axis) {
         int r = at + Leaf.ROTATION + 3 * axis;
-        for (int k = 0; k < 3 && !isRound(kind); k++) {
+        for (int k = 0; k < 3; k++) {
             if (!Expansion.fits(row[at + 3 + k], 2) || !Expansion.fits(row[r + k], 2)) {
                 return false;
             }
@@ -132,15 +148,11 @@ public final class WorldBounds {
         return true;
     }
 
-    private static boolean isRound(LeafKind kind) {
-        return kind == LeafKind.SPHERE || kind == LeafKind.UPRIGHT_CYLINDER;
-    }
-
     /** The sign of what is left between a leaf and the border; exact, as all its terms are added without rounding. */
     private int roomAsSum(LeafKind kind, double[] row, int at, int axis, int sign) {
         sum[0] = half[axis];
         int terms = Expansion.grow(sum, 1, -sign * row[at + axis]);
-        if (isRound(kind)) {
+        if (!kind.isBox()) {
             return Expansion.sign(sum, Expansion.grow(sum, terms, -extent(kind, row, at, axis)));
         }
         int r = at + Leaf.ROTATION + 3 * axis;
@@ -168,10 +180,11 @@ public final class WorldBounds {
                 double across = Math.sqrt(a * a + b * b);
                 yield row[at + 4] * Math.abs(along) + row[at + 3] * across / Math.sqrt(along * along + across * across);
             }
-            default ->
+            case UPRIGHT_BOX, BOX ->
                 row[at + 3] * Math.abs(row[r])
                         + row[at + 4] * Math.abs(row[r + 1])
                         + row[at + 5] * Math.abs(row[r + 2]);
+            case TRIANGLE, PRISM, MESH, SOLID_MESH -> throw kind.refused();
         };
     }
 
@@ -179,10 +192,9 @@ public final class WorldBounds {
         EXACT.count();
         Dyadic room = Dyadic.difference(half[axis], sign * row[at + axis]);
         int r = at + Leaf.ROTATION + 3 * axis;
-        switch (kind) {
-            case SPHERE, UPRIGHT_CYLINDER -> {
-                return room.subtract(Dyadic.of(extent(kind, row, at, axis))).signum() >= 0;
-            }
+        return switch (kind) {
+            case UPRIGHT_CYLINDER, SPHERE ->
+                room.subtract(Dyadic.of(extent(kind, row, at, axis))).signum() >= 0;
             case CYLINDER -> {
                 Dyadic squared = Dyadic.ZERO;
                 for (int k = 0; k < 3; k++) {
@@ -192,20 +204,21 @@ public final class WorldBounds {
                 Dyadic rest = room.subtract(Dyadic.product(row[at + 4], Math.abs(row[r + 1])));
                 Dyadic across = squared.subtract(Dyadic.product(row[r + 1], row[r + 1]));
                 Dyadic radius = Dyadic.product(row[at + 3], row[at + 3]).multiply(across);
-                return rest.signum() >= 0
+                yield rest.signum() >= 0
                         && rest.multiply(rest)
                                         .multiply(squared)
                                         .subtract(radius)
                                         .signum()
                                 >= 0;
             }
-            default -> {
+            case UPRIGHT_BOX, BOX -> {
                 for (int k = 0; k < 3; k++) {
                     room = room.subtract(Dyadic.product(row[at + 3 + k], Math.abs(row[r + k])));
                 }
-                return room.signum() >= 0;
+                yield room.signum() >= 0;
             }
-        }
+            case TRIANGLE, PRISM, MESH, SOLID_MESH -> throw kind.refused();
+        };
     }
 
     /**

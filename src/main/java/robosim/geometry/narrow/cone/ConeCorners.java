@@ -59,36 +59,47 @@ final class ConeCorners {
     final double[] hi = new double[96];
     private final double[] lo = new double[96];
     private final boolean[] isAbsent = new boolean[8];
+    private boolean hasAbsent;
     private final double[] pair = new double[4];
-    private LeafKind kind;
 
     /** The largest coordinate or size. */
     double extent;
 
     void set(Cone cone, LeafKind kind, double[] row, int j) {
-        this.kind = kind;
+        hasAbsent = false;
         switch (kind) {
             case TRIANGLE -> triangle(cone, row, j);
             case PRISM -> prism(cone, row, j);
-            default -> box(cone, row, j);
+            case UPRIGHT_BOX, BOX -> box(cone, row, j);
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, MESH, SOLID_MESH -> throw kind.refused();
         }
     }
 
-    int[] edges() {
-        return kind == LeafKind.TRIANGLE ? TRIANGLE_EDGES : kind == LeafKind.PRISM ? PRISM_EDGES : BOX_EDGES;
+    static int[] edges(LeafKind kind) {
+        return switch (kind) {
+            case UPRIGHT_BOX, BOX -> BOX_EDGES;
+            case TRIANGLE -> TRIANGLE_EDGES;
+            case PRISM -> PRISM_EDGES;
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, MESH, SOLID_MESH -> throw kind.refused();
+        };
     }
 
     /** The edges of a leaf that was laid flat. */
-    int[] flatEdges() {
-        return kind == LeafKind.UPRIGHT_BOX ? FLAT_EDGES : edges();
+    static int[] flatEdges(LeafKind kind) {
+        return kind == LeafKind.UPRIGHT_BOX ? FLAT_EDGES : edges(kind);
     }
 
-    int[][] faces() {
-        return kind == LeafKind.TRIANGLE ? TRIANGLE_FACES : kind == LeafKind.PRISM ? PRISM_FACES : BOX_FACES;
+    static int[][] faces(LeafKind kind) {
+        return switch (kind) {
+            case UPRIGHT_BOX, BOX -> BOX_FACES;
+            case TRIANGLE -> TRIANGLE_FACES;
+            case PRISM -> PRISM_FACES;
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, MESH, SOLID_MESH -> throw kind.refused();
+        };
     }
 
     boolean isThere(int corner) {
-        return kind != LeafKind.PRISM || !isAbsent[corner / 4];
+        return !hasAbsent || !isAbsent[corner / 4];
     }
 
     /** A side of a prism goes with its edge; the top and the bottom are always there. */
@@ -147,6 +158,7 @@ final class ConeCorners {
     }
 
     private void prism(Cone cone, double[] row, int j) {
+        hasAbsent = true;
         extent = 0;
         for (int i = 0; i < 10; i++) {
             extent = Math.max(extent, Math.abs(row[j + i]));
@@ -215,12 +227,15 @@ final class ConeCorners {
 
     /** A corner in exact numbers, in the ray's scale and not seen from its start. */
     static ExactVector exact(ExactRay ray, LeafKind kind, double[] row, int j, int corner) {
-        if (kind == LeafKind.TRIANGLE) {
-            return ray.point(row, j + 3 * corner);
-        }
-        if (kind == LeafKind.PRISM) {
-            return exactPrism(ray, row, j, corner);
-        }
+        return switch (kind) {
+            case UPRIGHT_BOX, BOX -> exactBox(ray, row, j, corner);
+            case TRIANGLE -> ray.point(row, j + 3 * corner);
+            case PRISM -> exactPrism(ray, row, j, corner);
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, MESH, SOLID_MESH -> throw kind.refused();
+        };
+    }
+
+    private static ExactVector exactBox(ExactRay ray, double[] row, int j, int corner) {
         ExactVector sum = ray.point(row, j);
         for (int i = 0; i < 3; i++) {
             Dyadic half = ray.length(row[j + 3 + i]);

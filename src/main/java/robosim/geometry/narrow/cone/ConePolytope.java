@@ -52,11 +52,11 @@ final class ConePolytope {
     /** The distance, where the axis itself meets the leaf at {@code axis} (+Infinity where it does not). */
     double distance(Cone cone, double axis, LeafKind kind, double[] row, int j) {
         corners.set(cone, kind, row, j);
-        double best = edges(cone, corners.edges(), axis, kind, row, j);
+        double best = edges(cone, ConeCorners.edges(kind), axis, kind, row, j);
         if (best == Double.POSITIVE_INFINITY) {
             return best;
         }
-        for (int[] face : corners.faces()) {
+        for (int[] face : ConeCorners.faces(kind)) {
             if (corners.isFaceThere(face)) {
                 best = Math.min(best, face(cone, face));
             }
@@ -67,7 +67,7 @@ final class ConePolytope {
     /** The same for a leaf that lies flat in a plane through the apex and the axis: seen edge on, no face counts. */
     double flat(Cone cone, double axis, LeafKind kind, double[] row, int j) {
         corners.set(cone, kind, row, j);
-        return edges(cone, corners.flatEdges(), axis, kind, row, j);
+        return edges(cone, ConeCorners.flatEdges(kind), axis, kind, row, j);
     }
 
     private double edges(Cone cone, int[] edges, double axis, LeafKind kind, double[] row, int j) {

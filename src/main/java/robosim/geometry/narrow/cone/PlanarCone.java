@@ -61,7 +61,8 @@ public final class PlanarCone {
         }
         double within = within(ox, oz, ux, uz, halfCos, halfSin, kind, b, j, s);
         // Silence of the exact shapes is the axis's too; of a turned cylinder either is certified in its own way.
-        boolean isCertain = within == 0 || (within == Double.POSITIVE_INFINITY && kind != LeafKind.CYLINDER);
+        boolean isCertain =
+                within == 0 || (within == Double.POSITIVE_INFINITY && kind.fromAbove() != LeafKind.FromAbove.OVAL);
         return isCertain ? within : Math.min(within, PlanarRay.scaled(ox, oz, ux, uz, kind, b, j, s));
     }
 
@@ -78,10 +79,11 @@ public final class PlanarCone {
             ConeScratch s) {
         PlanarSector sector = s.sector;
         sector.set(ux, uz, halfCos, halfSin);
-        return switch (kind) {
-            case UPRIGHT_CYLINDER, SPHERE -> disc(sector, ox, oz, ux, uz, halfCos, b, j, s);
-            case CYLINDER -> oval(ox, oz, ux, uz, halfCos, b, j, s);
-            default -> polygon(sector, ox, oz, ux, uz, halfCos, kind, b, j, s);
+        return switch (kind.fromAbove()) {
+            case DISC -> disc(sector, ox, oz, ux, uz, halfCos, b, j, s);
+            case POLYGON -> polygon(sector, ox, oz, ux, uz, halfCos, kind, b, j, s);
+            case OVAL -> oval(ox, oz, ux, uz, halfCos, b, j, s);
+            case TRIANGLES -> throw kind.refused();
         };
     }
 
@@ -159,12 +161,13 @@ public final class PlanarCone {
                 out[8] = 0;
                 out[9] = 0;
             }
-            default -> {
+            case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, BOX, CYLINDER -> {
                 out[1] = 0;
                 for (int k = Leaf.ROTATION + 3; k < Leaf.ROTATION + 6; k++) {
                     out[k] = 0;
                 }
             }
+            case MESH, SOLID_MESH -> throw kind.refused();
         }
     }
 

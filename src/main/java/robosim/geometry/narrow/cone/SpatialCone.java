@@ -37,9 +37,8 @@ public final class SpatialCone {
             double[] row,
             int j,
             ConeScratch s) {
-        boolean isBox = kind == LeafKind.UPRIGHT_BOX || kind == LeafKind.BOX;
-        boolean isCylinder = kind == LeafKind.UPRIGHT_CYLINDER || kind == LeafKind.CYLINDER;
-        if ((isBox || isCylinder) && isSurelyBeyond(ox, oy, oz, ux, uy, uz, halfCos, kind, row, j)) {
+
+        if ((kind.isBox() || kind.isCylinder()) && isSurelyBeyond(ox, oy, oz, ux, uy, uz, halfCos, kind, row, j)) {
             return Double.POSITIVE_INFINITY;
         }
         double axis = SpatialRay.distance(ox, oy, oz, ux, uy, uz, kind, row, j, s);
@@ -62,7 +61,7 @@ public final class SpatialCone {
             case SPHERE -> ConeSphere.distance(cone, row, j);
             case UPRIGHT_CYLINDER -> s.cones().cylinder.distance(cone, row, j, 0, 1, 0);
             case CYLINDER -> s.cones().cylinder.distance(cone, row, j, row[j + 7], row[j + 10], row[j + 13]);
-            default -> throw new IllegalArgumentException("kind must be one of Leaf's (got: " + kind + ")");
+            case MESH, SOLID_MESH -> throw kind.refused();
         };
         return Math.min(axis, nearest);
     }
@@ -124,18 +123,20 @@ public final class SpatialCone {
 
     /** How far a box or a cylinder reaches from its centre along a unit vector. */
     private static double reach(double nx, double ny, double nz, LeafKind kind, double[] row, int j) {
-        if (kind == LeafKind.UPRIGHT_CYLINDER) {
-            return row[j + 3] * Math.sqrt(nx * nx + nz * nz) + row[j + 4] * Math.abs(ny);
-        }
         int r = j + Leaf.ROTATION;
-        double along = Math.abs(nx * row[r + 1] + ny * row[r + 4] + nz * row[r + 7]);
-        if (kind == LeafKind.CYLINDER) {
-            // The axis is of length 1 to 2^-30: of the square of the sine, so much is added.
-            double across = Math.sqrt(Math.max(0, (1 - along) * (1 + along)) + 0x1p-29);
-            return row[j + 3] * across + row[j + 4] * along;
-        }
-        return row[j + 3] * Math.abs(nx * row[r] + ny * row[r + 3] + nz * row[r + 6])
-                + row[j + 4] * along
-                + row[j + 5] * Math.abs(nx * row[r + 2] + ny * row[r + 5] + nz * row[r + 8]);
+        return switch (kind) {
+            case UPRIGHT_BOX, BOX ->
+                row[j + 3] * Math.abs(nx * row[r] + ny * row[r + 3] + nz * row[r + 6])
+                        + row[j + 4] * Math.abs(nx * row[r + 1] + ny * row[r + 4] + nz * row[r + 7])
+                        + row[j + 5] * Math.abs(nx * row[r + 2] + ny * row[r + 5] + nz * row[r + 8]);
+            case UPRIGHT_CYLINDER -> row[j + 3] * Math.sqrt(nx * nx + nz * nz) + row[j + 4] * Math.abs(ny);
+            case CYLINDER -> {
+                double along = Math.abs(nx * row[r + 1] + ny * row[r + 4] + nz * row[r + 7]);
+                // The axis is of length 1 to 2^-30: of the square of the sine, so much is added.
+                double across = Math.sqrt(Math.max(0, (1 - along) * (1 + along)) + 0x1p-29);
+                yield row[j + 3] * across + row[j + 4] * along;
+            }
+            case SPHERE, TRIANGLE, PRISM, MESH, SOLID_MESH -> throw kind.refused();
+        };
     }
 }

@@ -28,24 +28,43 @@ public final class PlanarDistance {
 
     private static double ordered(
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, DistanceScratch s) {
-        int familyA = PlanarShape.family(kindA);
-        int familyB = PlanarShape.family(kindB);
-        if (familyA == PlanarShape.OVAL || familyB == PlanarShape.OVAL) {
-            double ox = PlanarShape.originX(kindA, a, i);
-            double oz = PlanarShape.originZ(kindA, a, i);
-            s.planarA.set(kindA, a, i, ox, oz);
-            s.planarB.set(kindB, b, j, ox, oz);
-            s.planarBracket.find(s.planarA, s.planarB, false);
-            return s.planarBracket.distance();
-        }
-        if (familyA == PlanarShape.DISC) {
-            return familyB == PlanarShape.DISC
-                    ? DiscDisc.distance(a[i], a[i + 2], a[i + 3], b[j], b[j + 2], b[j + 3])
-                    : discPolygon(a, i, kindB, b, j, s);
-        }
-        return familyB == PlanarShape.DISC
-                ? discPolygon(b, j, kindA, a, i, s)
-                : PolygonPolygon.distance(kindA, a, i, kindB, b, j, s);
+        return switch (kindA.fromAbove()) {
+            case DISC -> disc(kindA, a, i, kindB, b, j, s);
+            case POLYGON -> polygon(kindA, a, i, kindB, b, j, s);
+            case OVAL -> oval(kindA, a, i, kindB, b, j, s);
+            case TRIANGLES -> throw kindA.refused();
+        };
+    }
+
+    private static double disc(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, DistanceScratch s) {
+        return switch (kindB.fromAbove()) {
+            case DISC -> DiscDisc.distance(a[i], a[i + 2], a[i + 3], b[j], b[j + 2], b[j + 3]);
+            case POLYGON -> discPolygon(a, i, kindB, b, j, s);
+            case OVAL -> oval(kindA, a, i, kindB, b, j, s);
+            case TRIANGLES -> throw kindB.refused();
+        };
+    }
+
+    private static double polygon(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, DistanceScratch s) {
+        return switch (kindB.fromAbove()) {
+            case DISC -> discPolygon(b, j, kindA, a, i, s);
+            case POLYGON -> PolygonPolygon.distance(kindA, a, i, kindB, b, j, s);
+            case OVAL -> oval(kindA, a, i, kindB, b, j, s);
+            case TRIANGLES -> throw kindB.refused();
+        };
+    }
+
+    /** Two projections of which one at least is an oval. */
+    private static double oval(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, DistanceScratch s) {
+        double ox = PlanarShape.originX(kindA, a, i);
+        double oz = PlanarShape.originZ(kindA, a, i);
+        s.planarA.set(kindA, a, i, ox, oz);
+        s.planarB.set(kindB, b, j, ox, oz);
+        s.planarBracket.find(s.planarA, s.planarB, false);
+        return s.planarBracket.distance();
     }
 
     private static double discPolygon(double[] disc, int i, LeafKind kind, double[] b, int j, DistanceScratch s) {

@@ -53,11 +53,16 @@ public final class SpatialDistance {
         if (!gjk.isClosed()) {
             lower = gjk.close();
         }
-        return isRound(kindA) || isRound(kindB) ? lower : Math.max(0, gjk.reach());
+        return isBracketed(kindA) || isBracketed(kindB) ? lower : Math.max(0, gjk.reach());
     }
 
-    private static boolean isRound(LeafKind kind) {
-        return kind == LeafKind.UPRIGHT_CYLINDER || kind == LeafKind.CYLINDER;
+    /** Whether its nearest point is found to a bracket only: where it is round, but not a ball about a point. */
+    private static boolean isBracketed(LeafKind kind) {
+        return switch (kind) {
+            case UPRIGHT_CYLINDER, CYLINDER -> true;
+            case UPRIGHT_BOX, SPHERE, BOX, TRIANGLE, PRISM -> false;
+            case MESH, SOLID_MESH -> throw kind.refused();
+        };
     }
 
     /** The gap between the heights of two upright leaves, to a rounding; 0 where they touch. */
@@ -70,10 +75,10 @@ public final class SpatialDistance {
 
     /** How far the least height of a lies above the greatest of b. */
     private static double above(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        double base = kindA == LeafKind.PRISM ? a[i + 8] : a[i + 1];
-        double down = kindA == LeafKind.PRISM ? 0 : a[i + 4];
-        double top = kindB == LeafKind.PRISM ? b[j + 9] : b[j + 1];
-        double up = kindB == LeafKind.PRISM ? 0 : b[j + 4];
+        double base = Upright.middle(kindA, a, i);
+        double down = Upright.halfHeight(kindA, a, i);
+        double top = Upright.top(kindB, b, j);
+        double up = Upright.halfHeight(kindB, b, j);
         double between = base - top;
         double sizes = down + up;
         double lost = DoubleDouble.sumTail(base, -top, between) - DoubleDouble.sumTail(down, up, sizes);

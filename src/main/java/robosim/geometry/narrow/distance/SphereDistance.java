@@ -43,21 +43,25 @@ final class SphereDistance {
 
     /** Whether the kernel is for this leaf, and large enough for it. */
     static boolean isFor(LeafKind kind, double[] sphere, int i, double[] row, int j) {
-        return kind != LeafKind.PRISM && size(kind, sphere, i, row, j) > SMALL;
+        return switch (kind) {
+            case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, BOX, CYLINDER, TRIANGLE ->
+                size(kind, sphere, i, row, j) > SMALL;
+            case PRISM -> false;
+            case MESH, SOLID_MESH -> throw kind.refused();
+        };
     }
 
     private static double size(LeafKind kind, double[] sphere, int i, double[] row, int j) {
         double size = VectorMath.largest(row[j] - sphere[i], row[j + 1] - sphere[i + 1], row[j + 2] - sphere[i + 2]);
-        if (kind == LeafKind.TRIANGLE) {
+        if (kind.layout() == LeafKind.Layout.CORNERS) {
             for (int k = j + 3; k < j + 9; k += 3) {
                 size = Math.max(
                         size,
                         VectorMath.largest(row[k] - sphere[i], row[k + 1] - sphere[i + 1], row[k + 2] - sphere[i + 2]));
             }
         } else {
-            int sizes = kind == LeafKind.SPHERE ? 1 : kind == LeafKind.BOX || kind == LeafKind.UPRIGHT_BOX ? 3 : 2;
-            for (int k = 0; k < sizes; k++) {
-                size += row[j + Leaf.SIZE + k];
+            for (int k = Leaf.SIZE; k < kind.lengths(); k++) {
+                size += row[j + k];
             }
         }
         return size + sphere[i + Leaf.SIZE];
@@ -78,7 +82,8 @@ final class SphereDistance {
             case UPRIGHT_CYLINDER -> cylinder(row, j, 0, 1, 0);
             case CYLINDER -> cylinder(row, j, row[j + 7], row[j + 10], row[j + 13]);
             case TRIANGLE -> triangle(row, j);
-            default -> box(row, j);
+            case UPRIGHT_BOX, BOX -> box(row, j);
+            case PRISM, MESH, SOLID_MESH -> throw kind.refused();
         }
         p.difference(TEMPORARY, sphere[i + Leaf.SIZE], kind == LeafKind.SPHERE ? -row[j + Leaf.SIZE] : 0);
         p.subtract(LEAST, LEAST, TEMPORARY);

@@ -14,17 +14,15 @@ final class ParallelDepth {
      * its centre by an angle t until it is parallel moves none of its points by more than t (r + h).
      */
     static double atLeast(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        boolean cylinders = (kindA == LeafKind.CYLINDER || kindA == LeafKind.UPRIGHT_CYLINDER)
-                && (kindB == LeafKind.CYLINDER || kindB == LeafKind.UPRIGHT_CYLINDER);
-        if (!cylinders) {
+        if (!kindA.isCylinder() || !kindB.isCylinder()) {
             return 0;
         }
-        double ax = kindA == LeafKind.CYLINDER ? a[i + 7] : 0;
-        double ay = kindA == LeafKind.CYLINDER ? a[i + 10] : 1;
-        double az = kindA == LeafKind.CYLINDER ? a[i + 13] : 0;
-        double bx = kindB == LeafKind.CYLINDER ? b[j + 7] : 0;
-        double by = kindB == LeafKind.CYLINDER ? b[j + 10] : 1;
-        double bz = kindB == LeafKind.CYLINDER ? b[j + 13] : 0;
+        double ax = kindA.isTurned() ? a[i + 7] : 0;
+        double ay = kindA.isTurned() ? a[i + 10] : 1;
+        double az = kindA.isTurned() ? a[i + 13] : 0;
+        double bx = kindB.isTurned() ? b[j + 7] : 0;
+        double by = kindB.isTurned() ? b[j + 10] : 1;
+        double bz = kindB.isTurned() ? b[j + 13] : 0;
         double lengthA = VectorMath.length(ax, ay, az);
         double lengthB = VectorMath.length(bx, by, bz);
         double sine = VectorMath.length(ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx) / (lengthA * lengthB);

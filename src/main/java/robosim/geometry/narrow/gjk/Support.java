@@ -71,17 +71,26 @@ public final class Support {
 
     /** The x of the point of a leaf that others are seen from: its centre, or a triangle's first corner. */
     public static double originX(LeafKind kind, double[] row, int at) {
-        return kind == LeafKind.PRISM ? 0.5 * row[at] + 0.5 * row[at + 1] : row[at];
+        return switch (kind.layout()) {
+            case CENTRE, CORNERS -> row[at];
+            case RANGES -> 0.5 * row[at] + 0.5 * row[at + 1];
+        };
     }
 
     /** The y of that point. */
     public static double originY(LeafKind kind, double[] row, int at) {
-        return kind == LeafKind.PRISM ? 0.5 * row[at + 8] + 0.5 * row[at + 9] : row[at + 1];
+        return switch (kind.layout()) {
+            case CENTRE, CORNERS -> row[at + 1];
+            case RANGES -> 0.5 * row[at + 8] + 0.5 * row[at + 9];
+        };
     }
 
     /** The z of that point. */
     public static double originZ(LeafKind kind, double[] row, int at) {
-        return kind == LeafKind.PRISM ? 0.5 * row[at + 2] + 0.5 * row[at + 3] : row[at + 2];
+        return switch (kind.layout()) {
+            case CENTRE, CORNERS -> row[at + 2];
+            case RANGES -> 0.5 * row[at + 2] + 0.5 * row[at + 3];
+        };
     }
 
     /** Loads a leaf as seen from an origin, multiplied by a scale (a power of two). */
@@ -99,31 +108,44 @@ public final class Support {
         heights = heightsCounted;
         margin = 0;
         count = 0;
-        if (kind == LeafKind.TRIANGLE) {
-            form = POINTS;
-            for (int k = at; k < at + 9; k += 3) {
-                point((row[k] - ox) * scale, heights * (row[k + 1] - oy) * scale, (row[k + 2] - oz) * scale);
+        switch (kind) {
+            case UPRIGHT_BOX, BOX -> {
+                centre(row, at, ox, oy, oz, scale);
+                box(row, at, scale);
             }
-            surround();
-            return;
+            case UPRIGHT_CYLINDER -> {
+                centre(row, at, ox, oy, oz, scale);
+                uprightCylinder(row, at, scale);
+            }
+            case CYLINDER -> {
+                centre(row, at, ox, oy, oz, scale);
+                cylinder(row, at, row[at + 7], row[at + 10], row[at + 13], scale);
+            }
+            case SPHERE -> {
+                centre(row, at, ox, oy, oz, scale);
+                ball(row[at + Leaf.SIZE] * scale);
+            }
+            case TRIANGLE -> {
+                form = POINTS;
+                for (int k = at; k < at + 9; k += 3) {
+                    point((row[k] - ox) * scale, heights * (row[k + 1] - oy) * scale, (row[k + 2] - oz) * scale);
+                }
+                surround();
+            }
+            case PRISM -> {
+                form = POINTS;
+                prism(row, at, ox, oy, oz, scale);
+                surround();
+                extent *= 2; // its corners are off by more
+            }
+            case MESH, SOLID_MESH -> throw kind.refused();
         }
-        if (kind == LeafKind.PRISM) {
-            form = POINTS;
-            prism(row, at, ox, oy, oz, scale);
-            surround();
-            extent *= 2; // its corners are off by more
-            return;
-        }
+    }
+
+    private void centre(double[] row, int at, double ox, double oy, double oz, double scale) {
         centreX = (row[at] - ox) * scale;
         centreY = heights * (row[at + 1] - oy) * scale;
         centreZ = (row[at + 2] - oz) * scale;
-        switch (kind) {
-            case UPRIGHT_BOX, BOX -> box(row, at, scale);
-            case CYLINDER -> cylinder(row, at, row[at + 7], row[at + 10], row[at + 13], scale);
-            case UPRIGHT_CYLINDER -> uprightCylinder(row, at, scale);
-            case SPHERE -> ball(row[at + Leaf.SIZE] * scale);
-            default -> throw new IllegalArgumentException("no such kind of leaf (got: " + kind + ")");
-        }
     }
 
     /** Finds the point furthest in a direction of any length but zero. */

@@ -11,20 +11,18 @@ final class Canonical {
 
     /** The kind of a placed leaf; a box or cylinder comes as {@link Leaf#BOX} or {@link Leaf#CYLINDER}. */
     static LeafKind kind(LeafKind kind, double[] rows, int at) {
-        if (kind == LeafKind.CYLINDER) {
-            int r = at + Leaf.ROTATION;
-            return rows[r + 1] == 0 && rows[r + 7] == 0 && Math.abs(rows[r + 4]) == 1
-                    ? LeafKind.UPRIGHT_CYLINDER
-                    : kind;
-        }
-        if (kind == LeafKind.BOX) {
-            for (int up = 0; up < 3; up++) {
-                if (isVertical(rows, at, up) && stand(rows, at, up)) {
-                    return LeafKind.UPRIGHT_BOX;
+        return switch (kind) {
+            case BOX -> {
+                for (int up = 0; up < 3; up++) {
+                    if (isVertical(rows, at, up) && stand(rows, at, up)) {
+                        yield LeafKind.UPRIGHT_BOX;
+                    }
                 }
+                yield kind;
             }
-        }
-        return kind;
+            case CYLINDER -> isVertical(rows, at, 1) ? LeafKind.UPRIGHT_CYLINDER : kind;
+            case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, TRIANGLE, PRISM, MESH, SOLID_MESH -> kind;
+        };
     }
 
     private static boolean isVertical(double[] rows, int at, int axis) {

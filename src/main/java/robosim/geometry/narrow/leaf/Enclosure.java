@@ -78,9 +78,6 @@ public final class Enclosure {
         double dy = level ? 0 : row[at + 1] - middle(1);
         double dz = row[at + 2] - middle(2);
         double centre = Math.sqrt(dx * dx + dy * dy + dz * dz);
-        if (kind.isMesh()) {
-            return meshReach(column.mesh(leaf), row, at, level);
-        }
         return switch (kind) {
             case SPHERE -> centre + row[at + 3];
             case CYLINDER -> {
@@ -90,7 +87,9 @@ public final class Enclosure {
                         ? centre + row[at + 3]
                         : cylinderReach(dx, dy, dz, row, at, half, row[at + 3]);
             }
-            default -> boxReach(row, at, level);
+            case UPRIGHT_BOX, BOX -> boxReach(row, at, level);
+            case MESH, SOLID_MESH -> meshReach(column.mesh(leaf), row, at, level);
+            case UPRIGHT_CYLINDER, TRIANGLE, PRISM -> throw kind.refused(); // no object's own
         };
     }
 
@@ -187,7 +186,7 @@ public final class Enclosure {
         LeafKind kind = placed.kind(0);
         return switch (accuracy) {
             case SPHERE -> kind == LeafKind.SPHERE;
-            case OBB -> kind == LeafKind.BOX || kind == LeafKind.UPRIGHT_BOX;
+            case OBB -> kind.isBox();
             case AABB ->
                 kind == LeafKind.UPRIGHT_BOX
                         && (placed.rows()[Leaf.ROTATION] == 0 || placed.rows()[Leaf.ROTATION + 2] == 0);
@@ -287,10 +286,11 @@ public final class Enclosure {
                 double along = Math.abs(row[r + 1] * x + row[r + 4] * y + row[r + 7] * z);
                 yield row[at + 4] * along + row[at + 3] * crossLength(x, y, z, row, r + 1);
             }
-            default ->
+            case UPRIGHT_BOX, BOX ->
                 row[at + 3] * Math.abs(row[r] * x + row[r + 3] * y + row[r + 6] * z)
                         + row[at + 4] * Math.abs(row[r + 1] * x + row[r + 4] * y + row[r + 7] * z)
                         + row[at + 5] * Math.abs(row[r + 2] * x + row[r + 5] * y + row[r + 8] * z);
+            case TRIANGLE, PRISM, MESH, SOLID_MESH -> throw kind.refused();
         };
     }
 

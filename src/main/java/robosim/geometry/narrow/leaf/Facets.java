@@ -36,7 +36,8 @@ public final class Facets {
                     edge(-z, 0, x);
                 }
             }
-            default -> {} // a sphere is round all over
+            case SPHERE -> {} // round all over
+            case MESH, SOLID_MESH -> throw kind.refused();
         }
     }
 
@@ -64,7 +65,8 @@ public final class Facets {
                 face(1, 0, 1);
                 face(1, 0, -1);
             }
-            default -> {} // a disc
+            case UPRIGHT_CYLINDER, SPHERE -> {} // a disc
+            case MESH, SOLID_MESH -> throw kind.refused();
         }
     }
 

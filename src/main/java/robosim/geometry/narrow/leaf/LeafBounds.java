@@ -25,7 +25,7 @@ public final class LeafBounds {
                 out6[4] = rows[at + 9];
                 out6[5] = rows[at + 3];
             }
-            default -> throw new IllegalArgumentException("kind must be one of Leaf (got: " + kind + ")");
+            case MESH, SOLID_MESH -> throw kind.refused();
         }
     }
 

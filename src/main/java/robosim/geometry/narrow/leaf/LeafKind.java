@@ -39,7 +39,7 @@ public enum LeafKind {
 
     /** How the least and the greatest height are told. */
     private enum Heights {
-        /** It is a vertical prism: a flat base on an interval of heights. */
+        /** It is a vertical prism: a flat base on an interval of heights, [1] - [4] to [1] + [4] or (as ranges) [8] to [9]. */
         INTERVAL,
         /** Both are sums of two numbers of the row. */
         LEVELS,
@@ -125,6 +125,11 @@ public enum LeafKind {
     /** Whether it is a disc as seen from above, whatever its attitude. */
     public boolean isDisc() {
         return fromAbove == FromAbove.DISC;
+    }
+
+    /** Whether it only stands for something inside it and is rounded outward, so that nothing about it need be exact. */
+    public boolean isEnclosure() {
+        return this == PRISM;
     }
 
     /** Whether it is a box, upright or turned. */

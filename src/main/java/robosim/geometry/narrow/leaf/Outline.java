@@ -46,7 +46,7 @@ public final class Outline {
             case BOX -> zonogon(row, at, ox, oz);
             case TRIANGLE -> triangle(row, at, ox, oz);
             case PRISM -> prism(row, at, ox, oz);
-            default -> throw new IllegalArgumentException("not a polytope (got kind: " + kind + ")");
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, MESH, SOLID_MESH -> throw kind.refused();
         }
         normals = corners;
     }

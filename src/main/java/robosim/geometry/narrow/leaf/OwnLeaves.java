@@ -60,31 +60,46 @@ public final class OwnLeaves {
         row[0] = c.x();
         row[1] = c.y();
         row[2] = c.z();
-        LeafKind kind = size(object, row, 0);
-        Pose pose = object.pose();
-        if (kind == LeafKind.SPHERE || (kind == LeafKind.CYLINDER && pose.isUpright())) { // its rotation means nothing
-            leaves.setKind(leaf, kind == LeafKind.SPHERE ? LeafKind.SPHERE : LeafKind.UPRIGHT_CYLINDER);
-            return;
+        LeafKind kind = upright(size(object, row, 0), object.pose());
+        if (kind.isTurned()) {
+            object.pose().rotation(row, Leaf.ROTATION);
+            kind = Canonical.kind(kind, row, 0);
         }
-        pose.rotation(row, Leaf.ROTATION);
-        leaves.setKind(leaf, Canonical.kind(kind, row, 0));
+        leaves.setKind(leaf, kind);
+    }
+
+    /** The kind of an object at a pose, where that alone tells that its rotation means nothing. */
+    private static LeafKind upright(LeafKind kind, Pose pose) {
+        return switch (kind) {
+            case CYLINDER -> pose.isUpright() ? LeafKind.UPRIGHT_CYLINDER : kind;
+            case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, BOX, TRIANGLE, PRISM, MESH, SOLID_MESH -> kind;
+        };
     }
 
     /** Writes the sizes of a box, cylinder or sphere and answers its kind. */
     private static LeafKind size(GeometryObject object, double[] row, int at) {
-        if (object instanceof BoxObject box) {
-            row[at + 3] = box.width() / 2;
-            row[at + 4] = box.height() / 2;
-            row[at + 5] = box.length() / 2;
-            return LeafKind.BOX;
-        }
-        if (object instanceof CylinderObject cylinder) {
-            row[at + 3] = cylinder.radius();
-            row[at + 4] = cylinder.height() / 2;
-            return LeafKind.CYLINDER;
-        }
-        row[at + 3] = ((SphereObject) object).radius();
-        return LeafKind.SPHERE;
+        return switch (object.kind()) {
+            case BOX -> {
+                BoxObject box = (BoxObject) object;
+                row[at + 3] = box.width() / 2;
+                row[at + 4] = box.height() / 2;
+                row[at + 5] = box.length() / 2;
+                yield LeafKind.BOX;
+            }
+            case CYLINDER -> {
+                CylinderObject cylinder = (CylinderObject) object;
+                row[at + 3] = cylinder.radius();
+                row[at + 4] = cylinder.height() / 2;
+                yield LeafKind.CYLINDER;
+            }
+            case SPHERE -> {
+                row[at + 3] = ((SphereObject) object).radius();
+                yield LeafKind.SPHERE;
+            }
+            case MESH, GROUP ->
+                throw new IllegalArgumentException(
+                        "object must be a box, a cylinder or a sphere (got: " + object + ")");
+        };
     }
 
     /** How many leaves there are. */

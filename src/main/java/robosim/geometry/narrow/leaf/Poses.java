@@ -7,17 +7,23 @@ public final class Poses {
     /** The row after a translation; the kind stays. */
     public static void moved(LeafKind kind, double[] row, int at, double dx, double dy, double dz, double[] out) {
         System.arraycopy(row, at, out, 0, Leaf.STRIDE);
-        if (kind == LeafKind.PRISM) {
-            for (int k = 0; k < 2; k++) {
-                out[k] += dx;
-                out[k + 2] += dz;
-                out[k + 4] += dx + dz;
-                out[k + 6] += dx - dz;
-                out[k + 8] += dy;
+        switch (kind.layout()) {
+            case CENTRE -> shift(out, 3, dx, dy, dz);
+            case CORNERS -> shift(out, 9, dx, dy, dz);
+            case RANGES -> {
+                for (int k = 0; k < 2; k++) {
+                    out[k] += dx;
+                    out[k + 2] += dz;
+                    out[k + 4] += dx + dz;
+                    out[k + 6] += dx - dz;
+                    out[k + 8] += dy;
+                }
             }
-            return;
         }
-        for (int k = 0; k < (kind == LeafKind.TRIANGLE ? 9 : 3); k += 3) {
+    }
+
+    private static void shift(double[] out, int numbers, double dx, double dy, double dz) {
+        for (int k = 0; k < numbers; k += 3) {
             out[k] += dx;
             out[k + 1] += dy;
             out[k + 2] += dz;
@@ -29,11 +35,11 @@ public final class Poses {
         return switch (kind) {
             case UPRIGHT_BOX, PRISM -> LeafKind.BOX;
             case UPRIGHT_CYLINDER -> LeafKind.CYLINDER;
-            default -> kind;
+            case SPHERE, BOX, CYLINDER, TRIANGLE, MESH, SOLID_MESH -> kind;
         };
     }
 
-    /** The row after a turn about the axis (wx, wy, wz) through (px, py, pz), for any kind but a prism. */
+    /** The row after a turn about the axis (wx, wy, wz) through (px, py, pz), for any convex kind but a prism. */
     public static void turned(
             LeafKind kind,
             double[] row,
@@ -48,12 +54,36 @@ public final class Poses {
             double sin,
             double[] out) {
         System.arraycopy(row, at, out, 0, Leaf.STRIDE);
-        if (kind == LeafKind.UPRIGHT_CYLINDER) {
-            out[7] = 0;
-            out[10] = 1;
-            out[13] = 0;
+        switch (kind) {
+            case UPRIGHT_BOX, BOX, CYLINDER -> {
+                turnPoints(out, 3, px, py, pz, wx, wy, wz, cos, sin);
+                turnAxes(out, wx, wy, wz, cos, sin);
+            }
+            case UPRIGHT_CYLINDER -> {
+                out[7] = 0;
+                out[10] = 1;
+                out[13] = 0;
+                turnPoints(out, 3, px, py, pz, wx, wy, wz, cos, sin);
+                turnAxes(out, wx, wy, wz, cos, sin);
+            }
+            case SPHERE -> turnPoints(out, 3, px, py, pz, wx, wy, wz, cos, sin);
+            case TRIANGLE -> turnPoints(out, 9, px, py, pz, wx, wy, wz, cos, sin);
+            case PRISM, MESH, SOLID_MESH -> throw kind.refused();
         }
-        for (int k = 0; k < (kind == LeafKind.TRIANGLE ? 9 : 3); k += 3) {
+    }
+
+    private static void turnPoints(
+            double[] out,
+            int numbers,
+            double px,
+            double py,
+            double pz,
+            double wx,
+            double wy,
+            double wz,
+            double cos,
+            double sin) {
+        for (int k = 0; k < numbers; k += 3) {
             out[k] -= px;
             out[k + 1] -= py;
             out[k + 2] -= pz;
@@ -62,10 +92,11 @@ public final class Poses {
             out[k + 1] += py;
             out[k + 2] += pz;
         }
-        if (kind != LeafKind.TRIANGLE && kind != LeafKind.SPHERE) {
-            for (int k = 0; k < 3; k++) {
-                turn(out, Leaf.ROTATION + k, 3, wx, wy, wz, cos, sin);
-            }
+    }
+
+    private static void turnAxes(double[] out, double wx, double wy, double wz, double cos, double sin) {
+        for (int k = 0; k < 3; k++) {
+            turn(out, Leaf.ROTATION + k, 3, wx, wy, wz, cos, sin);
         }
     }
 

@@ -61,7 +61,8 @@ public final class UnderflowScaling {
                 out[1] = 0;
                 out[4] = 0;
             }
-            default -> out[1] = 0; // a size of what leans shows from above
+            case SPHERE, BOX, CYLINDER -> out[1] = 0; // a size of what leans shows from above
+            case MESH, SOLID_MESH -> throw kind.refused();
         }
     }
 
@@ -72,7 +73,7 @@ public final class UnderflowScaling {
 
     private boolean copy(LeafKind kind, double[] row, int at, double[] out) {
         System.arraycopy(row, at, out, 0, Leaf.STRIDE);
-        for (int k = 0; k < lengths(kind); k++) {
+        for (int k = 0; k < kind.lengths(); k++) {
             out[k] = up(out[k]);
         }
         return true;
@@ -93,20 +94,9 @@ public final class UnderflowScaling {
 
     private static double extent(LeafKind kind, double[] row, int at) {
         double largest = 0;
-        for (int k = 0; k < lengths(kind); k++) {
+        for (int k = 0; k < kind.lengths(); k++) {
             largest = Math.max(largest, Math.abs(row[at + k]));
         }
         return largest;
-    }
-
-    /** How many numbers at the beginning of a row are lengths; those that follow are a rotation or nothing. */
-    private static int lengths(LeafKind kind) {
-        return switch (kind) {
-            case SPHERE -> 4;
-            case UPRIGHT_CYLINDER, CYLINDER -> 5;
-            case UPRIGHT_BOX, BOX -> 6;
-            case TRIANGLE -> 9;
-            default -> 10;
-        };
     }
 }

@@ -35,27 +35,31 @@ public final class Upright {
 
     /** The height of the middle of a box or cylinder, the least of an octagon, which has no half height beside it. */
     public static double middle(LeafKind kind, double[] row, int at) {
-        return kind == LeafKind.PRISM ? row[at + 8] : row[at + 1];
+        return isRange(kind) ? row[at + 8] : row[at + 1];
     }
 
     /** The height of the middle of a box or cylinder, the greatest of an octagon. */
     public static double top(LeafKind kind, double[] row, int at) {
-        return kind == LeafKind.PRISM ? row[at + 9] : row[at + 1];
+        return isRange(kind) ? row[at + 9] : row[at + 1];
     }
 
     /** How far a box or cylinder reaches above and below its middle; 0 of an octagon. */
     public static double halfHeight(LeafKind kind, double[] row, int at) {
-        return kind == LeafKind.PRISM ? 0 : row[at + 4];
+        return isRange(kind) ? 0 : row[at + 4];
     }
 
     /** The least height of an upright leaf, rounded down. */
     public static double least(LeafKind kind, double[] row, int at) {
-        return kind == LeafKind.PRISM ? row[at + 8] : 0 - sumUp(-row[at + 1], row[at + 4]);
+        return isRange(kind) ? row[at + 8] : 0 - sumUp(-row[at + 1], row[at + 4]);
     }
 
     /** The greatest height of an upright leaf, rounded up. */
     public static double greatest(LeafKind kind, double[] row, int at) {
-        return kind == LeafKind.PRISM ? row[at + 9] : sumUp(row[at + 1], row[at + 4]);
+        return isRange(kind) ? row[at + 9] : sumUp(row[at + 1], row[at + 4]);
+    }
+
+    private static boolean isRange(LeafKind kind) {
+        return kind.layout() == LeafKind.Layout.RANGES;
     }
 
     /** {@code a + b}, rounded up. */

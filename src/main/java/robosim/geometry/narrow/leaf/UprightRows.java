@@ -45,17 +45,19 @@ public final class UprightRows {
 
     /** Whether a row can stand here: what it is spread to must be the row to the bit. */
     static boolean takes(LeafKind kind, double[] row, int at) {
-        return kind == LeafKind.UPRIGHT_CYLINDER
-                || kind == LeafKind.SPHERE
-                || (kind == LeafKind.UPRIGHT_BOX
-                        && isZero(row[at + 7])
+        return switch (kind) {
+            case UPRIGHT_CYLINDER, SPHERE -> true;
+            case UPRIGHT_BOX ->
+                isZero(row[at + 7])
                         && isZero(row[at + 9])
                         && row[at + 10] == 1
                         && isZero(row[at + 11])
                         && isZero(row[at + 13])
                         && same(row[at + 12], 0.0 - row[at + 8])
                         && same(row[at + 14], row[at + 6])
-                        && !same(row[at + 8], ROUND));
+                        && !same(row[at + 8], ROUND);
+            case BOX, CYLINDER, TRIANGLE, PRISM, MESH, SOLID_MESH -> false;
+        };
     }
 
     private static boolean isZero(double number) {

@@ -236,7 +236,7 @@ final class Branches {
             partsBox(code(place), out);
         } else if (!column.kind(part).isMesh()) {
             LeafBounds.of(column.kind(part), column.rows(), part * Leaf.STRIDE, out);
-            widenRound(column.kind(part), out);
+            widenUncertain(column.kind(part), out);
         } else if (code(place) < 0) {
             load(place);
             LeafBounds.of(LeafKind.TRIANGLE, triangle, 0, out);
@@ -250,8 +250,13 @@ final class Branches {
     }
 
     /** So far that a box never decides what {@link SpatialOverlap} is not certain of. */
-    private static void widenRound(LeafKind kind, double[] box) {
-        if (kind == LeafKind.CYLINDER || kind == LeafKind.UPRIGHT_CYLINDER) {
+    private static void widenUncertain(LeafKind kind, double[] box) {
+        boolean isUncertain = switch (kind) {
+            case UPRIGHT_CYLINDER, CYLINDER -> true;
+            case UPRIGHT_BOX, SPHERE, BOX, TRIANGLE, PRISM -> false;
+            case MESH, SOLID_MESH -> throw kind.refused();
+        };
+        if (isUncertain) {
             double pad = DOUBTFUL * BoxGap.size(box);
             for (int axis = 0; axis < 3; axis++) {
                 box[axis] -= pad;

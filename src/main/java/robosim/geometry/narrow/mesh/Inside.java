@@ -3,6 +3,7 @@ package robosim.geometry.narrow.mesh;
 import robosim.geometry.exact.Orientation;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.TriangleMesh;
+import robosim.geometry.narrow.gjk.Support;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
@@ -26,14 +27,10 @@ public final class Inside {
 
     /** Whether some point of the leaf, which does not meet the surface, lies inside the mesh. */
     public static boolean holdsLeaf(LeafColumn mesh, int leaf, LeafKind kind, double[] row, int at, LeafScratch s) {
-        // The first three numbers are the centre, or a corner: a point of the leaf; of a prism they are bounds.
-        if (kind == LeafKind.PRISM) {
-            double x = row[at] / 2 + row[at + 1] / 2;
-            double y = row[at + 8] / 2 + row[at + 9] / 2;
-            double z = row[at + 2] / 2 + row[at + 3] / 2;
-            return holds(mesh, leaf, x, y, z, s);
-        }
-        return holds(mesh, leaf, row[at], row[at + 1], row[at + 2], s);
+        double x = Support.originX(kind, row, at);
+        double y = Support.originY(kind, row, at);
+        double z = Support.originZ(kind, row, at);
+        return holds(mesh, leaf, x, y, z, s);
     }
 
     /** Whether some connected part of another mesh, whose surface does not meet this one's, lies inside. */

@@ -44,12 +44,12 @@ public final class CylinderCylinder {
      */
     public static boolean touch(
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
-        double ax = kindA == LeafKind.CYLINDER ? a[i + 7] : 0;
-        double ay = kindA == LeafKind.CYLINDER ? a[i + 10] : 1;
-        double az = kindA == LeafKind.CYLINDER ? a[i + 13] : 0;
-        double bx = kindB == LeafKind.CYLINDER ? b[j + 7] : 0;
-        double by = kindB == LeafKind.CYLINDER ? b[j + 10] : 1;
-        double bz = kindB == LeafKind.CYLINDER ? b[j + 13] : 0;
+        double ax = kindA.isTurned() ? a[i + 7] : 0;
+        double ay = kindA.isTurned() ? a[i + 10] : 1;
+        double az = kindA.isTurned() ? a[i + 13] : 0;
+        double bx = kindB.isTurned() ? b[j + 7] : 0;
+        double by = kindB.isTurned() ? b[j + 10] : 1;
+        double bz = kindB.isTurned() ? b[j + 13] : 0;
         boolean same = (ax == bx && ay == by && az == bz) || (ax == -bx && ay == -by && az == -bz);
         if (same || (maybeParallel(ax, ay, az, bx, by, bz) && areParallel(kindA, a, i, kindB, b, j))) {
             int sure = parallel(a, i, ax, ay, az, b, j, Math.abs(ax * bx + ay * by + az * bz));

@@ -8,11 +8,6 @@ import robosim.geometry.narrow.leaf.LeafKind;
 public final class Levels {
     private Levels() {}
 
-    /** Whether heights are sums of two. */
-    public static boolean has(LeafKind kind) {
-        return kind != LeafKind.BOX && kind != LeafKind.CYLINDER;
-    }
-
     /** The first term of the top (side 1) or the bottom (side -1) of a leaf. */
     public static double middle(LeafKind kind, double[] row, int at, int side) {
         return switch (kind) {
@@ -21,7 +16,8 @@ public final class Levels {
                         ? Math.max(Math.max(row[at + 1], row[at + 4]), row[at + 7])
                         : Math.min(Math.min(row[at + 1], row[at + 4]), row[at + 7]);
             case PRISM -> side > 0 ? row[at + 9] : row[at + 8];
-            default -> row[at + 1];
+            case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE -> row[at + 1];
+            case BOX, CYLINDER, MESH, SOLID_MESH -> throw kind.refused();
         };
     }
 
@@ -30,7 +26,8 @@ public final class Levels {
         return switch (kind) {
             case TRIANGLE, PRISM -> 0;
             case SPHERE -> row[at + 3];
-            default -> row[at + 4];
+            case UPRIGHT_BOX, UPRIGHT_CYLINDER -> row[at + 4];
+            case BOX, CYLINDER, MESH, SOLID_MESH -> throw kind.refused();
         };
     }
 
@@ -41,7 +38,7 @@ public final class Levels {
 
     /** 1 where all of a is at or above the top of b, -1 at or below its bottom, 0 where neither is or may be told here. */
     public static int side(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        if (!has(kindA) || !has(kindB)) {
+        if (!kindA.hasLevels() || !kindB.hasLevels()) {
             return 0;
         }
         return isAbove(kindA, a, i, kindB, b, j) ? 1 : isAbove(kindB, b, j, kindA, a, i) ? -1 : 0;
@@ -55,29 +52,34 @@ public final class Levels {
 
     /** Whether the top and the bottom are as wide as the leaf as seen from above. */
     static boolean isFlat(LeafKind kind, double[] row, int at) {
-        return kind == LeafKind.TRIANGLE
-                ? row[at + 1] == row[at + 4] && row[at + 4] == row[at + 7]
-                : kind != LeafKind.SPHERE;
+        return switch (kind) {
+            case UPRIGHT_BOX, UPRIGHT_CYLINDER, PRISM -> true;
+            case SPHERE -> false;
+            case TRIANGLE -> row[at + 1] == row[at + 4] && row[at + 4] == row[at + 7];
+            case BOX, CYLINDER, MESH, SOLID_MESH -> throw kind.refused();
+        };
     }
 
     /**
      * Writes what a leaf has in its top (side 1) or bottom (side -1), to be seen from above: of a triangle the corners that
-     * are there, of a sphere its centre; answers its kind.
+     * are there, of a sphere its centre.
      */
-    public static LeafKind part(LeafKind kind, double[] row, int at, int side, double[] out) {
+    public static void part(LeafKind kind, double[] row, int at, int side, double[] out) {
         System.arraycopy(row, at, out, 0, Leaf.STRIDE);
-        if (kind == LeafKind.SPHERE) {
-            out[Leaf.SIZE] = 0;
-        } else if (kind == LeafKind.TRIANGLE) {
-            double level = middle(kind, row, at, side);
-            int there = row[at + 1] == level ? 0 : row[at + 4] == level ? 3 : 6;
-            for (int k = 0; k < 9; k += 3) {
-                if (row[at + k + 1] != level) {
-                    System.arraycopy(row, at + there, out, k, 3);
+        switch (kind) {
+            case UPRIGHT_BOX, UPRIGHT_CYLINDER, PRISM -> {}
+            case SPHERE -> out[Leaf.SIZE] = 0;
+            case TRIANGLE -> {
+                double level = middle(kind, row, at, side);
+                int there = row[at + 1] == level ? 0 : row[at + 4] == level ? 3 : 6;
+                for (int k = 0; k < 9; k += 3) {
+                    if (row[at + k + 1] != level) {
+                        System.arraycopy(row, at + there, out, k, 3);
+                    }
                 }
             }
+            case BOX, CYLINDER, MESH, SOLID_MESH -> throw kind.refused();
         }
-        return kind;
     }
 
     /**
@@ -86,7 +88,7 @@ public final class Levels {
      */
     public static boolean parts(
             LeafKind kindA, double[] a, int i, double dy, LeafKind kindB, double[] b, int j, OverlapScratch s) {
-        if (!has(kindA) || !has(kindB)) {
+        if (!kindA.hasLevels() || !kindB.hasLevels()) {
             return false;
         }
         int above = dy >= 0 ? sign(kindA, a, i, kindB, b, j) : -1;
@@ -108,7 +110,7 @@ public final class Levels {
 
     /** Whether two leaves touch, where that is known by their heights and as seen from above: 1, -1, or 0 where it is not. */
     public static int touch(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
-        if (!has(kindA) || !has(kindB)) {
+        if (!kindA.hasLevels() || !kindB.hasLevels()) {
             return 0;
         }
         if (sign(kindA, a, i, kindB, b, j) > 0 || sign(kindB, b, j, kindA, a, i) > 0) {

@@ -34,29 +34,42 @@ public final class PlanarOverlap {
 
     private static boolean ordered(
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
-        int familyA = PlanarShape.family(kindA);
-        int familyB = PlanarShape.family(kindB);
-        if (familyA == PlanarShape.OVAL || familyB == PlanarShape.OVAL) {
-            return oval(kindA, a, i, kindB, b, j, s);
-        }
-        if (familyA == PlanarShape.DISC) {
-            return familyB == PlanarShape.DISC
-                    ? DiscDisc.touch(a[i], a[i + 2], a[i + 3], b[j], b[j + 2], b[j + 3])
-                    : discPolygon(a, i, kindB, b, j, s);
-        }
-        if (familyB == PlanarShape.DISC) {
-            return discPolygon(b, j, kindA, a, i, s);
-        }
-        if (!isBox(kindA) || !isBox(kindB)) {
+        return switch (kindA.fromAbove()) {
+            case DISC -> disc(kindA, a, i, kindB, b, j, s);
+            case POLYGON -> polygon(kindA, a, i, kindB, b, j, s);
+            case OVAL -> oval(kindA, a, i, kindB, b, j, s);
+            case TRIANGLES -> throw kindA.refused();
+        };
+    }
+
+    private static boolean disc(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
+        return switch (kindB.fromAbove()) {
+            case DISC -> DiscDisc.touch(a[i], a[i + 2], a[i + 3], b[j], b[j + 2], b[j + 3]);
+            case POLYGON -> discPolygon(a, i, kindB, b, j, s);
+            case OVAL -> oval(kindA, a, i, kindB, b, j, s);
+            case TRIANGLES -> throw kindB.refused();
+        };
+    }
+
+    private static boolean polygon(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
+        return switch (kindB.fromAbove()) {
+            case DISC -> discPolygon(b, j, kindA, a, i, s);
+            case POLYGON -> polygons(kindA, a, i, kindB, b, j, s);
+            case OVAL -> oval(kindA, a, i, kindB, b, j, s);
+            case TRIANGLES -> throw kindB.refused();
+        };
+    }
+
+    private static boolean polygons(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
+        if (!kindA.isBox() || !kindB.isBox()) {
             return PolygonPolygon.touch(kindA, a, i, kindB, b, j, s);
         }
         return kindB == LeafKind.UPRIGHT_BOX
                 ? RectangleRectangle.touch(a, i, b, j, s.fine)
                 : ZonogonZonogon.touch(kindA, a, i, kindB, b, j, s.fine);
-    }
-
-    private static boolean isBox(LeafKind kind) {
-        return kind == LeafKind.UPRIGHT_BOX || kind == LeafKind.BOX;
     }
 
     private static boolean discPolygon(double[] disc, int i, LeafKind kind, double[] b, int j, OverlapScratch s) {

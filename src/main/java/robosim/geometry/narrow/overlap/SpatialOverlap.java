@@ -46,16 +46,16 @@ public final class SpatialOverlap {
 
     private static boolean ordered(
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
-        if (isPolytope(kindA) && isPolytope(kindB)) {
+        if (ExactPolytope.isKnown(kindA) && ExactPolytope.isKnown(kindB)) {
             return s.polytopes.touch(kindA, a, i, kindB, b, j);
         }
         if (kindA == LeafKind.SPHERE && kindB == LeafKind.SPHERE) {
             return spheres(a, i, b, j);
         }
-        if (isCylinder(kindA) && isCylinder(kindB)) {
+        if (kindA.isCylinder() && kindB.isCylinder()) {
             return CylinderCylinder.touch(kindA, a, i, kindB, b, j, s);
         }
-        if (Filter.isDoubting() && hasExact(kindA, kindB)) {
+        if (Filter.isDoubting() && !kindA.isEnclosure() && !kindB.isEnclosure()) {
             return exactly(kindA, a, i, kindB, b, j, s);
         }
         Gjk gjk = s.gjk;
@@ -66,39 +66,51 @@ public final class SpatialOverlap {
         return gjk.isDeep() || exactly(kindA, a, i, kindB, b, j, s);
     }
 
-    /** Whether {@link #exactly} decides for certain. */
-    private static boolean hasExact(LeafKind kindA, LeafKind kindB) {
-        return kindA != LeafKind.PRISM && kindB != LeafKind.PRISM;
-    }
-
-    /** What neither a slab nor a common point could decide. */
+    /** What neither a slab nor a common point could decide; certain but for a prism and something round. */
     private static boolean exactly(
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
         EXACT.count();
-        if (kindA == LeafKind.SPHERE && kindB != LeafKind.PRISM) {
-            return sphere(new ExactSphere(a, i), kindB, b, j);
-        }
-        if (kindB == LeafKind.SPHERE && kindA != LeafKind.PRISM) {
-            return sphere(new ExactSphere(b, j), kindA, a, i);
-        }
-        if (isPolytope(kindA) && isCylinder(kindB)) {
-            return new ExactCylinder(kindB, b, j).touchesPolytope(new ExactPolytope(kindA, a, i));
-        }
-        if (isCylinder(kindA) && isPolytope(kindB)) {
-            return new ExactCylinder(kindA, a, i).touchesPolytope(new ExactPolytope(kindB, b, j));
-        }
-        if (isPolytope(kindA) || isPolytope(kindB)) {
-            return !ExactAxes.areApart(AxisBody.SPATIAL, kindA, a, i, kindB, b, j); // one is a prism
-        }
-        s.uncertain = true; // a prism and something round: no slab was wide enough
-        return true;
+        return switch (kindA) {
+            case UPRIGHT_BOX, BOX, TRIANGLE, PRISM -> polytope(kindA, a, i, kindB, b, j, s);
+            case SPHERE -> sphere(new ExactSphere(a, i), kindB, b, j, s);
+            case UPRIGHT_CYLINDER, CYLINDER -> cylinder(new ExactCylinder(kindA, a, i), kindB, b, j, s);
+            case MESH, SOLID_MESH -> throw kindA.refused();
+        };
     }
 
-    private static boolean sphere(ExactSphere sphere, LeafKind kind, double[] row, int at) {
-        if (isCylinder(kind)) {
-            return sphere.touchesCylinder(new ExactCylinder(kind, row, at));
-        }
-        return sphere.touchesPolytope(new ExactPolytope(kind, row, at));
+    private static boolean polytope(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
+        return switch (kindB) {
+            case UPRIGHT_BOX, BOX, TRIANGLE, PRISM -> !ExactAxes.areApart(AxisBody.SPATIAL, kindA, a, i, kindB, b, j);
+            case SPHERE -> sphere(new ExactSphere(b, j), kindA, a, i, s);
+            case UPRIGHT_CYLINDER, CYLINDER -> cylinder(new ExactCylinder(kindB, b, j), kindA, a, i, s);
+            case MESH, SOLID_MESH -> throw kindB.refused();
+        };
+    }
+
+    private static boolean sphere(ExactSphere sphere, LeafKind kind, double[] row, int at, OverlapScratch s) {
+        return switch (kind) {
+            case UPRIGHT_BOX, BOX, TRIANGLE -> sphere.touchesPolytope(new ExactPolytope(kind, row, at));
+            case SPHERE -> sphere.touchesSphere(row, at);
+            case UPRIGHT_CYLINDER, CYLINDER -> sphere.touchesCylinder(new ExactCylinder(kind, row, at));
+            case PRISM -> uncertain(s);
+            case MESH, SOLID_MESH -> throw kind.refused();
+        };
+    }
+
+    private static boolean cylinder(ExactCylinder cylinder, LeafKind kind, double[] row, int at, OverlapScratch s) {
+        return switch (kind) {
+            case UPRIGHT_BOX, BOX, TRIANGLE -> cylinder.touchesPolytope(new ExactPolytope(kind, row, at));
+            case SPHERE -> new ExactSphere(row, at).touchesCylinder(cylinder);
+            case UPRIGHT_CYLINDER, CYLINDER, PRISM -> uncertain(s); // two cylinders have a kernel of their own
+            case MESH, SOLID_MESH -> throw kind.refused();
+        };
+    }
+
+    /** No slab was wide enough. */
+    private static boolean uncertain(OverlapScratch s) {
+        s.uncertain = true;
+        return true;
     }
 
     private static boolean spheres(double[] a, int i, double[] b, int j) {
@@ -117,13 +129,5 @@ public final class SpatialOverlap {
         }
         EXACT_SPHERES.count();
         return new ExactSphere(a, i).touchesSphere(b, j);
-    }
-
-    private static boolean isPolytope(LeafKind kind) {
-        return kind == LeafKind.UPRIGHT_BOX || kind == LeafKind.BOX || kind == LeafKind.TRIANGLE;
-    }
-
-    private static boolean isCylinder(LeafKind kind) {
-        return kind == LeafKind.UPRIGHT_CYLINDER || kind == LeafKind.CYLINDER;
     }
 }

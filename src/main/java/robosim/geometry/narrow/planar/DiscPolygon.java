@@ -29,7 +29,7 @@ public final class DiscPolygon {
         if (q.isTiny()) {
             return doubtfulTouch(px, pz, r, kind, b, j);
         }
-        double error = (kind == LeafKind.PRISM ? ROUNDING : FILTER) * (CORNERS * q.error + SIZE * q.size + U * r);
+        double error = (kind.isEnclosure() ? ROUNDING : FILTER) * (CORNERS * q.error + SIZE * q.size + U * r);
         double outline = Math.sqrt(PointPolygon.squareToOutline(0, 0, q));
         if (outline < r - error) {
             return true;
@@ -45,7 +45,7 @@ public final class DiscPolygon {
     }
 
     private static boolean doubtfulTouch(double px, double pz, double r, LeafKind kind, double[] b, int j) {
-        if (kind == LeafKind.PRISM) {
+        if (kind.isEnclosure()) {
             return true;
         }
         EXACT.count();

@@ -32,7 +32,7 @@ public final class ExactPlanar {
         return switch (kind) {
             case UPRIGHT_BOX, BOX -> box(row, at);
             case TRIANGLE -> triangle(row, at);
-            default -> throw new IllegalArgumentException("kind must be a box or a triangle (got: " + kind + ")");
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, MESH, SOLID_MESH -> throw kind.refused();
         };
     }
 

@@ -86,11 +86,12 @@ public final class PlanarShape {
     private final double[] wayX = new double[3];
     private final double[] wayZ = new double[3];
 
-    public static int family(LeafKind kind) {
-        return switch (kind) {
-            case UPRIGHT_CYLINDER, SPHERE -> DISC;
-            case CYLINDER -> OVAL;
-            default -> POLYGON;
+    private static int family(LeafKind kind) {
+        return switch (kind.fromAbove()) {
+            case DISC -> DISC;
+            case POLYGON -> POLYGON;
+            case OVAL -> OVAL;
+            case TRIANGLES -> throw kind.refused();
         };
     }
 
@@ -113,11 +114,17 @@ public final class PlanarShape {
 
     /** A point near a leaf to see it and others from: its centre, or one corner. */
     public static double originX(LeafKind kind, double[] row, int at) {
-        return kind == LeafKind.PRISM ? (row[at] + row[at + 1]) / 2 : row[at];
+        return switch (kind.layout()) {
+            case CENTRE, CORNERS -> row[at];
+            case RANGES -> (row[at] + row[at + 1]) / 2;
+        };
     }
 
     public static double originZ(LeafKind kind, double[] row, int at) {
-        return kind == LeafKind.PRISM ? (row[at + 2] + row[at + 3]) / 2 : row[at + 2];
+        return switch (kind.layout()) {
+            case CENTRE, CORNERS -> row[at + 2];
+            case RANGES -> (row[at + 2] + row[at + 3]) / 2;
+        };
     }
 
     /** Takes the projection of a leaf, as seen from (ox, oz). */
@@ -129,7 +136,8 @@ public final class PlanarShape {
             case CYLINDER -> oval(row, at, ox, oz);
             case TRIANGLE -> triangle(row, at, ox, oz);
             case PRISM -> octagon(row, at, ox, oz);
-            default -> box(row, at, ox, oz);
+            case UPRIGHT_BOX, BOX -> box(row, at, ox, oz);
+            case MESH, SOLID_MESH -> throw kind.refused();
         }
     }
 

@@ -48,7 +48,7 @@ public final class PolygonPolygon {
         q.set(kindB, b, j, ox, oz);
         // The normals of all sides tell how deep two polygons overlap, unless both are flat and parallel; those, and
         // what is small beside the error, never overlap clearly and so go to the exact path.
-        boolean isEnclosure = kindA == LeafKind.PRISM || kindB == LeafKind.PRISM;
+        boolean isEnclosure = kindA.isEnclosure() || kindB.isEnclosure();
         double error = (isEnclosure ? ROUNDING : FILTER) * (p.error + q.error + PRODUCT * (p.size + q.size));
         int verdict = Math.max(apart(p, q, error), apart(q, p, error));
         if (verdict == 1) {

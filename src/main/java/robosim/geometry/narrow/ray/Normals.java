@@ -57,9 +57,8 @@ public final class Normals {
     }
 
     private static double extent(LeafKind kind, double[] row, int j) {
-        int count = kind == LeafKind.PRISM ? 10 : kind == LeafKind.TRIANGLE ? 9 : kind == LeafKind.SPHERE ? 4 : 6;
         double extent = 0;
-        for (int i = 0; i < count; i++) {
+        for (int i = 0; i < kind.lengths(); i++) {
             extent = Math.max(extent, Math.abs(row[j + i]));
         }
         return extent;

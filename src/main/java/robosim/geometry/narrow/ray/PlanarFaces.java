@@ -19,7 +19,7 @@ final class PlanarFaces {
                 SpatialFaces.slab(face, face.px + face.pz, b[j + 4], b[j + 5], 1, 0, 1);
                 SpatialFaces.slab(face, face.px - face.pz, b[j + 6], b[j + 7], 1, 0, -1);
             }
-            default -> throw new IllegalArgumentException("kind must be one of Leaf's (got: " + kind + ")");
+            case MESH, SOLID_MESH -> throw kind.refused();
         }
     }
 

@@ -27,7 +27,7 @@ final class RayPolygon {
         PlanarShape q = s.planarB;
         q.set(kind, b, j, ox, oz);
         double speed = Math.abs(ux) + Math.abs(uz);
-        boolean isEnclosure = kind == LeafKind.PRISM;
+        boolean isEnclosure = kind.isEnclosure();
         double filter = isEnclosure ? ROUNDING : FILTER;
         double doubt = filter * (q.error + PRODUCT * q.size) * speed + UNDERFLOW;
         double left = -Double.MAX_VALUE;
@@ -60,9 +60,7 @@ final class RayPolygon {
             }
         }
         double square = ux * ux + uz * uz;
-        double first = kind == LeafKind.BOX || kind == LeafKind.UPRIGHT_BOX
-                ? RayZonogon.entry(ox, oz, ux, uz, b, j)
-                : lastCrossing(kind, q, ux, uz, speed);
+        double first = kind.isBox() ? RayZonogon.entry(ox, oz, ux, uz, b, j) : lastCrossing(kind, q, ux, uz, speed);
         double share = Math.min(Math.max(first, nearest / square), furthest / square);
         return Math.max(0, share) * Math.sqrt(square);
     }
@@ -101,10 +99,10 @@ final class RayPolygon {
             double way = ez * ux - ex * uz;
             double length = Math.abs(ex) + Math.abs(ez);
             boolean isClear = ahead > DOUBTFUL * length * q.size || way > DOUBTFUL * length * speed;
-            if (isClear || (kind == LeafKind.PRISM && !(ahead < 0 && way < 0))) {
+            if (isClear || (kind.isEnclosure() && !(ahead < 0 && way < 0))) {
                 continue;
             }
-            share = Math.max(share, kind == LeafKind.PRISM ? ahead / way : crossing(q, previous, k, ux, uz));
+            share = Math.max(share, kind.isEnclosure() ? ahead / way : crossing(q, previous, k, ux, uz));
         }
         return share;
     }

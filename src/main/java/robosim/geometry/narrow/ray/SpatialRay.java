@@ -66,7 +66,7 @@ public final class SpatialRay {
             case CYLINDER -> RayCylinder.distance(ox, oy, oz, ux, uy, uz, row, j, s);
             case TRIANGLE -> RayTriangle.distance(ox, oy, oz, ux, uy, uz, row, j, s);
             case PRISM -> RayPrism.distance(ox, oy, oz, ux, uy, uz, row, j, s);
-            default -> throw new IllegalArgumentException("kind must be one of Leaf's (got: " + kind + ")");
+            case MESH, SOLID_MESH -> throw kind.refused();
         };
     }
 }

@@ -73,14 +73,6 @@ public final class AxisBody {
     private final double[] half = new double[9];
     private int halves;
 
-    /** Whether a leaf of this kind is a polytope, in space or (planar) in its projection. */
-    public static boolean isPolytope(LeafKind kind) {
-        return kind == LeafKind.UPRIGHT_BOX
-                || kind == LeafKind.BOX
-                || kind == LeafKind.TRIANGLE
-                || kind == LeafKind.PRISM;
-    }
-
     void spatial(LeafKind kind, double[] row, int at, double ox, double oy, double oz) {
         clear();
         switch (kind) {
@@ -108,7 +100,7 @@ public final class AxisBody {
                 addEdge(1, 0, 1);
                 addEdge(1, 0, -1);
             }
-            default -> {
+            case UPRIGHT_BOX, BOX -> {
                 centre(row, at, ox, oy, oz);
                 for (int k = 0; k < 3; k++) {
                     halfVector(row[at + 3 + k], row[at + 6 + k], row[at + 9 + k], row[at + 12 + k]);
@@ -118,6 +110,7 @@ public final class AxisBody {
                 addCross(6, 0);
                 addCross(0, 3);
             }
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, MESH, SOLID_MESH -> throw kind.refused();
         }
     }
 
@@ -135,7 +128,7 @@ public final class AxisBody {
                 points = 8;
                 octagon();
             }
-            default -> {
+            case UPRIGHT_BOX, BOX -> {
                 centre(row, at, ox, row[at + 1], oz);
                 for (int k = 0; k < 3; k++) {
                     double ux = row[at + 6 + k];
@@ -146,27 +139,32 @@ public final class AxisBody {
                     }
                 }
             }
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, MESH, SOLID_MESH -> throw kind.refused();
         }
     }
 
     /** An upright polytope: the normals of its base and the vertical. */
     void upright(LeafKind kind, double[] row, int at, double ox, double oy, double oz) {
         planar(kind, row, at, ox, oz);
-        if (kind == LeafKind.PRISM) {
-            double low = row[at + 8] - oy;
-            double high = row[at + 9] - oy;
-            for (int k = 0; k < 8; k++) {
-                px[k + 8] = px[k];
-                pz[k + 8] = pz[k];
-                py[k] = low;
-                py[k + 8] = high;
+        switch (kind) {
+            case UPRIGHT_BOX -> {
+                cy = row[at + 1] - oy;
+                my = Math.abs(cy);
+                halfVector(row[at + 4], 0, 1, 0);
             }
-            points = 16;
-            my = Math.max(Math.abs(low), Math.abs(high));
-        } else {
-            cy = row[at + 1] - oy;
-            my = Math.abs(cy);
-            halfVector(row[at + 4], 0, 1, 0);
+            case PRISM -> {
+                double low = row[at + 8] - oy;
+                double high = row[at + 9] - oy;
+                for (int k = 0; k < 8; k++) {
+                    px[k + 8] = px[k];
+                    pz[k + 8] = pz[k];
+                    py[k] = low;
+                    py[k + 8] = high;
+                }
+                points = 16;
+                my = Math.max(Math.abs(low), Math.abs(high));
+            }
+            case UPRIGHT_CYLINDER, SPHERE, BOX, CYLINDER, TRIANGLE, MESH, SOLID_MESH -> throw kind.refused();
         }
         addNormal(0, 1, 0);
     }

@@ -39,7 +39,8 @@ final class DoubleDoubleBody {
         switch (kind) {
             case TRIANGLE -> triangle(row, at, flat, ox, oy, oz);
             case PRISM -> prism(row, at, flat, ox, oy, oz);
-            default -> box(row, at, mode, ox, oy, oz);
+            case UPRIGHT_BOX, BOX -> box(row, at, mode, ox, oy, oz);
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, MESH, SOLID_MESH -> throw kind.refused();
         }
     }
 

@@ -40,7 +40,7 @@ public final class DoubleDoubleCorner {
                 difference(flat ? 0 : row[at + 8 + source / 8], flat ? 0 : oy, out[1]);
                 out[2].set(octagon.z[source % 8]);
             }
-            default -> {
+            case UPRIGHT_BOX, BOX -> {
                 difference(row[at], ox, out[0]);
                 difference(flat ? 0 : row[at + 1], flat ? 0 : oy, out[1]);
                 difference(row[at + 2], oz, out[2]);
@@ -51,6 +51,7 @@ public final class DoubleDoubleCorner {
                     addProduct(half, row[at + 12 + k], out[2]);
                 }
             }
+            case CYLINDER, MESH, SOLID_MESH -> throw kind.refused();
         }
     }
 

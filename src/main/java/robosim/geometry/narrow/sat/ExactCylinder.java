@@ -26,7 +26,7 @@ public final class ExactCylinder {
 
     public ExactCylinder(LeafKind kind, double[] row, int at) {
         centre = ExactVector.at(row, at);
-        axis = kind == LeafKind.CYLINDER ? ExactVector.column(row, at + Leaf.ROTATION + 1) : ExactVector.of(0, 1, 0);
+        axis = kind.isTurned() ? ExactVector.column(row, at + Leaf.ROTATION + 1) : ExactVector.of(0, 1, 0);
         radius = Dyadic.of(row[at + 3]);
         halfHeight = Dyadic.of(row[at + 4]);
         axisSquare = axis.square();

@@ -35,13 +35,13 @@ public record ExactExtent(Dyadic low, Dyadic high, Dyadic root, Dyadic under) {
                 yield new ExactExtent(a.min(b).min(c), a.max(b).max(c), Dyadic.ZERO, Dyadic.ONE);
             }
             case PRISM -> prism(n, row, at);
-            default -> throw new IllegalArgumentException("kind must be convex (got: " + kind + ")");
+            case MESH, SOLID_MESH -> throw kind.refused();
         };
     }
 
     /** The axis of a cylinder, as stored. */
     public static ExactVector axis(LeafKind kind, double[] row, int at) {
-        return kind == LeafKind.CYLINDER ? ExactVector.of(row, at + Leaf.ROTATION + 1, 3) : ExactVector.of(0, 1, 0);
+        return kind.isTurned() ? ExactVector.of(row, at + Leaf.ROTATION + 1, 3) : ExactVector.of(0, 1, 0);
     }
 
     /** Sign of the gap from where this ends to where another begins: at least 0 where the other lies wholly beyond. */

@@ -27,15 +27,14 @@ public final class ExactFeatures {
 
     public ExactFeatures(boolean inPlane, LeafKind kind, double[] row, int at) {
         flat = inPlane;
-        isRound = (kind == LeafKind.SPHERE || kind == LeafKind.CYLINDER || kind == LeafKind.UPRIGHT_CYLINDER)
-                && row[at + Leaf.SIZE] > 0;
+        isRound = kind.isRound() && row[at + Leaf.SIZE] > 0;
         switch (kind) {
             case UPRIGHT_BOX, BOX -> box(row, at);
             case SPHERE -> corners.add(level(ExactVector.of(row, at, 1)));
             case UPRIGHT_CYLINDER, CYLINDER -> cylinder(kind, row, at);
             case TRIANGLE -> triangle(row, at);
             case PRISM -> prism(row, at);
-            default -> throw new IllegalArgumentException("kind must be convex (got: " + kind + ")");
+            case MESH, SOLID_MESH -> throw kind.refused();
         }
         if (flat) {
             for (ExactVector edge : edges) {

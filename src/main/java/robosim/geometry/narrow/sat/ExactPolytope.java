@@ -32,11 +32,18 @@ public final class ExactPolytope {
 
     /** Whether a kind of leaf is a box or a triangle. */
     public static boolean isKnown(LeafKind kind) {
-        return kind == LeafKind.UPRIGHT_BOX || kind == LeafKind.BOX || kind == LeafKind.TRIANGLE;
+        return switch (kind) {
+            case UPRIGHT_BOX, BOX, TRIANGLE -> true;
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, MESH, SOLID_MESH -> false;
+        };
     }
 
     public ExactPolytope(LeafKind kind, double[] row, int at) {
-        isBox = kind != LeafKind.TRIANGLE;
+        isBox = switch (kind) {
+            case UPRIGHT_BOX, BOX -> true;
+            case TRIANGLE -> false;
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, MESH, SOLID_MESH -> throw kind.refused();
+        };
         centre = ExactVector.at(row, at);
         if (isBox) {
             for (int k = 0; k < 3; k++) {

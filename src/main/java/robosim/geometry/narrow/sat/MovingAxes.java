@@ -1,5 +1,6 @@
 package robosim.geometry.narrow.sat;
 
+import robosim.geometry.narrow.gjk.Support;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
@@ -57,9 +58,9 @@ public final class MovingAxes {
             LeafKind kindB,
             double[] b,
             int j) {
-        double ox = kindA == LeafKind.PRISM ? 0.5 * a[i] + 0.5 * a[i + 1] : a[i];
-        double oy = kindA == LeafKind.PRISM ? 0.5 * a[i + 8] + 0.5 * a[i + 9] : a[i + 1];
-        double oz = kindA == LeafKind.PRISM ? 0.5 * a[i + 2] + 0.5 * a[i + 3] : a[i + 2];
+        double ox = Support.originX(kindA, a, i);
+        double oy = Support.originY(kindA, a, i);
+        double oz = Support.originZ(kindA, a, i);
         dx = moveX;
         dy = mode == AxisBody.PLANAR ? 0 : moveY;
         dz = moveZ;

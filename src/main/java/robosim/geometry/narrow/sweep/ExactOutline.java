@@ -19,7 +19,7 @@ record ExactOutline(List<Dyadic[]> corners, List<Dyadic[]> normals) {
             case UPRIGHT_BOX, BOX -> zonogon(row, at);
             case TRIANGLE -> triangle(row, at);
             case PRISM -> prism(row, at);
-            default -> throw new IllegalArgumentException("not a polytope (got kind: " + kind + ")");
+            case CYLINDER, MESH, SOLID_MESH -> throw kind.refused();
         };
     }
 

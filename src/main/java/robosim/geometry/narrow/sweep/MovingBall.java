@@ -80,12 +80,13 @@ final class MovingBall {
         dx = moveX;
         dy = moveY;
         dz = moveZ;
-        ball.move(a[i + 3], kindB == LeafKind.SPHERE || kindB == LeafKind.UPRIGHT_CYLINDER ? b[j + 3] : 0, dx, dy, dz);
+        ball.move(a[i + 3], kindB.isDisc() ? b[j + 3] : 0, dx, dy, dz);
         double time = switch (kindB) {
             case SPHERE -> sphere();
             case UPRIGHT_CYLINDER -> cylinder(near, a, i);
             case TRIANGLE -> triangle(near);
-            default -> box(near);
+            case UPRIGHT_BOX, BOX -> box(near);
+            case CYLINDER, PRISM, MESH, SOLID_MESH -> throw kindB.refused();
         };
         return time > 1 ? Double.POSITIVE_INFINITY : time == 1 ? Double.NaN : time;
     }

@@ -30,15 +30,15 @@ public final class PlanarSweep {
             double[] b,
             int j,
             SweepScratch s) {
-        if (AxisBody.isPolytope(kindA)) {
-            if (AxisBody.isPolytope(kindB)) {
+        if (kindA.isPolytope()) {
+            if (kindB.isPolytope()) {
                 double time = s.sweep().axes.time(AxisBody.PLANAR, kindA, a, i, dx, 0, dz, kindB, b, j);
                 return Double.isNaN(time) ? ExactAxes.time(AxisBody.PLANAR, kindA, a, i, dx, 0, dz, kindB, b, j) : time;
             }
             if (kindB.isDisc()) {
                 return disc(b, j, -dx, -dz, kindA, a, i, s);
             }
-        } else if (kindA.isDisc() && (kindB.isDisc() || AxisBody.isPolytope(kindB))) {
+        } else if (kindA.isDisc() && (kindB.isDisc() || kindB.isPolytope())) {
             return disc(a, i, dx, dz, kindB, b, j, s);
         }
         return s.sweep().move.time(true, kindA, a, i, dx, 0, dz, kindB, b, j, s);

@@ -35,14 +35,14 @@ public final class SpatialSweep {
         if (Levels.parts(kindA, a, i, dy, kindB, b, j, s)) {
             return Double.POSITIVE_INFINITY;
         }
-        if (AxisBody.isPolytope(kindA) && AxisBody.isPolytope(kindB)) {
+        if (kindA.isPolytope() && kindB.isPolytope()) {
             boolean upright = kindA.isVerticalPrism() && kindB.isVerticalPrism();
             int mode = upright ? AxisBody.UPRIGHT : AxisBody.SPATIAL;
             double time = s.sweep().axes.time(mode, kindA, a, i, dx, dy, dz, kindB, b, j);
             return Double.isNaN(time) ? ExactAxes.time(mode, kindA, a, i, dx, dy, dz, kindB, b, j) : time;
         }
         if (kindA.isVerticalPrism() && kindB.isVerticalPrism()) {
-            return kindA == LeafKind.UPRIGHT_CYLINDER
+            return kindA.isRound()
                     ? cylinder(a, i, dx, dy, dz, kindB, b, j, s)
                     : cylinder(b, j, -dx, -dy, -dz, kindA, a, i, s);
         }
@@ -58,10 +58,11 @@ public final class SpatialSweep {
     /** A sphere against anything: what held axes do not prove free is found in closed form, but on a rim. */
     private static double sphere(
             double[] a, int i, double dx, double dy, double dz, LeafKind kindB, double[] b, int j, SweepScratch s) {
-        boolean exact = kindB == LeafKind.SPHERE
-                || kindB == LeafKind.TRIANGLE
-                || kindB == LeafKind.BOX
-                || kindB == LeafKind.UPRIGHT_BOX;
+        boolean exact = switch (kindB) {
+            case UPRIGHT_BOX, SPHERE, BOX, TRIANGLE -> true;
+            case UPRIGHT_CYLINDER, CYLINDER, PRISM -> false;
+            case MESH, SOLID_MESH -> throw kindB.refused();
+        };
         if (kindB == LeafKind.UPRIGHT_BOX && MovingBall.isAbove(a, i, dy, b, j)) {
             return Double.POSITIVE_INFINITY;
         }

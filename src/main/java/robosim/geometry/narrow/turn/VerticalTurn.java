@@ -22,7 +22,7 @@ final class VerticalTurn {
     private int sign;
 
     static boolean isCovered(LeafKind kind) {
-        return AxisBody.isPolytope(kind) || kind.isDisc();
+        return kind.isPolytope() || kind.isDisc();
     }
 
     /**

@@ -23,7 +23,6 @@ import robosim.geometry.narrow.PlanarSampling;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.planar.PlanarShape;
 import robosim.geometry.narrow.ray.PlanarRay;
 import robosim.geometry.narrow.ray.PlanarRayTest;
 
@@ -45,7 +44,7 @@ class PlanarConeTest {
     }
 
     private static boolean isCurved(LeafKind kind) {
-        return PlanarShape.family(kind) != PlanarShape.POLYGON;
+        return kind.fromAbove() != LeafKind.FromAbove.POLYGON;
     }
 
     @Test

@@ -17,7 +17,6 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.overlap.PlanarOverlapTest;
-import robosim.geometry.narrow.planar.PlanarShape;
 
 class PlanarDistanceTest {
     private final Scratch scratch = new Scratch();
@@ -79,8 +78,7 @@ class PlanarDistanceTest {
             double[] b = rows.row(kindB, 1.5, 1);
             double truth = PlanarSampling.between(PlanarSampling.points(kindA, a), PlanarSampling.points(kindB, b));
             double distance = between(kindA, a, kindB, b);
-            boolean curved = PlanarShape.family(kindA) + PlanarShape.family(kindB) != 2 * PlanarShape.POLYGON
-                    || kindA == LeafKind.CYLINDER;
+            boolean curved = kindA == LeafKind.CYLINDER || kindB.fromAbove() != LeafKind.FromAbove.POLYGON;
             assertThat(distance)
                     .as(PlanarOverlapTest.pair(kindA, a, kindB, b))
                     .isBetween(truth - (curved ? 1e-4 : 1e-11), truth + 1e-11);
