@@ -10,18 +10,19 @@ import org.jspecify.annotations.Nullable;
  * come into being that its constructor would refuse.
  */
 public sealed interface GeometryObject extends Serializable
-        permits BoxObject, CylinderObject, SphereObject, MeshObject, ObjectGroup {
+        permits BoxObject, CylinderObject, SphereObject, CapsuleObject, MeshObject, ObjectGroup {
 
-    /** The five shapes, for a switch that the compiler checks. */
+    /** The six shapes, for a switch that the compiler checks. */
     enum Kind {
         BOX,
         CYLINDER,
         SPHERE,
+        CAPSULE,
         MESH,
         GROUP
     }
 
-    /** Which of the five shapes this is. */
+    /** Which of the six shapes this is. */
     Kind kind();
 
     /** The name, unique in a world, or null for a static object without one. */
@@ -34,7 +35,7 @@ public sealed interface GeometryObject extends Serializable
     /** The place and attitude. */
     Pose pose();
 
-    /** The place: the middle of a box, cylinder or sphere; the origin of the own frame of a mesh or group. */
+    /** The place: the middle of a box, cylinder, sphere or capsule; the origin of the own frame of a mesh or group. */
     default Point center() {
         return pose().center();
     }

@@ -28,6 +28,7 @@ public final class SerialForms {
                 Box.class,
                 Cylinder.class,
                 Sphere.class,
+                Capsule.class,
                 Mesh.class,
                 Group.class);
     }
@@ -89,6 +90,16 @@ public final class SerialForms {
         @Serial
         private Object readResolve() {
             return new SphereObject(place.tag(), place.pose(), radius);
+        }
+    }
+
+    record Capsule(Place place, double radius, double segment) implements Serializable {
+        @Serial
+        private static final long serialVersionUID = 1;
+
+        @Serial
+        private Object readResolve() {
+            return new CapsuleObject(place.tag(), place.pose(), radius, segment);
         }
     }
 

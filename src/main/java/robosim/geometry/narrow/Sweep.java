@@ -80,8 +80,8 @@ public final class Sweep {
         }
         return switch (kind) {
             case SPHERE -> true;
-            case UPRIGHT_CYLINDER -> isLevel;
-            case CYLINDER ->
+            case UPRIGHT_CYLINDER, UPRIGHT_CAPSULE -> isLevel;
+            case CYLINDER, CAPSULE ->
                 ExactExtent.axis(kind, row, at)
                         .cross(ExactVector.of(wx, wy, wz))
                         .isZero();

@@ -123,7 +123,7 @@ public final class WorldBounds {
     private static double filter(LeafKind kind) {
         return switch (kind) {
             case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, BOX -> FILTER;
-            case CYLINDER -> CYLINDER_FILTER;
+            case CYLINDER, UPRIGHT_CAPSULE, CAPSULE -> CYLINDER_FILTER;
             case TRIANGLE, PRISM, MESH, SOLID_MESH -> throw kind.refused();
         };
     }
@@ -133,7 +133,7 @@ public final class WorldBounds {
         return switch (kind) {
             case UPRIGHT_BOX, BOX -> productsFit(row, at, axis);
             case UPRIGHT_CYLINDER, SPHERE -> true;
-            case CYLINDER -> false;
+            case CYLINDER, UPRIGHT_CAPSULE, CAPSULE -> false;
             case TRIANGLE, PRISM, MESH, SOLID_MESH -> throw kind.refused();
         };
     }
@@ -180,6 +180,8 @@ public final class WorldBounds {
                 double across = Math.sqrt(a * a + b * b);
                 yield row[at + 4] * Math.abs(along) + row[at + 3] * across / Math.sqrt(along * along + across * across);
             }
+            case UPRIGHT_CAPSULE -> (axis == 1 ? row[at + 4] : 0) + row[at + 3];
+            case CAPSULE -> row[at + 4] * Math.abs(row[r + 1]) + row[at + 3];
             case UPRIGHT_BOX, BOX ->
                 row[at + 3] * Math.abs(row[r])
                         + row[at + 4] * Math.abs(row[r + 1])
@@ -195,6 +197,13 @@ public final class WorldBounds {
         return switch (kind) {
             case UPRIGHT_CYLINDER, SPHERE ->
                 room.subtract(Dyadic.of(extent(kind, row, at, axis))).signum() >= 0;
+            case UPRIGHT_CAPSULE, CAPSULE -> {
+                double along = kind.isTurned() ? row[r + 1] : axis == 1 ? 1 : 0;
+                yield room.subtract(Dyadic.product(row[at + 4], Math.abs(along)))
+                                .subtract(Dyadic.of(row[at + 3]))
+                                .signum()
+                        >= 0;
+            }
             case CYLINDER -> {
                 Dyadic squared = Dyadic.ZERO;
                 for (int k = 0; k < 3; k++) {

@@ -5,4 +5,5 @@ final class ConeKernels {
     final Cone cone = new Cone();
     final ConePolytope polytope = new ConePolytope();
     final ConeCylinder cylinder = new ConeCylinder();
+    final ConeCapsule capsule = new ConeCapsule();
 }

@@ -82,7 +82,7 @@ public final class PlanarCone {
         return switch (kind.fromAbove()) {
             case DISC -> disc(sector, ox, oz, ux, uz, halfCos, b, j, s);
             case POLYGON -> polygon(sector, ox, oz, ux, uz, halfCos, kind, b, j, s);
-            case OVAL -> oval(ox, oz, ux, uz, halfCos, b, j, s);
+            case OVAL -> oval(ox, oz, ux, uz, halfCos, kind, b, j, s);
             case TRIANGLES -> throw kind.refused();
         };
     }
@@ -206,11 +206,11 @@ public final class PlanarCone {
     }
 
     private static double oval(
-            double ox, double oz, double ux, double uz, double halfCos, double[] b, int j, ConeScratch s) {
+            double ox, double oz, double ux, double uz, double halfCos, LeafKind kind, double[] b, int j, ConeScratch s) {
         PlanarShape apex = s.planarA;
         PlanarShape q = s.planarB;
         apex.point();
-        q.set(LeafKind.CYLINDER, b, j, ox, oz);
+        q.set(kind, b, j, ox, oz);
         PlanarBracket bracket = s.planarBracket;
         bracket.find(apex, q, false);
         if (!bracket.isApart()) {

@@ -11,7 +11,7 @@ import robosim.geometry.narrow.ray.SpatialRay;
  * <p>Boxes, triangles and prisms: whether anything is in the cone is exact for the stored cosine, and the distance is
  * within 8 ulp of the largest coordinate. Spheres: exact likewise, within 2^-90. Cylinders: a lower bound of the distance, within
  * 2^-40 of it (nearer than 2^-44 of offset and sizes: within as much); infinite only where they are proved apart, while what
- * passes by closer than 2^-44 of offset and sizes may be heard.
+ * passes by closer than 2^-44 of offset and sizes may be heard. Capsules: a lower bound too, see {@link ConeCapsule}.
  */
 public final class SpatialCone {
     private SpatialCone() {}
@@ -38,7 +38,7 @@ public final class SpatialCone {
             int j,
             ConeScratch s) {
 
-        if ((kind.isBox() || kind.isCylinder()) && isSurelyBeyond(ox, oy, oz, ux, uy, uz, halfCos, kind, row, j)) {
+        if ((kind.isBox() || kind.isCylinder() || kind.isCapsule()) && isSurelyBeyond(ox, oy, oz, ux, uy, uz, halfCos, kind, row, j)) {
             return Double.POSITIVE_INFINITY;
         }
         double axis = SpatialRay.distance(ox, oy, oz, ux, uy, uz, kind, row, j, s);
@@ -61,6 +61,8 @@ public final class SpatialCone {
             case SPHERE -> ConeSphere.distance(cone, row, j);
             case UPRIGHT_CYLINDER -> s.cones().cylinder.distance(cone, row, j, 0, 1, 0);
             case CYLINDER -> s.cones().cylinder.distance(cone, row, j, row[j + 7], row[j + 10], row[j + 13]);
+            case UPRIGHT_CAPSULE -> s.cones().capsule.distance(cone, row, j, 0, 1, 0);
+            case CAPSULE -> s.cones().capsule.distance(cone, row, j, row[j + 7], row[j + 10], row[j + 13]);
             case MESH, SOLID_MESH -> throw kind.refused();
         };
         return Math.min(axis, nearest);
@@ -75,7 +77,7 @@ public final class SpatialCone {
     }
 
     /**
-     * Whether a box or a cylinder surely lies beyond the plane that touches the cone along the line nearest to its centre m: with e the
+     * Whether a box, a cylinder or a capsule surely lies beyond the plane that touches the cone along the line nearest to its centre m: with e the
      * unit vector from the axis to m, the plane's normal is {@code n = e cos - u sin}.
      *
      * <p>As m is not all but on the axis, e is off by 2^-30 of itself along the axis at most; u, sin, m and all else are off
@@ -95,7 +97,7 @@ public final class SpatialCone {
         double mx = row[j] - ox;
         double my = row[j + 1] - oy;
         double mz = row[j + 2] - oz;
-        // a cylinder's sixth number only adds
+        // the sixth number of what has only two sizes only adds
         double size = Math.abs(mx) + Math.abs(my) + Math.abs(mz) + row[j + 3] + row[j + 4] + row[j + 5];
         double length = VectorMath.length(dx, dy, dz);
         // where no square loses bits or overflows
@@ -121,7 +123,7 @@ public final class SpatialCone {
         return gap > 0x1p-28 * size;
     }
 
-    /** How far a box or a cylinder reaches from its centre along a unit vector. */
+    /** How far a box, a cylinder or a capsule reaches from its centre along a unit vector. */
     private static double reach(double nx, double ny, double nz, LeafKind kind, double[] row, int j) {
         int r = j + Leaf.ROTATION;
         return switch (kind) {
@@ -136,6 +138,9 @@ public final class SpatialCone {
                 double across = Math.sqrt(Math.max(0, (1 - along) * (1 + along)) + 0x1p-29);
                 yield row[j + 3] * across + row[j + 4] * along;
             }
+            case UPRIGHT_CAPSULE -> row[j + 3] + row[j + 4] * Math.abs(ny);
+            case CAPSULE ->
+                row[j + 3] + row[j + 4] * Math.abs(nx * row[r + 1] + ny * row[r + 4] + nz * row[r + 7]);
             case SPHERE, TRIANGLE, PRISM, MESH, SOLID_MESH -> throw kind.refused();
         };
     }

@@ -56,11 +56,11 @@ public final class SpatialDistance {
         return isBracketed(kindA) || isBracketed(kindB) ? lower : Math.max(0, gjk.reach());
     }
 
-    /** Whether its nearest point is found to a bracket only: where it is round, but not a ball about a point. */
+    /** Whether its nearest point is found to a bracket only: where it is round, but not a ball about a point or a segment. */
     private static boolean isBracketed(LeafKind kind) {
         return switch (kind) {
             case UPRIGHT_CYLINDER, CYLINDER -> true;
-            case UPRIGHT_BOX, SPHERE, BOX, TRIANGLE, PRISM -> false;
+            case UPRIGHT_BOX, SPHERE, BOX, TRIANGLE, PRISM, UPRIGHT_CAPSULE, CAPSULE -> false;
             case MESH, SOLID_MESH -> throw kind.refused();
         };
     }

@@ -46,7 +46,7 @@ final class SphereDistance {
         return switch (kind) {
             case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, BOX, CYLINDER, TRIANGLE ->
                 size(kind, sphere, i, row, j) > SMALL;
-            case PRISM -> false;
+            case PRISM, UPRIGHT_CAPSULE, CAPSULE -> false;
             case MESH, SOLID_MESH -> throw kind.refused();
         };
     }

@@ -8,8 +8,8 @@ import robosim.geometry.narrow.leaf.LeafKind;
  *
  * <p>A leaf is loaded once, relative to an origin and multiplied by a scale, and then asked for many directions. Loaded
  * {@linkplain #spatial in space} it is itself; loaded {@linkplain #planar in the plane} it is its projection on XZ,
- * with y = 0 throughout, and must be asked for directions with y = 0 only. Spheres, and upright cylinders in the plane,
- * are loaded as their centre with a {@link #margin} around it.
+ * with y = 0 throughout, and must be asked for directions with y = 0 only. Spheres, and upright cylinders and
+ * capsules in the plane, are loaded as their centre with a {@link #margin} around it, other capsules as their segment with one.
  *
  * <p>Coordinates found are off the exact ones by at most 8 units of roundoff (2^-53) of {@link #extent}, a prism's by
  * 11. Another point may be found that reaches less far by about as much; {@link Gjk#ROUNDOFF} counts both.
@@ -39,7 +39,7 @@ public final class Support {
     double centreY;
     double centreZ;
 
-    /** Radius around all points found that belongs to the leaf too; 0 for all but spheres and discs. */
+    /** Radius around all points found that belongs to the leaf too; 0 for all but spheres, capsules and discs. */
     public double margin;
 
     /** At least the sum of the magnitudes that any coordinate found is summed from, margin included. */
@@ -120,6 +120,14 @@ public final class Support {
             case CYLINDER -> {
                 centre(row, at, ox, oy, oz, scale);
                 cylinder(row, at, row[at + 7], row[at + 10], row[at + 13], scale);
+            }
+            case UPRIGHT_CAPSULE -> {
+                centre(row, at, ox, oy, oz, scale);
+                capsule(row, at, 0, 1, 0, scale);
+            }
+            case CAPSULE -> {
+                centre(row, at, ox, oy, oz, scale);
+                capsule(row, at, row[at + 7], row[at + 10], row[at + 13], scale);
             }
             case SPHERE -> {
                 centre(row, at, ox, oy, oz, scale);
@@ -243,6 +251,25 @@ public final class Support {
         } else {
             cylinder(row, at, 0, 1, 0, scale);
         }
+    }
+
+    private void capsule(double[] row, int at, double ax, double ay, double az, double scale) {
+        if (heights == 0 && ax == 0 && az == 0) {
+            ball(row[at + Leaf.SIZE] * scale);
+            return;
+        }
+        form = POINTS;
+        double h = row[at + 4] * scale;
+        double x0 = h * ax;
+        double y0 = heights * h * ay;
+        double z0 = h * az;
+        point(centreX + x0, centreY + y0, centreZ + z0);
+        point(centreX - x0, centreY - y0, centreZ - z0);
+        margin = row[at + Leaf.SIZE] * scale;
+        extent = margin
+                + Math.max(
+                        Math.abs(centreX) + Math.abs(x0),
+                        Math.max(Math.abs(centreY) + Math.abs(y0), Math.abs(centreZ) + Math.abs(z0)));
     }
 
     private void ball(double r) {

@@ -21,7 +21,8 @@ final class Canonical {
                 yield kind;
             }
             case CYLINDER -> isVertical(rows, at, 1) ? LeafKind.UPRIGHT_CYLINDER : kind;
-            case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, TRIANGLE, PRISM, MESH, SOLID_MESH -> kind;
+            case CAPSULE -> isVertical(rows, at, 1) ? LeafKind.UPRIGHT_CAPSULE : kind;
+            case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, TRIANGLE, PRISM, UPRIGHT_CAPSULE, MESH, SOLID_MESH -> kind;
         };
     }
 

@@ -87,9 +87,10 @@ public final class Enclosure {
                         ? centre + row[at + 3]
                         : cylinderReach(dx, dy, dz, row, at, half, row[at + 3]);
             }
+            case CAPSULE -> capsuleReach(dx, dy, dz, row, at, level) + row[at + 3];
             case UPRIGHT_BOX, BOX -> boxReach(row, at, level);
             case MESH, SOLID_MESH -> meshReach(column.mesh(leaf), row, at, level);
-            case UPRIGHT_CYLINDER, TRIANGLE, PRISM -> throw kind.refused(); // no object's own
+            case UPRIGHT_CYLINDER, TRIANGLE, PRISM, UPRIGHT_CAPSULE -> throw kind.refused(); // no object's own
         };
     }
 
@@ -99,6 +100,17 @@ public final class Enclosure {
         double axial = Math.abs(dx * row[r] + dy * row[r + 3] + dz * row[r + 6]);
         double across = crossLength(dx, dy, dz, row, r);
         return Math.sqrt((axial + half) * (axial + half) + (across + radius) * (across + radius));
+    }
+
+    /** How far the ends of a capsule's segment are from a point. */
+    private static double capsuleReach(double dx, double dy, double dz, double[] row, int at, boolean level) {
+        int r = at + Leaf.ROTATION + 1;
+        double hx = row[at + 4] * row[r];
+        double hy = level ? 0 : row[at + 4] * row[r + 3];
+        double hz = row[at + 4] * row[r + 6];
+        double one = Math.sqrt((dx + hx) * (dx + hx) + (dy + hy) * (dy + hy) + (dz + hz) * (dz + hz));
+        double two = Math.sqrt((dx - hx) * (dx - hx) + (dy - hy) * (dy - hy) + (dz - hz) * (dz - hz));
+        return Math.max(one, two);
     }
 
     private double boxReach(double[] row, int at, boolean level) {
@@ -282,6 +294,9 @@ public final class Enclosure {
         return switch (kind) {
             case SPHERE -> row[at + 3] * length;
             case UPRIGHT_CYLINDER -> y != 0 ? row[at + 4] : row[at + 3] * length;
+            case UPRIGHT_CAPSULE -> (y != 0 ? row[at + 4] : 0) + row[at + 3] * length;
+            case CAPSULE ->
+                row[at + 4] * Math.abs(row[r + 1] * x + row[r + 4] * y + row[r + 7] * z) + row[at + 3] * length;
             case CYLINDER -> {
                 double along = Math.abs(row[r + 1] * x + row[r + 4] * y + row[r + 7] * z);
                 yield row[at + 4] * along + row[at + 3] * crossLength(x, y, z, row, r + 1);

@@ -36,6 +36,8 @@ public final class Facets {
                     edge(-z, 0, x);
                 }
             }
+            case UPRIGHT_CAPSULE -> edge(0, 1, 0);
+            case CAPSULE -> edge(row[at + 7], row[at + 10], row[at + 13]);
             case SPHERE -> {} // round all over
             case MESH, SOLID_MESH -> throw kind.refused();
         }
@@ -51,7 +53,7 @@ public final class Facets {
                     face(row[k + 6], 0, -row[k]);
                 }
             }
-            case CYLINDER -> face(row[at + 13], 0, -row[at + 7]);
+            case CYLINDER, CAPSULE -> face(row[at + 13], 0, -row[at + 7]);
             case TRIANGLE -> {
                 for (int k = 0; k < 3; k++) {
                     int p = at + 3 * k;
@@ -65,7 +67,7 @@ public final class Facets {
                 face(1, 0, 1);
                 face(1, 0, -1);
             }
-            case UPRIGHT_CYLINDER, SPHERE -> {} // a disc
+            case UPRIGHT_CYLINDER, SPHERE, UPRIGHT_CAPSULE -> {} // a disc
             case MESH, SOLID_MESH -> throw kind.refused();
         }
     }

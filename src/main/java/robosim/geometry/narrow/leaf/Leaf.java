@@ -10,6 +10,8 @@ package robosim.geometry.narrow.leaf;
  * <tr><td>{@link LeafKind#UPRIGHT_BOX}, {@link LeafKind#BOX}</td><td>0-2 centre, 3-5 half sizes along the own axes, 6-14 rotation</td></tr>
  * <tr><td>{@link LeafKind#UPRIGHT_CYLINDER}</td><td>0-2 centre, 3 radius, 4 half height</td></tr>
  * <tr><td>{@link LeafKind#CYLINDER}</td><td>0-2 centre, 3 radius, 4 half height, 6-14 rotation; its axis is the own Y</td></tr>
+ * <tr><td>{@link LeafKind#UPRIGHT_CAPSULE}</td><td>0-2 centre, 3 radius, 4 half length of the segment</td></tr>
+ * <tr><td>{@link LeafKind#CAPSULE}</td><td>the same, and 6-14 rotation; its segment lies along the own Y</td></tr>
  * <tr><td>{@link LeafKind#SPHERE}</td><td>0-2 centre, 3 radius</td></tr>
  * <tr><td>{@link LeafKind#TRIANGLE}</td><td>0-8 the three corners</td></tr>
  * <tr><td>{@link LeafKind#PRISM}</td><td>least and greatest x (0, 1), z (2, 3), x+z (4, 5), x-z (6, 7) and y (8, 9)</td></tr>

@@ -16,6 +16,9 @@ public final class LeafBounds {
             case UPRIGHT_CYLINDER -> around(rows, at, rows[at + 3], rows[at + 4], rows[at + 3], out6);
             case SPHERE -> around(rows, at, rows[at + 3], rows[at + 3], rows[at + 3], out6);
             case CYLINDER -> cylinder(rows, at, out6);
+            case UPRIGHT_CAPSULE ->
+                around(rows, at, rows[at + 3], Upright.sumUp(rows[at + 4], rows[at + 3]), rows[at + 3], out6);
+            case CAPSULE -> capsule(rows, at, out6);
             case TRIANGLE -> triangle(rows, at, out6);
             case PRISM -> {
                 out6[0] = rows[at];
@@ -86,6 +89,18 @@ public final class LeafBounds {
         }
         // Below this the tail of the product may itself be rounded away.
         return Upright.up(product, product < 0x1p-960 ? 1 : Math.fma(a, b, -product));
+    }
+
+    private static void capsule(double[] rows, int at, double[] out6) {
+        double radius = rows[at + 3];
+        double half = rows[at + 4];
+        around(
+                rows,
+                at,
+                Upright.sumUp(productUp(half, Math.abs(rows[at + 7])), radius),
+                Upright.sumUp(productUp(half, Math.abs(rows[at + 10])), radius),
+                Upright.sumUp(productUp(half, Math.abs(rows[at + 13])), radius),
+                out6);
     }
 
     private static void cylinder(double[] rows, int at, double[] out6) {

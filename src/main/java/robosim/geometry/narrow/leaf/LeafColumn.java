@@ -272,7 +272,7 @@ public final class LeafColumn {
                 double halfZ = (rows[at + 3] * sin + rows[at + 5] * cos) * OUTWARD;
                 roughBounds(at, halfX, rows[at + 4], halfZ, out);
             }
-            case BOX, CYLINDER, TRIANGLE, PRISM, MESH, SOLID_MESH -> bounds(leaf, out);
+            case BOX, CYLINDER, TRIANGLE, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> bounds(leaf, out);
         }
     }
 

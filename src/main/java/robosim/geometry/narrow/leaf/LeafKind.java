@@ -12,6 +12,8 @@ public enum LeafKind {
     CYLINDER(Layout.CENTRE, Surface.ROUND, Heights.TURNED, FromAbove.OVAL, 5, 15),
     TRIANGLE(Layout.CORNERS, Surface.FLAT, Heights.LEVELS, FromAbove.POLYGON, 9, 9),
     PRISM(Layout.RANGES, Surface.FLAT, Heights.INTERVAL, FromAbove.POLYGON, 10, 10),
+    UPRIGHT_CAPSULE(Layout.CENTRE, Surface.ROUND, Heights.ENDS, FromAbove.DISC, 5, 5),
+    CAPSULE(Layout.CENTRE, Surface.ROUND, Heights.TURNED, FromAbove.OVAL, 5, 15),
 
     /** A surface of triangles. */
     MESH(Layout.CENTRE, Surface.TRIANGLES, Heights.TURNED, FromAbove.TRIANGLES, 3, 15),
@@ -43,6 +45,8 @@ public enum LeafKind {
         INTERVAL,
         /** Both are sums of two numbers of the row. */
         LEVELS,
+        /** Both are sums of three. */
+        ENDS,
         /** They depend on a rotation. */
         TURNED
     }
@@ -51,7 +55,7 @@ public enum LeafKind {
     public enum FromAbove {
         POLYGON,
         DISC,
-        /** That of a turned cylinder: two ends that are half ellipses, and two sides between them. */
+        /** That of a turned cylinder or capsule: two ends that are half ellipses or half discs, and two sides between them. */
         OVAL,
         TRIANGLES
     }
@@ -110,7 +114,7 @@ public enum LeafKind {
 
     /** Whether its least and its greatest height are sums of two numbers of the row. */
     public boolean hasLevels() {
-        return heights != Heights.TURNED;
+        return heights == Heights.INTERVAL || heights == Heights.LEVELS;
     }
 
     /** Whether it has any attitude, which the nine numbers of its rotation tell. */
@@ -140,6 +144,11 @@ public enum LeafKind {
     /** Whether it is a cylinder, upright or turned. */
     public boolean isCylinder() {
         return this == UPRIGHT_CYLINDER || this == CYLINDER;
+    }
+
+    /** Whether it is a capsule, upright or turned. */
+    public boolean isCapsule() {
+        return this == UPRIGHT_CAPSULE || this == CAPSULE;
     }
 
     /** How many numbers at the beginning of a row are lengths; those that follow are a rotation or nothing. */

@@ -46,7 +46,7 @@ public final class Outline {
             case BOX -> zonogon(row, at, ox, oz);
             case TRIANGLE -> triangle(row, at, ox, oz);
             case PRISM -> prism(row, at, ox, oz);
-            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, MESH, SOLID_MESH -> throw kind.refused();
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
         }
         normals = corners;
     }

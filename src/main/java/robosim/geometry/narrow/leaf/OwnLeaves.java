@@ -72,7 +72,8 @@ public final class OwnLeaves {
     private static LeafKind upright(LeafKind kind, Pose pose) {
         return switch (kind) {
             case CYLINDER -> pose.isUpright() ? LeafKind.UPRIGHT_CYLINDER : kind;
-            case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, BOX, TRIANGLE, PRISM, MESH, SOLID_MESH -> kind;
+            case CAPSULE -> pose.isUpright() ? LeafKind.UPRIGHT_CAPSULE : kind;
+            case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, BOX, TRIANGLE, PRISM, UPRIGHT_CAPSULE, MESH, SOLID_MESH -> kind;
         };
     }
 

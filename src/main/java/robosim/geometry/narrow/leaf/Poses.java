@@ -35,7 +35,8 @@ public final class Poses {
         return switch (kind) {
             case UPRIGHT_BOX, PRISM -> LeafKind.BOX;
             case UPRIGHT_CYLINDER -> LeafKind.CYLINDER;
-            case SPHERE, BOX, CYLINDER, TRIANGLE, MESH, SOLID_MESH -> kind;
+            case UPRIGHT_CAPSULE -> LeafKind.CAPSULE;
+            case SPHERE, BOX, CYLINDER, TRIANGLE, CAPSULE, MESH, SOLID_MESH -> kind;
         };
     }
 
@@ -55,11 +56,11 @@ public final class Poses {
             double[] out) {
         System.arraycopy(row, at, out, 0, Leaf.STRIDE);
         switch (kind) {
-            case UPRIGHT_BOX, BOX, CYLINDER -> {
+            case UPRIGHT_BOX, BOX, CYLINDER, CAPSULE -> {
                 turnPoints(out, 3, px, py, pz, wx, wy, wz, cos, sin);
                 turnAxes(out, wx, wy, wz, cos, sin);
             }
-            case UPRIGHT_CYLINDER -> {
+            case UPRIGHT_CYLINDER, UPRIGHT_CAPSULE -> {
                 out[7] = 0;
                 out[10] = 1;
                 out[13] = 0;

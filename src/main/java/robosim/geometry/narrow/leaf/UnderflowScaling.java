@@ -57,11 +57,11 @@ public final class UnderflowScaling {
                 out[4] = 0;
                 out[7] = 0;
             }
-            case UPRIGHT_BOX, UPRIGHT_CYLINDER -> {
+            case UPRIGHT_BOX, UPRIGHT_CYLINDER, UPRIGHT_CAPSULE -> {
                 out[1] = 0;
                 out[4] = 0;
             }
-            case SPHERE, BOX, CYLINDER -> out[1] = 0; // a size of what leans shows from above
+            case SPHERE, BOX, CYLINDER, CAPSULE -> out[1] = 0; // a size of what leans shows from above
             case MESH, SOLID_MESH -> throw kind.refused();
         }
     }

@@ -253,7 +253,7 @@ final class Branches {
     private static void widenUncertain(LeafKind kind, double[] box) {
         boolean isUncertain = switch (kind) {
             case UPRIGHT_CYLINDER, CYLINDER -> true;
-            case UPRIGHT_BOX, SPHERE, BOX, TRIANGLE, PRISM -> false;
+            case UPRIGHT_BOX, SPHERE, BOX, TRIANGLE, PRISM, UPRIGHT_CAPSULE, CAPSULE -> false;
             case MESH, SOLID_MESH -> throw kind.refused();
         };
         if (isUncertain) {

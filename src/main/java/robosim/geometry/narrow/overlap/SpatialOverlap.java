@@ -9,6 +9,7 @@ import robosim.geometry.narrow.leaf.Order;
 import robosim.geometry.narrow.leaf.Upright;
 import robosim.geometry.narrow.sat.AxisBody;
 import robosim.geometry.narrow.sat.ExactAxes;
+import robosim.geometry.narrow.sat.ExactCapsule;
 import robosim.geometry.narrow.sat.ExactCylinder;
 import robosim.geometry.narrow.sat.ExactPolytope;
 import robosim.geometry.narrow.sat.ExactSphere;
@@ -30,8 +31,9 @@ public final class SpatialOverlap {
     /**
      * Whether two leaves touch or overlap; the same for (a, b) and (b, a).
      *
-     * <p>Exact for the stored numbers, but for two cylinders whose axes are not parallel, and for a prism with a sphere or
-     * a turned cylinder (or where {@link PlanarOverlap} is not). These are certified: see {@link CylinderCylinder#touch};
+     * <p>Exact for the stored numbers, but for two cylinders whose axes are not parallel, a capsule and a cylinder, and
+     * a prism with what is round (or where {@link PlanarOverlap} is not). These are certified: see
+     * {@link CylinderCylinder#touch} and {@link CapsuleCylinder#touch};
      * and prisms, which are enclosures and only have to miss nothing, are apart from what is round only where a slab
      * between the two is wider than its rounding error, some 2^-48 of the sizes and the offset.
      */
@@ -72,8 +74,9 @@ public final class SpatialOverlap {
         EXACT.count();
         return switch (kindA) {
             case UPRIGHT_BOX, BOX, TRIANGLE, PRISM -> polytope(kindA, a, i, kindB, b, j, s);
-            case SPHERE -> sphere(new ExactSphere(a, i), kindB, b, j, s);
-            case UPRIGHT_CYLINDER, CYLINDER -> cylinder(new ExactCylinder(kindA, a, i), kindB, b, j, s);
+            case SPHERE -> sphere(a, i, kindB, b, j, s);
+            case UPRIGHT_CYLINDER, CYLINDER -> cylinder(kindA, a, i, kindB, b, j, s);
+            case UPRIGHT_CAPSULE, CAPSULE -> capsule(kindA, a, i, kindB, b, j, s);
             case MESH, SOLID_MESH -> throw kindA.refused();
         };
     }
@@ -82,28 +85,46 @@ public final class SpatialOverlap {
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
         return switch (kindB) {
             case UPRIGHT_BOX, BOX, TRIANGLE, PRISM -> !ExactAxes.areApart(AxisBody.SPATIAL, kindA, a, i, kindB, b, j);
-            case SPHERE -> sphere(new ExactSphere(b, j), kindA, a, i, s);
-            case UPRIGHT_CYLINDER, CYLINDER -> cylinder(new ExactCylinder(kindB, b, j), kindA, a, i, s);
+            case SPHERE -> sphere(b, j, kindA, a, i, s);
+            case UPRIGHT_CYLINDER, CYLINDER -> cylinder(kindB, b, j, kindA, a, i, s);
+            case UPRIGHT_CAPSULE, CAPSULE -> capsule(kindB, b, j, kindA, a, i, s);
             case MESH, SOLID_MESH -> throw kindB.refused();
         };
     }
 
-    private static boolean sphere(ExactSphere sphere, LeafKind kind, double[] row, int at, OverlapScratch s) {
-        return switch (kind) {
-            case UPRIGHT_BOX, BOX, TRIANGLE -> sphere.touchesPolytope(new ExactPolytope(kind, row, at));
-            case SPHERE -> sphere.touchesSphere(row, at);
-            case UPRIGHT_CYLINDER, CYLINDER -> sphere.touchesCylinder(new ExactCylinder(kind, row, at));
+    private static boolean sphere(double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
+        return switch (kindB) {
+            case UPRIGHT_BOX, BOX, TRIANGLE -> new ExactSphere(a, i).touchesPolytope(new ExactPolytope(kindB, b, j));
+            case SPHERE -> new ExactSphere(a, i).touchesSphere(b, j);
+            case UPRIGHT_CYLINDER, CYLINDER -> new ExactSphere(a, i).touchesCylinder(new ExactCylinder(kindB, b, j));
+            case UPRIGHT_CAPSULE, CAPSULE -> capsule(kindB, b, j, LeafKind.SPHERE, a, i, s);
             case PRISM -> uncertain(s);
-            case MESH, SOLID_MESH -> throw kind.refused();
+            case MESH, SOLID_MESH -> throw kindB.refused();
         };
     }
 
-    private static boolean cylinder(ExactCylinder cylinder, LeafKind kind, double[] row, int at, OverlapScratch s) {
-        return switch (kind) {
-            case UPRIGHT_BOX, BOX, TRIANGLE -> cylinder.touchesPolytope(new ExactPolytope(kind, row, at));
-            case SPHERE -> new ExactSphere(row, at).touchesCylinder(cylinder);
+    private static boolean cylinder(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
+        return switch (kindB) {
+            case UPRIGHT_BOX, BOX, TRIANGLE ->
+                new ExactCylinder(kindA, a, i).touchesPolytope(new ExactPolytope(kindB, b, j));
+            case SPHERE -> sphere(b, j, kindA, a, i, s);
+            case UPRIGHT_CAPSULE, CAPSULE -> capsule(kindB, b, j, kindA, a, i, s);
             case UPRIGHT_CYLINDER, CYLINDER, PRISM -> uncertain(s); // two cylinders have a kernel of their own
-            case MESH, SOLID_MESH -> throw kind.refused();
+            case MESH, SOLID_MESH -> throw kindB.refused();
+        };
+    }
+
+    private static boolean capsule(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
+        return switch (kindB) {
+            case UPRIGHT_BOX, BOX, TRIANGLE ->
+                new ExactCapsule(kindA, a, i).touchesPolytope(new ExactPolytope(kindB, b, j));
+            case SPHERE, UPRIGHT_CAPSULE, CAPSULE ->
+                new ExactCapsule(kindA, a, i).touches(new ExactCapsule(kindB, b, j));
+            case UPRIGHT_CYLINDER, CYLINDER -> CapsuleCylinder.touch(kindA, a, i, kindB, b, j, s);
+            case PRISM -> uncertain(s);
+            case MESH, SOLID_MESH -> throw kindB.refused();
         };
     }
 

@@ -132,8 +132,12 @@ public final class PlanarShape {
         family = family(kind);
         count = 0;
         switch (kind) {
-            case UPRIGHT_CYLINDER, SPHERE -> disc(row, at, ox, oz);
+            case UPRIGHT_CYLINDER, SPHERE, UPRIGHT_CAPSULE -> disc(row, at, ox, oz);
             case CYLINDER -> oval(row, at, ox, oz);
+            case CAPSULE -> {
+                oval(row, at, ox, oz);
+                minor = radius; // its ends are discs
+            }
             case TRIANGLE -> triangle(row, at, ox, oz);
             case PRISM -> octagon(row, at, ox, oz);
             case UPRIGHT_BOX, BOX -> box(row, at, ox, oz);

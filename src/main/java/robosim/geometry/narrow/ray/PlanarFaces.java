@@ -10,8 +10,9 @@ final class PlanarFaces {
     static void offer(NearestFace face, LeafKind kind, double[] b, int j) {
         switch (kind) {
             case UPRIGHT_BOX, BOX -> box(face, b, j);
-            case UPRIGHT_CYLINDER, SPHERE -> disc(face, face.px - b[j], face.pz - b[j + 2], b[j + 3]);
+            case UPRIGHT_CYLINDER, SPHERE, UPRIGHT_CAPSULE -> disc(face, face.px - b[j], face.pz - b[j + 2], b[j + 3]);
             case CYLINDER -> oval(face, b, j);
+            case CAPSULE -> stadium(face, b, j);
             case TRIANGLE -> triangle(face, b, j);
             case PRISM -> {
                 SpatialFaces.slab(face, face.px, b[j], b[j + 1], 1, 0, 0);
@@ -88,6 +89,19 @@ final class PlanarFaces {
         double nv = past > 0 && semi > 0 ? sign * past / length : sign;
         double nw = past > 0 && semi > 0 ? across / length : 0;
         face.offer(past - reach, nv * vx - nw * vz, 0, nv * vz + nw * vx);
+    }
+
+    // Round about the nearest place on the segment as seen from above.
+    private static void stadium(NearestFace face, double[] b, int j) {
+        double qx = face.px - b[j];
+        double qz = face.pz - b[j + 2];
+        double h = b[j + 4];
+        double ax = b[j + 7];
+        double az = b[j + 13];
+        double square = ax * ax + az * az;
+        double along = square > 0 ? (qx * ax + qz * az) / square : 0;
+        double share = Math.max(-h, Math.min(h, along));
+        disc(face, qx - share * ax, qz - share * az, b[j + 3]);
     }
 
     private static void triangle(NearestFace face, double[] b, int j) {

@@ -37,8 +37,9 @@ public final class PlanarRay {
             double ox, double oz, double ux, double uz, LeafKind kind, double[] b, int j, RayScratch s) {
         return switch (kind) {
             case UPRIGHT_BOX -> RayRectangle.distance(ox, oz, ux, uz, b, j);
-            case UPRIGHT_CYLINDER, SPHERE -> RayDisc.distance(ox, oz, ux, uz, b[j], b[j + 2], b[j + Leaf.SIZE]);
-            case CYLINDER -> RayOval.distance(ox, oz, ux, uz, b, j, s.planarB);
+            case UPRIGHT_CYLINDER, SPHERE, UPRIGHT_CAPSULE ->
+                RayDisc.distance(ox, oz, ux, uz, b[j], b[j + 2], b[j + Leaf.SIZE]);
+            case CYLINDER, CAPSULE -> RayOval.distance(ox, oz, ux, uz, kind, b, j, s.planarB);
             case BOX, TRIANGLE, PRISM -> RayPolygon.distance(ox, oz, ux, uz, kind, b, j, s);
             case MESH, SOLID_MESH -> throw kind.refused();
         };

@@ -5,7 +5,7 @@ import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.planar.PlanarShape;
 
 /**
- * A ray and the oval that a turned cylinder throws on the plane: two ellipses and the rectangle between them.
+ * A ray and the outline of a turned cylinder or capsule as seen from above: two ellipses and the rectangle between them.
  *
  * <p>The oval's half axes are taken larger by its rounding error, so that no touch is missed; a hit may be a miss by less
  * than 2^-48 of the coordinates. Not certified for a cap that is all but edge on: a thin ellipse is not larger by as much
@@ -15,8 +15,8 @@ final class RayOval {
     private RayOval() {}
 
     /** Distance in world units. */
-    static double distance(double ox, double oz, double ux, double uz, double[] row, int at, PlanarShape q) {
-        q.set(LeafKind.CYLINDER, row, at, ox, oz);
+    static double distance(double ox, double oz, double ux, double uz, LeafKind kind, double[] row, int at, PlanarShape q) {
+        q.set(kind, row, at, ox, oz);
         double length = Math.sqrt(ux * ux + uz * uz);
         double wayX = ux / length;
         double wayZ = uz / length;

@@ -13,6 +13,8 @@ final class SpatialFaces {
             case UPRIGHT_BOX, BOX -> box(face, b, j);
             case UPRIGHT_CYLINDER -> cylinder(face, b, j, 0, 1, 0);
             case CYLINDER -> cylinder(face, b, j, b[j + 7], b[j + 10], b[j + 13]);
+            case UPRIGHT_CAPSULE -> capsule(face, b, j, 0, 1, 0);
+            case CAPSULE -> capsule(face, b, j, b[j + 7], b[j + 10], b[j + 13]);
             case SPHERE -> round(face, face.px - b[j], face.py - b[j + 1], face.pz - b[j + 2], b[j + 3]);
             case TRIANGLE -> triangle(face, b, j);
             case PRISM -> prism(face, b, j);
@@ -44,6 +46,17 @@ final class SpatialFaces {
         double along = qx * ax + qy * ay + qz * az;
         face.offerSlab(along, b[j + 4] * aa, ax, ay, az);
         double share = along / aa;
+        round(face, qx - share * ax, qy - share * ay, qz - share * az, b[j + 3]);
+    }
+
+    // Round about the nearest place on its segment.
+    private static void capsule(NearestFace face, double[] b, int j, double ax, double ay, double az) {
+        double qx = face.px - b[j];
+        double qy = face.py - b[j + 1];
+        double qz = face.pz - b[j + 2];
+        double h = b[j + 4];
+        double along = (qx * ax + qy * ay + qz * az) / (ax * ax + ay * ay + az * az);
+        double share = Math.max(-h, Math.min(h, along));
         round(face, qx - share * ax, qy - share * ay, qz - share * az, b[j + 3]);
     }
 

@@ -110,7 +110,7 @@ public final class AxisBody {
                 addCross(6, 0);
                 addCross(0, 3);
             }
-            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, MESH, SOLID_MESH -> throw kind.refused();
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
         }
     }
 
@@ -139,7 +139,7 @@ public final class AxisBody {
                     }
                 }
             }
-            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, MESH, SOLID_MESH -> throw kind.refused();
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
         }
     }
 
@@ -164,7 +164,8 @@ public final class AxisBody {
                 points = 16;
                 my = Math.max(Math.abs(low), Math.abs(high));
             }
-            case UPRIGHT_CYLINDER, SPHERE, BOX, CYLINDER, TRIANGLE, MESH, SOLID_MESH -> throw kind.refused();
+            case UPRIGHT_CYLINDER, SPHERE, BOX, CYLINDER, TRIANGLE, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH ->
+                throw kind.refused();
         }
         addNormal(0, 1, 0);
     }

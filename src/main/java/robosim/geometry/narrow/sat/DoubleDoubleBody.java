@@ -40,7 +40,7 @@ final class DoubleDoubleBody {
             case TRIANGLE -> triangle(row, at, flat, ox, oy, oz);
             case PRISM -> prism(row, at, flat, ox, oy, oz);
             case UPRIGHT_BOX, BOX -> box(row, at, mode, ox, oy, oz);
-            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, MESH, SOLID_MESH -> throw kind.refused();
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
         }
     }
 

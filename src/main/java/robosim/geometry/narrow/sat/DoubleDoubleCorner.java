@@ -29,7 +29,7 @@ public final class DoubleDoubleCorner {
                 difference(flat ? 0 : row[source + 1], flat ? 0 : oy, out[1]);
                 difference(row[source + 2], oz, out[2]);
             }
-            case SPHERE, UPRIGHT_CYLINDER -> {
+            case SPHERE, UPRIGHT_CYLINDER, UPRIGHT_CAPSULE -> {
                 difference(row[at], ox, out[0]);
                 difference(flat ? 0 : row[at + 1], flat ? 0 : oy, out[1]);
                 difference(row[at + 2], oz, out[2]);
@@ -51,7 +51,7 @@ public final class DoubleDoubleCorner {
                     addProduct(half, row[at + 12 + k], out[2]);
                 }
             }
-            case CYLINDER, MESH, SOLID_MESH -> throw kind.refused();
+            case CYLINDER, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
         }
     }
 

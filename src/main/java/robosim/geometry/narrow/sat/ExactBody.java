@@ -25,7 +25,7 @@ public final class ExactBody {
             case TRIANGLE -> body.triangle(row, at, flat);
             case PRISM -> body.prism(row, at, mode);
             case UPRIGHT_BOX, BOX -> body.box(row, at, mode);
-            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, MESH, SOLID_MESH -> throw kind.refused();
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
         }
         return body;
     }

@@ -22,6 +22,10 @@ public record ExactExtent(Dyadic low, Dyadic high, Dyadic root, Dyadic under) {
                 yield around(n, row, at, half, Dyadic.ZERO, Dyadic.ONE);
             }
             case SPHERE -> around(n, row, at, Dyadic.ZERO, n.square().multiply(square(row, at)), Dyadic.ONE);
+            case UPRIGHT_CAPSULE, CAPSULE -> {
+                Dyadic half = n.dot(axis(kind, row, at)).abs().multiply(Dyadic.of(row[at + 4]));
+                yield around(n, row, at, half, n.square().multiply(square(row, at)), Dyadic.ONE);
+            }
             case UPRIGHT_CYLINDER, CYLINDER -> {
                 ExactVector axis = axis(kind, row, at);
                 Dyadic half = n.dot(axis).abs().multiply(Dyadic.of(row[at + 4]));
@@ -39,7 +43,7 @@ public record ExactExtent(Dyadic low, Dyadic high, Dyadic root, Dyadic under) {
         };
     }
 
-    /** The axis of a cylinder, as stored. */
+    /** The axis of a cylinder or capsule, as stored. */
     public static ExactVector axis(LeafKind kind, double[] row, int at) {
         return kind.isTurned() ? ExactVector.of(row, at + Leaf.ROTATION + 1, 3) : ExactVector.of(0, 1, 0);
     }

@@ -31,6 +31,7 @@ public final class ExactFeatures {
         switch (kind) {
             case UPRIGHT_BOX, BOX -> box(row, at);
             case SPHERE -> corners.add(level(ExactVector.of(row, at, 1)));
+            case UPRIGHT_CAPSULE, CAPSULE -> capsule(kind, row, at);
             case UPRIGHT_CYLINDER, CYLINDER -> cylinder(kind, row, at);
             case TRIANGLE -> triangle(row, at);
             case PRISM -> prism(row, at);
@@ -54,6 +55,17 @@ public final class ExactFeatures {
 
     private ExactVector level(ExactVector v) {
         return flat ? new ExactVector(v.x(), Dyadic.ZERO, v.z()) : v;
+    }
+
+    private void capsule(LeafKind kind, double[] row, int at) {
+        ExactVector axis = level(ExactExtent.axis(kind, row, at));
+        ExactVector centre = level(ExactVector.of(row, at, 1));
+        ExactVector arm = axis.times(Dyadic.of(row[at + 4]));
+        if (!axis.isZero()) {
+            edges.add(axis);
+        }
+        corners.add(centre.plus(arm));
+        corners.add(centre.minus(arm));
     }
 
     private void box(double[] row, int at) {

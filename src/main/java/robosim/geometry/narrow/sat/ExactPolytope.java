@@ -34,7 +34,7 @@ public final class ExactPolytope {
     public static boolean isKnown(LeafKind kind) {
         return switch (kind) {
             case UPRIGHT_BOX, BOX, TRIANGLE -> true;
-            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, MESH, SOLID_MESH -> false;
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> false;
         };
     }
 
@@ -42,7 +42,7 @@ public final class ExactPolytope {
         isBox = switch (kind) {
             case UPRIGHT_BOX, BOX -> true;
             case TRIANGLE -> false;
-            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, MESH, SOLID_MESH -> throw kind.refused();
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
         };
         centre = ExactVector.at(row, at);
         if (isBox) {

@@ -14,12 +14,12 @@ record ExactOutline(List<Dyadic[]> corners, List<Dyadic[]> normals) {
 
     static ExactOutline of(LeafKind kind, double[] row, int at) {
         return switch (kind) {
-            case UPRIGHT_CYLINDER, SPHERE ->
+            case UPRIGHT_CYLINDER, SPHERE, UPRIGHT_CAPSULE ->
                 new ExactOutline(List.<Dyadic[]>of(pair(Dyadic.of(row[at]), Dyadic.of(row[at + 2]))), List.of());
             case UPRIGHT_BOX, BOX -> zonogon(row, at);
             case TRIANGLE -> triangle(row, at);
             case PRISM -> prism(row, at);
-            case CYLINDER, MESH, SOLID_MESH -> throw kind.refused();
+            case CYLINDER, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
         };
     }
 

@@ -60,7 +60,7 @@ public final class SpatialSweep {
             double[] a, int i, double dx, double dy, double dz, LeafKind kindB, double[] b, int j, SweepScratch s) {
         boolean exact = switch (kindB) {
             case UPRIGHT_BOX, SPHERE, BOX, TRIANGLE -> true;
-            case UPRIGHT_CYLINDER, CYLINDER, PRISM -> false;
+            case UPRIGHT_CYLINDER, CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE -> false;
             case MESH, SOLID_MESH -> throw kindB.refused();
         };
         if (kindB == LeafKind.UPRIGHT_BOX && MovingBall.isAbove(a, i, dy, b, j)) {

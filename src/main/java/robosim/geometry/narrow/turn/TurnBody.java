@@ -96,6 +96,8 @@ final class TurnBody {
                     add(x[m], row[at + 9] - py, z[m]);
                 }
             }
+            case UPRIGHT_CAPSULE -> capsule(row, at, px, py, pz, 0, 1, 0);
+            case CAPSULE -> capsule(row, at, px, py, pz, row[at + 7], row[at + 10], row[at + 13]);
             case SPHERE -> {
                 add(row[at] - px, row[at + 1] - py, row[at + 2] - pz);
                 margin = row[at + 3];
@@ -106,6 +108,14 @@ final class TurnBody {
             case MESH, SOLID_MESH -> throw kind.refused();
         }
         measure();
+    }
+
+    private void capsule(
+            double[] row, int at, double px, double py, double pz, double ax, double ay, double az) {
+        double h = row[at + 4];
+        add(row[at] - px + h * ax, row[at + 1] - py + h * ay, row[at + 2] - pz + h * az);
+        add(row[at] - px - h * ax, row[at + 1] - py - h * ay, row[at + 2] - pz - h * az);
+        margin = row[at + 3];
     }
 
     private void box(double[] row, int at, double px, double py, double pz) {

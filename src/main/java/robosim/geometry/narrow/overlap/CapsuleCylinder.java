@@ -1,0 +1,46 @@
+package robosim.geometry.narrow.overlap;
+
+import robosim.geometry.exact.ExactVector;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.narrow.gjk.Gjk;
+import robosim.geometry.narrow.leaf.LeafBounds;
+import robosim.geometry.narrow.leaf.LeafKind;
+import robosim.geometry.narrow.sat.ExactExtent;
+
+/** A capsule and a cylinder in space, where {@link Gjk} found neither a slab between them nor a common point. */
+final class CapsuleCylinder {
+    private CapsuleCylinder() {}
+
+    /**
+     * Whether the two touch or overlap, certified: apart only with a slab between them, touching with a common point so deep
+     * that no rounding matters, and where neither is found touching, and {@link OverlapScratch#uncertain} set.
+     */
+    static boolean touch(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
+        Gjk gjk = s.gjk;
+        gjk.spatial(kindA, a, i, kindB, b, j);
+        s.hull.grow(Double.MIN_VALUE);
+        if (s.hull.lower() > 0) {
+            return true;
+        }
+        if (-s.hull.upper() > s.hull.error()
+                || isBetween(gjk.nx(), gjk.ny(), gjk.nz(), kindA, a, i, kindB, b, j)
+                || isBetween(s.hull.x(), s.hull.y(), s.hull.z(), kindA, a, i, kindB, b, j)) {
+            return false;
+        }
+        // Trees go by bounds: what these prove apart is, or an answer would depend on which tree was asked.
+        if (LeafBounds.areApart(Dimension.SPATIAL, kindA, a, i, kindB, b, j, s.boundsA, s.boundsB)) {
+            return false;
+        }
+        s.uncertain = true;
+        return true;
+    }
+
+    /** Whether there is a slab between the two across a direction, without rounding. */
+    private static boolean isBetween(
+            double nx, double ny, double nz, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
+        ExactVector n = ExactVector.of(nx, ny, nz);
+        ExactExtent one = ExactExtent.of(n, kindA, a, i);
+        ExactExtent two = ExactExtent.of(n, kindB, b, j);
+        return one.gapTo(two) > 0 || two.gapTo(one) > 0;
+    }
+}
