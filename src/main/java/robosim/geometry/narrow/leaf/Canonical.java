@@ -9,7 +9,7 @@ import robosim.geometry.exact.Rotations;
 final class Canonical {
     private Canonical() {}
 
-    /** The kind of a placed leaf; a box or cylinder comes as {@link Leaf#BOX} or {@link Leaf#CYLINDER}. */
+    /** The kind of a placed leaf; a box or cylinder comes as {@link LeafKind#BOX} or {@link LeafKind#CYLINDER}. */
     static LeafKind kind(LeafKind kind, double[] rows, int at) {
         return switch (kind) {
             case BOX -> {

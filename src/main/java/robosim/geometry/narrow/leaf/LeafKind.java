@@ -83,7 +83,8 @@ public enum LeafKind {
         return ALL[code];
     }
 
-    /** The kind as a byte; at least 0. */
+    /** The kind as a byte, at least 0; of this build only, never stored. */
+    @SuppressWarnings("EnumOrdinal")
     byte code() {
         return (byte) ordinal();
     }

@@ -40,7 +40,7 @@ final class Branches {
     private final double[] triangle = new double[Leaf.STRIDE];
     double[] row = triangle;
     int at;
-    LeafKind kind;
+    LeafKind kind = LeafKind.TRIANGLE;
 
     /** Takes an object up. */
     void open(LeafColumn leaves, Dimension dimension) {

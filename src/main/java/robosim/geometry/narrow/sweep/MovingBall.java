@@ -26,7 +26,7 @@ final class MovingBall {
     private final DoubleDoubleBall ball = new DoubleDoubleBall();
     private final DoubleDoubleCorner corner = new DoubleDoubleCorner();
 
-    private LeafKind kind;
+    private LeafKind kind = LeafKind.SPHERE;
     private double[] row = new double[0];
     private int at;
     private double ox;

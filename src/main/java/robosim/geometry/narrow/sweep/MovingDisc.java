@@ -41,7 +41,7 @@ final class MovingDisc {
     private final DoubleDoubleCorner corner = new DoubleDoubleCorner();
 
     // What the disc is moved against, for the second stage.
-    private LeafKind kind;
+    private LeafKind kind = LeafKind.SPHERE;
     private double[] row = new double[0];
     private int at;
     private double ox;
