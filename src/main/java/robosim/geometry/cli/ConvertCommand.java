@@ -15,8 +15,8 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import robosim.geometry.model.Bounds;
 import robosim.geometry.viewer.playback.Pictures;
-import robosim.geometry.world.Extents;
 import robosim.geometry.world.ImportOptions;
 import robosim.geometry.world.ObjWriter;
 import robosim.geometry.world.World;
@@ -178,20 +178,17 @@ final class ConvertCommand implements Callable<Integer> {
                 NumberText.number(world.height()),
                 NumberText.number(world.length()),
                 unit.isEmpty() ? "" : " " + unit));
-        Extents extents = Extents.of(world.objects());
-        if (!extents.isEmpty()) {
-            String axes = "XYZ";
-            line.append(", the objects reach");
-            for (int axis = 0; axis < 3; axis++) {
-                line.append(String.format(
-                        Locale.ROOT,
-                        "%s %s %s to %s",
-                        axis == 0 ? "" : ",",
-                        axes.charAt(axis),
-                        NumberText.number(extents.least(axis)),
-                        NumberText.number(extents.most(axis))));
-            }
-        }
+        world.objects().stream()
+                .map(each -> each.object().bounds())
+                .reduce(Bounds::and)
+                .ifPresent(all -> line.append(", the objects reach ")
+                        .append(reach("X", all.minX(), all.maxX()))
+                        .append(reach(", Y", all.minY(), all.maxY()))
+                        .append(reach(", Z", all.minZ(), all.maxZ())));
         return line.toString();
+    }
+
+    private static String reach(String axis, double least, double most) {
+        return axis + " " + NumberText.number(least) + " to " + NumberText.number(most);
     }
 }

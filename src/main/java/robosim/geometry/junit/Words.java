@@ -6,14 +6,9 @@ import java.math.RoundingMode;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.MoveResult;
-import robosim.geometry.model.BoxObject;
-import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
-import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Move;
-import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
-import robosim.geometry.model.SphereObject;
 import robosim.geometry.protocol.Text;
 
 /**
@@ -106,28 +101,7 @@ final class Words {
 
     /** Where an object is. */
     static String center(GeometryObject object) {
-        return point(object.center(), size(object));
-    }
-
-    /** About how large an object is. */
-    private static double size(GeometryObject object) {
-        if (object instanceof BoxObject box) {
-            return Math.max(Math.max(box.width(), box.height()), box.length());
-        }
-        if (object instanceof CylinderObject cylinder) {
-            return Math.max(cylinder.radius(), cylinder.height());
-        }
-        if (object instanceof SphereObject sphere) {
-            return sphere.radius();
-        }
-        if (object instanceof ObjectGroup group) {
-            return group.members().stream()
-                    .mapToDouble(member -> Math.max(size(member), largest(member.center())))
-                    .max()
-                    .orElse(0);
-        }
-        return ((MeshObject) object)
-                .vertices().stream().mapToDouble(Words::largest).max().orElse(0);
+        return point(object.center(), object.bounds().size());
     }
 
     private static double largest(Point point) {
@@ -173,6 +147,9 @@ final class Words {
         return "blocked after " + after + " by " + object(obstacle)
                 + (contact == null
                         ? ""
-                        : ", where it touches " + point(contact, obstacle == null ? 0 : size(obstacle)));
+                        : ", where it touches "
+                                + point(
+                                        contact,
+                                        obstacle == null ? 0 : obstacle.bounds().size()));
     }
 }

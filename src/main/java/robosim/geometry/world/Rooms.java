@@ -128,7 +128,7 @@ final class Rooms {
 
     private Comparator<Integer> narrowestFirst() {
         return Comparator.<Integer, Boolean>comparing(k -> isMany(robots.get(k)))
-                .thenComparingDouble(k -> Enclosure.of(robots.get(k)).narrow());
+                .thenComparingDouble(k -> GridReachability.narrow(robots.get(k)));
     }
 
     /** Whether it has so many parts that it moves slowly. */

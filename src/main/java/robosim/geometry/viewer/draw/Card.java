@@ -2,16 +2,15 @@ package robosim.geometry.viewer.draw;
 
 import java.util.ArrayList;
 import java.util.List;
+import robosim.geometry.model.Bounds;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.SphereObject;
-import robosim.geometry.viewer.scene.Bounds;
 import robosim.geometry.viewer.scene.Labels;
 import robosim.geometry.viewer.scene.MapFrame;
-import robosim.geometry.viewer.scene.Outline;
 
 /**
  * What is told of one object.
@@ -60,8 +59,7 @@ public record Card(String heading, List<String> lines) {
     }
 
     private static String covers(GeometryObject object) {
-        Bounds bounds = new Bounds();
-        Outline.of(object).forEach(bounds::add);
+        Bounds bounds = object.bounds();
         return Labels.number(bounds.width()) + " by " + Labels.number(bounds.length());
     }
 
