@@ -15,6 +15,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import robosim.geometry.exact.NumberText;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.world.ImportOptions;
@@ -46,6 +47,9 @@ import robosim.geometry.world.WorldWriter;
         })
 final class ConvertCommand implements Callable<Integer> {
     private static final int MOST_LINES = 20;
+
+    /** Of a length. */
+    private static final int DIGITS = 6;
 
     @Spec
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
@@ -165,7 +169,7 @@ final class ConvertCommand implements Callable<Integer> {
     private String written(World world) {
         int objects = world.objects().size();
         StringBuilder line =
-                new StringBuilder("Wrote " + out + ": " + objects + (objects == 1 ? " object" : " objects"));
+                new StringBuilder("Wrote " + out + ": " + NumberText.count(objects, "object"));
         long moveable = world.objects().stream()
                 .filter(each -> each.object().isMoveable())
                 .count();
@@ -174,9 +178,9 @@ final class ConvertCommand implements Callable<Integer> {
         line.append(String.format(
                 Locale.ROOT,
                 "; the world is %s x %s x %s%s",
-                NumberText.number(world.width()),
-                NumberText.number(world.height()),
-                NumberText.number(world.length()),
+                NumberText.digits(world.width(), DIGITS),
+                NumberText.digits(world.height(), DIGITS),
+                NumberText.digits(world.length(), DIGITS),
                 unit.isEmpty() ? "" : " " + unit));
         world.objects().stream()
                 .map(each -> each.object().bounds())
@@ -189,6 +193,6 @@ final class ConvertCommand implements Callable<Integer> {
     }
 
     private static String reach(String axis, double least, double most) {
-        return axis + " " + NumberText.number(least) + " to " + NumberText.number(most);
+        return axis + " " + NumberText.digits(least, DIGITS) + " to " + NumberText.digits(most, DIGITS);
     }
 }

@@ -1,5 +1,6 @@
 package robosim.geometry.report.chart;
 
+import robosim.geometry.chart.Axis;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntFunction;
