@@ -168,8 +168,7 @@ final class ConvertCommand implements Callable<Integer> {
 
     private String written(World world) {
         int objects = world.objects().size();
-        StringBuilder line =
-                new StringBuilder("Wrote " + out + ": " + NumberText.count(objects, "object"));
+        StringBuilder line = new StringBuilder("Wrote " + out + ": " + NumberText.count(objects, "object"));
         long moveable = world.objects().stream()
                 .filter(each -> each.object().isMoveable())
                 .count();

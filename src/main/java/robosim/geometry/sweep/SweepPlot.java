@@ -104,7 +104,11 @@ public final class SweepPlot {
         List<Panel> panels = new ArrayList<>();
         for (String number : numbers) {
             if (isOne(number)) {
-                caption.append(' ').append(number).append(": ").append(one(number)).append(" in every replicate.");
+                caption.append(' ')
+                        .append(number)
+                        .append(": ")
+                        .append(one(number))
+                        .append(" in every replicate.");
             } else {
                 panels.add(panel(number));
             }

@@ -13,7 +13,9 @@ class LinearAxisTest {
             LinearAxis axis = LinearAxis.upTo("n", most);
             assertThat(axis.high()).isGreaterThanOrEqualTo(most).isLessThan(most * 1.6);
             assertThat(axis.ticks()).as("marks up to %s", most).hasSizeBetween(3, 8);
-            assertThat(axis.ticks()).as("without noise").allMatch(tick -> tick.label().length() <= 7);
+            assertThat(axis.ticks())
+                    .as("without noise")
+                    .allMatch(tick -> tick.label().length() <= 7);
         }
     }
 

@@ -11,7 +11,9 @@ class NumberTextTest {
         assertThat(NumberText.digits(0.1 + 0.2, 15)).isEqualTo("0.3");
         assertThat(NumberText.digits(2.0 / 3, 6)).isEqualTo("0.666667");
         assertThat(NumberText.digits(-1234567, 6)).isEqualTo("-1234570");
-        assertThat(NumberText.digits(0, 6)).isEqualTo(NumberText.digits(-0.0, 6)).isEqualTo("0");
+        assertThat(NumberText.digits(0, 6))
+                .isEqualTo(NumberText.digits(-0.0, 6))
+                .isEqualTo("0");
         assertThat(NumberText.digits(100, 1)).isEqualTo("100");
     }
 

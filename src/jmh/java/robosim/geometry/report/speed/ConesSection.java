@@ -3,7 +3,6 @@ package robosim.geometry.report.speed;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
-import robosim.geometry.model.Dimension;
 import robosim.geometry.chart.Axis;
 import robosim.geometry.chart.Figure;
 import robosim.geometry.chart.Marker;
@@ -11,6 +10,7 @@ import robosim.geometry.chart.Panel;
 import robosim.geometry.chart.Series;
 import robosim.geometry.chart.Series.Dot;
 import robosim.geometry.chart.Series.Line;
+import robosim.geometry.model.Dimension;
 
 /** Cones as they are, and as fans of rays. */
 final class ConesSection {

@@ -3,16 +3,16 @@ package robosim.geometry.report.speed;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
-import robosim.geometry.model.Dimension;
-import robosim.geometry.report.chart.Decades;
 import robosim.geometry.chart.Figure;
-import robosim.geometry.report.chart.LogAxis;
 import robosim.geometry.chart.Marker;
 import robosim.geometry.chart.NamesAxis;
 import robosim.geometry.chart.Panel;
 import robosim.geometry.chart.Series;
 import robosim.geometry.chart.Series.Dot;
 import robosim.geometry.chart.Series.Line;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.report.chart.Decades;
+import robosim.geometry.report.chart.LogAxis;
 
 /** Median, 99.9 % and worst of single questions, with more and less degenerate input. */
 final class LatencySection {

@@ -3,8 +3,6 @@ package robosim.geometry.report.speed;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
-import robosim.geometry.model.Accuracy;
-import robosim.geometry.model.Dimension;
 import robosim.geometry.chart.Figure;
 import robosim.geometry.chart.LinearAxis;
 import robosim.geometry.chart.Marker;
@@ -13,6 +11,8 @@ import robosim.geometry.chart.Panel;
 import robosim.geometry.chart.Series;
 import robosim.geometry.chart.Series.Dot;
 import robosim.geometry.chart.Series.Line;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
 
 /** Steps a second of many robots. */
 final class RobotsSection {

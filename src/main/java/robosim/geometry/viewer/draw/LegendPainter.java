@@ -66,7 +66,13 @@ final class LegendPainter {
         for (int k = 0; k * tick <= farthest; k++) {
             double at = x + width * (k * tick) / farthest;
             canvas.line(at, y, at, y + 4, Style.line(Palette.TEXT, 1, 1));
-            canvas.text(at, y + 16, NumberText.digits(k * tick, GridPainter.DIGITS), Canvas.Anchor.MIDDLE, TEXT_SIZE, Palette.TEXT);
+            canvas.text(
+                    at,
+                    y + 16,
+                    NumberText.digits(k * tick, GridPainter.DIGITS),
+                    Canvas.Anchor.MIDDLE,
+                    TEXT_SIZE,
+                    Palette.TEXT);
         }
         canvas.text(x, y - 15, "measured distance", Canvas.Anchor.START, TEXT_SIZE, Palette.QUIET);
         canvas.close();

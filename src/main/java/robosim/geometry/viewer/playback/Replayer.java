@@ -196,7 +196,12 @@ public final class Replayer {
                     .add(ping);
         }
         return frame(
-                step, null, Map.of(), List.of(), heard, NumberText.count(sonars.requests().size(), "distance"));
+                step,
+                null,
+                Map.of(),
+                List.of(),
+                heard,
+                NumberText.count(sonars.requests().size(), "distance"));
     }
 
     private @Nullable GeometryObject mover(String name) {
