@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import robosim.geometry.exact.NumberText;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.Point;
@@ -61,9 +62,7 @@ final class CheckText {
     }
 
     private static String number(double value) {
-        double rounded = Math.abs(value) >= 1e-3 ? Math.rint(value * 1e4) / 1e4 : value;
-        String digits = String.valueOf((float) rounded);
-        return digits.endsWith(".0") ? digits.substring(0, digits.length() - 2) : digits;
+        return NumberText.digits(value, 6);
     }
 
     private String length(double value) {

@@ -15,8 +15,9 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import robosim.geometry.exact.NumberText;
+import robosim.geometry.model.Bounds;
 import robosim.geometry.viewer.playback.Pictures;
-import robosim.geometry.world.Extents;
 import robosim.geometry.world.ImportOptions;
 import robosim.geometry.world.ObjWriter;
 import robosim.geometry.world.World;
@@ -46,6 +47,9 @@ import robosim.geometry.world.WorldWriter;
         })
 final class ConvertCommand implements Callable<Integer> {
     private static final int MOST_LINES = 20;
+
+    /** Of a length. */
+    private static final int DIGITS = 6;
 
     @Spec
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
@@ -164,8 +168,7 @@ final class ConvertCommand implements Callable<Integer> {
 
     private String written(World world) {
         int objects = world.objects().size();
-        StringBuilder line =
-                new StringBuilder("Wrote " + out + ": " + objects + (objects == 1 ? " object" : " objects"));
+        StringBuilder line = new StringBuilder("Wrote " + out + ": " + NumberText.count(objects, "object"));
         long moveable = world.objects().stream()
                 .filter(each -> each.object().isMoveable())
                 .count();
@@ -174,24 +177,21 @@ final class ConvertCommand implements Callable<Integer> {
         line.append(String.format(
                 Locale.ROOT,
                 "; the world is %s x %s x %s%s",
-                NumberText.number(world.width()),
-                NumberText.number(world.height()),
-                NumberText.number(world.length()),
+                NumberText.digits(world.width(), DIGITS),
+                NumberText.digits(world.height(), DIGITS),
+                NumberText.digits(world.length(), DIGITS),
                 unit.isEmpty() ? "" : " " + unit));
-        Extents extents = Extents.of(world.objects());
-        if (!extents.isEmpty()) {
-            String axes = "XYZ";
-            line.append(", the objects reach");
-            for (int axis = 0; axis < 3; axis++) {
-                line.append(String.format(
-                        Locale.ROOT,
-                        "%s %s %s to %s",
-                        axis == 0 ? "" : ",",
-                        axes.charAt(axis),
-                        NumberText.number(extents.least(axis)),
-                        NumberText.number(extents.most(axis))));
-            }
-        }
+        world.objects().stream()
+                .map(each -> each.object().bounds())
+                .reduce(Bounds::and)
+                .ifPresent(all -> line.append(", the objects reach ")
+                        .append(reach("X", all.minX(), all.maxX()))
+                        .append(reach(", Y", all.minY(), all.maxY()))
+                        .append(reach(", Z", all.minZ(), all.maxZ())));
         return line.toString();
+    }
+
+    private static String reach(String axis, double least, double most) {
+        return axis + " " + NumberText.digits(least, DIGITS) + " to " + NumberText.digits(most, DIGITS);
     }
 }

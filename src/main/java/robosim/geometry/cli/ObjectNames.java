@@ -17,6 +17,7 @@ final class ObjectNames {
             case BOX -> "box";
             case CYLINDER -> "cylinder";
             case SPHERE -> "sphere";
+            case CAPSULE -> "capsule";
             case MESH -> "mesh";
             case GROUP -> "group";
         };

@@ -16,6 +16,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import robosim.geometry.exact.NumberText;
 import robosim.geometry.scenario.Mismatch;
 import robosim.geometry.scenario.Replay;
 import robosim.geometry.scenario.ScenarioReader;

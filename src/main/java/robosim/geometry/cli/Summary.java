@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Properties;
+import robosim.geometry.exact.NumberText;
 
 /** What a demonstration tells at its end. */
 final class Summary {

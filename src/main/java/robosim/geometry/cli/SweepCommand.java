@@ -19,6 +19,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
+import robosim.geometry.exact.NumberText;
 import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.sweep.ScenarioSweep;
 import robosim.geometry.sweep.Shard;

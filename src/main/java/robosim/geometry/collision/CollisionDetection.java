@@ -66,7 +66,7 @@ public final class CollisionDetection {
         GeometryObject volume = switch (object.kind()) {
             case MESH -> ((MeshObject) object).boundingVolume();
             case GROUP -> ((ObjectGroup) object).boundingVolume();
-            case BOX, CYLINDER, SPHERE -> null;
+            case BOX, CYLINDER, SPHERE, CAPSULE -> null;
         };
         // Only at home are the volume's own numbers those that were seen to enclose the object.
         return volume != null && object.pose().equals(Pose.ORIGIN) ? volume : null;

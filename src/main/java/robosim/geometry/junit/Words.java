@@ -2,18 +2,13 @@ package robosim.geometry.junit;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
-import java.math.RoundingMode;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.MoveResult;
-import robosim.geometry.model.BoxObject;
-import robosim.geometry.model.CylinderObject;
+import robosim.geometry.exact.NumberText;
 import robosim.geometry.model.GeometryObject;
-import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Move;
-import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
-import robosim.geometry.model.SphereObject;
 import robosim.geometry.protocol.Text;
 
 /**
@@ -33,29 +28,16 @@ final class Words {
 
     /** A number that was asked for. */
     static String number(double value) {
-        return text(value, ASKED);
+        return NumberText.digits(value, ASKED.getPrecision());
     }
 
     /** A number that was found. */
     static String found(double value) {
-        return text(value, FOUND);
-    }
-
-    private static String text(double value, MathContext digits) {
-        return Double.isFinite(value) ? text(exactly(value).round(digits)) : String.valueOf(value);
+        return NumberText.digits(value, FOUND.getPrecision());
     }
 
     private static BigDecimal exactly(double value) {
         return new BigDecimal(value);
-    }
-
-    private static String text(BigDecimal value) {
-        BigDecimal plain = value.stripTrailingZeros();
-        int exponent = plain.precision() - plain.scale();
-        boolean readable = plain.signum() == 0 || (exponent > -6 && exponent <= 16);
-        return readable
-                ? plain.toPlainString()
-                : plain.toString().replace("E+", "e").replace('E', 'e');
     }
 
     /** A number that was found beside the one that was asked for: on the same side of it as it is told, and not equal. */
@@ -68,7 +50,7 @@ final class Words {
             return found(found);
         }
         BigDecimal off = exactly(found).subtract(exactly(asked)).abs().round(DIFFERENCE);
-        return (found < asked ? "just under " : "just over ") + number(asked) + " (by " + text(off) + ")";
+        return (found < asked ? "just under " : "just over ") + number(asked) + " (by " + NumberText.of(off) + ")";
     }
 
     /** A part of something whole; what is not all of it is not told as all of it, nor what is something as nothing. */
@@ -81,7 +63,7 @@ final class Words {
         if (share < 1 && told.compareTo(exactly(whole).round(ASKED)) >= 0) {
             return "just under " + number(whole);
         }
-        return share < 1e-9 ? "just over 0" : text(told);
+        return share < 1e-9 ? "just over 0" : NumberText.of(told);
     }
 
     /**
@@ -92,45 +74,17 @@ final class Words {
     static String point(Point point, double size) {
         BigDecimal scale = exactly(Math.max(largest(point), size));
         int decimals = FOUND.getPrecision() - scale.precision() + scale.scale();
-        return "(" + rounded(point.x(), decimals) + ", " + rounded(point.y(), decimals) + ", "
-                + rounded(point.z(), decimals) + ")";
-    }
-
-    private static String rounded(double value, int decimals) {
-        return text(exactly(value).setScale(decimals, RoundingMode.HALF_EVEN));
+        return "(" + NumberText.places(point.x(), decimals) + ", " + NumberText.places(point.y(), decimals) + ", "
+                + NumberText.places(point.z(), decimals) + ")";
     }
 
     static String place(GeometryObject object) {
-        return "at " + center(object) + ", heading " + rounded(object.heading(), FOUND.getPrecision());
+        return "at " + center(object) + ", heading " + NumberText.places(object.heading(), FOUND.getPrecision());
     }
 
     /** Where an object is. */
     static String center(GeometryObject object) {
-        return point(object.center(), size(object));
-    }
-
-    /** About how large an object is. */
-    private static double size(GeometryObject object) {
-        return switch (object.kind()) {
-            case BOX -> {
-                BoxObject box = (BoxObject) object;
-                yield Math.max(Math.max(box.width(), box.height()), box.length());
-            }
-            case CYLINDER -> {
-                CylinderObject cylinder = (CylinderObject) object;
-                yield Math.max(cylinder.radius(), cylinder.height());
-            }
-            case SPHERE -> ((SphereObject) object).radius();
-            case MESH ->
-                ((MeshObject) object)
-                        .vertices().stream().mapToDouble(Words::largest).max().orElse(0);
-            case GROUP ->
-                ((ObjectGroup) object)
-                        .members().stream()
-                                .mapToDouble(member -> Math.max(size(member), largest(member.center())))
-                                .max()
-                                .orElse(0);
-        };
+        return point(object.center(), object.bounds().size());
     }
 
     private static double largest(Point point) {
@@ -148,7 +102,7 @@ final class Words {
     }
 
     static String steps(long count) {
-        return count + (count == 1 ? " step" : " steps");
+        return NumberText.count(count, "step");
     }
 
     /** As in {@code drive 2} or {@code turn by 90}. */
@@ -176,6 +130,9 @@ final class Words {
         return "blocked after " + after + " by " + object(obstacle)
                 + (contact == null
                         ? ""
-                        : ", where it touches " + point(contact, obstacle == null ? 0 : size(obstacle)));
+                        : ", where it touches "
+                                + point(
+                                        contact,
+                                        obstacle == null ? 0 : obstacle.bounds().size()));
     }
 }

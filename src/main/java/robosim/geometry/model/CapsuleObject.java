@@ -97,9 +97,14 @@ public final class CapsuleObject implements GeometryObject {
         return radius;
     }
 
-    /** Extent along the axis in world units. */
+    /** Length of the segment in world units, without the two round ends. */
     public double segment() {
-        return height;
+        return segment;
+    }
+
+    /** Extent along the own Y in world units: the segment and a radius at either end, rounded. */
+    public double height() {
+        return segment + 2 * radius;
     }
 
     @Override

@@ -14,7 +14,7 @@ final class Enclosing {
     static void check(GeometryObject volume, GeometryObject object) {
         switch (volume.kind()) {
             case BOX, CYLINDER, SPHERE -> {}
-            case MESH, GROUP -> throw notAVolume(volume);
+            case CAPSULE, MESH, GROUP -> throw notAVolume(volume);
         }
         double[] frame = identity();
         double[] origin = new double[3];
@@ -52,6 +52,12 @@ final class Enclosing {
                 require(volume, place, cylinder.radius(), cylinder.height() / 2, rotation, object);
             }
             case SPHERE -> require(volume, place, ((SphereObject) object).radius(), -1, rotation, object);
+            case CAPSULE -> {
+                CapsuleObject capsule = (CapsuleObject) object;
+                double half = capsule.segment() / 2;
+                require(volume, apply(rotation, 0, half, 0, place), capsule.radius(), -1, rotation, object);
+                require(volume, apply(rotation, 0, -half, 0, place), capsule.radius(), -1, rotation, object);
+            }
             case MESH -> checkMesh(volume, ((MeshObject) object).triangles(), rotation, place);
             case GROUP -> {
                 for (GeometryObject member : ((ObjectGroup) object).members()) {
@@ -110,7 +116,7 @@ final class Enclosing {
                         : Math.sqrt(dx * dx + dy * dy + dz * dz) + radius;
                 yield far <= ((SphereObject) volume).radius();
             }
-            case MESH, GROUP -> throw notAVolume(volume);
+            case CAPSULE, MESH, GROUP -> throw notAVolume(volume);
         };
         if (!inside) {
             throw new IllegalArgumentException("boundingVolume must enclose its object, else collisions would be lost;"

@@ -50,6 +50,11 @@ public sealed interface GeometryObject extends Serializable
         return pose().heading();
     }
 
+    /** The box along the world's axes that holds this object where it stands, rounded outward. */
+    default Bounds bounds() {
+        return Bounds.of(this);
+    }
+
     /** This object under a name; it stays moveable or static as it is. */
     GeometryObject named(String name);
 

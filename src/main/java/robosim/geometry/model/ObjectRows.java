@@ -17,7 +17,7 @@ import robosim.geometry.exact.Checks;
  * <p>Made for the module itself. Nothing is believed: {@link #objects()} makes each object through its constructor.
  *
  * @param kinds    by object: which constructor makes it
- * @param sizes    by object: three numbers of a box, two of a cylinder, one of a sphere
+ * @param sizes    by object: three numbers of a box, two of a cylinder or capsule, one of a sphere
  * @param shapes   the meshes and groups, each once
  * @param shapeOf  by object: its place among those; unused for others
  * @param names    by object: null where it has none
@@ -41,6 +41,7 @@ public record ObjectRows(
     private static final byte CYLINDER = 1;
     private static final byte SPHERE = 2;
     private static final byte OTHER = 3;
+    private static final byte CAPSULE = 4;
     private static final int SIZES = 3;
 
     /** What placements of one mesh or group have in common, by identity. */
@@ -106,7 +107,7 @@ public record ObjectRows(
                 ObjectGroup group = (ObjectGroup) object;
                 yield new Shape(group.members(), false, group.boundingVolume());
             }
-            case BOX, CYLINDER, SPHERE ->
+            case BOX, CYLINDER, SPHERE, CAPSULE ->
                 throw new IllegalArgumentException("object must be a mesh or a group (got: " + object + ")");
         };
     }
@@ -129,6 +130,11 @@ public record ObjectRows(
                 sizes[at] = ((SphereObject) object).radius();
                 yield SPHERE;
             }
+            case CAPSULE -> {
+                sizes[at] = ((CapsuleObject) object).radius();
+                sizes[at + 1] = ((CapsuleObject) object).segment();
+                yield CAPSULE;
+            }
             case MESH, GROUP -> OTHER;
         };
     }
@@ -138,6 +144,7 @@ public record ObjectRows(
             case BOX -> ((BoxObject) object).with(tag, pose);
             case CYLINDER -> ((CylinderObject) object).with(tag, pose);
             case SPHERE -> ((SphereObject) object).with(tag, pose);
+            case CAPSULE -> ((CapsuleObject) object).with(tag, pose);
             case MESH -> ((MeshObject) object).with(tag, pose);
             case GROUP -> ((ObjectGroup) object).with(tag, pose);
         };
@@ -175,8 +182,9 @@ public record ObjectRows(
             case BOX -> new BoxObject(tag, pose, sizes[at], sizes[at + 1], sizes[at + 2]);
             case CYLINDER -> new CylinderObject(tag, pose, sizes[at], sizes[at + 1]);
             case SPHERE -> new SphereObject(tag, pose, sizes[at]);
+            case CAPSULE -> new CapsuleObject(tag, pose, sizes[at], sizes[at + 1]);
             case OTHER -> with(shape(k), tag, pose);
-            default -> throw new IllegalArgumentException("kinds[" + k + "] must be 0 to 3 (got: " + kinds[k] + ")");
+            default -> throw new IllegalArgumentException("kinds[" + k + "] must be 0 to 4 (got: " + kinds[k] + ")");
         };
     }
 

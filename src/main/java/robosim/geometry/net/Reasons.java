@@ -1,10 +1,9 @@
 package robosim.geometry.net;
 
-import java.math.BigDecimal;
-import java.math.RoundingMode;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.MoveResult;
+import robosim.geometry.exact.NumberText;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.protocol.Text;
@@ -31,12 +30,8 @@ final class Reasons {
                 + coordinate(center.y()) + ", " + coordinate(center.z()) + ")";
     }
 
-    /** To a thousandth; the same text on every JVM, which Double.toString is not. */
     private static String coordinate(double value) {
-        return new BigDecimal(value)
-                .setScale(3, RoundingMode.HALF_EVEN)
-                .stripTrailingZeros()
-                .toPlainString();
+        return NumberText.places(value, 3);
     }
 
     private static String way(MoveResult result) {
@@ -45,12 +40,8 @@ final class Reasons {
                 : share(result.turnFraction()) + " of the turn";
     }
 
-    /** Rounded down to a thousandth, without a zero at its end; the same text on every JVM. */
+    /** Rounded down to a thousandth. */
     private static String share(double fraction) {
-        int thousandths = (int) (1000 * fraction);
-        if (thousandths % 1000 == 0) {
-            return String.valueOf(thousandths / 1000);
-        }
-        return "0." + String.valueOf(1000 + thousandths).substring(1).replaceAll("0+$", "");
+        return NumberText.places(Math.floor(1000 * fraction) / 1000, 3);
     }
 }

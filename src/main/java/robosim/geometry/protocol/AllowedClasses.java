@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.MeshObject;
@@ -36,6 +37,7 @@ final class AllowedClasses {
             BoxObject.class,
             CylinderObject.class,
             SphereObject.class,
+            CapsuleObject.class,
             MeshObject.class,
             ObjectGroup.class,
             Object[].class,

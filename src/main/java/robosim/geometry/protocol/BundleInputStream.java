@@ -134,7 +134,7 @@ final class BundleInputStream extends ObjectInputStream {
 
     private long partsOf(GeometryObject object) {
         return switch (object.kind()) {
-            case BOX, CYLINDER, SPHERE -> 1;
+            case BOX, CYLINDER, SPHERE, CAPSULE -> 1;
             case MESH -> ((MeshObject) object).triangles().size();
             case GROUP -> groups.getOrDefault((ObjectGroup) object, 1L);
         };

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
@@ -18,7 +19,7 @@ import robosim.geometry.model.SphereObject;
 final class JsonObjects {
     private static final Fields FIELDS = Fields.of(
             "kind",
-            "name moveable center rotation headingDegrees width height length radius vertices faces solid"
+            "name moveable center rotation headingDegrees width height length radius segment vertices faces solid"
                     + " boundingVolume members");
 
     private static final List<String> COMMON =
@@ -28,6 +29,7 @@ final class JsonObjects {
             Form.of(GeometryObject.Kind.BOX, "box", "center width height length", ""),
             Form.of(GeometryObject.Kind.CYLINDER, "cylinder", "center radius height", ""),
             Form.of(GeometryObject.Kind.SPHERE, "sphere", "center radius", ""),
+            Form.of(GeometryObject.Kind.CAPSULE, "capsule", "center radius segment", ""),
             Form.of(GeometryObject.Kind.MESH, "mesh", "vertices faces", "solid boundingVolume"),
             Form.of(GeometryObject.Kind.GROUP, "group", "members", "boundingVolume"));
 
@@ -189,6 +191,7 @@ final class JsonObjects {
         private double height;
         private double length;
         private double radius;
+        private double segment;
         private List<Point> vertices = List.of();
         private int[][] faces = {};
         private boolean solid;
@@ -211,6 +214,7 @@ final class JsonObjects {
                 case BOX -> new BoxObject(center, width, height, length);
                 case CYLINDER -> new CylinderObject(center, radius, height);
                 case SPHERE -> new SphereObject(center, radius);
+                case CAPSULE -> new CapsuleObject(center, radius, segment);
                 case MESH -> mesh();
                 case GROUP -> new ObjectGroup(members, boundingVolume);
             };

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
@@ -204,6 +205,12 @@ final class JsonOutput {
             case SPHERE -> {
                 place("sphere", object);
                 out.writeNumberField("radius", ((SphereObject) object).radius());
+            }
+            case CAPSULE -> {
+                CapsuleObject capsule = (CapsuleObject) object;
+                place("capsule", object);
+                out.writeNumberField("radius", capsule.radius());
+                out.writeNumberField("segment", capsule.segment());
             }
             case MESH -> {
                 place("mesh", object);

@@ -7,6 +7,7 @@ import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.List;
 import robosim.geometry.Snapshot;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
@@ -72,6 +73,7 @@ final class Fingerprint {
             }
             case CYLINDER -> add(((CylinderObject) object).radius()).add(((CylinderObject) object).height());
             case SPHERE -> add(((SphereObject) object).radius());
+            case CAPSULE -> add(((CapsuleObject) object).radius()).add(((CapsuleObject) object).segment());
             case MESH -> add((MeshObject) object);
             case GROUP -> {
                 List<GeometryObject> members = ((ObjectGroup) object).members();

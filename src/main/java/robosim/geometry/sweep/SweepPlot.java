@@ -3,43 +3,41 @@ package robosim.geometry.sweep;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.chart.Axis;
+import robosim.geometry.chart.Figure;
+import robosim.geometry.chart.LinearAxis;
+import robosim.geometry.chart.Marker;
+import robosim.geometry.chart.Panel;
+import robosim.geometry.chart.Series;
+import robosim.geometry.chart.Style;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.exact.NumberText;
 
 /**
  * Results as a picture, SVG: a panel for each number, its mean over the values of the parameter with the most numeric ones,
  * a line for each world and combination of the others; bars are the interval of {@link SweepSummary.Spread#margin()}. Where
- * no parameter varies, the worlds stand side by side. A number that is one and the same everywhere gets a line of text.
+ * no parameter varies, the worlds stand side by side. A number that is one and the same everywhere gets a sentence below.
  */
 public final class SweepPlot {
-    private static final int WIDTH = 760;
-    private static final int PANEL = 250;
-    private static final int LEFT = 90;
-    private static final int RIGHT = 20;
-    private static final int TOP = 60;
-    private static final int BELOW = 60;
-    private static final int LEGEND_ROW = 18;
+    private static final int HEIGHT = 250;
 
-    /** Told apart by the colour-blind too: Okabe and Ito 2008. */
-    private static final String[] COLOURS = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"
-    };
+    /** How far lines are moved apart, as a share of the length of the axis. */
+    private static final double ASIDE = 0.008;
 
     private final SweepSummary summary;
     private final String title;
     private final @Nullable String along;
     private final List<String> places = new ArrayList<>();
     private final Map<String, Map<String, Map<String, SweepSummary.Spread>>> lines = new LinkedHashMap<>();
-    private final StringBuilder svg = new StringBuilder();
 
     private SweepPlot(SweepHeader header, SweepSummary summary) {
         this.summary = summary;
         along = longest(header);
         title = header.scenario().substring(header.scenario().lastIndexOf('.') + 1) + ", "
-                + header.replicates() + (header.replicates() == 1 ? " replicate" : " replicates")
-                + " each: means and their 95 % intervals";
+                + NumberText.count(header.replicates(), "replicate") + " each";
         summary.cells().forEach(this::sort);
         if (along != null) {
             places.sort((a, b) -> Double.compare(Double.parseDouble(a), Double.parseDouble(b)));
@@ -50,9 +48,7 @@ public final class SweepPlot {
     public static String svg(SweepHeader header, SweepSummary summary) {
         Checks.present("header", header);
         Checks.present("summary", summary);
-        SweepPlot plot = new SweepPlot(header, summary);
-        plot.draw();
-        return plot.svg.toString();
+        return new SweepPlot(header, summary).figure().svg();
     }
 
     /** The parameter with the most values, all numbers; null where none has two. */
@@ -99,38 +95,25 @@ public final class SweepPlot {
         return text.toString();
     }
 
-    private void draw() {
+    private Figure figure() {
         List<String> numbers = summary.cells().values().stream()
                 .flatMap(spreads -> spreads.keySet().stream())
                 .distinct()
                 .toList();
-        List<String> same = numbers.stream().filter(this::isOne).toList();
-        List<String> panels =
-                numbers.stream().filter(number -> !same.contains(number)).toList();
-        int legend = (along == null ? 0 : LEGEND_ROW * lines.size()) + LEGEND_ROW * same.size();
-        int height = TOP + legend + panels.size() * (PANEL + BELOW) + 10;
-        add(
-                "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\""
-                        + " font-family=\"sans-serif\" font-size=\"12\">",
-                WIDTH, height, WIDTH, height);
-        add("<rect width=\"%d\" height=\"%d\" fill=\"#ffffff\"/>", WIDTH, height);
-        add("<text x=\"%d\" y=\"24\" font-size=\"15\">%s</text>", LEFT, escaped(title));
-        int row = 0;
-        for (String line : along == null ? List.<String>of() : List.copyOf(lines.keySet())) {
-            double y = 44 + row * LEGEND_ROW;
-            add("<circle cx=\"%d\" cy=\"%.1f\" r=\"4\" fill=\"%s\"/>", LEFT + 4, y, colour(row));
-            add("<text x=\"%d\" y=\"%.1f\">%s</text>", LEFT + 14, y + 4, escaped(line));
-            row++;
+        StringBuilder caption = new StringBuilder("Means and their 95 % intervals.");
+        List<Panel> panels = new ArrayList<>();
+        for (String number : numbers) {
+            if (isOne(number)) {
+                caption.append(' ')
+                        .append(number)
+                        .append(": ")
+                        .append(one(number))
+                        .append(" in every replicate.");
+            } else {
+                panels.add(panel(number));
+            }
         }
-        for (String number : same) {
-            add(
-                    "<text x=\"%d\" y=\"%d\">%s: %s in every replicate</text>",
-                    LEFT, 48 + row++ * LEGEND_ROW, escaped(number), one(number));
-        }
-        for (int k = 0; k < panels.size(); k++) {
-            panel(panels.get(k), TOP + legend + k * (PANEL + BELOW));
-        }
-        svg.append("</svg>\n");
+        return new Figure("", title, caption.toString(), panels, 1, HEIGHT);
     }
 
     private List<SweepSummary.Spread> all(String number) {
@@ -157,65 +140,60 @@ public final class SweepPlot {
         return spread.count() == 0 ? "none" : SweepSummary.number(spread.min());
     }
 
-    private static String colour(int line) {
-        return COLOURS[line % COLOURS.length];
-    }
-
-    private void panel(String number, int top) {
+    private Panel panel(String number) {
+        Axis across = along == null
+                ? new Places(places)
+                : LinearAxis.around(along + unit(along), place(0), place(places.size() - 1));
+        double apart = along == null ? 1 : place(places.size() - 1) - place(0);
         double low = Double.POSITIVE_INFINITY;
         double high = Double.NEGATIVE_INFINITY;
-        for (Map<String, Map<String, SweepSummary.Spread>> line : lines.values()) {
-            for (Map<String, SweepSummary.Spread> spreads : line.values()) {
-                SweepSummary.Spread spread = spreads.get(number);
+        List<Series> series = new ArrayList<>();
+        for (Map.Entry<String, Map<String, Map<String, SweepSummary.Spread>>> line : lines.entrySet()) {
+            int row = series.size();
+            // Side by side where lines meet.
+            double aside = ASIDE * apart * (row - (lines.size() - 1) / 2.0);
+            List<Series.Dot> dots = new ArrayList<>();
+            for (int k = 0; k < places.size(); k++) {
+                SweepSummary.Spread spread =
+                        line.getValue().getOrDefault(places.get(k), Map.of()).get(number);
                 if (spread != null && spread.count() > 0) {
                     low = Math.min(low, spread.mean() - spread.margin());
                     high = Math.max(high, spread.mean() + spread.margin());
+                    dots.add(new Series.Dot(place(k) + aside, spread.mean(), "", spread.margin()));
                 }
             }
+            Marker marker = Marker.values()[row % Marker.values().length];
+            Series.Line joined = along == null ? Series.Line.NONE : Series.Line.SOLID;
+            series.add(new Series(line.getKey(), row % Style.COLOURS, marker, joined, false, dots));
         }
-        SweepAxis vertical = new SweepAxis(low, high, top + PANEL, top);
-        frame(number, top, vertical);
-        SweepAxis horizontal = along == null
-                ? new SweepAxis(-0.5, places.size() - 0.5, LEFT, WIDTH - RIGHT)
-                : new SweepAxis(
-                        Double.parseDouble(places.get(0)),
-                        Double.parseDouble(places.get(places.size() - 1)),
-                        LEFT,
-                        WIDTH - RIGHT);
-        marks(horizontal, top + PANEL);
-        int row = 0;
-        for (Map<String, Map<String, SweepSummary.Spread>> line : lines.values()) {
-            line(line, number, row++, horizontal, vertical);
-        }
+        return new Panel("", across, LinearAxis.around(number, low, high), series);
     }
 
-    private void frame(String number, int top, SweepAxis vertical) {
-        for (double tick : vertical.ticks()) {
-            double y = vertical.at(tick);
-            add("<line x1=\"%d\" y1=\"%.1f\" x2=\"%d\" y2=\"%.1f\" stroke=\"#dddddd\"/>", LEFT, y, WIDTH - RIGHT, y);
-            add("<text x=\"%d\" y=\"%.1f\" text-anchor=\"end\">%s</text>", LEFT - 6, y + 4, vertical.label(tick));
-        }
-        add(
-                "<rect x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\" fill=\"none\" stroke=\"#444444\"/>",
-                LEFT, top, WIDTH - LEFT - RIGHT, PANEL);
-        add(
-                "<text transform=\"translate(18 %d) rotate(-90)\" text-anchor=\"middle\">%s</text>",
-                top + PANEL / 2, escaped(number));
+    /** Where a place is across a panel. */
+    private double place(int k) {
+        return along == null ? k : Double.parseDouble(places.get(k));
     }
 
-    private void marks(SweepAxis horizontal, int bottom) {
-        if (along == null) {
-            for (int k = 0; k < places.size(); k++) {
-                mark(horizontal.at(k), bottom, places.get(k));
+    /** Places side by side: the value of each is its number. */
+    private record Places(List<String> names) implements Axis {
+        @Override
+        public String title() {
+            return "";
+        }
+
+        @Override
+        public double at(double place) {
+            return (place + 0.5) / names.size();
+        }
+
+        @Override
+        public List<Tick> ticks() {
+            List<Tick> ticks = new ArrayList<>();
+            for (int k = 0; k < names.size(); k++) {
+                ticks.add(new Tick(at(k), names.get(k), false));
             }
-            return;
+            return ticks;
         }
-        for (double tick : horizontal.ticks()) {
-            mark(horizontal.at(tick), bottom, horizontal.label(tick));
-        }
-        add(
-                "<text x=\"%d\" y=\"%d\" text-anchor=\"middle\">%s</text>",
-                (LEFT + WIDTH - RIGHT) / 2, bottom + 36, escaped(along + unit(along)));
     }
 
     private static String unit(String parameter) {
@@ -225,55 +203,5 @@ public final class SweepPlot {
             case ScenarioSweep.SLIP -> " [share]";
             default -> "";
         };
-    }
-
-    private void mark(double x, int bottom, String label) {
-        add("<line x1=\"%.1f\" y1=\"%d\" x2=\"%.1f\" y2=\"%d\" stroke=\"#444444\"/>", x, bottom, x, bottom + 5);
-        add("<text x=\"%.1f\" y=\"%d\" text-anchor=\"middle\">%s</text>", x, bottom + 19, escaped(label));
-    }
-
-    private void line(
-            Map<String, Map<String, SweepSummary.Spread>> line,
-            String number,
-            int row,
-            SweepAxis horizontal,
-            SweepAxis vertical) {
-        StringBuilder points = new StringBuilder();
-        for (int k = 0; k < places.size(); k++) {
-            Map<String, SweepSummary.Spread> spreads = line.get(places.get(k));
-            SweepSummary.Spread spread = spreads == null ? null : spreads.get(number);
-            if (spread == null || spread.count() == 0) {
-                continue;
-            }
-            // Side by side where lines meet.
-            double aside = 5 * (row - (lines.size() - 1) / 2.0);
-            double x = horizontal.at(along == null ? k : Double.parseDouble(places.get(k))) + aside;
-            double y = vertical.at(spread.mean());
-            points.append(String.format(Locale.ROOT, "%.1f,%.1f ", x, y));
-            add(
-                    "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"1.5\"/>",
-                    x,
-                    vertical.at(spread.mean() - spread.margin()),
-                    x,
-                    vertical.at(spread.mean() + spread.margin()),
-                    colour(row));
-            add("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3.5\" fill=\"%s\"/>", x, y, colour(row));
-        }
-        if (along != null) {
-            add(
-                    "<polyline points=\"%s\" fill=\"none\" stroke=\"%s\"/>",
-                    points.toString().trim(), colour(row));
-        }
-    }
-
-    private static String escaped(String text) {
-        return text.replace("&", "&amp;")
-                .replace("<", "&lt;")
-                .replace(">", "&gt;")
-                .replace("\"", "&quot;");
-    }
-
-    private void add(String form, Object... values) {
-        svg.append(String.format(Locale.ROOT, form, values)).append('\n');
     }
 }

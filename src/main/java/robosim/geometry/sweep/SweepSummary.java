@@ -4,10 +4,10 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.function.Consumer;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.exact.NumberText;
 
 /** What the replicates of each cell found out, on average: to be shown all outcomes by ascending index. */
 public final class SweepSummary implements Consumer<Outcome> {
@@ -154,7 +154,7 @@ public final class SweepSummary implements Consumer<Outcome> {
         if (number == Math.rint(number) && Math.abs(number) < 1e9) {
             return String.valueOf((long) number);
         }
-        return String.format(Locale.ROOT, "%.5g", number);
+        return NumberText.digits(number, 5);
     }
 
     private static String table(List<List<String>> rows, int left) {

@@ -2,6 +2,7 @@ package robosim.geometry.world;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
+import robosim.geometry.exact.NumberText;
 
 /** Doubles as people write them: the fewest digits that read back to the same bits, the same on every JDK. */
 final class Decimal {
@@ -19,11 +20,7 @@ final class Decimal {
         if (value == 0) {
             return 1 / value < 0 ? "-0" : "0";
         }
-        BigDecimal shortest = shortest(value);
-        double size = Math.abs(value);
-        return size >= 1e-6 && size < 1e15
-                ? shortest.toPlainString()
-                : shortest.toString().replace("E+", "e").replace('E', 'e');
+        return NumberText.of(shortest(value));
     }
 
     private static BigDecimal shortest(double value) {

@@ -8,6 +8,7 @@ import java.util.function.IntConsumer;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
+import robosim.geometry.model.Bounds;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
@@ -37,7 +38,8 @@ final class GridReachability {
     private final Geometry geometry;
     private final GeometryObject body;
     private final String name;
-    private final Enclosure enclosure;
+    private final double narrow;
+    private final double diagonal;
     private final boolean upright;
     private final int turns;
     private final double wanted;
@@ -91,7 +93,8 @@ final class GridReachability {
         this.geometry = geometry;
         this.body = robot;
         this.name = String.valueOf(robot.name());
-        this.enclosure = Enclosure.of(robot);
+        this.narrow = narrow(robot);
+        this.diagonal = diagonal(robot);
         this.upright = robot.pose().isUpright();
         this.turns = turns(robot);
         this.wanted = wanted(world, robot);
@@ -108,15 +111,27 @@ final class GridReachability {
         boolean upright = robot.pose().isUpright();
         boolean round = switch (robot.kind()) {
             case SPHERE -> true;
-            case CYLINDER -> upright;
+            case CYLINDER, CAPSULE -> upright;
             case BOX, MESH, GROUP -> false;
         };
         return round || !upright ? 1 : TURNS;
     }
 
     private static double wanted(World world, GeometryObject robot) {
-        double narrow = Enclosure.of(robot).narrow();
+        double narrow = narrow(robot);
         return narrow > 0 ? narrow / 2 : Math.min(world.width(), world.length()) * POINT_STEP;
+    }
+
+    /** The smaller one of an object's extents along X and Z. */
+    static double narrow(GeometryObject object) {
+        Bounds bounds = object.bounds();
+        return Math.min(bounds.width(), bounds.length());
+    }
+
+    /** From corner to corner of an object's bounds, as seen from above. */
+    static double diagonal(GeometryObject object) {
+        Bounds bounds = object.bounds();
+        return StrictMath.hypot(bounds.width(), bounds.length());
     }
 
     private int steps(double way) {
@@ -133,7 +148,7 @@ final class GridReachability {
 
     /** Whether it was made in steps as fine as wanted; none is for what has no extent, so for that any is. */
     boolean isFine() {
-        return step <= wanted || enclosure.narrow() == 0;
+        return step <= wanted || narrow == 0;
     }
 
     /** Whether it got everywhere that its steps lead to, and did not give up before. */
@@ -160,7 +175,7 @@ final class GridReachability {
     }
 
     WorldCheck.Room room(List<String> names) {
-        double half = enclosure.narrow() / 2;
+        double half = narrow / 2;
         return new WorldCheck.Room(
                 names,
                 x(leastX) - half,
@@ -316,7 +331,7 @@ final class GridReachability {
         double z = z(place % countZ);
         for (int k = missing.nextSetBit(0); k >= 0; k = missing.nextSetBit(k + 1)) {
             Point other = others.get(k).center();
-            double near = (enclosure.diagonal() + Enclosure.of(others.get(k)).diagonal()) / 2 + 2 * step;
+            double near = (diagonal + diagonal(others.get(k))) / 2 + 2 * step;
             if (StrictMath.hypot(other.x() - x, other.z() - z) <= near && meets(state, others.get(k))) {
                 missing.clear(k);
                 met.accept(k);

@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.function.LongConsumer;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
@@ -19,7 +20,7 @@ import robosim.geometry.model.SphereObject;
 
 /**
  * Writes the surfaces of a world as a Wavefront OBJ file, for other programs to look at: world units, Y up, an {@code o}
- * for each object. Boxes and meshes are what they are; a cylinder has {@link #SIDES} flat sides and a sphere as many
+ * for each object. Boxes and meshes are what they are; a cylinder has {@link #SIDES} flat sides and a sphere or capsule as many
  * around, with their corners on the true surface, so that what is round is a little too small.
  */
 public final class ObjWriter {
@@ -76,7 +77,11 @@ public final class ObjWriter {
         switch (object.kind()) {
             case BOX -> box((BoxObject) object, place);
             case CYLINDER -> cylinder((CylinderObject) object, place);
-            case SPHERE -> sphere(((SphereObject) object).radius(), place);
+            case SPHERE -> ball(((SphereObject) object).radius(), 0, place);
+            case CAPSULE -> {
+                CapsuleObject capsule = (CapsuleObject) object;
+                ball(capsule.radius(), capsule.segment() / 2, place);
+            }
             case MESH -> mesh((MeshObject) object, place);
             case GROUP -> {
                 for (GeometryObject member : ((ObjectGroup) object).members()) {
@@ -121,25 +126,28 @@ public final class ObjWriter {
         face(2 * SIDES, top);
     }
 
-    private void sphere(double radius, Placement place) throws IOException {
-        vertex(place, 0, -radius, 0);
-        for (int ring = 1; ring < RINGS; ring++) {
-            double y = -radius * Degrees.cos(180.0 / RINGS * ring);
+    /** A sphere, or one that is cut at its equator and pulled apart by a half length to either side. */
+    private void ball(double radius, double half, Placement place) throws IOException {
+        int rings = half > 0 ? RINGS + 1 : RINGS;
+        vertex(place, 0, -radius - half, 0);
+        for (int row = 1; row < rings; row++) {
+            int ring = half > 0 && row > RINGS / 2 ? row - 1 : row;
+            double y = -radius * Degrees.cos(180.0 / RINGS * ring) + (row > RINGS / 2 ? half : -half);
             double across = radius * Degrees.sin(180.0 / RINGS * ring);
             for (int k = 0; k < SIDES; k++) {
                 vertex(place, across * Degrees.cos(360.0 / SIDES * k), y, -across * Degrees.sin(360.0 / SIDES * k));
             }
         }
-        vertex(place, 0, radius, 0);
-        int count = 2 + (RINGS - 1) * SIDES;
+        vertex(place, 0, radius + half, 0);
+        int count = 2 + (rings - 1) * SIDES;
         for (int k = 0; k < SIDES; k++) {
             int next = (k + 1) % SIDES;
             face(count, 0, 1 + next, 1 + k);
-            for (int ring = 0; ring < RINGS - 2; ring++) {
+            for (int ring = 0; ring < rings - 2; ring++) {
                 int here = 1 + ring * SIDES;
                 face(count, here + k, here + next, here + SIDES + next, here + SIDES + k);
             }
-            int last = 1 + (RINGS - 2) * SIDES;
+            int last = 1 + (rings - 2) * SIDES;
             face(count, last + k, last + next, count - 1);
         }
     }

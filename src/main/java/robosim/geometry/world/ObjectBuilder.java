@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Attitude;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
@@ -75,7 +76,7 @@ final class ObjectBuilder {
 
     static boolean isObject(Element element) {
         return switch (element.name) {
-            case "box", "cylinder", "sphere", "mesh", "group" -> true;
+            case "box", "cylinder", "sphere", "capsule", "mesh", "group" -> true;
             default -> false;
         };
     }
@@ -91,6 +92,8 @@ final class ObjectBuilder {
             case "cylinder" ->
                 new CylinderObject(new Point(), length(element, "radius", "0"), length(element, "height", "0"));
             case "sphere" -> new SphereObject(new Point(), length(element, "radius", "0"));
+            case "capsule" ->
+                new CapsuleObject(new Point(), length(element, "radius", "0"), length(element, "segment", "0"));
             case "group" -> new ObjectGroup(element.members, element.bounds);
             default -> mesh(element);
         };

@@ -9,6 +9,7 @@ import robosim.geometry.collision.ContactQuery;
 import robosim.geometry.collision.Verdict;
 import robosim.geometry.index.QuadCursor;
 import robosim.geometry.index.QuadTree;
+import robosim.geometry.model.Bounds;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
@@ -29,13 +30,12 @@ final class Overlaps {
     Overlaps(World world, WorldCheck.Watch watch) {
         objects = world.objects();
         dimension = world.dimension();
-        List<Enclosure> enclosures =
-                objects.stream().map(o -> Enclosure.of(o.object())).toList();
+        List<Bounds> bounds = objects.stream().map(o -> o.object().bounds()).toList();
         QuadTree tree = new QuadTree(-world.width() / 2, -world.length() / 2, world.width() / 2, world.length() / 2);
         QuadCursor cursor = tree.cursor();
         for (int k = 0; k < objects.size(); k++) {
             watch.at("overlaps", k, objects.size());
-            Enclosure e = enclosures.get(k);
+            Bounds e = bounds.get(k);
             List<Integer> near = new ArrayList<>();
             cursor.startBox(e.minX(), e.minZ(), e.maxX(), e.maxZ());
             for (int other = cursor.next(); other >= 0; other = cursor.next()) {
@@ -43,16 +43,20 @@ final class Overlaps {
             }
             near.sort(null);
             for (int other : near) {
-                boolean level = dimension == Dimension.PLANAR || e.meetsLevels(enclosures.get(other));
+                boolean level = dimension == Dimension.PLANAR || haveCommonHeight(e, bounds.get(other));
                 if (level) {
                     compare(
                             objects.get(other),
                             objects.get(k),
-                            Math.min(e.size(), enclosures.get(other).size()));
+                            Math.min(e.size(), bounds.get(other).size()));
                 }
             }
             tree.add(k, e.minX(), e.minZ(), e.maxX(), e.maxZ());
         }
+    }
+
+    private static boolean haveCommonHeight(Bounds a, Bounds b) {
+        return a.minY() <= b.maxY() && b.minY() <= a.maxY();
     }
 
     /** All with a moveable object, and as many of two static ones as are told. */
@@ -98,7 +102,7 @@ final class Overlaps {
             return 0;
         }
         double least = reach;
-        double most = 2 * (Enclosure.of(first).size() + Enclosure.of(second).size()) + reach;
+        double most = 2 * (first.bounds().size() + second.bounds().size()) + reach;
         while (!isClear(first, second, normal, 2 * least)) {
             least *= 2;
             if (least > most) {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Bounds;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
@@ -170,7 +171,7 @@ final class Questions {
     }
 
     private void move(GeometryObject body, String name) {
-        double way = random.nextDouble() * FAR * Enclosure.of(body).diagonal();
+        double way = random.nextDouble() * FAR * GridReachability.diagonal(body);
         Move move =
                 random.nextBoolean() ? new Move(way, 0, 0, 0, 0) : new Move(0, 0, 0, 0, random.nextDouble(-180, 180));
         boolean right = moves(truth, body, name, move);
@@ -226,17 +227,17 @@ final class Questions {
 
     /** Whether heights can make no difference to anything that is level. */
     private boolean isProven(List<WorldObject> robots) {
-        List<Enclosure> enclosures = new ArrayList<>();
+        List<Bounds> bounds = new ArrayList<>();
         for (WorldObject object : world.objects()) {
             if (!isPrism(object.object())) {
                 return false;
             }
-            enclosures.add(Enclosure.of(object.object()));
+            bounds.add(object.object().bounds());
         }
         for (WorldObject robot : robots) {
             double height = robot.object().center().y();
-            for (Enclosure e : enclosures) {
-                // Enclosures are rounded outwards; so much further in lies the object itself.
+            for (Bounds e : bounds) {
+                // Bounds are rounded outwards; so much further in lies the object itself.
                 double inset = Math.ulp(Math.max(Math.abs(e.minY()), Math.abs(e.maxY()))) * 8;
                 if (!(e.minY() + inset <= height && height <= e.maxY() - inset)) {
                     return false;
@@ -250,7 +251,7 @@ final class Questions {
         return object.pose().isUpright()
                 && switch (object.kind()) {
                     case BOX, CYLINDER -> true;
-                    case SPHERE, MESH, GROUP -> false;
+                    case SPHERE, CAPSULE, MESH, GROUP -> false;
                 };
     }
 }

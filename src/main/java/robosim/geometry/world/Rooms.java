@@ -128,7 +128,7 @@ final class Rooms {
 
     private Comparator<Integer> narrowestFirst() {
         return Comparator.<Integer, Boolean>comparing(k -> isMany(robots.get(k)))
-                .thenComparingDouble(k -> Enclosure.of(robots.get(k)).narrow());
+                .thenComparingDouble(k -> GridReachability.narrow(robots.get(k)));
     }
 
     /** Whether it has so many parts that it moves slowly. */
@@ -136,7 +136,7 @@ final class Rooms {
         return switch (robot.kind()) {
             case MESH -> true;
             case GROUP -> ((ObjectGroup) robot).members().stream().anyMatch(Rooms::isMany);
-            case BOX, CYLINDER, SPHERE -> false;
+            case BOX, CYLINDER, SPHERE, CAPSULE -> false;
         };
     }
 

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Bounds;
 import robosim.geometry.model.Dimension;
 
 /**
@@ -46,11 +47,12 @@ public final class SdfReader {
         SdfObjects objects = new SdfObjects(tree, new SdfShapes(tree, files));
         try {
             objects.add(tree.read(files.main(file.toString())));
-            Extents extents = Extents.of(objects.objects());
+            double[] reach = Bounds.reach(
+                    objects.objects().stream().map(WorldObject::object).toList());
             World world = new World(
-                    size(extents, 0),
-                    size(extents, 1),
-                    size(extents, 2),
+                    size(reach[0]),
+                    size(reach[1]),
+                    size(reach[2]),
                     Unit.METRE,
                     Dimension.SPATIAL,
                     Accuracy.EXACT,
@@ -65,7 +67,7 @@ public final class SdfReader {
         }
     }
 
-    private static double size(Extents extents, int axis) {
-        return 2 * Math.ceil(extents.farthest(axis) + 1);
+    private static double size(double reach) {
+        return 2 * Math.ceil(reach + 1);
     }
 }

@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
@@ -77,14 +78,9 @@ final class SdfShapes {
         return new CylinderObject(new Point(), shape.number("radius"), shape.number("length"));
     }
 
-    /** A cylinder with a ball at either end; its length is that of the cylinder. */
-    private static ObjectGroup capsule(SdfElement shape) throws WorldException {
-        double radius = shape.number("radius");
-        double half = shape.number("length") / 2;
-        return new ObjectGroup(List.of(
-                cylinder(shape),
-                new SphereObject(new Point(0, half, 0), radius),
-                new SphereObject(new Point(0, -half, 0), radius)));
+    /** Its length is that of the cylinder between the two round ends. */
+    private static CapsuleObject capsule(SdfElement shape) throws WorldException {
+        return new CapsuleObject(new Point(), shape.number("radius"), shape.number("length"));
     }
 
     /** The ground is left out; any other plane is refused, since it would cut off half of the world. */

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Bounds;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.MeshObject;
 
@@ -148,13 +149,13 @@ public record WorldImport(
         Path last = file.getFileName();
         String name = last == null ? "mesh" : last.toString().replaceFirst("\\.[^.]*$", "");
         List<WorldObject> objects = List.of(new WorldObject(name.isBlank() ? mesh : mesh.named(name)));
-        Extents extents = Extents.of(objects);
-        double most = Math.max(extents.farthest(0), Math.max(extents.farthest(1), extents.farthest(2)));
+        double[] reach = Bounds.reach(List.of(mesh));
+        double most = Math.max(reach[0], Math.max(reach[1], reach[2]));
         double margin = most > 0 ? most / 4 : 1;
         World world = new World(
-                2 * (extents.farthest(0) + margin),
-                2 * (extents.farthest(1) + margin),
-                2 * (extents.farthest(2) + margin),
+                2 * (reach[0] + margin),
+                2 * (reach[1] + margin),
+                2 * (reach[2] + margin),
                 null,
                 Dimension.SPATIAL,
                 Accuracy.EXACT,

@@ -125,6 +125,7 @@ public final class WorldWriter {
             case BOX -> "box";
             case CYLINDER -> "cylinder";
             case SPHERE -> "sphere";
+            case CAPSULE -> "capsule";
             case MESH -> "mesh";
             case GROUP -> "group";
         };

@@ -42,7 +42,6 @@ import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.viewer.window.Viewer;
 import robosim.geometry.world.AtomicFileWriter;
-import robosim.geometry.world.Extents;
 import robosim.geometry.world.ImportOptions;
 import robosim.geometry.world.ObjReader;
 import robosim.geometry.world.ObjWriter;
@@ -94,7 +93,6 @@ class NullsTest {
         InputStream in = new ByteArrayInputStream(new byte[0]);
         Path file = folder.resolve("none.xml");
         World world = new World(1, 1, 1, List.of());
-        call("objects", () -> Extents.of(null));
         call("models", () -> ImportOptions.DEFAULT.withModels(null));
         call("models[1]", () -> ImportOptions.DEFAULT.withModels(holding(file)));
         call("file", () -> ObjReader.read(null));

@@ -69,27 +69,13 @@ class SweepSummaryTest {
         String svg = SweepPlot.svg(header, summary);
         Document document =
                 DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(new InputSource(new StringReader(svg)));
-        NodeList circles = document.getElementsByTagName("circle");
-        assertThat(circles.getLength()).as("3 places, and the legend").isEqualTo(4);
+        NodeList paths = document.getElementsByTagName("path");
+        assertThat(paths.getLength())
+                .as("a frame, a line, and a marker and a bar at each of 3 places")
+                .isEqualTo(8);
         assertThat(svg)
                 .contains(">nearest [m]<", ">step<", "s&lt;1&gt;, 3 replicates each", "made: 3 in every replicate")
                 .doesNotContain("NaN", "Infinity");
         assertThat(SweepPlot.svg(header, summary)).isEqualTo(svg);
-    }
-
-    @Test
-    void ticksAreRoundAndWithin() {
-        SeededRandom random = new SeededRandom(9);
-        for (int k = 0; k < 500; k++) {
-            double low = random.nextGaussian() * Math.pow(10, random.nextInt(9) - 4);
-            double high = low + Math.abs(random.nextGaussian()) * Math.pow(10, random.nextInt(9) - 4);
-            SweepAxis axis = new SweepAxis(low, high, 100, 700);
-            assertThat(axis.ticks()).hasSizeBetween(2, 13);
-            assertThat(axis.at(low)).isLessThanOrEqualTo(axis.at(high)).isBetween(100.0, 700.0);
-            for (double tick : axis.ticks()) {
-                assertThat(axis.at(tick)).isBetween(100 - 1e-6, 700 + 1e-6);
-                assertThat(new BigDecimal(axis.label(tick)).doubleValue()).isEqualTo(tick);
-            }
-        }
     }
 }

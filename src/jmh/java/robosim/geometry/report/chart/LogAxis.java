@@ -3,6 +3,7 @@ package robosim.geometry.report.chart;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntFunction;
+import robosim.geometry.chart.Axis;
 
 /**
  * Powers of ten from one to another, and where it is asked for a strip of its own for zero before them.

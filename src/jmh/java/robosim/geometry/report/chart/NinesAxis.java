@@ -2,6 +2,7 @@ package robosim.geometry.report.chart;
 
 import java.util.ArrayList;
 import java.util.List;
+import robosim.geometry.chart.Axis;
 
 /**
  * Shares from 0 to 1, stretched towards 1 so that 99 % and 99.99 % can be told apart; 1 itself is the end.

@@ -2,6 +2,7 @@ package robosim.geometry.report.chart;
 
 import java.util.ArrayList;
 import java.util.List;
+import robosim.geometry.chart.Axis;
 
 /** Shares from 0 to 1 in per cent, evenly, with a little room at both ends so that no marker is cut. */
 public record PercentAxis(String title) implements Axis {

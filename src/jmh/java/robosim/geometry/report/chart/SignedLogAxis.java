@@ -3,6 +3,7 @@ package robosim.geometry.report.chart;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import robosim.geometry.chart.Axis;
 
 /**
  * Powers of ten to both sides of zero, which has a column of its own in the middle.

@@ -1,4 +1,4 @@
-/** Plots as SVG that needs nothing else: axes at powers of ten, markers of several shapes, labels that keep apart. */
+/** Axes of the report beside those of {@code robosim.geometry.chart}: powers of ten, to both sides of zero, and shares. */
 @NullMarked
 package robosim.geometry.report.chart;
 

@@ -3,16 +3,16 @@ package robosim.geometry.report.speed;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
+import robosim.geometry.chart.Figure;
+import robosim.geometry.chart.Marker;
+import robosim.geometry.chart.NamesAxis;
+import robosim.geometry.chart.Panel;
+import robosim.geometry.chart.Series;
+import robosim.geometry.chart.Series.Dot;
+import robosim.geometry.chart.Series.Line;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.report.chart.Decades;
-import robosim.geometry.report.chart.Figure;
 import robosim.geometry.report.chart.LogAxis;
-import robosim.geometry.report.chart.Marker;
-import robosim.geometry.report.chart.NamesAxis;
-import robosim.geometry.report.chart.Panel;
-import robosim.geometry.report.chart.Series;
-import robosim.geometry.report.chart.Series.Dot;
-import robosim.geometry.report.chart.Series.Line;
 
 /** Median, 99.9 % and worst of single questions, with more and less degenerate input. */
 final class LatencySection {

@@ -1,12 +1,12 @@
 package robosim.geometry.report.speed;
 
 import java.util.List;
+import robosim.geometry.chart.Marker;
+import robosim.geometry.chart.Series;
+import robosim.geometry.chart.Series.Dot;
+import robosim.geometry.chart.Series.Line;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
-import robosim.geometry.report.chart.Marker;
-import robosim.geometry.report.chart.Series;
-import robosim.geometry.report.chart.Series.Dot;
-import robosim.geometry.report.chart.Series.Line;
 
 /** Colour and shape of whoever answers: the same in all plots. */
 record Look(int colour, Marker marker, boolean hollow) {

@@ -2,7 +2,7 @@ package robosim.geometry.report.speed;
 
 import java.util.ArrayList;
 import java.util.List;
-import robosim.geometry.report.chart.Figure;
+import robosim.geometry.chart.Figure;
 
 /** What a report says, part by part, whatever it is written as. Text may hold {@code code} between back quotes. */
 final class Page {

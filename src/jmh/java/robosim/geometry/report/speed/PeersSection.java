@@ -4,14 +4,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import robosim.geometry.chart.Figure;
+import robosim.geometry.chart.Marker;
+import robosim.geometry.chart.Panel;
+import robosim.geometry.chart.Series;
+import robosim.geometry.chart.Series.Dot;
+import robosim.geometry.chart.Series.Line;
 import robosim.geometry.report.chart.Decades;
-import robosim.geometry.report.chart.Figure;
 import robosim.geometry.report.chart.LogAxis;
-import robosim.geometry.report.chart.Marker;
-import robosim.geometry.report.chart.Panel;
-import robosim.geometry.report.chart.Series;
-import robosim.geometry.report.chart.Series.Dot;
-import robosim.geometry.report.chart.Series.Line;
 
 /** Native engines on shared inputs, where a file of their figures was given. */
 final class PeersSection {

@@ -5,7 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import robosim.geometry.report.chart.Figure;
+import robosim.geometry.chart.Figure;
 
 /** The pages of a run, from its figures alone. */
 final class Report {

@@ -178,7 +178,7 @@ public final class LeafTable {
             return 0;
         }
         return switch (object.kind()) {
-            case BOX, CYLINDER, SPHERE -> CONVEX | SINGLE;
+            case BOX, CYLINDER, SPHERE, CAPSULE -> CONVEX | SINGLE;
             case MESH -> 0;
             case GROUP -> form(id).own.hasMesh() ? 0 : CONVEX;
         };

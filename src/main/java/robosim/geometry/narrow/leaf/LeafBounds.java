@@ -1,12 +1,10 @@
 package robosim.geometry.narrow.leaf;
 
+import robosim.geometry.exact.Outward;
 import robosim.geometry.model.Dimension;
 
 /** Axis-aligned bounds of leaves, rounded outward: nothing of the leaf lies outside, to the bit. */
 public final class LeafBounds {
-    // Six roundings of a sum of products of numbers that are not negative, and one for this product itself.
-    private static final double OUTWARD = 1 + 0x1p-49;
-
     private LeafBounds() {}
 
     /** Writes least x, y, z and greatest x, y, z of a leaf of any kind. */
@@ -17,7 +15,7 @@ public final class LeafBounds {
             case SPHERE -> around(rows, at, rows[at + 3], rows[at + 3], rows[at + 3], out6);
             case CYLINDER -> cylinder(rows, at, out6);
             case UPRIGHT_CAPSULE ->
-                around(rows, at, rows[at + 3], Upright.sumUp(rows[at + 4], rows[at + 3]), rows[at + 3], out6);
+                around(rows, at, rows[at + 3], Outward.sum(rows[at + 4], rows[at + 3]), rows[at + 3], out6);
             case CAPSULE -> capsule(rows, at, out6);
             case TRIANGLE -> triangle(rows, at, out6);
             case PRISM -> {
@@ -59,36 +57,23 @@ public final class LeafBounds {
     }
 
     private static void around(double[] rows, int at, double halfX, double halfY, double halfZ, double[] out6) {
-        out6[0] = 0 - Upright.sumUp(-rows[at], halfX);
-        out6[1] = 0 - Upright.sumUp(-rows[at + 1], halfY);
-        out6[2] = 0 - Upright.sumUp(-rows[at + 2], halfZ);
-        out6[3] = Upright.sumUp(rows[at], halfX);
-        out6[4] = Upright.sumUp(rows[at + 1], halfY);
-        out6[5] = Upright.sumUp(rows[at + 2], halfZ);
+        out6[0] = 0 - Outward.sum(-rows[at], halfX);
+        out6[1] = 0 - Outward.sum(-rows[at + 1], halfY);
+        out6[2] = 0 - Outward.sum(-rows[at + 2], halfZ);
+        out6[3] = Outward.sum(rows[at], halfX);
+        out6[4] = Outward.sum(rows[at + 1], halfY);
+        out6[5] = Outward.sum(rows[at + 2], halfZ);
     }
 
     private static void box(double[] rows, int at, double[] out6) {
-        around(rows, at, boxHalf(rows, at, 0), boxHalf(rows, at, 3), boxHalf(rows, at, 6), out6);
-    }
-
-    // Half the extent along one world axis; exact where the own axes are the world's.
-    private static double boxHalf(double[] rows, int at, int rowOfRotation) {
-        int r = at + Leaf.ROTATION + rowOfRotation;
-        double sum = 0;
-        for (int axis = 0; axis < 3; axis++) {
-            sum = Upright.sumUp(sum, productUp(rows[at + Leaf.SIZE + axis], Math.abs(rows[r + axis])));
-        }
-        return sum;
-    }
-
-    // Rounded up, of numbers that are not negative.
-    private static double productUp(double a, double b) {
-        double product = a * b;
-        if (a == 0 || b == 0 || a == 1 || b == 1) {
-            return product;
-        }
-        // Below this the tail of the product may itself be rounded away.
-        return Upright.up(product, product < 0x1p-960 ? 1 : Math.fma(a, b, -product));
+        int r = at + Leaf.ROTATION;
+        around(
+                rows,
+                at,
+                Outward.ofBox(rows, at + Leaf.SIZE, rows, r),
+                Outward.ofBox(rows, at + Leaf.SIZE, rows, r + 3),
+                Outward.ofBox(rows, at + Leaf.SIZE, rows, r + 6),
+                out6);
     }
 
     private static void capsule(double[] rows, int at, double[] out6) {
@@ -97,9 +82,9 @@ public final class LeafBounds {
         around(
                 rows,
                 at,
-                Upright.sumUp(productUp(half, Math.abs(rows[at + 7])), radius),
-                Upright.sumUp(productUp(half, Math.abs(rows[at + 10])), radius),
-                Upright.sumUp(productUp(half, Math.abs(rows[at + 13])), radius),
+                Outward.ofCapsule(radius, half, rows[at + 7]),
+                Outward.ofCapsule(radius, half, rows[at + 10]),
+                Outward.ofCapsule(radius, half, rows[at + 13]),
                 out6);
     }
 
@@ -113,16 +98,10 @@ public final class LeafBounds {
         around(
                 rows,
                 at,
-                cylinderHalf(radius, half, ax, ay, az, length),
-                cylinderHalf(radius, half, ay, az, ax, length),
-                cylinderHalf(radius, half, az, ax, ay, length),
+                Outward.ofCylinder(radius, half, ax, ay, az, length),
+                Outward.ofCylinder(radius, half, ay, az, ax, length),
+                Outward.ofCylinder(radius, half, az, ax, ay, length),
                 out6);
-    }
-
-    private static double cylinderHalf(double radius, double half, double along, double p, double q, double length) {
-        double rim = radius * (Math.sqrt(p * p + q * q) / length);
-        double sum = (half * Math.abs(along) + rim) * OUTWARD;
-        return sum == 0 ? (radius == 0 && half == 0 ? 0 : Double.MIN_VALUE) : Math.nextUp(sum);
     }
 
     private static void triangle(double[] rows, int at, double[] out6) {

@@ -1,6 +1,7 @@
 package robosim.geometry.narrow.leaf;
 
 import robosim.geometry.exact.Rotations;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
@@ -41,7 +42,7 @@ public final class OwnLeaves {
     public static void placed(GeometryObject object, LeafColumn leaves) {
         leaves.clear();
         switch (object.kind()) {
-            case BOX, CYLINDER, SPHERE -> placeSimple(object, leaves);
+            case BOX, CYLINDER, SPHERE, CAPSULE -> placeSimple(object, leaves);
             case MESH, GROUP -> {
                 OwnLeaves own = of(object);
                 leaves.append(own.size());
@@ -77,7 +78,7 @@ public final class OwnLeaves {
         };
     }
 
-    /** Writes the sizes of a box, cylinder or sphere and answers its kind. */
+    /** Writes the sizes of a box, cylinder, sphere or capsule and answers its kind. */
     private static LeafKind size(GeometryObject object, double[] row, int at) {
         return switch (object.kind()) {
             case BOX -> {
@@ -97,9 +98,15 @@ public final class OwnLeaves {
                 row[at + 3] = ((SphereObject) object).radius();
                 yield LeafKind.SPHERE;
             }
+            case CAPSULE -> {
+                CapsuleObject capsule = (CapsuleObject) object;
+                row[at + 3] = capsule.radius();
+                row[at + 4] = capsule.segment() / 2;
+                yield LeafKind.CAPSULE;
+            }
             case MESH, GROUP ->
                 throw new IllegalArgumentException(
-                        "object must be a box, a cylinder or a sphere (got: " + object + ")");
+                        "object must be a box, a cylinder, a sphere or a capsule (got: " + object + ")");
         };
     }
 
@@ -126,7 +133,7 @@ public final class OwnLeaves {
     /** The shape of an object, placed by the frame: a centre and a rotation, laid out as a leaf's. */
     private void add(GeometryObject object, double[] frame) {
         switch (object.kind()) {
-            case BOX, CYLINDER, SPHERE -> {
+            case BOX, CYLINDER, SPHERE, CAPSULE -> {
                 int at = row(LeafKind.BOX, frame);
                 own.setKind(own.size() - 1, size(object, own.rows(), at));
             }

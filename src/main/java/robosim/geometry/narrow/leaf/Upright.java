@@ -1,8 +1,8 @@
 package robosim.geometry.narrow.leaf;
 
-import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.Filter;
+import robosim.geometry.exact.Outward;
 import robosim.geometry.exact.Stages;
 
 /** The heights of leaves that stand upright: a flat base on an interval of Y. */
@@ -50,29 +50,15 @@ public final class Upright {
 
     /** The least height of an upright leaf, rounded down. */
     public static double least(LeafKind kind, double[] row, int at) {
-        return isRange(kind) ? row[at + 8] : 0 - sumUp(-row[at + 1], row[at + 4]);
+        return isRange(kind) ? row[at + 8] : 0 - Outward.sum(-row[at + 1], row[at + 4]);
     }
 
     /** The greatest height of an upright leaf, rounded up. */
     public static double greatest(LeafKind kind, double[] row, int at) {
-        return isRange(kind) ? row[at + 9] : sumUp(row[at + 1], row[at + 4]);
+        return isRange(kind) ? row[at + 9] : Outward.sum(row[at + 1], row[at + 4]);
     }
 
     private static boolean isRange(LeafKind kind) {
         return kind.layout() == LeafKind.Layout.RANGES;
-    }
-
-    /** {@code a + b}, rounded up. */
-    public static double sumUp(double a, double b) {
-        double sum = a + b;
-        return up(sum, DoubleDouble.sumTail(a, b, sum));
-    }
-
-    /** The next double above a number where its tail is above 0, without a branch: it would be guessed wrong half the time. */
-    static double up(double number, double tail) {
-        long isUp = Double.doubleToLongBits(0.0 - tail) >> (Long.SIZE - 1);
-        long from = Double.doubleToRawLongBits(number + 0.0);
-        long next = from + ((from >> (Long.SIZE - 1)) | 1);
-        return Double.longBitsToDouble((Double.doubleToRawLongBits(number) & ~isUp) | (next & isUp));
     }
 }

@@ -1,9 +1,9 @@
 package robosim.geometry.narrow.turn;
 
 import robosim.geometry.exact.Degrees;
+import robosim.geometry.exact.Outward;
 import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.Upright;
 
 /** Axis-aligned bounds of a leaf over a whole motion, rounded outward: the leaf never leaves them, to the bit. */
 public final class SweptBounds {
@@ -25,8 +25,8 @@ public final class SweptBounds {
     private static void moved(double[] bounds, int at, double dx, double dy, double dz, double[] out6) {
         for (int k = 0; k < 3; k++) {
             double d = k == 0 ? dx : k == 1 ? dy : dz;
-            out6[k] = -Upright.sumUp(-bounds[at + k], Math.max(0, -d));
-            out6[k + 3] = Upright.sumUp(bounds[at + 3 + k], Math.max(0, d));
+            out6[k] = -Outward.sum(-bounds[at + k], Math.max(0, -d));
+            out6[k + 3] = Outward.sum(bounds[at + 3 + k], Math.max(0, d));
         }
     }
 

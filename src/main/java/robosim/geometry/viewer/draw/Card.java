@@ -2,16 +2,16 @@ package robosim.geometry.viewer.draw;
 
 import java.util.ArrayList;
 import java.util.List;
+import robosim.geometry.model.CapsuleObject;
+import robosim.geometry.model.Bounds;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.SphereObject;
-import robosim.geometry.viewer.scene.Bounds;
 import robosim.geometry.viewer.scene.Labels;
 import robosim.geometry.viewer.scene.MapFrame;
-import robosim.geometry.viewer.scene.Outline;
 
 /**
  * What is told of one object.
@@ -54,14 +54,17 @@ public record Card(String heading, List<String> lines) {
                 yield "radius " + Labels.number(cylinder.radius()) + ", height " + Labels.number(cylinder.height());
             }
             case SPHERE -> "radius " + Labels.number(((SphereObject) object).radius());
+            case CAPSULE -> {
+                CapsuleObject capsule = (CapsuleObject) object;
+                yield "radius " + Labels.number(capsule.radius()) + ", segment " + Labels.number(capsule.segment());
+            }
             case MESH -> ((MeshObject) object).triangles().size() + " triangles, " + covers(object);
             case GROUP -> ((ObjectGroup) object).members().size() + " members, " + covers(object);
         };
     }
 
     private static String covers(GeometryObject object) {
-        Bounds bounds = new Bounds();
-        Outline.of(object).forEach(bounds::add);
+        Bounds bounds = object.bounds();
         return Labels.number(bounds.width()) + " by " + Labels.number(bounds.length());
     }
 

@@ -1,12 +1,14 @@
 package robosim.geometry.viewer.draw;
 
-import java.math.BigDecimal;
-import java.math.RoundingMode;
+import robosim.geometry.exact.NumberText;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Scene;
 
 /** The floor, lines at round coordinates with their numbers, the world's border, and the title. */
 final class GridPainter {
+    /** Of a multiple of a round length, without the noise of the product. */
+    static final int DIGITS = 15;
+
     private final Scene scene;
     private final MapFrame frame;
     private final Canvas canvas;
@@ -29,12 +31,12 @@ final class GridPainter {
         for (long k = (long) Math.ceil(view.minX() / step); k * step <= view.maxX(); k++) {
             double x = frame.x(k * step);
             canvas.line(x, top, x, bottom, Style.line(Palette.GRID, k == 0 ? 1.6 : 0.8, 1));
-            canvas.text(x, bottom + 17, number(k, step), Canvas.Anchor.MIDDLE, 11, Palette.QUIET);
+            canvas.text(x, bottom + 17, NumberText.digits(k * step, DIGITS), Canvas.Anchor.MIDDLE, 11, Palette.QUIET);
         }
         for (long k = (long) Math.ceil(view.minZ() / step); k * step <= view.maxZ(); k++) {
             double y = frame.y(k * step);
             canvas.line(left, y, right, y, Style.line(Palette.GRID, k == 0 ? 1.6 : 0.8, 1));
-            canvas.text(left - 8, y + 4, number(k, step), Canvas.Anchor.END, 11, Palette.QUIET);
+            canvas.text(left - 8, y + 4, NumberText.digits(k * step, DIGITS), Canvas.Anchor.END, 11, Palette.QUIET);
         }
         canvas.text(right + 22, bottom + 17, "x", Canvas.Anchor.START, 12, Palette.QUIET);
         canvas.text(left - 8, top - 12, "z", Canvas.Anchor.END, 12, Palette.QUIET);
@@ -68,19 +70,5 @@ final class GridPainter {
             canvas.text(frame.left(), 58, scene.subtitle(), Canvas.Anchor.START, 13, Palette.QUIET);
         }
         canvas.close();
-    }
-
-    /** A multiple of a round length, without the noise of the product. */
-    private static String number(long count, double step) {
-        return text(count * step, step);
-    }
-
-    /** A number to the places that a step has. */
-    static String text(double value, double step) {
-        int places = (int) Math.max(0, -Math.floor(StrictMath.log10(step)));
-        if (places > 9 || Math.abs(value) >= 1e9) {
-            return Double.toString(value);
-        }
-        return new BigDecimal(value).setScale(places, RoundingMode.HALF_EVEN).toPlainString();
     }
 }

@@ -2,8 +2,8 @@ package robosim.geometry.viewer.draw;
 
 import java.util.ArrayList;
 import java.util.List;
+import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
-import robosim.geometry.viewer.scene.Bounds;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Outline;
 import robosim.geometry.viewer.scene.Scene;
@@ -53,7 +53,7 @@ final class LabelPainter {
 
     /** No name may cover a robot. */
     private void reserve(GeometryObject robot) {
-        Bounds bounds = bounds(robot);
+        Bounds bounds = robot.bounds();
         double halfWidth = frame.scale * bounds.width() / 2;
         double halfHeight = frame.scale * bounds.length() / 2;
         double x = frame.x(bounds.middleX());
@@ -66,7 +66,7 @@ final class LabelPainter {
         if (name == null) {
             return;
         }
-        Bounds bounds = bounds(robot);
+        Bounds bounds = robot.bounds();
         double half = frame.scale * Math.max(bounds.width(), bounds.length()) / 2;
         // The arrow of a small one stands beside it.
         double reach = (half < ThingPainter.SMALL_ARROW ? half + 2 * ThingPainter.SMALL_ARROW : half) + 5;
@@ -86,18 +86,20 @@ final class LabelPainter {
     }
 
     /** What lies over the things that are still to come. */
-    private record Cover(List<Outline> outlines, Bounds bounds) {}
+    private record Cover(List<Outline> outlines, Bounds bounds) {
+        boolean isApart(double fromX, double fromZ, double toX, double toZ) {
+            return toX < bounds.minX() || bounds.maxX() < fromX || toZ < bounds.minZ() || bounds.maxZ() < fromZ;
+        }
+    }
 
     /** A static object's name stands on it, where it fits and nothing lies over it. */
     private void upon(GeometryObject object, List<Cover> above) {
-        List<Outline> outlines = Outline.of(object);
-        Bounds bounds = new Bounds();
-        outlines.forEach(bounds::add);
+        Bounds bounds = object.bounds();
         String name = object.name();
         if (name != null) {
             upon(name, bounds, above);
         }
-        above.add(new Cover(outlines, bounds));
+        above.add(new Cover(Outline.of(object), bounds));
     }
 
     private void upon(String name, Bounds bounds, List<Cover> above) {
@@ -116,7 +118,7 @@ final class LabelPainter {
         double fromZ = frame.worldZ(y - STATIC_SIZE);
         double toZ = frame.worldZ(y);
         for (Cover cover : above) {
-            if (cover.bounds.isApart(fromX, fromZ, toX, toZ)) {
+            if (cover.isApart(fromX, fromZ, toX, toZ)) {
                 continue;
             }
             for (int k = 0; k < 2 * SAMPLES; k++) {
@@ -145,11 +147,5 @@ final class LabelPainter {
         }
         taken.add(box);
         return true;
-    }
-
-    private static Bounds bounds(GeometryObject object) {
-        Bounds bounds = new Bounds();
-        Outline.of(object).forEach(bounds::add);
-        return bounds;
     }
 }

@@ -1,6 +1,7 @@
 package robosim.geometry.viewer.draw;
 
 import java.util.List;
+import robosim.geometry.exact.NumberText;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Scene;
 
@@ -44,7 +45,7 @@ final class LegendPainter {
         canvas.text(
                 x + pixels,
                 y + 16,
-                GridPainter.text(length, length) + unit,
+                NumberText.digits(length, GridPainter.DIGITS) + unit,
                 Canvas.Anchor.MIDDLE,
                 TEXT_SIZE,
                 Palette.TEXT);
@@ -65,7 +66,13 @@ final class LegendPainter {
         for (int k = 0; k * tick <= farthest; k++) {
             double at = x + width * (k * tick) / farthest;
             canvas.line(at, y, at, y + 4, Style.line(Palette.TEXT, 1, 1));
-            canvas.text(at, y + 16, GridPainter.text(k * tick, tick), Canvas.Anchor.MIDDLE, TEXT_SIZE, Palette.TEXT);
+            canvas.text(
+                    at,
+                    y + 16,
+                    NumberText.digits(k * tick, GridPainter.DIGITS),
+                    Canvas.Anchor.MIDDLE,
+                    TEXT_SIZE,
+                    Palette.TEXT);
         }
         canvas.text(x, y - 15, "measured distance", Canvas.Anchor.START, TEXT_SIZE, Palette.QUIET);
         canvas.close();

@@ -18,6 +18,7 @@ public final class Palette {
 
     private static final Ink BOX = new Ink(0x9aa3ae, 0x5a6472);
     private static final Ink CYLINDER = new Ink(0xb79f7f, 0x7d6a50);
+    private static final Ink CAPSULE = new Ink(0xb58f8f, 0x7a5757);
     private static final Ink SPHERE = new Ink(0x7fa8a3, 0x47706b);
     private static final Ink MESH = new Ink(0xa795b5, 0x6c5a7b);
     private static final Ink GROUP = new Ink(0xa3ab88, 0x666e4c);
@@ -42,6 +43,7 @@ public final class Palette {
             case BOX -> BOX;
             case CYLINDER -> CYLINDER;
             case SPHERE -> SPHERE;
+            case CAPSULE -> CAPSULE;
             case MESH -> MESH;
             case GROUP -> GROUP;
         };

@@ -2,8 +2,8 @@ package robosim.geometry.viewer.draw;
 
 import java.util.ArrayList;
 import java.util.List;
+import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
-import robosim.geometry.viewer.scene.Bounds;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Outline;
 import robosim.geometry.viewer.scene.Scene;
@@ -41,8 +41,7 @@ final class ThingPainter {
         // The light edge lies below the colour and can hide none of it, however small the object is.
         draw(outlines, Style.line(Palette.FLOOR, 2 * HALO, 1), frame, canvas);
         draw(outlines, Style.filled(ink, 0.92), frame, canvas);
-        Bounds bounds = new Bounds();
-        outlines.forEach(bounds::add);
+        Bounds bounds = object.bounds();
         if (frame.scale * Math.max(bounds.width(), bounds.length()) < 2 * DOT) {
             double x = frame.x(bounds.middleX());
             double y = frame.y(bounds.middleZ());
@@ -128,6 +127,7 @@ final class ThingPainter {
             case BOX -> "box";
             case CYLINDER -> "cylinder";
             case SPHERE -> "sphere";
+            case CAPSULE -> "capsule";
             case MESH -> "mesh";
             case GROUP -> "group";
         };

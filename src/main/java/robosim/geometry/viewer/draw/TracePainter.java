@@ -6,12 +6,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
-import robosim.geometry.viewer.scene.Bounds;
 import robosim.geometry.viewer.scene.Labels;
 import robosim.geometry.viewer.scene.MapFrame;
-import robosim.geometry.viewer.scene.Outline;
 import robosim.geometry.viewer.scene.Scene;
 
 /** What happened: trails, measured distances, refused moves. */
@@ -123,8 +122,7 @@ final class TracePainter {
             } else {
                 ThingPainter.draw(obstacle, style, frame, canvas);
             }
-            Bounds bounds = new Bounds();
-            Outline.of(each.mover()).forEach(bounds::add);
+            Bounds bounds = each.mover().bounds();
             double radius = frame.scale * StrictMath.hypot(bounds.width(), bounds.length()) / 2 + 4;
             canvas.circle(
                     frame.x(bounds.middleX()),
@@ -165,8 +163,7 @@ final class TracePainter {
 
     /** A goal may be smaller than anything that could be seen. */
     private void middle(GeometryObject goal) {
-        Bounds bounds = new Bounds();
-        Outline.of(goal).forEach(bounds::add);
+        Bounds bounds = goal.bounds();
         double x = frame.x(bounds.middleX());
         double y = frame.y(bounds.middleZ());
         Style style = Style.line(Palette.GOAL, 1.8, 1);

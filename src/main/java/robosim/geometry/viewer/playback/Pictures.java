@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.exact.NumberText;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.Step;
@@ -30,8 +31,7 @@ public final class Pictures {
         Checks.present("world", world);
         Checks.present("title", title);
         List<Scene.Thing> things = things(world);
-        String subtitle = things.size()
-                + (things.size() == 1 ? " object, " : " objects, ")
+        String subtitle = NumberText.count(things.size(), "object") + ", "
                 + world.dimension().name().toLowerCase(Locale.ROOT);
         Scene.View view = Scene.View.of(world.width(), world.length(), things);
         return Scene.of(title, view, things).described(subtitle, unit(world));

@@ -8,6 +8,7 @@ import java.util.ResourceBundle;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
+import robosim.geometry.exact.NumberText;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
@@ -90,7 +91,7 @@ public final class Replayer {
             return frame(step, null, Map.of(), List.of(), Map.of(), "a world that cannot be");
         }
         Frame.Setting setting = Frame.Setting.of(world, colours);
-        String words = "a new world of " + count(setting.things().size(), "object");
+        String words = "a new world of " + NumberText.count(setting.things().size(), "object");
         return frame(step, setting, Map.of(), List.of(), Map.of(), words);
     }
 
@@ -162,7 +163,7 @@ public final class Replayer {
     }
 
     private static String moved(int asked, List<Frame.Bump> bumps) {
-        String words = count(asked, "move");
+        String words = NumberText.count(asked, "move");
         if (bumps.isEmpty()) {
             return words;
         }
@@ -195,7 +196,12 @@ public final class Replayer {
                     .add(ping);
         }
         return frame(
-                step, null, Map.of(), List.of(), heard, count(sonars.requests().size(), "distance"));
+                step,
+                null,
+                Map.of(),
+                List.of(),
+                heard,
+                NumberText.count(sonars.requests().size(), "distance"));
     }
 
     private @Nullable GeometryObject mover(String name) {
@@ -213,10 +219,6 @@ public final class Replayer {
             throw new IllegalStateException("the record puts " + name + " out of the world");
         }
         return object;
-    }
-
-    private static String count(int number, String what) {
-        return number + " " + what + (number == 1 ? "" : "s");
     }
 
     /** What a session warns of was told when it was held. */

@@ -3,6 +3,7 @@ package robosim.geometry.viewer.scene;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
@@ -45,6 +46,10 @@ public final class Heights {
                 yield frame.top(cylinder.radius(), cylinder.height() / 2);
             }
             case SPHERE -> frame.top(0, 0) + ((SphereObject) object).radius();
+            case CAPSULE -> {
+                CapsuleObject capsule = (CapsuleObject) object;
+                yield frame.top(0, capsule.segment() / 2) + capsule.radius();
+            }
             case MESH -> {
                 TriangleMesh mesh = ((MeshObject) object).triangles();
                 double most = Double.NEGATIVE_INFINITY;

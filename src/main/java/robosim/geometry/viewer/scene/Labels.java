@@ -1,8 +1,7 @@
 package robosim.geometry.viewer.scene;
 
-import java.math.BigDecimal;
-import java.math.RoundingMode;
 import java.util.Locale;
+import robosim.geometry.exact.NumberText;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.protocol.Text;
 
@@ -23,13 +22,8 @@ public final class Labels {
         return object.kind().name().toLowerCase(Locale.ROOT);
     }
 
-    /** To a thousandth, without zeros at its end; the same text on every JVM. */
+    /** To a thousandth. */
     public static String number(double value) {
-        if (!(Math.abs(value) < 1e9)) {
-            return String.valueOf((float) value);
-        }
-        BigDecimal rounded =
-                new BigDecimal(value).setScale(3, RoundingMode.HALF_EVEN).stripTrailingZeros();
-        return rounded.signum() == 0 ? "0" : rounded.toPlainString();
+        return NumberText.places(value, 3);
     }
 }

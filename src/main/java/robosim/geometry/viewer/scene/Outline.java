@@ -3,6 +3,7 @@ package robosim.geometry.viewer.scene;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
@@ -30,7 +31,7 @@ public sealed interface Outline {
         }
     }
 
-    /** Corners of the rim of a tipped cylinder. */
+    /** Corners of the rim of a tipped cylinder, and of the ends of a tipped capsule. */
     int RIM = 64;
 
     /**
@@ -67,6 +68,7 @@ public sealed interface Outline {
             case BOX -> outlines.add(box((BoxObject) object, frame));
             case CYLINDER -> outlines.add(cylinder((CylinderObject) object, frame));
             case SPHERE -> outlines.add(new Disc(frame.origin.x(), frame.origin.z(), ((SphereObject) object).radius()));
+            case CAPSULE -> outlines.add(capsule((CapsuleObject) object, frame));
             case MESH -> mesh(((MeshObject) object).triangles(), frame, outlines);
             case GROUP -> {
                 for (GeometryObject member : ((ObjectGroup) object).members()) {
@@ -98,6 +100,26 @@ public sealed interface Outline {
             double z = cylinder.radius() * StrictMath.sin(angle);
             frame.project(x, cylinder.height() / 2, z, rims, 4 * k);
             frame.project(x, -cylinder.height() / 2, z, rims, 4 * k + 2);
+        }
+        return new Polygon(hull(rims));
+    }
+
+    private static Outline capsule(CapsuleObject capsule, Frame frame) {
+        if (frame.isUpright()) {
+            return new Disc(frame.origin.x(), frame.origin.z(), capsule.radius());
+        }
+        double[] ends = new double[4];
+        frame.project(0, capsule.segment() / 2, 0, ends, 0);
+        frame.project(0, -capsule.segment() / 2, 0, ends, 2);
+        double[] rims = new double[4 * RIM];
+        for (int k = 0; k < RIM; k++) {
+            double angle = 2 * Math.PI * k / RIM;
+            double x = capsule.radius() * StrictMath.cos(angle);
+            double z = capsule.radius() * StrictMath.sin(angle);
+            for (int end = 0; end < 4; end += 2) {
+                rims[4 * k + end] = ends[end] + x;
+                rims[4 * k + end + 1] = ends[end + 1] + z;
+            }
         }
         return new Polygon(hull(rims));
     }

@@ -3,6 +3,7 @@ package robosim.geometry.viewer.scene;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 
@@ -114,20 +115,35 @@ public record Scene(
 
         /** This part, and where an object is not within it as much more as holds the object too. */
         public View with(GeometryObject object) {
-            Bounds bounds = new Bounds();
-            Outline.of(object).forEach(bounds::add);
-            boolean within = bounds.isWithin(this);
-            bounds.add(this);
-            return within ? this : bounds.view();
+            Bounds b = object.bounds();
+            boolean isWithin = minX <= b.minX() && minZ <= b.minZ() && b.maxX() <= maxX && b.maxZ() <= maxZ;
+            return isWithin ? this : around(b.and(bounds()));
         }
 
-        /** What holds every object, and a margin around them. */
+        /** What holds every object, and a margin around them; a unit square where there is none. */
         public static View around(List<GeometryObject> objects) {
-            Bounds bounds = new Bounds();
-            for (GeometryObject object : objects) {
-                Outline.of(object).forEach(bounds::add);
-            }
-            return bounds.view();
+            return objects.stream()
+                    .map(GeometryObject::bounds)
+                    .reduce(Bounds::and)
+                    .map(View::around)
+                    .orElse(new View(-0.5, -0.5, 0.5, 0.5, false));
+        }
+
+        /** Bounds as seen from above, and a margin of a twentieth around them. */
+        public static View around(Bounds bounds) {
+            double size = Math.max(bounds.width(), bounds.length());
+            double margin = size > 0 ? size / 20 : 0.5;
+            return new View(
+                    bounds.minX() - margin,
+                    bounds.minZ() - margin,
+                    bounds.maxX() + margin,
+                    bounds.maxZ() + margin,
+                    false);
+        }
+
+        /** This rectangle, without a height. */
+        public Bounds bounds() {
+            return new Bounds(minX, 0, minZ, maxX, 0, maxZ);
         }
     }
 

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.viewer.draw.Card;
 import robosim.geometry.viewer.playback.Feed;
@@ -12,7 +13,6 @@ import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.viewer.playback.Player;
 import robosim.geometry.viewer.playback.Sandbox;
 import robosim.geometry.viewer.playback.StateHistory;
-import robosim.geometry.viewer.scene.Bounds;
 import robosim.geometry.viewer.scene.Labels;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Scene;
@@ -155,11 +155,11 @@ final class ViewerModel {
         if (sandbox == null || sandbox.outside().isEmpty()) {
             return view;
         }
-        Bounds bounds = new Bounds();
-        bounds.add(setting.border());
-        bounds.add(Scene.View.around(sandbox.outside()));
+        Bounds bounds = setting.border()
+                .bounds()
+                .and(Scene.View.around(sandbox.outside()).bounds());
         boolean near = bounds.width() <= FAR * setting.width() && bounds.length() <= FAR * setting.length();
-        return near ? bounds.view() : view;
+        return near ? Scene.View.around(bounds) : view;
     }
 
     /** Which world is shown; another number where it is another world, -1 for none. */

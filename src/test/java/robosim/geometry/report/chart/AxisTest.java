@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.chart.Axis;
 
 class AxisTest {
     private static List<String> labels(Axis axis) {
@@ -80,15 +81,5 @@ class AxisTest {
         assertThat(axis.at(1)).isEqualTo(1);
         assertThat(axis.at(0.9999) - axis.at(0.999)).isCloseTo(axis.at(0.99) - axis.at(0.9), within(1e-9));
         assertThat(labels(axis)).containsExactly("0 %", "50 %", "90 %", "99 %", "99.9 %", "99.99 %", "all");
-    }
-
-    @Test
-    void aLinearAxisHasAFewRoundMarks() {
-        for (double most : new double[] {0.7, 1, 3.3, 9.99, 47, 123, 99_999}) {
-            LinearAxis axis = LinearAxis.upTo("n", most);
-            assertThat(axis.end()).isGreaterThanOrEqualTo(most).isLessThan(most * 1.6);
-            assertThat(axis.ticks()).as("marks up to %s", most).hasSizeBetween(3, 8);
-            assertThat(labels(axis)).as("without noise").allMatch(label -> label.length() <= 7);
-        }
     }
 }

@@ -3,8 +3,8 @@ package robosim.geometry.report.speed;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import robosim.geometry.report.chart.Panel;
-import robosim.geometry.report.chart.Series;
+import robosim.geometry.chart.Panel;
+import robosim.geometry.chart.Series;
 
 class PeersSectionTest {
     @Test

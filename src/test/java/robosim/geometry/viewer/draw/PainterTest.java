@@ -396,6 +396,5 @@ class PainterTest {
         assertThat(SvgCanvas.escape("a\u0000<&>\"")).isEqualTo("a\ufffd&lt;&amp;&gt;&quot;");
         assertThat(MapFrame.roundLength(7)).isEqualTo(5);
         assertThat(MapFrame.roundLength(0.02)).isEqualTo(0.02);
-        assertThat(GridPainter.text(0.30000000000000004, 0.1)).isEqualTo("0.3");
     }
 }

@@ -1,4 +1,4 @@
-package robosim.geometry.report.chart;
+package robosim.geometry.chart;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -1,4 +1,4 @@
-package robosim.geometry.report.chart;
+package robosim.geometry.chart;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -11,8 +11,10 @@ import org.junit.jupiter.api.Test;
 import org.w3c.dom.Document;
 import org.w3c.dom.Element;
 import org.w3c.dom.NodeList;
-import robosim.geometry.report.chart.Series.Dot;
-import robosim.geometry.report.chart.Series.Line;
+import robosim.geometry.chart.Series.Dot;
+import robosim.geometry.chart.Series.Line;
+import robosim.geometry.report.chart.Decades;
+import robosim.geometry.report.chart.LogAxis;
 
 class FigureTest {
     private static Figure figure(List<Series> series) {

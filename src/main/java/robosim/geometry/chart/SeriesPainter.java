@@ -1,8 +1,8 @@
-package robosim.geometry.report.chart;
+package robosim.geometry.chart;
 
 import java.util.Locale;
-import robosim.geometry.report.chart.Series.Dot;
-import robosim.geometry.report.chart.Series.Line;
+import robosim.geometry.chart.Series.Dot;
+import robosim.geometry.chart.Series.Line;
 
 /** Draws the series of a panel: lines below, markers above them, words where there is room. */
 final class SeriesPainter {
@@ -31,6 +31,9 @@ final class SeriesPainter {
         }
         for (Series series : panel.series()) {
             for (Dot dot : series.dots()) {
+                if (dot.margin() > 0) {
+                    margin(series, dot);
+                }
                 if (series.line() != Line.BARE && series.line() != Line.BARS) {
                     out.append(series.marker().draw(x(dot), y(dot), RADIUS, style(series)));
                     labels.take(x(dot), y(dot), RADIUS + 1);
@@ -51,7 +54,21 @@ final class SeriesPainter {
     }
 
     private double y(Dot dot) {
-        return plot.bottom() - panel.y().at(dot.y()) * (plot.bottom() - plot.top());
+        return y(dot.y());
+    }
+
+    private double y(double value) {
+        return plot.bottom() - panel.y().at(value) * (plot.bottom() - plot.top());
+    }
+
+    private void margin(Series series, Dot dot) {
+        out.append(String.format(
+                Locale.ROOT,
+                "<path class=\"s%d\" stroke-width=\"1.5\" d=\"M%.1f %.1fV%.1f\"/>\n",
+                series.colour(),
+                x(dot),
+                y(dot.y() - dot.margin()),
+                y(dot.y() + dot.margin())));
     }
 
     private void line(Series series) {

@@ -1,4 +1,4 @@
-package robosim.geometry.report.chart;
+package robosim.geometry.chart;
 
 /** Colours, for light and for dark, written out class by class: not every program that shows SVG knows variables. */
 public final class Style {

@@ -1,4 +1,4 @@
-package robosim.geometry.report.chart;
+package robosim.geometry.chart;
 
 import java.util.List;
 
@@ -25,9 +25,15 @@ public record Series(String name, int colour, Marker marker, Line line, boolean 
     /**
      * A point.
      *
-     * @param label what is written beside it; may be empty
+     * @param label  what is written beside it; may be empty
+     * @param margin half the length of a bar through it along Y, as of an interval; 0 for none
      */
-    public record Dot(double x, double y, String label) {}
+    public record Dot(double x, double y, String label, double margin) {
+        /** Without a bar. */
+        public Dot(double x, double y, String label) {
+            this(x, y, label, 0);
+        }
+    }
 
     /** Keeps a copy of the points. */
     public Series {
