@@ -7,6 +7,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Attitude;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
@@ -193,6 +194,11 @@ public final class WorldWriter {
                 number("height", cylinder.height());
             }
             case SPHERE -> number("radius", ((SphereObject) object).radius());
+            case CAPSULE -> {
+                CapsuleObject capsule = (CapsuleObject) object;
+                number("radius", capsule.radius());
+                number("segment", capsule.segment());
+            }
             case MESH -> {
                 if (((MeshObject) object).isSolid()) {
                     attribute("solid", "true");

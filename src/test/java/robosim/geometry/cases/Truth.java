@@ -81,6 +81,8 @@ final class Truth {
             }
             case CYLINDER -> new double[] {((robosim.geometry.model.CylinderObject) object).radius()};
             case SPHERE -> new double[] {((SphereObject) object).radius()};
+            case CAPSULE ->
+                throw new IllegalArgumentException("a turn of a capsule is not known (got: " + object + ")");
             case MESH -> {
                 double most = 0;
                 for (Point p : ((robosim.geometry.model.MeshObject) object).vertices()) {

@@ -3,6 +3,7 @@ package robosim.geometry.cases;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
@@ -104,6 +105,10 @@ public record Variant(String name, Dimension dimension, double scale, Point offs
                 yield new CylinderObject(NOWHERE, cylinder.radius() * scale, cylinder.height() * scale);
             }
             case SPHERE -> new SphereObject(NOWHERE, ((SphereObject) object).radius() * scale);
+            case CAPSULE -> {
+                CapsuleObject capsule = (CapsuleObject) object;
+                yield new CapsuleObject(NOWHERE, capsule.radius() * scale, capsule.segment() * scale);
+            }
             case MESH -> {
                 MeshObject mesh = (MeshObject) object;
                 List<Point> vertices = mesh.vertices().stream()

@@ -3,6 +3,7 @@ package robosim.geometry.contract;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
@@ -43,6 +44,10 @@ final class Paste {
                 yield "new CylinderObject(new Point(), " + cylinder.radius() + ", " + cylinder.height() + ")";
             }
             case SPHERE -> "new SphereObject(new Point(), " + ((SphereObject) object).radius() + ")";
+            case CAPSULE -> {
+                CapsuleObject capsule = (CapsuleObject) object;
+                yield "new CapsuleObject(new Point(), " + capsule.radius() + ", " + capsule.segment() + ")";
+            }
             case MESH -> {
                 MeshObject mesh = (MeshObject) object;
                 yield "new MeshObject(List.of("

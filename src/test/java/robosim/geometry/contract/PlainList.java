@@ -9,6 +9,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
 import robosim.geometry.RayHit;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
@@ -209,6 +210,7 @@ final class PlainList {
                 yield 1.01 * length(cylinder.radius(), cylinder.height() / 2, 0);
             }
             case SPHERE -> ((SphereObject) object).radius();
+            case CAPSULE -> 1.01 * (((CapsuleObject) object).radius() + ((CapsuleObject) object).segment() / 2);
             case MESH -> {
                 double most = 0;
                 for (Point v : ((MeshObject) object).vertices()) {

@@ -11,6 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
@@ -163,6 +164,10 @@ class QueryLawsTest {
                 yield new CylinderObject(new Point(), by * cylinder.radius(), by * cylinder.height());
             }
             case SPHERE -> new SphereObject(new Point(), by * ((SphereObject) object).radius());
+            case CAPSULE -> {
+                CapsuleObject capsule = (CapsuleObject) object;
+                yield new CapsuleObject(new Point(), by * capsule.radius(), by * capsule.segment());
+            }
             case MESH -> {
                 MeshObject mesh = (MeshObject) object;
                 MeshObject image = new MeshObject(

@@ -3,6 +3,7 @@ package robosim.geometry.contract;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
@@ -136,6 +137,7 @@ enum WorldLayout {
             case BOX -> ((BoxObject) object).height() / 2;
             case CYLINDER -> ((CylinderObject) object).height() / 2;
             case SPHERE -> ((SphereObject) object).radius();
+            case CAPSULE -> ((CapsuleObject) object).height() / 2;
             case MESH, GROUP -> 0;
         };
     }
