@@ -223,7 +223,8 @@ class ContactTimeTest {
                 m[3] = random.nextInt(4) == 0 ? Math.scalb(1.0, -random.nextInt(60)) : m[3];
                 yield m;
             }
-            default -> m;
+            case CYLINDER, PRISM -> m;
+            case MESH, SOLID_MESH -> throw kind.refused();
         };
     }
 

@@ -132,7 +132,8 @@ public final class NearPairs {
             case UPRIGHT_CYLINDER -> Rows.cylinder(0, 0, 0, p, q, Rows.identity());
             case CYLINDER -> Rows.cylinder(0, 0, 0, p, q, r);
             case SPHERE -> Rows.sphere(0, 0, 0, p);
-            default -> triangle(p, q, s, r);
+            case TRIANGLE, PRISM -> triangle(p, q, s, r);
+            case MESH, SOLID_MESH -> throw kind.refused();
         };
     }
 
@@ -157,7 +158,8 @@ public final class NearPairs {
         return switch (kind) {
             case SPHERE -> row[3];
             case CYLINDER, UPRIGHT_CYLINDER -> row[3] + row[4];
-            default -> row[3] + row[4] + row[5];
+            case UPRIGHT_BOX, BOX, TRIANGLE, PRISM -> row[3] + row[4] + row[5];
+            case MESH, SOLID_MESH -> throw kind.refused();
         };
     }
 

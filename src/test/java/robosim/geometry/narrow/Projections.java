@@ -23,7 +23,7 @@ public final class Projections {
             case SPHERE -> sphere(row, p);
             case BOX, UPRIGHT_BOX -> box(row, p);
             case CYLINDER, UPRIGHT_CYLINDER -> cylinder(row, p);
-            default -> throw new IllegalArgumentException("no projection for this kind (got: " + kind + ")");
+            case PRISM, MESH, SOLID_MESH -> throw kind.refused();
         };
     }
 

@@ -23,7 +23,8 @@ public final class RayOracle {
             case TRIANGLE -> triangle(vector(o), vector(d), vector(row, 0, 1), vector(row, 3, 1), vector(row, 6, 1));
             case UPRIGHT_CYLINDER -> cylinder(o, d, row, vector(new double[] {0, 1, 0}));
             case CYLINDER -> cylinder(o, d, row, vector(row, 7, 3));
-            default -> prism(o, d, row);
+            case PRISM -> prism(o, d, row);
+            case MESH, SOLID_MESH -> throw kind.refused();
         };
         return t == null ? null : t.multiply(dot(vector(d), vector(d)).sqrt(DIGITS), DIGITS);
     }

@@ -103,7 +103,7 @@ public final class Rows {
                 }
                 yield triangle(corners);
             }
-            default -> throw new IllegalArgumentException("no such kind (got: " + kind + ")");
+            case MESH, SOLID_MESH -> throw kind.refused();
         };
     }
 

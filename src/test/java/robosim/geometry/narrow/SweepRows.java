@@ -78,7 +78,8 @@ public final class SweepRows {
             case UPRIGHT_CYLINDER, SPHERE -> disc(x, y, z, p, kind == LeafKind.SPHERE ? 0 : q);
             case CYLINDER -> cylinder(x, y, z, p, q, yaw, pitch, more);
             case TRIANGLE -> triangle(points(x, y, z, 3, random));
-            default -> prism(points(x, y, z, 6, random));
+            case PRISM -> prism(points(x, y, z, 6, random));
+            case MESH, SOLID_MESH -> throw kind.refused();
         };
     }
 

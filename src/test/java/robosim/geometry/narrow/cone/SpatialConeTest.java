@@ -399,7 +399,8 @@ class SpatialConeTest {
                                 + p[1] * row[4] * row[7 + 3 * i]
                                 + z * row[3] * row[8 + 3 * i];
                     case UPRIGHT_CYLINDER -> row[i] + (i == 1 ? p[1] * row[4] : (i == 0 ? x : z) * row[3]);
-                    default -> row[i];
+                    case SPHERE -> row[i];
+                    case MESH, SOLID_MESH -> throw kind.refused();
                 };
                 v[i] -= o[i];
             }
@@ -428,7 +429,8 @@ class SpatialConeTest {
                                 + 0.7 * p[0] * row[3] * row[6 + 3 * i]
                                 + p[1] * row[4] * row[7 + 3 * i]
                                 + 0.7 * p[2] * row[3] * row[8 + 3 * i];
-                    default -> row[i] + 0.7 * p[i] * row[i == 1 && kind == LeafKind.UPRIGHT_CYLINDER ? 4 : 3];
+                    case UPRIGHT_CYLINDER, SPHERE -> row[i] + 0.7 * p[i] * row[i == 1 && kind == LeafKind.UPRIGHT_CYLINDER ? 4 : 3];
+                    case MESH, SOLID_MESH -> throw kind.refused();
                 };
                 v[i] -= o[i];
             }

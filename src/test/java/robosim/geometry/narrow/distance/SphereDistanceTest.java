@@ -76,7 +76,8 @@ class SphereDistanceTest {
                         .max(BigDecimal.ZERO);
             case UPRIGHT_CYLINDER, CYLINDER -> cylinder(kind, row, p);
             case TRIANGLE -> root(triangle(corner(row, 0), corner(row, 3), corner(row, 6), p));
-            default -> box(row, p);
+            case UPRIGHT_BOX, BOX, PRISM -> box(row, p);
+            case MESH, SOLID_MESH -> throw kind.refused();
         };
     }
 
