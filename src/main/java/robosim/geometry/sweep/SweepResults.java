@@ -107,11 +107,6 @@ public final class SweepResults {
         return torn;
     }
 
-    /** Whether the replicate of an index is among them. */
-    boolean has(long index) {
-        return find(index) >= 0;
-    }
-
     private int find(long index) {
         int low = 0;
         int high = entries.size() - 1;

@@ -47,14 +47,4 @@ public final class Upright {
     public static double halfHeight(int kind, double[] row, int at) {
         return kind == Leaf.PRISM ? 0 : row[at + 4];
     }
-
-    /** The least height of an upright leaf, rounded down. */
-    public static double least(int kind, double[] row, int at) {
-        return kind == Leaf.PRISM ? row[at + 8] : 0 - Outward.sum(-row[at + 1], row[at + 4]);
-    }
-
-    /** The greatest height of an upright leaf, rounded up. */
-    public static double greatest(int kind, double[] row, int at) {
-        return kind == Leaf.PRISM ? row[at + 9] : Outward.sum(row[at + 1], row[at + 4]);
-    }
 }
