@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import robosim.geometry.protocol.Text;
 
 /**
  * A picture of panels that share a legend.
@@ -55,8 +56,8 @@ public record Figure(String name, String title, String caption, List<Panel> pane
         }
         long bottom = Math.round(y + 8);
         return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"rg\" viewBox=\"0 0 " + WIDTH + " " + bottom
-                + "\" width=\"" + WIDTH + "\" height=\"" + bottom + "\" role=\"img\">\n<title>" + Words.escaped(title)
-                + "</title>\n<desc>" + Words.escaped(caption) + "</desc>\n<style>\n" + Style.css() + "</style>\n"
+                + "\" width=\"" + WIDTH + "\" height=\"" + bottom + "\" role=\"img\">\n<title>" + Text.xml(title)
+                + "</title>\n<desc>" + Text.xml(caption) + "</desc>\n<style>\n" + Style.css() + "</style>\n"
                 + "<rect class=\"ground\" width=\"" + WIDTH + "\" height=\"" + bottom + "\"/>\n" + body + "</svg>\n";
     }
 
@@ -99,6 +100,6 @@ public record Figure(String name, String title, String caption, List<Panel> pane
                 size == Math.rint(size) ? Integer.toString((int) size) : Double.toString(size),
                 style,
                 anchor,
-                Words.escaped(words));
+                Text.xml(words));
     }
 }

@@ -32,11 +32,4 @@ final class Words {
         lines.add(line.toString());
         return lines;
     }
-
-    static String escaped(String text) {
-        return text.replace("&", "&amp;")
-                .replace("<", "&lt;")
-                .replace(">", "&gt;")
-                .replace("\"", "&quot;");
-    }
 }

@@ -1,6 +1,7 @@
 package robosim.geometry.model;
 
 import java.io.Serializable;
+import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -18,7 +19,12 @@ public sealed interface GeometryObject extends Serializable
         CYLINDER,
         SPHERE,
         MESH,
-        GROUP
+        GROUP;
+
+        /** As in files and sentences: {@code box}, {@code cylinder}, {@code sphere}, {@code mesh} or {@code group}. */
+        public String word() {
+            return name().toLowerCase(Locale.ROOT);
+        }
     }
 
     /** Which of the five shapes this is. */

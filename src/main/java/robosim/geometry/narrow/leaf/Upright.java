@@ -2,7 +2,6 @@ package robosim.geometry.narrow.leaf;
 
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.Filter;
-import robosim.geometry.exact.Outward;
 import robosim.geometry.exact.Stages;
 
 /** The heights of leaves that stand upright: a flat base on an interval of Y. */
