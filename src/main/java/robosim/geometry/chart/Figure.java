@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import robosim.geometry.protocol.Text;
 
 /**
  * A picture of panels that share a legend.
@@ -45,7 +46,8 @@ public record Figure(String name, String title, String caption, List<Panel> pane
         double cell = (WIDTH - 2.0 * MARGIN + 16) / columns - 16;
         for (int k = 0; k < panels.size(); k++) {
             double left = MARGIN + (k % columns) * (cell + 16);
-            double top = y + (k / columns) * rowHeight();
+            int row = k / columns;
+            double top = y + row * rowHeight();
             PanelPainter.paint(panels.get(k), left, top, cell, height, body);
         }
         y += rows * rowHeight() + 14;
@@ -55,8 +57,8 @@ public record Figure(String name, String title, String caption, List<Panel> pane
         }
         long bottom = Math.round(y + 8);
         return "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"rg\" viewBox=\"0 0 " + WIDTH + " " + bottom
-                + "\" width=\"" + WIDTH + "\" height=\"" + bottom + "\" role=\"img\">\n<title>" + Words.escaped(title)
-                + "</title>\n<desc>" + Words.escaped(caption) + "</desc>\n<style>\n" + Style.css() + "</style>\n"
+                + "\" width=\"" + WIDTH + "\" height=\"" + bottom + "\" role=\"img\">\n<title>" + Text.xml(title)
+                + "</title>\n<desc>" + Text.xml(caption) + "</desc>\n<style>\n" + Style.css() + "</style>\n"
                 + "<rect class=\"ground\" width=\"" + WIDTH + "\" height=\"" + bottom + "\"/>\n" + body + "</svg>\n";
     }
 
@@ -99,6 +101,6 @@ public record Figure(String name, String title, String caption, List<Panel> pane
                 size == Math.rint(size) ? Integer.toString((int) size) : Double.toString(size),
                 style,
                 anchor,
-                Words.escaped(words));
+                Text.xml(words));
     }
 }

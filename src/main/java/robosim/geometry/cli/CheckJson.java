@@ -47,7 +47,7 @@ final class CheckJson {
         json.put("notes", read.remarks());
         json.put("world", world(check.world()));
         Map<String, @Nullable Object> counts = new LinkedHashMap<>();
-        check.counts().forEach((kind, count) -> counts.put(ObjectNames.kind(kind), count));
+        check.counts().forEach((kind, count) -> counts.put(kind.word(), count));
         json.put("counts", counts);
         json.put("members", check.members());
         json.put("triangles", check.triangles());
@@ -90,7 +90,7 @@ final class CheckJson {
     }
 
     private static Map<String, @Nullable Object> object(GeometryObject object) {
-        return fields("name", object.name(), "kind", ObjectNames.kind(object.kind()), "center", point(object.center()));
+        return fields("name", object.name(), "kind", object.kind().word(), "center", point(object.center()));
     }
 
     private static List<Double> point(Point p) {

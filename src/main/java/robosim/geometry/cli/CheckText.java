@@ -8,7 +8,9 @@ import java.util.stream.Collectors;
 import robosim.geometry.exact.NumberText;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.protocol.Text;
 import robosim.geometry.world.Skipped;
 import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
@@ -20,7 +22,7 @@ final class CheckText {
     /** Pairs of static objects that are told one by one. */
     private static final int STATIC_PAIRS = 10;
 
-    /** ObjectNames left out that are told one by one. */
+    /** Things left out that are told one by one. */
     private static final int SKIPPED = 20;
 
     private final WorldCheck check;
@@ -61,8 +63,14 @@ final class CheckText {
         text.append(String.format(Locale.ROOT, "%-9s %s%n", what, told));
     }
 
+    /** One or more of a kind. */
+    private static String kinds(GeometryObject.Kind kind, int count) {
+        String one = kind.word();
+        return count == 1 ? one : one.endsWith("x") || one.endsWith("sh") ? one + "es" : one + "s";
+    }
+
     private static String number(double value) {
-        return NumberText.digits(value, 6);
+        return Math.abs(value) >= 1e-3 ? NumberText.places(value, 4) : NumberText.digits(value, 3);
     }
 
     private String length(double value) {
@@ -85,8 +93,8 @@ final class CheckText {
                 world.dimension(),
                 world.accuracy());
         String kinds = check.counts().entrySet().stream()
-                .map(kind -> String.format(
-                        Locale.ROOT, "%,d %s", kind.getValue(), ObjectNames.kinds(kind.getKey(), kind.getValue())))
+                .map(kind ->
+                        String.format(Locale.ROOT, "%,d %s", kind.getValue(), kinds(kind.getKey(), kind.getValue())))
                 .collect(Collectors.joining(", "));
         String inside = (check.members() > 0
                         ? String.format(Locale.ROOT, "; %,d members of groups", check.members())
@@ -115,7 +123,7 @@ final class CheckText {
                 .forEach(object -> add(
                         "border",
                         "%s reaches beyond the world; move it or enlarge the world",
-                        ObjectNames.text(object.object())));
+                        Text.name(object.object())));
     }
 
     private void overlaps() {
@@ -149,7 +157,7 @@ final class CheckText {
 
     /** Who, and how it is with whom. */
     private List<String> overlap(WorldCheck.Overlap overlap) {
-        String second = ObjectNames.text(overlap.second().object());
+        String second = Text.name(overlap.second().object());
         String at = " at " + point(overlap.contact());
         String how = overlap.depth() == 0
                 ? "in touch with " + second + at
@@ -157,7 +165,7 @@ final class CheckText {
                         ? "within " + second + at
                         : "within " + second + at + ", " + length(overlap.depth()) + " deep along "
                                 + point(overlap.normal());
-        return List.of(ObjectNames.text(overlap.first().object()), how);
+        return List.of(Text.name(overlap.first().object()), how);
     }
 
     private void rooms() {

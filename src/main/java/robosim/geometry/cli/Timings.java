@@ -11,6 +11,7 @@ import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.Text;
 
 /** How long the module's side of a conversation took, and what stood in the way. */
 final class Timings implements SessionListener {
@@ -29,7 +30,7 @@ final class Timings implements SessionListener {
         if (obstacle == null) {
             return "the world's border";
         }
-        return ObjectNames.text(obstacle);
+        return Text.name(obstacle);
     }
 
     @Override

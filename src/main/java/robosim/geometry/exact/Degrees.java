@@ -63,12 +63,6 @@ public final class Degrees {
         return size < 540 ? degrees - Math.copySign(360, degrees) : Math.IEEEremainder(degrees, 360);
     }
 
-    /** The same direction in {@code (-180, 180]}; exact. */
-    public static double reduce(double degrees) {
-        double reduced = remainder(degrees);
-        return reduced == -180 ? 180 : reduced + 0.0;
-    }
-
     /**
      * Adds to a compensated heading {@code hiLo[at] + hiLo[at + 1]} and reduces it to {@code (-180, 180]}. One addition is
      * off by less than {@link #ADDITION_ERROR} degree: what two angles of up to 180 lose in their sum is at most half an ulp

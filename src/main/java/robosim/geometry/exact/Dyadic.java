@@ -14,7 +14,6 @@ public final class Dyadic implements Comparable<Dyadic> {
     public static final Dyadic ONE = new Dyadic(BigInteger.ONE, 0);
 
     private static final int LEAST_EXPONENT = -1074;
-    private static final int GREATEST_EXPONENT = 971;
 
     private final BigInteger mantissa;
     private final int exponent;
@@ -141,11 +140,6 @@ public final class Dyadic implements Comparable<Dyadic> {
         return signum() * scaled(whole, step);
     }
 
-    /** The largest double that is not above this number; {@code -Infinity} where there is no finite one. */
-    public double floor() {
-        return signum() < 0 ? -negate().away() : towardsZero();
-    }
-
     /**
      * Sign of {@code a + b + c}, exact, without allocation in all ordinary cases.
      */
@@ -220,21 +214,6 @@ public final class Dyadic implements Comparable<Dyadic> {
     // The exponent of the last bit that a double of this magnitude has.
     private int step() {
         return Math.max(exponent + mantissa.abs().bitLength() - 53, LEAST_EXPONENT);
-    }
-
-    private double towardsZero() {
-        int step = step();
-        if (signum() != 0 && step > GREATEST_EXPONENT) {
-            return Double.MAX_VALUE;
-        }
-        return scaled(shift(mantissa, exponent - step).longValue(), step);
-    }
-
-    private double away() {
-        int step = step();
-        long whole = shift(mantissa, exponent - step).longValue();
-        boolean exact = signum() == 0 || exponent + mantissa.getLowestSetBit() >= step;
-        return scaled(exact ? whole : whole + 1, step);
     }
 
     private static double scaled(long whole, int step) {

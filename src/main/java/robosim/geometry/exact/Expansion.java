@@ -32,12 +32,6 @@ public final class Expansion {
         return pair(d, DoubleDouble.differenceTail(a, b, d), h);
     }
 
-    /** Writes {@code a * b}; two places. */
-    public static int product(double a, double b, double[] h) {
-        double p = a * b;
-        return pair(p, DoubleDouble.productTail(a, b, p), h);
-    }
-
     /** Adds a double to an expansion in place; one place more. */
     public static int grow(double[] e, int n, double b) {
         double q = b;

@@ -25,7 +25,7 @@ public final class NumberText {
     /** To so many places behind the point at most. */
     public static String places(double value, int places) {
         return Double.isFinite(value)
-                ? of(new BigDecimal(value).setScale(places, RoundingMode.HALF_UP))
+                ? of(new BigDecimal(value).setScale(places, RoundingMode.HALF_EVEN))
                 : String.valueOf(value);
     }
 

@@ -2,7 +2,6 @@ package robosim.geometry.junit;
 
 import java.math.BigDecimal;
 import java.math.MathContext;
-import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.MoveResult;
 import robosim.geometry.exact.NumberText;
@@ -96,7 +95,7 @@ final class Words {
         if (object == null) {
             return "the border of the world";
         }
-        String kind = object.kind().name().toLowerCase(Locale.ROOT);
+        String kind = object.kind().word();
         String name = object.name();
         return kind + (name == null ? " without a name" : " " + Text.quoted(name)) + " at " + center(object);
     }

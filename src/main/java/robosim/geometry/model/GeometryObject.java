@@ -1,6 +1,7 @@
 package robosim.geometry.model;
 
 import java.io.Serializable;
+import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -19,7 +20,12 @@ public sealed interface GeometryObject extends Serializable
         SPHERE,
         CAPSULE,
         MESH,
-        GROUP
+        GROUP;
+
+        /** As in files and sentences: {@code box}, {@code cylinder}, {@code sphere}, {@code mesh} or {@code group}. */
+        public String word() {
+            return name().toLowerCase(Locale.ROOT);
+        }
     }
 
     /** Which of the six shapes this is. */

@@ -1,11 +1,9 @@
 package robosim.geometry.net;
 
-import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.MoveResult;
 import robosim.geometry.exact.NumberText;
 import robosim.geometry.model.GeometryObject;
-import robosim.geometry.model.Point;
 import robosim.geometry.protocol.Text;
 
 /** Why a move was refused, in words. */
@@ -22,16 +20,7 @@ final class Reasons {
             return "the border of the world";
         }
         String name = obstacle.name();
-        if (name != null) {
-            return Text.quoted(name);
-        }
-        Point center = obstacle.center();
-        return "a " + obstacle.kind().name().toLowerCase(Locale.ROOT) + " at (" + coordinate(center.x()) + ", "
-                + coordinate(center.y()) + ", " + coordinate(center.z()) + ")";
-    }
-
-    private static String coordinate(double value) {
-        return NumberText.places(value, 3);
+        return name != null ? Text.quoted(name) : Text.name(obstacle);
     }
 
     private static String way(MoveResult result) {

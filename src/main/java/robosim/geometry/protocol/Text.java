@@ -2,8 +2,11 @@ package robosim.geometry.protocol;
 
 import java.util.HexFormat;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.exact.NumberText;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
 
-/** What a peer sent, made fit for a line of a log. */
+/** What a peer sent, and what objects are called, made fit for a line of a log. */
 public final class Text {
     private static final int LONGEST_QUOTE = 100;
     private static final int LONGEST_LINE = 500;
@@ -20,6 +23,36 @@ public final class Text {
     /** A sentence that may hold what a peer sent, on one line, of bearable length. */
     public static String line(String sentence) {
         return plain(Checks.present("sentence", sentence), LONGEST_LINE);
+    }
+
+    /** What an object is called: its name, on one line; without one what it is and where, to a thousandth. */
+    public static String name(GeometryObject object) {
+        String name = object.name();
+        if (name != null) {
+            return line(name);
+        }
+        Point center = object.center();
+        return "a " + object.kind().word() + " at (" + NumberText.places(center.x(), 3) + ", "
+                + NumberText.places(center.y(), 3) + ", " + NumberText.places(center.z(), 3) + ")";
+    }
+
+    /** Text as XML has it; characters that it cannot have become U+FFFD. */
+    public static String xml(String text) {
+        StringBuilder escaped = new StringBuilder(text.length());
+        text.codePoints().forEach(c -> {
+            switch (c) {
+                case '&' -> escaped.append("&amp;");
+                case '<' -> escaped.append("&lt;");
+                case '>' -> escaped.append("&gt;");
+                case '"' -> escaped.append("&quot;");
+                default -> escaped.appendCodePoint(isXml(c) ? c : 0xfffd);
+            }
+        });
+        return escaped.toString();
+    }
+
+    private static boolean isXml(int c) {
+        return c == '\t' || (c >= ' ' && c < 0xd800) || (c >= 0xe000 && c <= 0xfffd) || c >= 0x10000;
     }
 
     private static String plain(String text, int longest) {

@@ -23,6 +23,7 @@ import robosim.geometry.exact.NumberText;
  */
 public final class SweepPlot {
     private static final int HEIGHT = 250;
+    private static final List<Marker> MARKERS = List.of(Marker.values());
 
     /** How far lines are moved apart, as a share of the length of the axis. */
     private static final double ASIDE = 0.008;
@@ -162,7 +163,7 @@ public final class SweepPlot {
                     dots.add(new Series.Dot(place(k) + aside, spread.mean(), "", spread.margin()));
                 }
             }
-            Marker marker = Marker.values()[row % Marker.values().length];
+            Marker marker = MARKERS.get(row % MARKERS.size());
             Series.Line joined = along == null ? Series.Line.NONE : Series.Line.SOLID;
             series.add(new Series(line.getKey(), row % Style.COLOURS, marker, joined, false, dots));
         }

@@ -107,29 +107,6 @@ public final class SweepResults {
         return torn;
     }
 
-    /** Whether the replicate of an index is among them. */
-    boolean has(long index) {
-        return find(index) >= 0;
-    }
-
-    private int find(long index) {
-        int low = 0;
-        int high = entries.size() - 1;
-        while (low <= high) {
-            int middle = (low + high) >>> 1;
-            long at = entries.get(middle).index;
-            if (at == index) {
-                return middle;
-            }
-            if (at < index) {
-                low = middle + 1;
-            } else {
-                high = middle - 1;
-            }
-        }
-        return -1;
-    }
-
     /** Shows all outcomes by ascending index. */
     public void forEach(Consumer<Outcome> consumer) throws IOException {
         Checks.present("consumer", consumer);

@@ -122,14 +122,7 @@ public final class WorldWriter {
             throw new IllegalArgumentException(
                     "groups must be at most " + Limits.MAX_GROUPS + " within each other (got: one more)");
         }
-        String tag = switch (object.kind()) {
-            case BOX -> "box";
-            case CYLINDER -> "cylinder";
-            case SPHERE -> "sphere";
-            case CAPSULE -> "capsule";
-            case MESH -> "mesh";
-            case GROUP -> "group";
-        };
+        String tag = object.kind().word();
         indent(depth).append('<').append(tag);
         placed(object);
         size(object);

@@ -48,12 +48,12 @@ class DirectionsTest {
     /** Most classes that may know each other in a circle. */
     private static final int MOST_IN_CIRCLE = 3;
 
-    /** Larger circles that are left, each by the first of its classes; that of the model is a sealed type and its kinds. */
+    /** Larger circles that are left, each by the first of its classes; that of the model is a sealed type, its kinds and their bounds. */
     private static final Set<String> CIRCLES = Set.of(
             "cli.CheckCommand",
             "junit.Arrival",
             "junit.Run",
-            "model.BoxObject",
+            "model.Bounds",
             "viewer.playback.Colours",
             "world.GridReachability",
             "world.RosMapReader");

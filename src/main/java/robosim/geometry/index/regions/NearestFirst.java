@@ -49,10 +49,6 @@ public final class NearestFirst {
         push(keys.key(tree.regions.bounds, 0), 0, keys.inner(limit));
     }
 
-    void stop() {
-        queue.clear();
-    }
-
     /** The next object within the limit, or -1. */
     public int next(RegionTree tree, double[] boxes, double limit) {
         double within = keys.inner(limit);

@@ -43,12 +43,10 @@ final class DoubleDoubleSimplex {
     private final double[] pointsB = new double[12];
     private final double[] weight = new double[4];
     private int count;
-    private boolean holds;
     private boolean any;
 
     void clear() {
         count = 0;
-        holds = false;
         p.set(NORM, Double.MAX_VALUE);
     }
 
@@ -87,7 +85,6 @@ final class DoubleDoubleSimplex {
         int newest = count - 1;
         any = false;
         if (count == 4 && holdsOrigin()) {
-            holds = true;
             return true;
         }
         corner(newest);
@@ -109,11 +106,6 @@ final class DoubleDoubleSimplex {
 
     private boolean isLess(int i, int j) {
         return p.get(i) < p.get(j) || (p.get(i) == p.get(j) && p.rest(i) < p.rest(j));
-    }
-
-    /** Whether the origin is in a tetrahedron of points, as far as pairs tell. */
-    boolean holdsAll() {
-        return holds;
     }
 
     /** The distance of the point of least norm from the origin, to a rounding. */

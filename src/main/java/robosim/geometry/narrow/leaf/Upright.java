@@ -2,7 +2,6 @@ package robosim.geometry.narrow.leaf;
 
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.Filter;
-import robosim.geometry.exact.Outward;
 import robosim.geometry.exact.Stages;
 
 /** The heights of leaves that stand upright: a flat base on an interval of Y. */
@@ -46,16 +45,6 @@ public final class Upright {
     /** How far a box or cylinder reaches above and below its middle; 0 of an octagon. */
     public static double halfHeight(LeafKind kind, double[] row, int at) {
         return isRange(kind) ? 0 : row[at + 4];
-    }
-
-    /** The least height of an upright leaf, rounded down. */
-    public static double least(LeafKind kind, double[] row, int at) {
-        return isRange(kind) ? row[at + 8] : 0 - Outward.sum(-row[at + 1], row[at + 4]);
-    }
-
-    /** The greatest height of an upright leaf, rounded up. */
-    public static double greatest(LeafKind kind, double[] row, int at) {
-        return isRange(kind) ? row[at + 9] : Outward.sum(row[at + 1], row[at + 4]);
     }
 
     private static boolean isRange(LeafKind kind) {

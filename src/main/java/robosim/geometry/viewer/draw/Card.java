@@ -2,6 +2,7 @@ package robosim.geometry.viewer.draw;
 
 import java.util.ArrayList;
 import java.util.List;
+import robosim.geometry.exact.NumberText;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.BoxObject;
@@ -10,7 +11,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.SphereObject;
-import robosim.geometry.viewer.scene.Labels;
+import robosim.geometry.protocol.Text;
 import robosim.geometry.viewer.scene.MapFrame;
 
 /**
@@ -28,44 +29,49 @@ public record Card(String heading, List<String> lines) {
     /** Name, kind, place, heading and size. */
     public static Card of(GeometryObject object, String unit) {
         List<String> lines = new ArrayList<>();
-        lines.add(Labels.kind(object) + (object.isMoveable() ? ", can move" : ", cannot move"));
+        lines.add(object.kind().word() + (object.isMoveable() ? ", can move" : ", cannot move"));
         String suffix = unit.isEmpty() ? "" : " " + unit;
-        lines.add("at x " + Labels.number(object.center().x()) + ", z "
-                + Labels.number(object.center().z()) + ", y "
-                + Labels.number(object.center().y()) + suffix);
+        lines.add("at x " + number(object.center().x()) + ", z "
+                + number(object.center().z()) + ", y "
+                + number(object.center().y()) + suffix);
         lines.add(
                 object.pose().isUpright()
-                        ? "heading " + Labels.number(object.heading()) + " degrees"
-                        : "tipped; heading " + Labels.number(object.heading()) + " degrees");
+                        ? "heading " + number(object.heading()) + " degrees"
+                        : "tipped; heading " + number(object.heading()) + " degrees");
         lines.add(size(object) + suffix);
         String name = object.name();
-        return new Card(name == null ? "(no name)" : Labels.name(object), lines);
+        return new Card(name == null ? "(no name)" : Text.name(object), lines);
     }
 
     private static String size(GeometryObject object) {
         return switch (object.kind()) {
             case BOX -> {
                 BoxObject box = (BoxObject) object;
-                yield "width " + Labels.number(box.width()) + ", length " + Labels.number(box.length()) + ", height "
-                        + Labels.number(box.height());
+                yield "width " + number(box.width()) + ", length " + number(box.length()) + ", height "
+                        + number(box.height());
             }
             case CYLINDER -> {
                 CylinderObject cylinder = (CylinderObject) object;
-                yield "radius " + Labels.number(cylinder.radius()) + ", height " + Labels.number(cylinder.height());
+                yield "radius " + number(cylinder.radius()) + ", height " + number(cylinder.height());
             }
-            case SPHERE -> "radius " + Labels.number(((SphereObject) object).radius());
+            case SPHERE -> "radius " + number(((SphereObject) object).radius());
             case CAPSULE -> {
                 CapsuleObject capsule = (CapsuleObject) object;
-                yield "radius " + Labels.number(capsule.radius()) + ", segment " + Labels.number(capsule.segment());
+                yield "radius " + number(capsule.radius()) + ", segment " + number(capsule.segment());
             }
             case MESH -> ((MeshObject) object).triangles().size() + " triangles, " + covers(object);
             case GROUP -> ((ObjectGroup) object).members().size() + " members, " + covers(object);
         };
     }
 
+    /** To a thousandth. */
+    private static String number(double value) {
+        return NumberText.places(value, 3);
+    }
+
     private static String covers(GeometryObject object) {
         Bounds bounds = object.bounds();
-        return Labels.number(bounds.width()) + " by " + Labels.number(bounds.length());
+        return number(bounds.width()) + " by " + number(bounds.length());
     }
 
     /** In the upper right corner of a map. */

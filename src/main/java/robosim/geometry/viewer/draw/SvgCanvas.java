@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.protocol.Text;
 
 /** Writes SVG whose colours stand in a style sheet, for light and for dark paper. */
 final class SvgCanvas implements Canvas {
@@ -33,7 +34,7 @@ final class SvgCanvas implements Canvas {
                 .append(number(height))
                 .append("\" font-family=\"'DejaVu Sans', Verdana, sans-serif\" fill=\"none\" stroke-linejoin=\"round\"")
                 .append(" stroke-linecap=\"round\">\n<title>")
-                .append(escape(title))
+                .append(Text.xml(title))
                 .append("</title>\n<style>\ntext{paint-order:stroke;stroke-width:3px}\n");
         sheet(svg, Theme.LIGHT);
         svg.append("@media (prefers-color-scheme:dark){\n");
@@ -53,7 +54,7 @@ final class SvgCanvas implements Canvas {
     public void open(String role, String name) {
         indent().append("<g class=\"").append(role).append("\">");
         if (!name.isEmpty()) {
-            body.append("<title>").append(escape(name)).append("</title>");
+            body.append("<title>").append(Text.xml(name)).append("</title>");
         }
         body.append('\n');
         depth++;
@@ -166,7 +167,7 @@ final class SvgCanvas implements Canvas {
                     .append('"');
         }
         body.append(" class=\"f").append(index(ink)).append("\">");
-        body.append(escape(text)).append("</text>\n");
+        body.append(Text.xml(text)).append("</text>\n");
     }
 
     private void end(Style style) {
@@ -216,24 +217,5 @@ final class SvgCanvas implements Canvas {
             return sign + whole;
         }
         return sign + whole + (rest % 10 == 0 ? "." + rest / 10 : rest < 10 ? ".0" + rest : "." + rest);
-    }
-
-    /** Text that XML can hold; characters that it cannot become U+FFFD. */
-    static String escape(String text) {
-        StringBuilder escaped = new StringBuilder(text.length());
-        text.codePoints().forEach(c -> {
-            switch (c) {
-                case '&' -> escaped.append("&amp;");
-                case '<' -> escaped.append("&lt;");
-                case '>' -> escaped.append("&gt;");
-                case '"' -> escaped.append("&quot;");
-                default -> escaped.appendCodePoint(isXml(c) ? c : 0xfffd);
-            }
-        });
-        return escaped.toString();
-    }
-
-    private static boolean isXml(int c) {
-        return c == '\t' || (c >= ' ' && c < 0xd800) || (c >= 0xe000 && c <= 0xfffd) || c >= 0x10000;
     }
 }

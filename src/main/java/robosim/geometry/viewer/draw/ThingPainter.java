@@ -29,7 +29,7 @@ final class ThingPainter {
         Integer colour = thing.colour();
         Ink ink = colour == null ? Palette.of(object.kind()) : new Ink(colour, Shade.dimmed(colour));
         Ink edge = new Ink(Shade.mix(ink.light(), 0x000000, 0.38), Shade.mix(ink.dark(), 0xffffff, 0.35));
-        canvas.open("object " + role(object), text(object));
+        canvas.open("object " + object.kind().word(), text(object));
         draw(object, Style.filled(ink, 1).outlined(edge, 1, 0.9), frame, canvas);
         canvas.close();
     }
@@ -37,7 +37,7 @@ final class ThingPainter {
     static void paintMoveable(Scene.Thing thing, Ink ink, MapFrame frame, Canvas canvas) {
         GeometryObject object = thing.object();
         List<Outline> outlines = Outline.of(object);
-        canvas.open("moveable " + role(object), text(object));
+        canvas.open("moveable " + object.kind().word(), text(object));
         // The light edge lies below the colour and can hide none of it, however small the object is.
         draw(outlines, Style.line(Palette.FLOOR, 2 * HALO, 1), frame, canvas);
         draw(outlines, Style.filled(ink, 0.92), frame, canvas);
@@ -120,17 +120,6 @@ final class ThingPainter {
             Style drawn = many ? new Style(style.fill(), style.fillOpacity(), style.stroke(), 0.5, 0.5, 0) : style;
             canvas.polygons(polygons, drawn);
         }
-    }
-
-    private static String role(GeometryObject object) {
-        return switch (object.kind()) {
-            case BOX -> "box";
-            case CYLINDER -> "cylinder";
-            case SPHERE -> "sphere";
-            case CAPSULE -> "capsule";
-            case MESH -> "mesh";
-            case GROUP -> "group";
-        };
     }
 
     private static String text(GeometryObject object) {

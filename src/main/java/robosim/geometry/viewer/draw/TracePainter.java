@@ -9,7 +9,7 @@ import java.util.Set;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
-import robosim.geometry.viewer.scene.Labels;
+import robosim.geometry.protocol.Text;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Scene;
 
@@ -109,7 +109,7 @@ final class TracePainter {
         canvas.open("blocked", "");
         for (Scene.Blocked each : scene.blocked()) {
             GeometryObject obstacle = each.obstacle();
-            canvas.open("block", Labels.name(each.mover()));
+            canvas.open("block", Text.name(each.mover()));
             Style style = Style.filled(Palette.REFUSED, 0.35 * each.strength())
                     .outlined(Palette.REFUSED, 2.5, each.strength());
             if (obstacle == null) {
@@ -138,7 +138,7 @@ final class TracePainter {
     void marks() {
         canvas.open("marks-on-objects", "");
         for (Scene.Mark mark : scene.marks()) {
-            canvas.open(role(mark), Labels.name(mark.object()));
+            canvas.open(role(mark), Text.name(mark.object()));
             Style style = switch (mark.why()) {
                 case PICKED -> Style.line(Palette.PICKED, 2.5, 1);
                 case REFUSED -> dashed(Palette.REFUSED);

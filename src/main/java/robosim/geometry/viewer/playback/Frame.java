@@ -14,8 +14,8 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Pose;
+import robosim.geometry.protocol.Text;
 import robosim.geometry.scenario.Timing;
-import robosim.geometry.viewer.scene.Labels;
 import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.World;
 
@@ -71,7 +71,7 @@ public record Frame(
                 return "something";
             }
             GeometryObject obstacle = result.obstacle();
-            return obstacle == null ? "the border of the world" : Labels.name(obstacle);
+            return obstacle == null ? "the border of the world" : Text.name(obstacle);
         }
     }
 

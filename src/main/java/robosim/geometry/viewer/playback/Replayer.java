@@ -24,8 +24,8 @@ import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.Text;
 import robosim.geometry.scenario.Step;
-import robosim.geometry.viewer.scene.Labels;
 import robosim.geometry.viewer.scene.Scene;
 
 /**
@@ -168,7 +168,7 @@ public final class Replayer {
             return words;
         }
         Frame.Bump first = bumps.get(0);
-        return words + ", " + bumps.size() + " refused: " + Labels.name(first.mover()) + " by " + first.obstacle()
+        return words + ", " + bumps.size() + " refused: " + Text.name(first.mover()) + " by " + first.obstacle()
                 + (bumps.size() > 1 ? ", ..." : "");
     }
 

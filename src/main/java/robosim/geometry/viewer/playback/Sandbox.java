@@ -10,7 +10,7 @@ import robosim.geometry.MoveResult;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
-import robosim.geometry.viewer.scene.Labels;
+import robosim.geometry.protocol.Text;
 import robosim.geometry.viewer.scene.Scene;
 
 /**
@@ -39,7 +39,7 @@ public final class Sandbox {
             if (obstacles.isEmpty()) {
                 return "the border of the world";
             }
-            String first = Labels.name(obstacles.get(0));
+            String first = Text.name(obstacles.get(0));
             return obstacles.size() == 1 ? first : first + " and " + (obstacles.size() - 1) + " more";
         }
     }

@@ -109,12 +109,6 @@ public final class StateHistory {
         return frames.get(number - first);
     }
 
-    /** The longest distance that was measured in the world of a frame; 0 where none was. */
-    double farthest(int number) {
-        Chapter chapter = chapter(number);
-        return chapter == null ? 0 : chapter.farthest;
-    }
-
     /** The first frame from one on in which a move was refused; {@link #size()} where there is none. */
     public int nextRefused(int from) {
         int at = at(refused, from);

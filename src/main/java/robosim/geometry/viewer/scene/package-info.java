@@ -1,4 +1,4 @@
-/** What is to be seen from above: shapes, labels, and a map's frame. */
+/** What is to be seen from above: shapes and a map's frame. */
 @NullMarked
 package robosim.geometry.viewer.scene;
 

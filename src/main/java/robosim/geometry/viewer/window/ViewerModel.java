@@ -4,8 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.NumberText;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.protocol.Text;
 import robosim.geometry.viewer.draw.Card;
 import robosim.geometry.viewer.playback.Feed;
 import robosim.geometry.viewer.playback.Frame;
@@ -13,7 +15,6 @@ import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.viewer.playback.Player;
 import robosim.geometry.viewer.playback.Sandbox;
 import robosim.geometry.viewer.playback.StateHistory;
-import robosim.geometry.viewer.scene.Labels;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.World;
@@ -250,7 +251,7 @@ final class ViewerModel {
             Sandbox.Refused refused = sandbox.refused();
             String words = refused == null
                     ? "drag what moves" + outside(sandbox.outside())
-                    : Labels.name(refused.ghost()) + " may not be there: " + refused.words() + " is in the way";
+                    : Text.name(refused.ghost()) + " may not be there: " + refused.words() + " is in the way";
             return feed == null
                     ? words
                     : "a local copy of step " + (player.position() + 1) + ", Esc goes back: " + words;
@@ -268,7 +269,7 @@ final class ViewerModel {
         if (robots.isEmpty()) {
             return "";
         }
-        String first = Labels.name(robots.get(0));
+        String first = Text.name(robots.get(0));
         return robots.size() == 1
                 ? "; " + first + " is not in the world, it stands beyond its border: drag it in"
                 : "; " + first + " and " + (robots.size() - 1)
@@ -280,7 +281,7 @@ final class ViewerModel {
         if (live) {
             return player.isFollowing() ? "live" : "paused";
         }
-        return Labels.number(player.speed()) + " steps/s";
+        return NumberText.digits(player.speed(), 3) + " steps/s";
     }
 
     private String end() {

@@ -46,24 +46,6 @@ class UprightTest {
                 .isTrue();
     }
 
-    @Test
-    void leastAndGreatestHeightsAreRoundedOutwardByNoMoreThanAnUlp() {
-        SplittableRandom random = new SplittableRandom(42);
-        int rounded = 0;
-        for (int k = 0; k < 2000; k++) {
-            LeafKind kind = KINDS[random.nextInt(3)];
-            double[] row = row(kind, random, false);
-            double least = Upright.least(kind, row, 0);
-            double most = Upright.greatest(kind, row, 0);
-            assertThat(new BigDecimal(least)).isLessThanOrEqualTo(bottom(kind, row));
-            assertThat(new BigDecimal(most)).isGreaterThanOrEqualTo(top(kind, row));
-            assertThat(new BigDecimal(Math.nextUp(least))).isGreaterThan(bottom(kind, row));
-            assertThat(new BigDecimal(Math.nextDown(most))).isLessThan(top(kind, row));
-            rounded += new BigDecimal(most).compareTo(top(kind, row)) > 0 ? 1 : 0;
-        }
-        assertThat(rounded).isBetween(100, 1900);
-    }
-
     private static double[] row(LeafKind kind, SplittableRandom random, boolean grid) {
         double[] row = new double[Leaf.STRIDE];
         for (int k = 0; k < 10; k++) {

@@ -26,6 +26,7 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.protocol.Text;
 import robosim.geometry.viewer.scene.Heights;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Scene;
@@ -393,7 +394,7 @@ class PainterTest {
         assertThat(SvgCanvas.number(-0.05)).isEqualTo("-0.05");
         assertThat(SvgCanvas.number(12.5)).isEqualTo("12.5");
         assertThat(SvgCanvas.number(12.346)).isEqualTo("12.35");
-        assertThat(SvgCanvas.escape("a\u0000<&>\"")).isEqualTo("a\ufffd&lt;&amp;&gt;&quot;");
+        assertThat(Text.xml("a\u0000<&>\"")).isEqualTo("a\ufffd&lt;&amp;&gt;&quot;");
         assertThat(MapFrame.roundLength(7)).isEqualTo(5);
         assertThat(MapFrame.roundLength(0.02)).isEqualTo(0.02);
     }
