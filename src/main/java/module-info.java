@@ -18,6 +18,7 @@ module robosim.geometry {
     exports robosim.geometry.scenario;
     exports robosim.geometry.sweep;
     exports robosim.geometry.world;
+    exports robosim.geometry.world.check;
 
     uses robosim.geometry.protocol.MessageTranslator;
 

@@ -13,7 +13,7 @@ import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 import robosim.geometry.world.ImportOptions;
 import robosim.geometry.world.World;
-import robosim.geometry.world.WorldCheck;
+import robosim.geometry.world.check.WorldCheck;
 import robosim.geometry.world.WorldException;
 import robosim.geometry.world.WorldImport;
 import robosim.geometry.world.WorldReader;

@@ -10,7 +10,11 @@ import robosim.geometry.model.Point;
 import robosim.geometry.world.Skipped;
 import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
-import robosim.geometry.world.WorldCheck;
+import robosim.geometry.world.check.WorldCheck;
+import robosim.geometry.world.check.Needs;
+import robosim.geometry.world.check.Overlap;
+import robosim.geometry.world.check.Room;
+import robosim.geometry.world.check.Setting;
 import robosim.geometry.world.WorldException;
 import robosim.geometry.world.WorldImport;
 
@@ -97,7 +101,7 @@ final class CheckJson {
         return List.of(p.x(), p.y(), p.z());
     }
 
-    private static Map<String, @Nullable Object> overlap(WorldCheck.Overlap overlap) {
+    private static Map<String, @Nullable Object> overlap(Overlap overlap) {
         return fields(
                 "first", object(overlap.first().object()),
                 "second", object(overlap.second().object()),
@@ -107,7 +111,7 @@ final class CheckJson {
                 "depth", overlap.depth());
     }
 
-    private static Map<String, @Nullable Object> room(WorldCheck.Room room) {
+    private static Map<String, @Nullable Object> room(Room room) {
         return fields(
                 "robots", room.robots(),
                 "minX", room.minX(),
@@ -120,7 +124,7 @@ final class CheckJson {
                 "told", room.isTold());
     }
 
-    private static Map<String, @Nullable Object> needs(WorldCheck.Needs needs) {
+    private static Map<String, @Nullable Object> needs(Needs needs) {
         return fields(
                 "dimension", needs.dimension(),
                 "accuracy", needs.accuracy(),
@@ -131,7 +135,7 @@ final class CheckJson {
                 "settings", needs.settings().stream().map(CheckJson::setting).toList());
     }
 
-    private static Map<String, @Nullable Object> setting(WorldCheck.Setting setting) {
+    private static Map<String, @Nullable Object> setting(Setting setting) {
         return fields(
                 "dimension", setting.dimension(),
                 "accuracy", setting.accuracy(),

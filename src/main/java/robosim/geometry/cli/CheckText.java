@@ -11,7 +11,11 @@ import robosim.geometry.model.Point;
 import robosim.geometry.world.Skipped;
 import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
-import robosim.geometry.world.WorldCheck;
+import robosim.geometry.world.check.WorldCheck;
+import robosim.geometry.world.check.Needs;
+import robosim.geometry.world.check.Overlap;
+import robosim.geometry.world.check.Room;
+import robosim.geometry.world.check.Setting;
 import robosim.geometry.world.WorldImport;
 
 /** A checked world in words. */
@@ -120,7 +124,7 @@ final class CheckText {
     }
 
     private void overlaps() {
-        List<WorldCheck.Overlap> starts = check.startingContacts();
+        List<Overlap> starts = check.startingContacts();
         if (starts.isEmpty() && !check.robots().isEmpty()) {
             add("contacts", "no robot starts in contact");
         }
@@ -149,7 +153,7 @@ final class CheckText {
     }
 
     /** Who, and how it is with whom. */
-    private List<String> overlap(WorldCheck.Overlap overlap) {
+    private List<String> overlap(Overlap overlap) {
         String second = ObjectNames.text(overlap.second().object());
         String at = " at " + point(overlap.contact());
         String how = overlap.depth() == 0
@@ -162,7 +166,7 @@ final class CheckText {
     }
 
     private void rooms() {
-        List<WorldCheck.Room> rooms = check.rooms();
+        List<Room> rooms = check.rooms();
         if (rooms.isEmpty()) {
             add(
                     "ways",
@@ -171,7 +175,7 @@ final class CheckText {
                             : "there is no robot that can be asked where it gets to");
             return;
         }
-        WorldCheck.Room main = rooms.get(0);
+        Room main = rooms.get(0);
         if (rooms.size() == 1) {
             add(
                     "ways",
@@ -197,11 +201,11 @@ final class CheckText {
                         length(room.step())));
     }
 
-    private static String names(WorldCheck.Room room) {
+    private static String names(Room room) {
         return String.join(", ", room.robots());
     }
 
-    private String room(WorldCheck.Room room) {
+    private String room(Room room) {
         return String.format(
                 Locale.ROOT,
                 "x %s to %s, z %s to %s, about %s%s of places (%,d at a step of %s)",
@@ -216,8 +220,8 @@ final class CheckText {
     }
 
     private void needs() {
-        WorldCheck.Needs needs = check.needs();
-        WorldCheck.Setting truth = needs.setting(world.dimension(), Accuracy.EXACT);
+        Needs needs = check.needs();
+        Setting truth = needs.setting(world.dimension(), Accuracy.EXACT);
         if (check.robots().isEmpty()) {
             add(
                     "needs",
@@ -256,23 +260,23 @@ final class CheckText {
                 truth.distances(),
                 check.sonars() > 0 ? "sonars" : "rays");
         dimension(needs);
-        for (WorldCheck.Setting setting : needs.settings()) {
+        for (Setting setting : needs.settings()) {
             if (setting.dimension() == needs.dimension() && setting.accuracy() != Accuracy.EXACT) {
                 add("", "  %-6s %s", setting.accuracy(), otherwise(setting));
             }
         }
     }
 
-    private void dimension(WorldCheck.Needs needs) {
+    private void dimension(Needs needs) {
         boolean planar = world.dimension() == Dimension.PLANAR;
-        WorldCheck.Setting other = needs.setting(planar ? Dimension.SPATIAL : Dimension.PLANAR, Accuracy.EXACT);
+        Setting other = needs.setting(planar ? Dimension.SPATIAL : Dimension.PLANAR, Accuracy.EXACT);
         String why = needs.isProven()
                 ? "heights cannot matter: everything stands upright and reaches the height of every robot's centre"
                 : other.isSame() ? "heights did not matter in any of them" : "heights matter: ";
         add("", "  %s%s", why, needs.isProven() || other.isSame() ? "" : other.dimension() + " " + otherwise(other));
     }
 
-    private String otherwise(WorldCheck.Setting setting) {
+    private String otherwise(Setting setting) {
         if (setting.isSame()) {
             return "answers all alike";
         }
@@ -285,7 +289,7 @@ final class CheckText {
                 shortfall(setting));
     }
 
-    private String shortfall(WorldCheck.Setting setting) {
+    private String shortfall(Setting setting) {
         if (setting.shortest() == 0) {
             return "";
         }
@@ -309,7 +313,7 @@ final class CheckText {
         count(
                 findings,
                 (int) check.startingContacts().stream()
-                        .map(WorldCheck.Overlap::first)
+                        .map(Overlap::first)
                         .distinct()
                         .count(),
                 "starting in contact");

@@ -10,6 +10,7 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.world.shared.Placement;
 
 /** How far objects reach along the world's axes, but for rounding. */
 public final class Extents {

@@ -43,7 +43,7 @@ class DirectionsTest {
     private static final int MOST_FILES = 24;
 
     /** Rooms that are still larger; whoever makes one smaller takes it out. */
-    private static final Set<String> LARGE = Set.of("cli", "net", "protocol", "sweep", "world");
+    private static final Set<String> LARGE = Set.of("cli", "net", "protocol", "sweep");
 
     /** Most classes that may know each other in a circle. */
     private static final int MOST_IN_CIRCLE = 3;
@@ -54,9 +54,7 @@ class DirectionsTest {
             "junit.Arrival",
             "junit.Run",
             "model.BoxObject",
-            "viewer.playback.Colours",
-            "world.GridReachability",
-            "world.RosMapReader");
+            "viewer.playback.Colours");
 
     private static final Map<String, List<String>> MAY_IMPORT = table();
 
@@ -289,7 +287,7 @@ class DirectionsTest {
                         || ((target.startsWith("org.junit.") || target.startsWith("org.opentest4j."))
                                 && house(type).equals("junit"))
                         || (target.startsWith("org.snakeyaml.engine.")
-                                && type.getName().startsWith(ROOT + ".world.MapSettings"))
+                                && type.getName().startsWith(ROOT + ".world.rosmap.MapSettings"))
                         || (target.startsWith("picocli.") && house(type).equals("cli"));
                 if (!known) {
                     wrong.add(type.getName() + " -> " + target);

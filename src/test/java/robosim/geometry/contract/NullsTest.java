@@ -51,7 +51,7 @@ import robosim.geometry.world.SdfReader;
 import robosim.geometry.world.StlReader;
 import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
-import robosim.geometry.world.WorldCheck;
+import robosim.geometry.world.check.WorldCheck;
 import robosim.geometry.world.WorldImport;
 import robosim.geometry.world.WorldObject;
 import robosim.geometry.world.WorldReader;
