@@ -28,7 +28,7 @@ import robosim.geometry.protocol.Beam;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.JsonLines;
+import robosim.geometry.protocol.json.JsonLines;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageWriter;
 import robosim.geometry.protocol.Reply;

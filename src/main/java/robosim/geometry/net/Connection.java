@@ -6,7 +6,7 @@ import javax.net.ssl.SSLSocket;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.MessageChannel;
+import robosim.geometry.protocol.channel.MessageChannel;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;

@@ -10,8 +10,8 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.protocol.Bundle;
-import robosim.geometry.protocol.JsonLines;
-import robosim.geometry.protocol.JsonRecord;
+import robosim.geometry.protocol.json.JsonLines;
+import robosim.geometry.protocol.json.JsonRecord;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 

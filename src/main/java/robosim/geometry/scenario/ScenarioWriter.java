@@ -13,8 +13,8 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.JsonLines;
-import robosim.geometry.protocol.JsonRecord;
+import robosim.geometry.protocol.json.JsonLines;
+import robosim.geometry.protocol.json.JsonRecord;
 import robosim.geometry.protocol.Limits;
 import robosim.geometry.protocol.Reply;
 

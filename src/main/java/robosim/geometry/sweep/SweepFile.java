@@ -9,7 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.protocol.JsonRecord;
+import robosim.geometry.protocol.json.JsonRecord;
 import robosim.geometry.protocol.ProtocolException;
 
 /**

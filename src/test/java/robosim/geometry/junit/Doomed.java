@@ -19,7 +19,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.net.GeometryServer;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.JsonLines;
+import robosim.geometry.protocol.json.JsonLines;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 

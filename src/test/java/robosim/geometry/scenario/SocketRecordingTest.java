@@ -23,7 +23,7 @@ import robosim.geometry.net.NetOptions;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.JsonLines;
+import robosim.geometry.protocol.json.JsonLines;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageWriter;
 import robosim.geometry.protocol.MoveBundle;

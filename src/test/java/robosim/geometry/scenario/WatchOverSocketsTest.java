@@ -31,7 +31,7 @@ import robosim.geometry.net.SessionOptions;
 import robosim.geometry.net.WatchServer;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.JsonLines;
+import robosim.geometry.protocol.json.JsonLines;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageWriter;
 import robosim.geometry.protocol.MoveBundle;

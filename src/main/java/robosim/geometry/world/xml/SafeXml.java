@@ -12,7 +12,7 @@ import robosim.geometry.world.shared.FileProblem;
 
 /** XML from a stranger: no document type, no entity, nothing read that the file names. */
 public final class SafeXml {
-    /** Parser and validator are made to speak English, their root language: it is what the reader of worlds reads. */
+    /** Parser and validator are made to speak English, their root language: it is what {@code SchemaErrors} reads. */
     public static final String LOCALE = "http://apache.org/xml/properties/locale";
 
     /** Limits of the JDK's that differ from one to the next, and are {@link XmlGuard}'s here; without entities they guard no more. */

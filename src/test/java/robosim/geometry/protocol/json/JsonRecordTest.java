@@ -1,4 +1,4 @@
-package robosim.geometry.protocol;
+package robosim.geometry.protocol.json;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -9,6 +9,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.ProtocolException;
 
 class JsonRecordTest {
     @Test

@@ -1,4 +1,4 @@
-package robosim.geometry.protocol;
+package robosim.geometry.protocol.channel;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -19,6 +19,21 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.Gate;
+import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.MessagePace;
+import robosim.geometry.protocol.MessageReader;
+import robosim.geometry.protocol.MessageTest;
+import robosim.geometry.protocol.MessageTranslator;
+import robosim.geometry.protocol.MessageWriter;
+import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.protocol.MoveRequest;
+import robosim.geometry.protocol.Problem;
+import robosim.geometry.protocol.ProtocolException;
+import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.Samples;
+import robosim.geometry.protocol.json.JsonLines;
 
 class MessageChannelTest {
     private static final String HELLO = "{\"type\":\"hello\",\"version\":1}\n";

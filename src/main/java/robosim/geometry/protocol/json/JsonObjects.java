@@ -1,4 +1,4 @@
-package robosim.geometry.protocol;
+package robosim.geometry.protocol.json;
 
 import java.io.IOException;
 import java.util.ArrayList;
@@ -13,6 +13,8 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.ProtocolException;
 
 /** Objects from JSON. The fields come in any order, so an object is noted whole before its kind decides. */
 final class JsonObjects {

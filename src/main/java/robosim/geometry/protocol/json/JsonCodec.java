@@ -1,4 +1,4 @@
-package robosim.geometry.protocol;
+package robosim.geometry.protocol.json;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.BufferedOutputStream;
@@ -7,9 +7,16 @@ import java.io.InputStream;
 import java.io.InterruptedIOException;
 import java.io.OutputStream;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.Gate;
+import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.MessagePace;
+import robosim.geometry.protocol.ProtocolException;
+import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.Text;
 
 /** A connection in JSON lines: a hello first, then requests and pings. */
-final class JsonCodec implements Codec {
+public final class JsonCodec {
     private final LineInput lines;
 
     /** Also the lock under which a message is written. */
@@ -32,12 +39,16 @@ final class JsonCodec implements Codec {
      *
      * @throws LinkageError where there is no Jackson
      */
-    static Codec open(InputStream in, OutputStream out, MessagePace pace, Gate gate) {
+    public static JsonCodec open(InputStream in, OutputStream out, MessagePace pace, Gate gate) {
         JsonInput.FACTORY.version(); // here, and not in the midst of a message
         return new JsonCodec(in, out, pace, gate);
     }
 
-    @Override
+    /**
+     * The next bundle, once all hellos and pings before it have been answered; null at the end of the stream.
+     *
+     * @throws ProtocolException where bytes are no message, the peer is not admitted, or the stream fails
+     */
     public @Nullable Bundle read() throws ProtocolException {
         try {
             Bundle request = null;
@@ -133,7 +144,7 @@ final class JsonCodec implements Codec {
         }
     }
 
-    @Override
+    /** Sends an answer, whole and flushed. */
     public void write(Reply reply) throws IOException {
         send(output -> output.write(reply));
     }
@@ -148,7 +159,7 @@ final class JsonCodec implements Codec {
         }
     }
 
-    @Override
+    /** Bytes of the message that was read last. */
     public int messageBytes() {
         return messageBytes;
     }

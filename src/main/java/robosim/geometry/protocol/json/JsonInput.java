@@ -1,4 +1,4 @@
-package robosim.geometry.protocol;
+package robosim.geometry.protocol.json;
 
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonParser;
@@ -17,6 +17,9 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.ProtocolException;
+import robosim.geometry.protocol.Text;
 
 /**
  * One line of JSON, read strictly: an object's fields are those that it must and may have, each once; a value is of its

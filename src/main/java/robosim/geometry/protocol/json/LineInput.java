@@ -1,4 +1,4 @@
-package robosim.geometry.protocol;
+package robosim.geometry.protocol.json;
 
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -13,6 +13,9 @@ import java.nio.charset.CoderResult;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Locale;
+import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.MessagePace;
+import robosim.geometry.protocol.ProtocolException;
 
 /**
  * Lines of UTF-8, each bounded before it is believed. A line that fits into the buffer is there whole; of a longer one its

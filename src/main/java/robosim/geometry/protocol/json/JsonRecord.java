@@ -1,4 +1,4 @@
-package robosim.geometry.protocol;
+package robosim.geometry.protocol.json;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
@@ -9,6 +9,8 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.protocol.ProtocolException;
+import robosim.geometry.protocol.Text;
 
 /**
  * A line of JSON that is no message of the wire's: an object whose fields are asked for by their names, as strictly as a

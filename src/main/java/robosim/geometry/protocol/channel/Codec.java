@@ -1,7 +1,10 @@
-package robosim.geometry.protocol;
+package robosim.geometry.protocol.channel;
 
 import java.io.IOException;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.ProtocolException;
+import robosim.geometry.protocol.Reply;
 
 /** One encoding over one connection. */
 interface Codec {

@@ -1,4 +1,4 @@
-package robosim.geometry.protocol;
+package robosim.geometry.protocol.json;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -20,6 +20,18 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.DistanceBundle;
+import robosim.geometry.protocol.Gate;
+import robosim.geometry.protocol.MessagePace;
+import robosim.geometry.protocol.MessageTranslator;
+import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.protocol.MoveRequest;
+import robosim.geometry.protocol.Problem;
+import robosim.geometry.protocol.ProtocolException;
+import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.Samples;
+import robosim.geometry.protocol.channel.MessageChannel;
 
 /** The published schema and the codec accept the same messages, but for what a schema cannot say. */
 class JsonSchemaTest {

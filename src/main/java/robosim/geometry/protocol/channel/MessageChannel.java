@@ -1,4 +1,4 @@
-package robosim.geometry.protocol;
+package robosim.geometry.protocol.channel;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
@@ -11,6 +11,17 @@ import java.nio.charset.StandardCharsets;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.Gate;
+import robosim.geometry.protocol.MessagePace;
+import robosim.geometry.protocol.MessageReader;
+import robosim.geometry.protocol.MessageTranslator;
+import robosim.geometry.protocol.MessageWriter;
+import robosim.geometry.protocol.ProtocolException;
+import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.Text;
+import robosim.geometry.protocol.json.JsonCodec;
+import robosim.geometry.protocol.json.JsonLines;
 
 /**
  * Both directions of one connection, in the encoding that the peer chooses: the first byte that it sends tells, {@code AC}
@@ -195,7 +206,7 @@ public final class MessageChannel {
             out.flush();
         }
         try {
-            return JsonCodec.open(whole, out, pace, gate);
+            return codec(JsonCodec.open(whole, out, pace, gate));
         } catch (LinkageError e) {
             throw new ProtocolException(
                     "JSON lines need Jackson: put com.fasterxml.jackson.core:jackson-core on the class path, or on the"
@@ -203,5 +214,24 @@ public final class MessageChannel {
                             + Objects.requireNonNullElse(e.getMessage(), "no such class") + ")",
                     e);
         }
+    }
+
+    private static Codec codec(JsonCodec lines) {
+        return new Codec() {
+            @Override
+            public @Nullable Bundle read() throws ProtocolException {
+                return lines.read();
+            }
+
+            @Override
+            public void write(Reply reply) throws IOException {
+                lines.write(reply);
+            }
+
+            @Override
+            public int messageBytes() {
+                return lines.messageBytes();
+            }
+        };
     }
 }

@@ -1,4 +1,4 @@
-package robosim.geometry.protocol;
+package robosim.geometry.protocol.json;
 
 import java.io.IOException;
 import java.util.ArrayList;
@@ -7,6 +7,17 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.protocol.Beam;
+import robosim.geometry.protocol.DistanceBundle;
+import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.protocol.MoveRequest;
+import robosim.geometry.protocol.Problem;
+import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.SonarRequest;
+import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.WorldSettings;
 
 /** Messages from JSON, whose type is known. */
 final class JsonMessages {
