@@ -1,6 +1,7 @@
 package robosim.geometry.net;
 
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.net.pace.PacedInput;
 import robosim.geometry.protocol.Gate;
 import robosim.geometry.protocol.channel.MessageChannel;
 

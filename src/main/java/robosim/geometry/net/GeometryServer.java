@@ -11,6 +11,7 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.net.pace.Watchdog;
 import robosim.geometry.protocol.channel.MessageChannel;
 
 /**

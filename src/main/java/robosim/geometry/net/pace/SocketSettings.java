@@ -1,11 +1,11 @@
-package robosim.geometry.net;
+package robosim.geometry.net.pace;
 
 import java.io.IOException;
 import java.net.Socket;
 import java.net.SocketOption;
 
 /** What every connection's socket is set to. */
-final class SocketSettings {
+public final class SocketSettings {
     /** How much of an answer may be on its way; more waits, and so does its peer's next request. */
     static final int QUEUE_BYTES = 1 << 17;
 
@@ -17,7 +17,7 @@ final class SocketSettings {
 
     private SocketSettings() {}
 
-    static void apply(Socket socket) throws IOException {
+    public static void apply(Socket socket) throws IOException {
         socket.setTcpNoDelay(true); // answers are small and waited for
         socket.setSendBufferSize(QUEUE_BYTES);
         socket.setKeepAlive(true);

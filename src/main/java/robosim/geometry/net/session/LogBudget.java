@@ -1,4 +1,4 @@
-package robosim.geometry.net;
+package robosim.geometry.net.session;
 
 import java.util.function.LongSupplier;
 
@@ -6,7 +6,7 @@ import java.util.function.LongSupplier;
  * How many lines a log may get: so many at once, then so many a second. What is beyond is counted, and the count told with
  * the next line that is written.
  */
-final class LogBudget {
+public final class LogBudget {
     /** Of one end, over all its connections: some 7 kB a second for ever, where peers do all they can. */
     private static final int LINES = 2000;
 
@@ -18,7 +18,7 @@ final class LogBudget {
     private long leftOut;
 
     /** A clock as {@link System#nanoTime}. */
-    LogBudget(LongSupplier clock) {
+    public LogBudget(LongSupplier clock) {
         this.clock = clock;
         this.full = clock.getAsLong();
     }
@@ -28,7 +28,7 @@ final class LogBudget {
      *
      * @return how many lines were left out before this one; -1 where this one is left out too
      */
-    synchronized long take() {
+    public synchronized long take() {
         long now = clock.getAsLong();
         long line = SECOND / LINES_A_SECOND;
         if (full - now < 0) {
@@ -45,7 +45,7 @@ final class LogBudget {
     }
 
     /** Writes a line, or counts it. */
-    void log(System.Logger log, System.Logger.Level level, String words) {
+    public void log(System.Logger log, System.Logger.Level level, String words) {
         long before = take();
         if (before >= 0) {
             log.log(level, before == 0 ? words : words + " (" + before + " lines before this one were not logged)");

@@ -1,4 +1,4 @@
-package robosim.geometry.net;
+package robosim.geometry.net.pace;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -23,7 +23,7 @@ import org.jspecify.annotations.Nullable;
  *       That holds for as many as there are processors.
  * </ul>
  */
-final class Turns {
+public final class Turns {
     /** How long a turn lasts while others wait. */
     static final long SLICE_NANOS = 2_000_000;
 
@@ -53,19 +53,19 @@ final class Turns {
     private volatile boolean wanted;
 
     /** Of that many at a time; a clock as {@link System#nanoTime}. */
-    Turns(int most, LongSupplier clock) {
+    public Turns(int most, LongSupplier clock) {
         this.most = most;
         this.mostHeavy = Math.max(1, most - 1);
         this.clock = clock;
     }
 
     /** As many as there are processors. */
-    static Turns ofThisMachine() {
+    public static Turns ofThisMachine() {
         return new Turns(Runtime.getRuntime().availableProcessors(), System::nanoTime);
     }
 
     /** For one connection, which has no turn yet. */
-    Turn turn() {
+    public Turn turn() {
         return new Turn(this);
     }
 

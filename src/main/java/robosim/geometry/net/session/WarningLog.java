@@ -1,11 +1,11 @@
-package robosim.geometry.net;
+package robosim.geometry.net.session;
 
 import java.util.HashSet;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /** Log lines of one session, each said once for a world, and not without end: a peer must not fill the disk. */
-final class WarningLog {
+public final class WarningLog {
     private static final int MOST = 1000;
 
     private final System.Logger log;
@@ -14,27 +14,27 @@ final class WarningLog {
     private @Nullable LogBudget budget;
     private long message;
 
-    WarningLog(System.Logger log, String session) {
+    public WarningLog(System.Logger log, String session) {
         this.log = log;
         this.session = session;
     }
 
     /** As many lines as that has left for them, from now on. */
-    void within(LogBudget shared) {
+    public void within(LogBudget shared) {
         budget = shared;
     }
 
     /** The next message: what is said from now on is about that one. */
-    void next() {
+    public void next() {
         message++;
     }
 
     /** A new world: what was said about the last one may be said again. */
-    void forget() {
+    public void forget() {
         said.clear();
     }
 
-    void warn(String complaint) {
+    public void warn(String complaint) {
         if (said.size() < MOST && said.add(complaint)) {
             log(complaint);
             if (said.size() == MOST) {

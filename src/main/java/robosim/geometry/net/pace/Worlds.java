@@ -1,35 +1,35 @@
-package robosim.geometry.net;
+package robosim.geometry.net.pace;
 
 import org.jspecify.annotations.Nullable;
 
 /** The memory that the worlds of all connections may take together, as far as their messages tell it. */
-final class Worlds {
+public final class Worlds {
     /** Bytes of memory for each byte of a message: a box of 50 bytes takes some 400, a triangle of 34 some 240. */
     static final int MEMORY_FOR_A_BYTE = 8;
 
     /** Worlds from messages below that are not counted: 256 of them take 32 MiB. */
-    static final int SMALL_BYTES = 1 << 14;
+    public static final int SMALL_BYTES = 1 << 14;
 
     private final long most;
     private long taken;
 
     /** Of so many bytes of memory. */
-    Worlds(long most) {
+    public Worlds(long most) {
         this.most = most;
     }
 
     /** Half of what the process may have. */
-    static Worlds ofThisProcess() {
+    public static Worlds ofThisProcess() {
         return new Worlds(Runtime.getRuntime().maxMemory() / 2);
     }
 
     /** Of one connection. */
-    Plot plot() {
+    public Plot plot() {
         return new Plot();
     }
 
     /** What the world of one connection takes; its connection's thread calls it. */
-    final class Plot {
+    public final class Plot {
         private long own;
 
         private Plot() {}
@@ -40,7 +40,7 @@ final class Worlds {
          * @return null where there may; else why not
          */
         @Nullable
-        String claim(int messageBytes) {
+        public String claim(int messageBytes) {
             long wanted = messageBytes < SMALL_BYTES ? 0 : (long) MEMORY_FOR_A_BYTE * messageBytes;
             synchronized (Worlds.this) {
                 long others = taken - own;
@@ -56,7 +56,7 @@ final class Worlds {
         }
 
         /** There is no world any more. */
-        void free() {
+        public void free() {
             synchronized (Worlds.this) {
                 taken -= own;
                 own = 0;

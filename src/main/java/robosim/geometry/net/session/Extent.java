@@ -1,4 +1,4 @@
-package robosim.geometry.net;
+package robosim.geometry.net.session;
 
 import java.util.List;
 import robosim.geometry.model.BoxObject;
@@ -10,7 +10,7 @@ import robosim.geometry.model.SphereObject;
 import robosim.geometry.model.TriangleMesh;
 
 /** How far objects reach from the origin along each axis. Never too little, as the room beside it exceeds any rounding. */
-final class Extent {
+public final class Extent {
     /** The room beside the farthest object, as a share of its reach; and in world units where that is less. */
     private static final double ROOM = 0.25;
 
@@ -25,7 +25,7 @@ final class Extent {
      * Width, height and length of a world, centred at the origin, that holds all the objects with room to spare: beside
      * the farthest of them a quarter of its reach, at least 1 world unit.
      */
-    static double[] worldFor(List<GeometryObject> objects) {
+    public static double[] worldFor(List<GeometryObject> objects) {
         Extent extent = new Extent();
         double[] frame = {1, 0, 0, 0, 1, 0, 0, 0, 1};
         for (GeometryObject object : objects) {

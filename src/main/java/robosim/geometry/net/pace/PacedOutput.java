@@ -1,20 +1,22 @@
-package robosim.geometry.net;
+package robosim.geometry.net.pace;
 
 import java.io.IOException;
 import java.io.OutputStream;
+import java.time.Duration;
 
 /**
  * The way out to a peer. A message is gathered, so that a small one is one write and one segment; what is written goes to
  * the socket's own queue, which is bounded. While that is full the writer waits, without its {@link Turn}, and reads no
  * further request of that peer.
  */
-final class PacedOutput extends OutputStream {
+public final class PacedOutput extends OutputStream {
     /** One step of the progress that is watched. */
     static final int STEP_BYTES = 1 << 14;
 
     private final OutputStream out;
     private final Watchdog.Guard guard;
-    private final Timeouts timeouts;
+    private final Duration stall;
+    private final Duration message;
     private final Turn turn;
     private final byte[] gathered = new byte[STEP_BYTES];
     private int count;
@@ -23,10 +25,11 @@ final class PacedOutput extends OutputStream {
     /** What is written next begins a message; each ends with a flush. */
     private boolean between = true;
 
-    PacedOutput(OutputStream out, Watchdog.Guard guard, Timeouts timeouts, Turn turn) {
+    public PacedOutput(OutputStream out, Watchdog.Guard guard, Duration stall, Duration message, Turn turn) {
         this.out = out;
         this.guard = guard;
-        this.timeouts = timeouts;
+        this.stall = stall;
+        this.message = message;
         this.turn = turn;
     }
 
@@ -59,9 +62,9 @@ final class PacedOutput extends OutputStream {
         turn.give();
         if (between) {
             between = false;
-            messageDue = System.nanoTime() + timeouts.message().toNanos();
+            messageDue = System.nanoTime() + message.toNanos();
         }
-        long stalled = System.nanoTime() + timeouts.stall().toNanos();
+        long stalled = System.nanoTime() + stall.toNanos();
         guard.begin(stalled - messageDue < 0 ? stalled : messageDue);
         try {
             out.write(gathered, 0, count);
@@ -75,8 +78,8 @@ final class PacedOutput extends OutputStream {
 
     private String complaint(long stalled) {
         return stalled - messageDue < 0
-                ? "the peer read nothing for " + timeouts.stall().toMillis() + " ms"
-                : "the peer did not read a message within " + timeouts.message().toMillis() + " ms";
+                ? "the peer read nothing for " + stall.toMillis() + " ms"
+                : "the peer did not read a message within " + message.toMillis() + " ms";
     }
 
     /** The end of a message, after which there is nothing to compute until another one has come. */

@@ -1,4 +1,4 @@
-package robosim.geometry.net;
+package robosim.geometry.net.pace;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -6,6 +6,8 @@ import java.time.Duration;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.net.HostilePeerTest;
+import robosim.geometry.net.LogCapture;
 
 class WatchdogTest {
     /** Another connection's message may have taken the memory for the moment. */

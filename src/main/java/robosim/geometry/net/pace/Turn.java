@@ -1,10 +1,10 @@
-package robosim.geometry.net;
+package robosim.geometry.net.pace;
 
 import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
 /** One connection's right to compute, now and then. All but {@link #cutOff} is called by the connection's own thread. */
-final class Turn {
+public final class Turn {
     /** How many turns one counts as heavy after it did heavy work. */
     private static final int HEAVY_TURNS = 8;
 
@@ -49,10 +49,10 @@ final class Turn {
     }
 
     /** Thrown by {@link #breathe} where a connection must compute no more. */
-    static final class CutOff extends RuntimeException {
+    public static final class CutOff extends RuntimeException {
         private static final long serialVersionUID = 1;
 
-        CutOff() {
+        public CutOff() {
             super("cut off", null, false, false);
         }
     }
@@ -75,7 +75,7 @@ final class Turn {
     }
 
     /** Computes no more, for a while. */
-    void give() {
+    public void give() {
         if (state != State.IDLE) {
             turns.leave(this);
         }
@@ -94,7 +94,7 @@ final class Turn {
      *
      * @throws CutOff where nothing more must be computed
      */
-    void breathe() {
+    public void breathe() {
         if (turns.areWanted()) {
             hold();
         }
@@ -116,14 +116,14 @@ final class Turn {
     }
 
     /** What it does now may take long without giving way. */
-    void heavy() {
+    public void heavy() {
         synchronized (turns) {
             heavyTurns = HEAVY_TURNS;
         }
     }
 
     /** Nothing more is computed, from the next breath on. Any thread may say so. */
-    void cutOff() {
+    public void cutOff() {
         isCutOff = true;
         wake();
     }

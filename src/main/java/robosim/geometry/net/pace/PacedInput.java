@@ -1,4 +1,4 @@
-package robosim.geometry.net;
+package robosim.geometry.net.pace;
 
 import java.io.IOException;
 import java.io.InputStream;
@@ -10,7 +10,7 @@ import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.ProtocolException;
 
 /** A peer's bytes: patient between messages, impatient inside one. */
-final class PacedInput extends InputStream implements MessagePace {
+public final class PacedInput extends InputStream implements MessagePace {
     /** How long a peer may be silent before it gets our stream header, for which it may be waiting. */
     private static final int SILENCE_MILLIS = 300;
 
@@ -36,24 +36,29 @@ final class PacedInput extends InputStream implements MessagePace {
      *
      * @param socket   whose time-outs are set
      * @param in       its bytes, deciphered where they are ciphered
+     * @param idle     how long a peer may be silent between two messages
+     * @param stall    and within one
+     * @param message  how long all of a message may take
      * @param turn     held from when bytes have come until they are waited for again
      * @param room     of which a large message takes its part until the next one is waited for
      * @param stopping from when on a failure is the end
      */
-    PacedInput(
+    public PacedInput(
             Socket socket,
             InputStream in,
             Watchdog.Guard guard,
-            Timeouts timeouts,
+            Duration idle,
+            Duration stall,
+            Duration message,
             Turn turn,
             Room.Share room,
             BooleanSupplier stopping) {
         this.socket = socket;
         this.in = in;
         this.guard = guard;
-        this.stallNanos = timeouts.stall().toNanos();
-        this.messageNanos = timeouts.message().toNanos();
-        this.idleTime = timeouts.idle();
+        this.stallNanos = stall.toNanos();
+        this.messageNanos = message.toNanos();
+        this.idleTime = idle;
         this.turn = turn;
         this.room = room;
         this.stopping = stopping;
@@ -82,7 +87,7 @@ final class PacedInput extends InputStream implements MessagePace {
     }
 
     /** From now on the peer may be idle for so long between two messages. */
-    void mayIdle(Duration time) {
+    public void mayIdle(Duration time) {
         idleTime = time;
     }
 

@@ -1,4 +1,4 @@
-package robosim.geometry.net;
+package robosim.geometry.net.session;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

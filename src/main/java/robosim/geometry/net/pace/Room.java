@@ -1,4 +1,4 @@
-package robosim.geometry.net;
+package robosim.geometry.net.pace;
 
 import java.io.IOException;
 import java.util.LinkedHashSet;
@@ -9,7 +9,7 @@ import java.util.Set;
  * more than there is waits until others are done, in the meantime unread by the module; the one that has waited or held
  * longest may always go on, so that all get there.
  */
-final class Room {
+public final class Room {
     /** Bytes of memory for each byte of a message: a sonar request of 41 bytes takes, with its answer, some 140. */
     static final int MEMORY_FOR_A_BYTE = 4;
 
@@ -20,27 +20,27 @@ final class Room {
     private final Set<Share> shares = new LinkedHashSet<>();
 
     /** Of so many bytes of memory. */
-    Room(long most) {
+    public Room(long most) {
         this.most = most;
     }
 
     /** An eighth of what the process may have. */
-    static Room ofThisProcess() {
+    public static Room ofThisProcess() {
         return new Room(Runtime.getRuntime().maxMemory() / 8);
     }
 
     /** Of one connection, nothing yet. */
-    Share share() {
+    public Share share() {
         return new Share();
     }
 
     /** How much is taken, in bytes of memory. */
-    synchronized long taken() {
+    public synchronized long taken() {
         return taken;
     }
 
     /** What one connection has of it. */
-    final class Share {
+    public final class Share {
         private long own;
         private boolean closed;
 
@@ -60,7 +60,7 @@ final class Room {
          *
          * @throws IOException where it is closed
          */
-        void growTo(long bytes) throws IOException {
+        public void growTo(long bytes) throws IOException {
             synchronized (Room.this) {
                 shares.add(this);
                 boolean interrupted = false;
@@ -87,7 +87,7 @@ final class Room {
         }
 
         /** Gives all of it back. */
-        void free() {
+        public void free() {
             if (own == 0 && !closed) {
                 return; // as after nearly every message
             }
@@ -101,7 +101,7 @@ final class Room {
         }
 
         /** Gives all of it back, for good; whoever waits for some is told. */
-        void close() {
+        public void close() {
             synchronized (Room.this) {
                 closed = true;
                 free();

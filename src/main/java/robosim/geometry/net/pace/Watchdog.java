@@ -1,4 +1,4 @@
-package robosim.geometry.net;
+package robosim.geometry.net.pace;
 
 import java.time.Duration;
 import java.util.Set;
@@ -6,8 +6,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
 
 /** Breaks off what takes too long and has no time-out of its own: writing to a socket, a handshake, a TLS end. */
-final class Watchdog implements AutoCloseable {
-    private static final System.Logger LOG = System.getLogger(Watchdog.class.getPackageName());
+public final class Watchdog implements AutoCloseable {
+    private static final System.Logger LOG = System.getLogger("robosim.geometry.net");
     private static final long MOST_TICK_MILLIS = 1000;
 
     private final String name;
@@ -21,7 +21,7 @@ final class Watchdog implements AutoCloseable {
      * @param name   the thread's
      * @param finest the shortest time that will be watched; the watchdog is late by at most a quarter of it
      */
-    Watchdog(String name, Duration finest) {
+    public Watchdog(String name, Duration finest) {
         this.name = name;
         tickMillis = Math.max(1, Math.min(MOST_TICK_MILLIS, finest.toMillis() / 4));
         thread = new Thread(this::watch, name);
@@ -50,7 +50,7 @@ final class Watchdog implements AutoCloseable {
     }
 
     /** A guard over one thing at a time; {@code breakOff} must make it fail at once. */
-    Guard guard(Runnable breakOff) {
+    public Guard guard(Runnable breakOff) {
         Guard guard = new Guard(breakOff);
         guards.add(guard);
         return guard;
@@ -71,7 +71,7 @@ final class Watchdog implements AutoCloseable {
     }
 
     /** Of one connection. */
-    final class Guard implements AutoCloseable {
+    public final class Guard implements AutoCloseable {
         private static final long NOTHING = 0;
         private static final long BROKEN = -1;
 
@@ -87,7 +87,7 @@ final class Watchdog implements AutoCloseable {
         }
 
         /** What begins now must be done by then, a {@link System#nanoTime}. */
-        void begin(long deadline) {
+        public void begin(long deadline) {
             long last = due.get();
             if (last != BROKEN) {
                 due.compareAndSet(last, Math.max(0, deadline - origin) | 1);
@@ -95,7 +95,7 @@ final class Watchdog implements AutoCloseable {
         }
 
         /** It is done. */
-        void end() {
+        public void end() {
             long last = due.get();
             if (last != BROKEN) {
                 due.compareAndSet(last, NOTHING);
@@ -103,7 +103,7 @@ final class Watchdog implements AutoCloseable {
         }
 
         /** Whether something was broken off. */
-        boolean isBroken() {
+        public boolean isBroken() {
             return due.get() == BROKEN;
         }
 

@@ -1,4 +1,4 @@
-package robosim.geometry.net;
+package robosim.geometry.net.session;
 
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.Geometry;
@@ -8,7 +8,7 @@ import robosim.geometry.model.Move;
 import robosim.geometry.protocol.WorldSettings;
 
 /** What a session asks of a world; angles in degrees. */
-interface World {
+public interface World {
     /** False where the object would leave the world. */
     boolean add(GeometryObject object);
 

@@ -1,4 +1,4 @@
-package robosim.geometry.net;
+package robosim.geometry.net.session;
 
 import java.math.BigDecimal;
 import java.math.RoundingMode;
@@ -10,11 +10,11 @@ import robosim.geometry.model.Point;
 import robosim.geometry.protocol.Text;
 
 /** Why a move was refused, in words. */
-final class Reasons {
+public final class Reasons {
     private Reasons() {}
 
     /** As in {@code blocked by "wall 3" after 0.25 of the way}. */
-    static String of(MoveResult result) {
+    public static String of(MoveResult result) {
         return "blocked by " + obstacle(result.obstacle()) + " after " + way(result);
     }
 
