@@ -1,4 +1,4 @@
-package robosim.geometry.sweep;
+package robosim.geometry.sweep.lines;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
@@ -14,12 +14,13 @@ import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.WorldSettings;
 
 /** A digest of a conversation: its options, its world, what is asked and what was answered. */
-final class ScenarioPrint {
+public final class ScenarioPrint {
     private final Fingerprint print = new Fingerprint();
 
     private ScenarioPrint() {}
 
-    static String of(SessionOptions options, InitBundle init, List<Bundle> requests, List<@Nullable Bundle> answers) {
+    public static String of(
+            SessionOptions options, InitBundle init, List<Bundle> requests, List<@Nullable Bundle> answers) {
         ScenarioPrint of = new ScenarioPrint();
         of.print.add(options.dimension().name()).add(options.accuracy().name());
         of.add(options.beam());

@@ -1,4 +1,4 @@
-package robosim.geometry.sweep;
+package robosim.geometry.sweep.lines;
 
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
@@ -16,10 +16,10 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 
 /** A digest of numbers by their bits and of texts: the same on every JVM, whatever it writes numbers like. */
-final class Fingerprint {
+public final class Fingerprint {
     private final MessageDigest digest;
 
-    Fingerprint() {
+    public Fingerprint() {
         try {
             digest = MessageDigest.getInstance("SHA-256");
         } catch (NoSuchAlgorithmException e) {
@@ -28,7 +28,7 @@ final class Fingerprint {
     }
 
     /** Of a world's settings and objects. */
-    static String of(Snapshot world) {
+    public static String of(Snapshot world) {
         Fingerprint print = new Fingerprint();
         print.add(world.width()).add(world.height()).add(world.length());
         print.add(world.dimension().name()).add(world.accuracy().name());
@@ -36,16 +36,16 @@ final class Fingerprint {
         return print.hex().substring(0, 16);
     }
 
-    Fingerprint add(long number) {
+    public Fingerprint add(long number) {
         digest.update(ByteBuffer.allocate(Long.BYTES).putLong(number).array());
         return this;
     }
 
-    Fingerprint add(double number) {
+    public Fingerprint add(double number) {
         return add(Double.doubleToLongBits(number));
     }
 
-    Fingerprint add(String text) {
+    public Fingerprint add(String text) {
         byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
         add(bytes.length);
         digest.update(bytes);
@@ -56,7 +56,7 @@ final class Fingerprint {
         add(point.x()).add(point.y()).add(point.z());
     }
 
-    void add(GeometryObject object) {
+    public void add(GeometryObject object) {
         add(object.kind().name());
         String name = object.name();
         add(name == null ? "" : name).add(object.isMoveable() ? 1 : 0);
@@ -93,7 +93,7 @@ final class Fingerprint {
     }
 
     /** All so far. */
-    String hex() {
+    public String hex() {
         return HexFormat.of().formatHex(digest.digest());
     }
 }

@@ -1,20 +1,20 @@
-package robosim.geometry.sweep;
+package robosim.geometry.sweep.lines;
 
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 
 /** Appends lines, from many threads at once, each whole: where one could not be written, none follows its first half. */
-final class SweepLines {
+public final class SweepLines {
     private final OutputStream out;
     private boolean isBroken;
 
-    SweepLines(OutputStream out) {
+    public SweepLines(OutputStream out) {
         this.out = out;
     }
 
     /** Whether the line stands there now; false where an earlier one could not be written. */
-    synchronized boolean append(String line) throws IOException {
+    public synchronized boolean append(String line) throws IOException {
         if (isBroken) {
             return false;
         }

@@ -1,14 +1,14 @@
-package robosim.geometry.sweep;
+package robosim.geometry.sweep.lines;
 
 import java.nio.file.Path;
 
 /** What worlds, parameters and their values may be called: words that stand beside each other in a line. */
-final class Names {
-    static final int MOST = 200;
+public final class Names {
+    public static final int MOST = 200;
 
     private Names() {}
 
-    static String check(String what, String name) {
+    public static String check(String what, String name) {
         if (name == null || !name.matches("[^\\s,/\\p{Cntrl}]{1," + MOST + "}") || hasHalf(name)) {
             throw new IllegalArgumentException(what + " must be 1 to " + MOST
                     + " characters without blanks, commas and slashes (got: " + name + ")");
@@ -17,12 +17,12 @@ final class Names {
     }
 
     /** Whether a text has half of a surrogate pair, which UTF-8 cannot hold. */
-    static boolean hasHalf(String text) {
+    public static boolean hasHalf(String text) {
         return text.codePoints().anyMatch(c -> c >= Character.MIN_SURROGATE && c <= Character.MAX_SURROGATE);
     }
 
     /** A file's name up to its first point. */
-    static String of(Path file) {
+    public static String of(Path file) {
         Path last = file.getFileName();
         String name = last == null ? "" : last.toString();
         int end = name.indexOf('.', 1);
