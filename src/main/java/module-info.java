@@ -26,4 +26,14 @@ module robosim.geometry {
     // The command line is read into annotated fields.
     opens robosim.geometry.cli to
             info.picocli;
+    opens robosim.geometry.cli.demo to
+            info.picocli;
+    opens robosim.geometry.cli.network to
+            info.picocli;
+    opens robosim.geometry.cli.studies to
+            info.picocli;
+    opens robosim.geometry.cli.terminal to
+            info.picocli;
+    opens robosim.geometry.cli.worlds to
+            info.picocli;
 }
