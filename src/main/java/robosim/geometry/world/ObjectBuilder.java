@@ -145,8 +145,7 @@ final class ObjectBuilder {
         String[] parts = Numbers.words(element.attribute("center", "0 0 0"));
         return named("center", () -> {
             Unit unit = unit(element);
-            return new Point(
-                    Unit.length(parts[0], unit), Unit.length(parts[1], unit), Unit.length(parts[2], unit));
+            return new Point(Unit.length(parts[0], unit), Unit.length(parts[1], unit), Unit.length(parts[2], unit));
         });
     }
 

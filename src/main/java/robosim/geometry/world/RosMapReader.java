@@ -3,11 +3,11 @@ package robosim.geometry.world;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.Dimension;
-import java.util.stream.Stream;
 import robosim.geometry.world.rosmap.MapFiles;
 import robosim.geometry.world.rosmap.MapSettings;
 import robosim.geometry.world.rosmap.MapWalls;
@@ -67,8 +67,9 @@ public final class RosMapReader {
             MapWalls map = new MapWalls(settings, MapFiles.grid(yaml, settings), height);
             List<BoxObject> walls = map.walls();
             List<BoxObject> edges = map.edges();
-            List<WorldObject> objects =
-                    Stream.concat(walls.stream(), edges.stream()).map(WorldObject::new).toList();
+            List<WorldObject> objects = Stream.concat(walls.stream(), edges.stream())
+                    .map(WorldObject::new)
+                    .toList();
             World world = new World(
                     2 * map.extent(0),
                     height,

@@ -55,7 +55,8 @@ public final class SdfReader {
             SdfTree tree = new SdfTree(files);
             SdfObjects found = new SdfObjects(tree, new SdfShapes(tree, files));
             found.add(tree.read(files.main(file.toString())));
-            List<WorldObject> objects = found.objects().stream().map(WorldObject::new).toList();
+            List<WorldObject> objects =
+                    found.objects().stream().map(WorldObject::new).toList();
             Extents extents = Extents.of(objects);
             World world = new World(
                     size(extents, 0),

@@ -44,8 +44,7 @@ final class WorldHandler extends DefaultHandler {
      *
      * @param problems takes what is refused, and the file is read on; null where the first refusal is thrown
      */
-    WorldHandler(
-            String source, @Nullable Path base, ValidatorHandler validator, @Nullable List<FileProblem> problems) {
+    WorldHandler(String source, @Nullable Path base, ValidatorHandler validator, @Nullable List<FileProblem> problems) {
         this.source = source;
         this.problems = problems;
         this.builder = new ObjectBuilder(source, base);

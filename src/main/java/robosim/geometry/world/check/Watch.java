@@ -1,7 +1,5 @@
 package robosim.geometry.world.check;
 
-
-
 /** Told how far a check is; it may take a while. */
 @FunctionalInterface
 public interface Watch {

@@ -85,7 +85,7 @@ public final class MapWalls {
         double farthest = 0;
         for (int corner = 0; corner < 4; corner++) {
             Point place = place(
-                ((corner & 1) == 0 ? -1 : grid.width + 1) * settings.resolution(),
+                    ((corner & 1) == 0 ? -1 : grid.width + 1) * settings.resolution(),
                     (corner < 2 ? -1 : grid.height + 1) * settings.resolution());
             farthest = Math.max(farthest, Math.abs(axis == 0 ? place.x() : place.z()));
         }

@@ -284,10 +284,7 @@ class WorldCheckTest {
                 drum("a", 0, 0, 0.5));
         WorldCheck check = WorldCheck.of(world(Dimension.PLANAR, cell.toArray(GeometryObject[]::new)));
         assertThat(check.isFine()).isFalse();
-        assertThat(check.rooms())
-                .singleElement()
-                .extracting(Room::places)
-                .isEqualTo(1);
+        assertThat(check.rooms()).singleElement().extracting(Room::places).isEqualTo(1);
     }
 
     @Test
