@@ -15,13 +15,25 @@ module robosim.geometry {
     exports robosim.geometry.model;
     exports robosim.geometry.net;
     exports robosim.geometry.protocol;
+    exports robosim.geometry.protocol.json;
     exports robosim.geometry.scenario;
     exports robosim.geometry.sweep;
     exports robosim.geometry.world;
+    exports robosim.geometry.world.check;
 
     uses robosim.geometry.protocol.MessageTranslator;
 
     // The command line is read into annotated fields.
     opens robosim.geometry.cli to
+            info.picocli;
+    opens robosim.geometry.cli.demo to
+            info.picocli;
+    opens robosim.geometry.cli.network to
+            info.picocli;
+    opens robosim.geometry.cli.studies to
+            info.picocli;
+    opens robosim.geometry.cli.terminal to
+            info.picocli;
+    opens robosim.geometry.cli.worlds to
             info.picocli;
 }

@@ -9,7 +9,7 @@ import java.net.InetAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import robosim.geometry.protocol.Bundle;
-import robosim.geometry.protocol.JsonLines;
+import robosim.geometry.protocol.json.JsonLines;
 
 /** An environment that speaks JSON lines. */
 final class JsonEnvironment implements AutoCloseable {

@@ -1,18 +1,27 @@
 package robosim.geometry.cli;
 
 import java.io.PrintWriter;
-import java.nio.file.AccessDeniedException;
-import java.nio.file.FileAlreadyExistsException;
-import java.nio.file.FileSystemException;
-import java.nio.file.NoSuchFileException;
 import java.util.ArrayList;
 import java.util.List;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import robosim.geometry.cli.demo.DemoCommand;
+import robosim.geometry.cli.network.ConnectCommand;
+import robosim.geometry.cli.network.ServeCommand;
+import robosim.geometry.cli.studies.ReplayCommand;
+import robosim.geometry.cli.studies.SweepCommand;
+import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.cli.terminal.FailureText;
+import robosim.geometry.cli.terminal.Terminal;
+import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.cli.worlds.CheckCommand;
+import robosim.geometry.cli.worlds.ConvertCommand;
+import robosim.geometry.cli.worlds.RenderCommand;
+import robosim.geometry.cli.worlds.ViewCommand;
 
 /** All commands, and what becomes of their failures. */
 @Command(
-        name = Commands.NAME,
+        name = Version.PROGRAM,
         description = "Collision, motion and range queries for robot simulators, over TCP and on files.",
         synopsisSubcommandLabel = "COMMAND",
         mixinStandardHelpOptions = true,
@@ -42,9 +51,7 @@ import picocli.CommandLine.Command;
             SweepCommand.class,
             CompletionCommand.class
         })
-final class Commands {
-    static final String NAME = "robosim-geometry";
-
+public final class Commands implements Terminal.Program {
     /** What people type first who do not know a program. */
     private static final String HELP = "help";
 
@@ -73,14 +80,14 @@ final class Commands {
         return line;
     }
 
-    /** Whether what this command writes as its error is the process's own. */
-    static boolean writesToStandardError(CommandLine line) {
-        return line.getCommandSpec().root().userObject() instanceof Commands commands && commands.standard;
+    @Override
+    public boolean writesToStandardError() {
+        return standard;
     }
 
     private static int run(CommandLine line, String... arguments) {
         line.setExecutionExceptionHandler((failure, command, parsed) -> {
-            command.getErr().println(text(failure));
+            command.getErr().println(FailureText.of(failure));
             return ExitCodes.UNUSABLE;
         });
         // What is wrong, and no more: who wants the whole help asks for it.
@@ -110,28 +117,5 @@ final class Commands {
         }
         words.add("--help");
         return words.toArray(new String[0]);
-    }
-
-    /** What a failure tells people: its message, where that is a sentence. */
-    static String text(Exception failure) {
-        String message = failure.getMessage();
-        if (failure instanceof FileSystemException onFiles && message != null) {
-            return file(onFiles, message);
-        }
-        return message == null ? failure.toString() : message;
-    }
-
-    private static String file(FileSystemException failure, String message) {
-        String file = String.valueOf(failure.getFile());
-        if (failure instanceof NoSuchFileException) {
-            return file + ": there is no such file or folder; check the path";
-        }
-        if (failure instanceof AccessDeniedException) {
-            return file + ": this may not be read or written; check who owns it";
-        }
-        if (failure instanceof FileAlreadyExistsException) {
-            return file + ": this is there already, and no folder; remove it or name another place";
-        }
-        return failure.getReason() == null ? message : file + ": " + failure.getReason();
     }
 }

@@ -4,6 +4,8 @@ import picocli.AutoComplete;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
+import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.cli.terminal.Version;
 
 /** Prints a script by which a shell completes these commands. */
 @Command(
@@ -32,7 +34,7 @@ final class CompletionCommand implements Runnable {
     public void run() {
         spec.commandLine()
                 .getOut()
-                .print(AutoComplete.bash(Commands.NAME, spec.root().commandLine()));
+                .print(AutoComplete.bash(Version.PROGRAM, spec.root().commandLine()));
         spec.commandLine().getOut().flush();
     }
 }

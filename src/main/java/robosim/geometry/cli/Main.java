@@ -3,6 +3,8 @@ package robosim.geometry.cli;
 import java.io.PrintStream;
 import java.util.Map;
 import java.util.function.IntSupplier;
+import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.cli.worlds.ViewCommand;
 
 /** The command line: {@code --help} tells its commands. */
 public final class Main {

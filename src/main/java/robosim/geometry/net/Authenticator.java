@@ -1,8 +1,9 @@
 package robosim.geometry.net;
 
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.net.pace.PacedInput;
 import robosim.geometry.protocol.Gate;
-import robosim.geometry.protocol.MessageChannel;
+import robosim.geometry.protocol.channel.MessageChannel;
 
 /** Lets a peer in by what it speaks and what it knows; who is not in yet may not dawdle. */
 final class Authenticator implements Gate {

@@ -4,14 +4,21 @@ import java.io.IOException;
 import java.net.Socket;
 import javax.net.ssl.SSLSocket;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.net.pace.PacedInput;
+import robosim.geometry.net.pace.PacedOutput;
+import robosim.geometry.net.pace.Room;
+import robosim.geometry.net.pace.SocketSettings;
+import robosim.geometry.net.pace.Turn;
+import robosim.geometry.net.pace.Watchdog;
+import robosim.geometry.net.pace.Worlds;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.MessageChannel;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.Text;
+import robosim.geometry.protocol.channel.MessageChannel;
 
 /** One socket and its session, whoever dialled. Whatever comes over it ends here. */
 final class Connection implements Runnable {
@@ -141,10 +148,19 @@ final class Connection implements Runnable {
     }
 
     private void converse(Socket talk) throws IOException {
-        PacedInput in =
-                new PacedInput(socket, talk.getInputStream(), guard, options.timeouts(), turn, room, () -> stopping);
-        PacedOutput out = new PacedOutput(talk.getOutputStream(), guard, options.timeouts(), turn);
-        Authenticator authenticator = new Authenticator(options.access(), in, options.timeouts());
+        Timeouts times = options.timeouts();
+        PacedInput in = new PacedInput(
+                socket,
+                talk.getInputStream(),
+                guard,
+                times.idle(),
+                times.stall(),
+                times.message(),
+                turn,
+                room,
+                () -> stopping);
+        PacedOutput out = new PacedOutput(talk.getOutputStream(), guard, times.stall(), times.message(), turn);
+        Authenticator authenticator = new Authenticator(options.access(), in, times);
         MessageChannel channel = new MessageChannel(in, out, options.translator(), in, authenticator);
         authenticator.watch(channel);
         SessionListener listener = options.listeners().apply(name);

@@ -1,5 +1,11 @@
 package robosim.geometry.net;
 
+import robosim.geometry.net.pace.Room;
+import robosim.geometry.net.pace.Turns;
+import robosim.geometry.net.pace.Watchdog;
+import robosim.geometry.net.pace.Worlds;
+import robosim.geometry.net.session.LogBudget;
+
 /** What the connections of one end share. */
 record ConnectionContext(
         NetOptions options, Figures figures, Watchdog watchdog, Turns turns, Room room, Worlds worlds, LogBudget log) {

@@ -11,6 +11,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.random.RandomGenerator;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.net.pace.Watchdog;
 
 /**
  * Dials RoboSim's environment module and answers it until it ends the connection; with {@link Redial} again and again,

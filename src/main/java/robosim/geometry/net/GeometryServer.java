@@ -11,7 +11,8 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import robosim.geometry.exact.Checks;
-import robosim.geometry.protocol.MessageChannel;
+import robosim.geometry.net.pace.Watchdog;
+import robosim.geometry.protocol.channel.MessageChannel;
 
 /**
  * Waits for environments that dial in, and holds a session of its own with each, on a thread of its own.

@@ -13,6 +13,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.net.pace.SocketSettings;
+import robosim.geometry.net.pace.Watchdog;
 
 /**
  * A second port of a server, on the loopback address, on which whoever dials is told what happens. Nothing is ever read

@@ -20,7 +20,7 @@ public final class ProtocolException extends IOException {
     }
 
     /** A message for which there is no memory: no fault of the module, nor of the message's form. */
-    static ProtocolException noMemory(Throwable cause) {
+    public static ProtocolException noMemory(Throwable cause) {
         return new ProtocolException(
                 "a message must fit into the memory that the module has left (got: " + cause
                         + "); ask for less at a time, or give the module more memory (-Xmx)",

@@ -7,9 +7,9 @@ import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.net.SessionOptions;
 import robosim.geometry.protocol.Beam;
-import robosim.geometry.protocol.JsonLines;
-import robosim.geometry.protocol.JsonRecord;
 import robosim.geometry.protocol.ProtocolException;
+import robosim.geometry.protocol.json.JsonLines;
+import robosim.geometry.protocol.json.JsonRecord;
 
 /**
  * What a scenario begins with.

@@ -10,10 +10,10 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.protocol.Bundle;
-import robosim.geometry.protocol.JsonLines;
-import robosim.geometry.protocol.JsonRecord;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.json.JsonLines;
+import robosim.geometry.protocol.json.JsonRecord;
 
 /**
  * Reads a scenario step by step, so that a day's recording takes no more memory than its longest lines. Reading is strict;

@@ -13,10 +13,10 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.JsonLines;
-import robosim.geometry.protocol.JsonRecord;
 import robosim.geometry.protocol.Limits;
 import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.json.JsonLines;
+import robosim.geometry.protocol.json.JsonRecord;
 
 /**
  * Writes a scenario as it happens: each call writes whole lines with one write to the stream and flushes it. What has been

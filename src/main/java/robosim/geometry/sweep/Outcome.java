@@ -6,8 +6,9 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
-import robosim.geometry.protocol.JsonRecord;
 import robosim.geometry.protocol.ProtocolException;
+import robosim.geometry.protocol.json.JsonRecord;
+import robosim.geometry.sweep.lines.ChecksummedLine;
 
 /**
  * What became of one replicate.

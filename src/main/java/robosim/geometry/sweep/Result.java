@@ -3,6 +3,7 @@ package robosim.geometry.sweep;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import robosim.geometry.sweep.lines.Names;
 
 /**
  * What a replicate found out: numbers by name, in their order. A name may end in a unit, as in

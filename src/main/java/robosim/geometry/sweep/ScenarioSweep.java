@@ -26,6 +26,8 @@ import robosim.geometry.scenario.Replay;
 import robosim.geometry.scenario.Scenario;
 import robosim.geometry.scenario.ScenarioException;
 import robosim.geometry.scenario.Step;
+import robosim.geometry.sweep.lines.Names;
+import robosim.geometry.sweep.lines.ScenarioPrint;
 
 /**
  * A recorded conversation, carried out anew with chance in it: robots that start elsewhere, moves that slip, beams that are

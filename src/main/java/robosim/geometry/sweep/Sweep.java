@@ -16,6 +16,8 @@ import robosim.geometry.Snapshot;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.sweep.lines.Fingerprint;
+import robosim.geometry.sweep.lines.Names;
 
 /**
  * A scenario over worlds, parameters and seeds: every world with every combination of values is a cell, and every cell is

@@ -3,6 +3,7 @@ package robosim.geometry.sweep;
 import java.util.Map;
 import java.util.TreeMap;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.sweep.lines.Fingerprint;
 
 /**
  * A digest of a whole sweep's results: the same wherever and in whatever parts they were found. It takes in the header and

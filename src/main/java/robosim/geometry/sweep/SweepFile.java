@@ -9,8 +9,9 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.protocol.JsonRecord;
 import robosim.geometry.protocol.ProtocolException;
+import robosim.geometry.protocol.json.JsonRecord;
+import robosim.geometry.sweep.lines.ChecksummedLine;
 
 /**
  * Reads a file of results once, line by line. A last line that broke off, as a killed writer leaves it, is passed over: one

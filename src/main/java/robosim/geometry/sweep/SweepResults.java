@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.sweep.lines.ChecksummedLine;
 
 /**
  * The results of one sweep, in one file or in those of its shards; read from there whenever they are asked for, in the order

@@ -16,6 +16,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.LongConsumer;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.sweep.lines.SweepLines;
 
 /**
  * Carries out a sweep, or a shard of it, on some threads, into a file. Each outcome is appended when it is there, as a line

@@ -12,6 +12,7 @@ import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.sweep.lines.Names;
 import robosim.geometry.world.WorldReader;
 
 /**

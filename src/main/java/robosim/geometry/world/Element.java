@@ -7,6 +7,7 @@ import org.xml.sax.Attributes;
 import org.xml.sax.helpers.AttributesImpl;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
+import robosim.geometry.world.xml.Text;
 
 /** An element that is being read: its attributes, where it began, and what its children gave so far. */
 final class Element {

@@ -3,6 +3,8 @@ package robosim.geometry.world;
 import java.nio.file.Path;
 import java.util.List;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.world.mesh.MeshFiles;
+import robosim.geometry.world.rosmap.MapWalls;
 
 /**
  * What the files of other formats do not say for themselves.
@@ -14,7 +16,7 @@ import robosim.geometry.exact.Checks;
  */
 public record ImportOptions(double wallHeight, double scale, Up up, List<Path> models) {
     /** Walls as high as a door, meshes as they are, no folders of models. */
-    public static final ImportOptions DEFAULT = new ImportOptions(RosMapReader.WALL_HEIGHT, 1, Up.Y, List.of());
+    public static final ImportOptions DEFAULT = new ImportOptions(MapWalls.HEIGHT, 1, Up.Y, List.of());
 
     /** An axis of a mesh file. */
     public enum Up {

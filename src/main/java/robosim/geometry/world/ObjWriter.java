@@ -17,6 +17,9 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.world.shared.Decimal;
+import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.Placement;
 
 /**
  * Writes the surfaces of a world as a Wavefront OBJ file, for other programs to look at: world units, Y up, an {@code o}
@@ -55,7 +58,7 @@ public final class ObjWriter {
                 out.flush();
             });
         } catch (IOException e) {
-            throw new WorldException(file.toString(), 0, 0, "the file could not be written: " + e, e);
+            throw new WorldException(new FileProblem(file.toString(), 0, 0, "the file could not be written: " + e, e));
         }
     }
 

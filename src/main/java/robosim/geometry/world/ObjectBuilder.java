@@ -17,6 +17,11 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.world.mesh.MeshFiles;
+import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.Folder;
+import robosim.geometry.world.shared.Numbers;
+import robosim.geometry.world.xml.Text;
 
 /** Makes objects of elements that are complete. What a value refuses comes as an {@link IllegalArgumentException}. */
 final class ObjectBuilder {
@@ -48,7 +53,7 @@ final class ObjectBuilder {
     }
 
     double length(Element element, String attribute, String otherwise) {
-        return named(attribute, () -> Numbers.length(element.attribute(attribute, otherwise), unit(element)));
+        return named(attribute, () -> Unit.length(element.attribute(attribute, otherwise), unit(element)));
     }
 
     private static double number(Element element, String attribute, String otherwise) {
@@ -81,7 +86,7 @@ final class ObjectBuilder {
         };
     }
 
-    GeometryObject object(Element element) throws WorldException {
+    GeometryObject object(Element element) throws FileProblem {
         GeometryObject shape = switch (element.name) {
             case "box" ->
                 new BoxObject(
@@ -143,8 +148,7 @@ final class ObjectBuilder {
         String[] parts = Numbers.words(element.attribute("center", "0 0 0"));
         return named("center", () -> {
             Unit unit = unit(element);
-            return new Point(
-                    Numbers.length(parts[0], unit), Numbers.length(parts[1], unit), Numbers.length(parts[2], unit));
+            return new Point(Unit.length(parts[0], unit), Unit.length(parts[1], unit), Unit.length(parts[2], unit));
         });
     }
 
@@ -159,7 +163,7 @@ final class ObjectBuilder {
         });
     }
 
-    private MeshObject mesh(Element element) throws WorldException {
+    private MeshObject mesh(Element element) throws FileProblem {
         String file = element.attribute("file");
         boolean solid = element.isTrue("solid");
         if (file == null) {
@@ -181,7 +185,7 @@ final class ObjectBuilder {
         return shared(fromFile(new MeshKey(path, scale, solid, element.bounds)));
     }
 
-    private MeshObject fromFile(MeshKey key) throws WorldException {
+    private MeshObject fromFile(MeshKey key) throws FileProblem {
         MeshObject known = files.get(key);
         if (known == null) {
             MeshKey plain = new MeshKey(key.file, key.scale, false, null);
@@ -211,7 +215,7 @@ final class ObjectBuilder {
     }
 
     /** The file that a mesh names, which is there and within the tree of the world's folder. */
-    private Path locate(Element element, String file) throws WorldException {
+    private Path locate(Element element, String file) throws FileProblem {
         if (base == null) {
             throw new IllegalArgumentException(
                     "a world from a stream without a folder has no files; give the mesh inline (got: " + file + ")");
@@ -219,13 +223,13 @@ final class ObjectBuilder {
         try {
             return Folder.locate(base, file, "world", "mesh");
         } catch (IOException e) {
-            throw new WorldException(
+            throw new FileProblem(
                     source, element.line, element.column, "the mesh file " + file + " could not be read: " + e, e);
         }
     }
 
     /** Reads the numbers of an element of text. */
-    void readText(Element element) throws WorldException {
+    void readText(Element element) throws FileProblem {
         if (!element.takesText()) {
             return;
         }
@@ -239,7 +243,7 @@ final class ObjectBuilder {
         while (text.next()) {
             try {
                 if (places) {
-                    place[count % 3] = Numbers.length(text.token(), unit);
+                    place[count % 3] = Unit.length(text.token(), unit);
                 } else {
                     face[count % size] = Numbers.index(text.token());
                 }
@@ -252,7 +256,7 @@ final class ObjectBuilder {
                     }
                 }
             } catch (IllegalArgumentException e) {
-                throw new WorldException(
+                throw new FileProblem(
                         source, text.line(), text.column(), "<" + element.name + ">: " + e.getMessage(), e);
             }
         }

@@ -1,19 +1,17 @@
 package robosim.geometry.world;
 
-import java.io.IOException;
-import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import robosim.geometry.exact.Checks;
-import robosim.geometry.exact.Degrees;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.Dimension;
-import robosim.geometry.model.Point;
-import robosim.geometry.model.Pose;
+import robosim.geometry.world.rosmap.MapFiles;
+import robosim.geometry.world.rosmap.MapSettings;
+import robosim.geometry.world.rosmap.MapWalls;
+import robosim.geometry.world.shared.FileProblem;
 
 /**
  * Reads an occupancy map of ROS: a YAML file and the PGM (P2, P5) or PNG image that it names, in modes trinary, scale and
@@ -35,13 +33,7 @@ import robosim.geometry.model.Pose;
  */
 public final class RosMapReader {
     /** Metres of the walls of a map, which has none of its own: a door's. */
-    public static final double WALL_HEIGHT = 2;
-
-    /** Cells must be far larger than the rounding of their coordinates. */
-    private static final double LEAST_ULPS = 0x1p20;
-
-    /** Boxes around the image. */
-    private static final int EDGES = 4;
+    public static final double WALL_HEIGHT = MapWalls.HEIGHT;
 
     private RosMapReader() {}
 
@@ -70,16 +62,18 @@ public final class RosMapReader {
         if (!(height > 0 && height <= 0x1p100)) {
             throw new IllegalArgumentException("height must be above 0 and at most 2^100 (got: " + height + ")");
         }
-        MapSettings settings = settings(yaml);
-        OccupancyGrid grid = grid(yaml, settings);
         try {
-            List<WorldObject> objects = walls(settings, grid, height);
-            int walls = objects.size();
-            objects.addAll(edges(settings, grid, height));
+            MapSettings settings = MapFiles.settings(yaml);
+            MapWalls map = new MapWalls(settings, MapFiles.grid(yaml, settings), height);
+            List<BoxObject> walls = map.walls();
+            List<BoxObject> edges = map.edges();
+            List<WorldObject> objects = Stream.concat(walls.stream(), edges.stream())
+                    .map(WorldObject::new)
+                    .toList();
             World world = new World(
-                    2 * extent(settings, grid, 0),
+                    2 * map.extent(0),
                     height,
-                    2 * extent(settings, grid, 2),
+                    2 * map.extent(2),
                     Unit.METRE,
                     Dimension.SPATIAL,
                     Accuracy.EXACT,
@@ -87,55 +81,14 @@ public final class RosMapReader {
             return new WorldImport(
                     world,
                     "ROS map",
-                    Map.of("wall", walls, "edge", objects.size() - walls),
+                    Map.of("wall", walls.size(), "edge", edges.size()),
                     Map.of(),
                     List.of(),
                     remarks(yaml, settings));
+        } catch (FileProblem e) {
+            throw new WorldException(e);
         } catch (IllegalArgumentException e) {
-            throw new WorldException(yaml.toString(), 0, 0, String.valueOf(e.getMessage()), e);
-        }
-    }
-
-    static MapSettings settings(Path yaml) throws WorldException {
-        byte[] bytes = bytes(yaml, Limits.MAX_SETTINGS);
-        try {
-            return MapSettings.parse(new String(bytes, StandardCharsets.UTF_8), yaml.toString());
-        } catch (NoClassDefFoundError e) {
-            throw new WorldException(
-                    yaml.toString(),
-                    0,
-                    0,
-                    "maps of ROS need snakeyaml-engine, which is not on the class path: add"
-                            + " org.snakeyaml:snakeyaml-engine:3.0.1 or newer (missing: " + e.getMessage() + ")",
-                    e);
-        }
-    }
-
-    static OccupancyGrid grid(Path yaml, MapSettings settings) throws WorldException {
-        Path image;
-        try {
-            image = Folder.locate(yaml.toAbsolutePath().resolveSibling(""), settings.image(), "map", "image");
-        } catch (IllegalArgumentException e) {
-            throw new WorldException(yaml.toString(), settings.imageLine(), 0, String.valueOf(e.getMessage()), e);
-        } catch (IOException e) {
-            throw new WorldException(yaml.toString(), settings.imageLine(), 0, "the image could not be read: " + e, e);
-        }
-        byte[] bytes = bytes(image, Limits.MAX_BYTES);
-        return PngReader.isPng(bytes)
-                ? PngReader.read(bytes, image.toString(), settings)
-                : PgmReader.read(bytes, image.toString(), settings);
-    }
-
-    private static byte[] bytes(Path file, long most) throws WorldException {
-        try (InputStream in = RegularFile.open(file)) {
-            byte[] bytes = in.readNBytes((int) most + 1);
-            if (bytes.length > most) {
-                throw new WorldException(
-                        file.toString(), 0, 0, "the file must have at most " + most + " bytes (got: more)");
-            }
-            return bytes;
-        } catch (IOException e) {
-            throw WorldException.unreadable(file, e);
+            throw new WorldException(new FileProblem(yaml.toString(), 0, 0, String.valueOf(e.getMessage()), e));
         }
     }
 
@@ -147,73 +100,5 @@ public final class RosMapReader {
                 + settings.occupied()
                 + "; as in the map server of ROS 2, what is above occupied_thresh is a wall, and no"
                 + " cell is unknown (got: " + settings.free() + ")");
-    }
-
-    private static List<WorldObject> walls(MapSettings settings, OccupancyGrid grid, double height) {
-        List<WorldObject> walls = new ArrayList<>();
-        for (Rectangles.Rectangle cells :
-                Rectangles.cover(grid.occupied, grid.width, grid.height, Limits.MAX_OBJECTS - EDGES)) {
-            walls.add(new WorldObject(box(settings, grid, height, cells)));
-        }
-        return walls;
-    }
-
-    /** A wall of one cell around the image, for the map ends there and the world may not. */
-    private static List<WorldObject> edges(MapSettings settings, OccupancyGrid grid, double height) {
-        int width = grid.width;
-        int rows = grid.height;
-        return List.of(
-                edge(settings, grid, height, "left", new Rectangles.Rectangle(-1, 0, 0, rows)),
-                edge(settings, grid, height, "right", new Rectangles.Rectangle(width, 0, width + 1, rows)),
-                edge(settings, grid, height, "upper", new Rectangles.Rectangle(-1, -1, width + 1, 0)),
-                edge(settings, grid, height, "lower", new Rectangles.Rectangle(-1, rows, width + 1, rows + 1)));
-    }
-
-    private static WorldObject edge(
-            MapSettings settings, OccupancyGrid grid, double height, String side, Rectangles.Rectangle cells) {
-        return new WorldObject(box(settings, grid, height, cells).named(side + " edge of the map"));
-    }
-
-    private static BoxObject box(MapSettings settings, OccupancyGrid grid, double height, Rectangles.Rectangle cells) {
-        BoxObject box = new BoxObject(
-                new Point(),
-                (cells.toX() - cells.fromX()) * settings.resolution(),
-                height,
-                (cells.toRow() - cells.fromRow()) * settings.resolution());
-        Point center = place(
-                settings,
-                (cells.fromX() + cells.toX()) / 2.0 * settings.resolution(),
-                (grid.height - (cells.fromRow() + cells.toRow()) / 2.0) * settings.resolution());
-        return box.at(Pose.of(center, heading(settings)));
-    }
-
-    private static double heading(MapSettings settings) {
-        return Degrees.toDegrees(settings.yaw());
-    }
-
-    /** Where in the world a place of the image is, in metres right and up from its lower left corner. */
-    private static Point place(MapSettings settings, double right, double up) {
-        double cos = Degrees.cos(heading(settings));
-        double sin = Degrees.sin(heading(settings));
-        double x = settings.x() + (right * cos - up * sin);
-        double y = settings.y() + (right * sin + up * cos);
-        return new Point(x, 0, -y);
-    }
-
-    /** How far the image with its edges reaches from the origin along X (0) or Z (2), and one cell more. */
-    private static double extent(MapSettings settings, OccupancyGrid grid, int axis) {
-        double farthest = 0;
-        for (int corner = 0; corner < 4; corner++) {
-            Point place = place(
-                    settings,
-                    ((corner & 1) == 0 ? -1 : grid.width + 1) * settings.resolution(),
-                    (corner < 2 ? -1 : grid.height + 1) * settings.resolution());
-            farthest = Math.max(farthest, Math.abs(axis == 0 ? place.x() : place.z()));
-        }
-        if (settings.resolution() < LEAST_ULPS * Math.ulp(farthest)) {
-            throw new IllegalArgumentException("resolution must be far above the rounding of coordinates at the map's"
-                    + " place; bring origin nearer to 0 (got: " + settings.resolution() + " at " + farthest + ")");
-        }
-        return farthest + settings.resolution();
     }
 }

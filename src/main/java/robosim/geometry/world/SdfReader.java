@@ -9,6 +9,11 @@ import robosim.geometry.exact.Checks;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.Dimension;
+import robosim.geometry.world.sdf.SdfFiles;
+import robosim.geometry.world.sdf.SdfObjects;
+import robosim.geometry.world.sdf.SdfShapes;
+import robosim.geometry.world.sdf.SdfTree;
+import robosim.geometry.world.shared.FileProblem;
 
 /**
  * Reads the collisions of SDFormat, versions 1.4 to 1.12: worlds, models, nested, included and merged ones, links and
@@ -38,17 +43,23 @@ public final class SdfReader {
     /** Reads the model in a folder. */
     static WorldImport readFolder(Path folder, List<Path> models) throws WorldException {
         List<String> remarks = new ArrayList<>();
-        return read(SdfFiles.modelOf(folder, remarks::add), models, remarks);
+        try {
+            return read(SdfFiles.modelOf(folder, remarks::add), models, remarks);
+        } catch (FileProblem e) {
+            throw new WorldException(e);
+        }
     }
 
     private static WorldImport read(Path file, List<Path> models, List<String> remarks) throws WorldException {
-        SdfFiles files = new SdfFiles(file, models);
-        SdfTree tree = new SdfTree(files);
-        SdfObjects objects = new SdfObjects(tree, new SdfShapes(tree, files));
         try {
-            objects.add(tree.read(files.main(file.toString())));
-            double[] reach = Bounds.reach(
-                    objects.objects().stream().map(WorldObject::object).toList());
+            SdfFiles files = new SdfFiles(file, models);
+            SdfTree tree = new SdfTree(files);
+            SdfObjects found = new SdfObjects(tree, new SdfShapes(tree, files));
+            found.add(tree.read(files.main(file.toString())));
+            List<WorldObject> objects =
+                    found.objects().stream().map(WorldObject::new).toList();
+            double[] reach =
+                    Bounds.reach(objects.stream().map(WorldObject::object).toList());
             World world = new World(
                     size(reach[0]),
                     size(reach[1]),
@@ -56,14 +67,19 @@ public final class SdfReader {
                     Unit.METRE,
                     Dimension.SPATIAL,
                     Accuracy.EXACT,
-                    objects.objects());
-            Map<String, Integer> read = new TreeMap<>(objects.counts());
+                    objects);
+            Map<String, Integer> read = new TreeMap<>(found.counts());
             remarks.addAll(files.remarks());
             remarks.addAll(tree.remarks());
-            remarks.addAll(objects.remarks());
-            return new WorldImport(world, "SDFormat", read, tree.passedOver(), tree.skipped(), remarks);
+            remarks.addAll(found.remarks());
+            List<Skipped> skipped = tree.skipped().stream()
+                    .map(each -> new Skipped(each.source(), each.line(), each.what(), each.reason()))
+                    .toList();
+            return new WorldImport(world, "SDFormat", read, tree.passedOver(), skipped, remarks);
+        } catch (FileProblem e) {
+            throw new WorldException(e);
         } catch (IllegalArgumentException e) {
-            throw new WorldException(file.toString(), 0, 0, String.valueOf(e.getMessage()), e);
+            throw new WorldException(new FileProblem(file.toString(), 0, 0, String.valueOf(e.getMessage()), e));
         }
     }
 

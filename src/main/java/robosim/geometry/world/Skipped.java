@@ -1,5 +1,7 @@
 package robosim.geometry.world;
 
+import robosim.geometry.world.sdf.LeftOut;
+
 /**
  * Something of a file that is not in the world that was made of it, though it may matter to it.
  *
@@ -12,6 +14,6 @@ public record Skipped(String source, int line, String what, String reason) {
     /** As a message: file, line, what and why. */
     @Override
     public String toString() {
-        return source + (line < 1 ? "" : ":" + line) + ": left out " + what + ": " + reason;
+        return new LeftOut(source, line, what, reason).toString();
     }
 }

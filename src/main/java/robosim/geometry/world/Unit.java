@@ -3,6 +3,7 @@ package robosim.geometry.world;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.world.shared.Numbers;
 
 /** A unit of length that a world file can name: for its world unit, and behind single numbers, as in {@code 25cm}. */
 public enum Unit {
@@ -47,5 +48,29 @@ public enum Unit {
         // Between the units of ten the division ends; 60 digits leave no doubt in practice where it does not.
         return length.divide(other.millimetres, new MathContext(60 + length.precision()))
                 .doubleValue();
+    }
+
+    /** A length in world units; it may carry a unit of its own where the world unit is known. */
+    static double length(String token, @Nullable Unit worldUnit) {
+        if (token.isEmpty() || token.charAt(token.length() - 1) < 'A') { // no letter at its end: the ordinary case
+            return Numbers.parse(token);
+        }
+        int end = token.length();
+        while (end > 0 && Character.isLetter(token.charAt(end - 1))) {
+            end--;
+        }
+        Unit unit = Unit.of(token.substring(end));
+        String number = token.substring(0, end);
+        if (unit == null) {
+            throw new IllegalArgumentException(
+                    "a length must be a number, alone or followed by km, m, cm, mm, in or ft (got: " + token + ")");
+        }
+        double plain = Numbers.parse(number);
+        if (worldUnit == null) {
+            throw new IllegalArgumentException(
+                    "a length with a unit needs the world's own: add unit=\"m\" to <world>, or leave the unit away (got: "
+                            + token + ")");
+        }
+        return unit == worldUnit ? plain : unit.in(worldUnit, number);
     }
 }

@@ -16,6 +16,9 @@ import org.xml.sax.helpers.DefaultHandler;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.Limits;
+import robosim.geometry.world.xml.SafeXml;
 
 /**
  * Follows the parser through a world file. Each event goes past the limits, then to the schema's validator, and only
@@ -25,7 +28,7 @@ final class WorldHandler extends DefaultHandler {
     private final String source;
     private final ValidatorHandler validator;
     private final ObjectBuilder builder;
-    private final @Nullable List<WorldException> problems;
+    private final @Nullable List<FileProblem> problems;
     private final Map<String, Integer> linesOfNames = new HashMap<>();
     private final List<WorldObject> objects = new ArrayList<>();
 
@@ -41,8 +44,7 @@ final class WorldHandler extends DefaultHandler {
      *
      * @param problems takes what is refused, and the file is read on; null where the first refusal is thrown
      */
-    WorldHandler(
-            String source, @Nullable Path base, ValidatorHandler validator, @Nullable List<WorldException> problems) {
+    WorldHandler(String source, @Nullable Path base, ValidatorHandler validator, @Nullable List<FileProblem> problems) {
         this.source = source;
         this.problems = problems;
         this.builder = new ObjectBuilder(source, base);
@@ -176,23 +178,23 @@ final class WorldHandler extends DefaultHandler {
     /** A step that an element's own content may make fail. */
     @FunctionalInterface
     private interface Step {
-        void take() throws WorldException;
+        void take() throws FileProblem;
     }
 
     private boolean succeeds(Element element, Step step) throws SAXException {
         try {
             step.take();
             return true;
-        } catch (WorldException e) {
+        } catch (FileProblem e) {
             refuse(e);
         } catch (IllegalArgumentException e) {
-            refuse(new WorldException(
+            refuse(new FileProblem(
                     source, element.line, element.column, "<" + element.name + ">: " + e.getMessage(), e));
         }
         return false;
     }
 
-    private void finish(Element element) throws WorldException {
+    private void finish(Element element) throws FileProblem {
         Element parent = element.parent;
         if (parent == null) {
             if (problems != null && !problems.isEmpty()) {
@@ -268,15 +270,15 @@ final class WorldHandler extends DefaultHandler {
         }
         Element element = open;
         String problem = element == null ? String.valueOf(e.getMessage()) : SchemaErrors.explain(e, element);
-        refuse(new WorldException(source, e.getLineNumber(), e.getColumnNumber(), problem, e));
+        refuse(new FileProblem(source, e.getLineNumber(), e.getColumnNumber(), problem, e));
     }
 
     private void refuse(String problem) throws SAXException {
-        refuse(new WorldException(source, line(), column(), problem));
+        refuse(new FileProblem(source, line(), column(), problem));
     }
 
     /** Throws the refusal, or keeps it where the file is to be read on. */
-    private void refuse(WorldException refusal) throws SAXException {
+    private void refuse(FileProblem refusal) throws SAXException {
         if (problems == null || problems.size() == Limits.MAX_PROBLEMS - 1) {
             throw new SAXException(refusal);
         }
@@ -287,6 +289,6 @@ final class WorldHandler extends DefaultHandler {
     }
 
     private SAXException refusal(String problem) {
-        return new SAXException(new WorldException(source, line(), column(), problem));
+        return new SAXException(new FileProblem(source, line(), column(), problem));
     }
 }

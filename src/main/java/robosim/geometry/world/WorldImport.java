@@ -13,6 +13,10 @@ import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.MeshObject;
+import robosim.geometry.world.mesh.MeshFiles;
+import robosim.geometry.world.sdf.SdfManifest;
+import robosim.geometry.world.shared.FileKind;
+import robosim.geometry.world.shared.FileProblem;
 
 /**
  * A world from a file of any format that is known, and the account of what became of the file: what was read, what was
@@ -85,22 +89,24 @@ public record WorldImport(
                 default -> "xml";
             };
             String other = e.source().equals(file.toString()) ? FileKind.other(file, readAs) : null;
-            throw other == null ? e : new WorldException(file.toString(), 0, 0, other + " (got: " + name + ")", e);
+            throw other == null
+                    ? e
+                    : new WorldException(new FileProblem(file.toString(), 0, 0, other + " (got: " + name + ")", e));
         }
     }
 
     private static void refuseByName(Path file, String ending) throws WorldException {
         switch (ending) {
             case "pgm", "png" ->
-                throw new WorldException(
-                        file.toString(), 0, 0, "a map is read from its .yaml, which says how large a cell is");
+                throw new WorldException(new FileProblem(
+                        file.toString(), 0, 0, "a map is read from its .yaml, which says how large a cell is"));
             case "dae", "gltf", "glb", "fbx", "urdf", "xacro", "gz", "zip" ->
-                throw new WorldException(
+                throw new WorldException(new FileProblem(
                         file.toString(),
                         0,
                         0,
                         "files of this format are not read; unpack it, or export it as SDFormat, OBJ or STL (got: ."
-                                + ending + ")");
+                                + ending + ")"));
             default -> {}
         }
     }
@@ -113,13 +119,13 @@ public record WorldImport(
         List<String> reasons = new ArrayList<>();
         shown(reasons, read.skipped.stream().map(Skipped::toString).toList(), MOST_REASONS);
         shown(reasons, read.remarks, MOST_REASONS);
-        throw new WorldException(
+        throw new WorldException(new FileProblem(
                 file.toString(),
                 0,
                 0,
                 "nothing of it is solid, so it would be an empty world; see that its models have collisions, and that they"
                         + " are found (got: " + counted(read.read)
-                        + (reasons.isEmpty() ? "" : "; " + String.join("; ", reasons)) + ")");
+                        + (reasons.isEmpty() ? "" : "; " + String.join("; ", reasons)) + ")"));
     }
 
     private static WorldImport read(Path file, String ending, ImportOptions options) throws WorldException {
@@ -129,9 +135,13 @@ public record WorldImport(
             case "stl" -> mesh(file, "STL", options);
             case "yaml", "yml" -> RosMapReader.readImport(file, options.wallHeight());
             default -> {
-                World world = WorldReader.readXml(file);
-                yield new WorldImport(
-                        world, "world", Map.of("object", world.objects().size()));
+                try {
+                    World world = XmlWorld.read(file);
+                    yield new WorldImport(
+                            world, "world", Map.of("object", world.objects().size()));
+                } catch (FileProblem e) {
+                    throw new WorldException(e);
+                }
             }
         };
     }
@@ -142,7 +152,12 @@ public record WorldImport(
 
     /** A mesh at the origin of its own coordinates, in a world that leaves a quarter of its size around it. */
     private static WorldImport mesh(Path file, String format, ImportOptions options) throws WorldException {
-        MeshObject mesh = MeshFiles.read(file, options.scale());
+        MeshObject mesh;
+        try {
+            mesh = MeshFiles.read(file, options.scale());
+        } catch (FileProblem e) {
+            throw new WorldException(e);
+        }
         if (options.up() == ImportOptions.Up.Z) {
             mesh = mesh.turned(-90, 0);
         }

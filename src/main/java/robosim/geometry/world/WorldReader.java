@@ -1,20 +1,12 @@
 package robosim.geometry.world;
 
-import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.net.URL;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
-import javax.xml.XMLConstants;
-import javax.xml.validation.Schema;
-import javax.xml.validation.SchemaFactory;
-import javax.xml.validation.ValidatorHandler;
 import org.jspecify.annotations.Nullable;
-import org.xml.sax.SAXException;
 import robosim.geometry.exact.Checks;
+import robosim.geometry.world.shared.FileProblem;
 
 /**
  * Reads a world from XML. The format is that of the schema {@code world.xsd}; docs/world-format.md explains it.
@@ -65,15 +57,6 @@ public final class WorldReader {
         return imported.world();
     }
 
-    /** Reads a world of this module's own format. */
-    static World readXml(Path file) throws WorldException {
-        try (InputStream in = RegularFile.open(file)) {
-            return read(in, file.toString(), file.toAbsolutePath().getParent());
-        } catch (IOException e) {
-            throw WorldException.unreadable(file, e);
-        }
-    }
-
     /**
      * Reads a world from a stream, which is left open.
      *
@@ -84,7 +67,11 @@ public final class WorldReader {
     public static World read(InputStream in, String source, @Nullable Path base) throws WorldException {
         Checks.present("in", in);
         Checks.present("source", source);
-        return parse(in, source, base, null).world();
+        try {
+            return XmlWorld.read(in, source, base);
+        } catch (FileProblem e) {
+            throw new WorldException(e);
+        }
     }
 
     /**
@@ -103,61 +90,16 @@ public final class WorldReader {
             WorldImport.read(file, options);
             return List.of();
         } catch (WorldException first) {
-            List<WorldException> problems = new ArrayList<>();
-            try (InputStream in = RegularFile.open(file)) {
-                parse(in, file.toString(), file.toAbsolutePath().getParent(), problems);
-            } catch (WorldException last) {
-                problems.add(last);
+            List<FileProblem> problems;
+            try {
+                problems = XmlWorld.problems(file);
             } catch (IOException e) {
                 return List.of(first);
             }
             // Another format than this one has other problems.
             boolean same = !problems.isEmpty()
                     && String.valueOf(first.getMessage()).equals(problems.get(0).getMessage());
-            return same ? List.copyOf(problems) : List.of(first);
-        }
-    }
-
-    private static WorldHandler parse(
-            InputStream in, String source, @Nullable Path base, @Nullable List<WorldException> problems)
-            throws WorldException {
-        ValidatorHandler validator = SchemaHolder.SCHEMA.newValidatorHandler();
-        WorldHandler handler = new WorldHandler(source, base, validator, problems);
-        try {
-            validator.setProperty(SafeXml.LOCALE, Locale.ROOT);
-            XmlGuard.parse(new BufferedInputStream(in), source, handler);
-            return handler;
-        } catch (SAXException e) {
-            if (e.getException() instanceof WorldException refusal) {
-                throw refusal;
-            }
-            throw new WorldException(source, handler.line(), handler.column(), "the XML was refused: " + e, e);
-        } catch (WorldException e) {
-            throw e;
-        } catch (IOException e) {
-            throw new WorldException(
-                    source, handler.line(), handler.column(), "the file could not be read: " + e.getMessage(), e);
-        }
-    }
-
-    /** Loaded when the first world is read. */
-    private static final class SchemaHolder {
-        static final Schema SCHEMA = load();
-
-        private static Schema load() {
-            URL resource = WorldReader.class.getResource("world.xsd");
-            if (resource == null) {
-                throw new IllegalStateException("world.xsd is missing beside the classes of robosim.geometry.world");
-            }
-            try {
-                SchemaFactory factory = SchemaFactory.newDefaultInstance();
-                factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);
-                factory.setProperty(XMLConstants.ACCESS_EXTERNAL_DTD, "");
-                factory.setProperty(XMLConstants.ACCESS_EXTERNAL_SCHEMA, "");
-                return factory.newSchema(resource);
-            } catch (SAXException e) {
-                throw new IllegalStateException("world.xsd is no schema: " + e.getMessage(), e);
-            }
+            return same ? problems.stream().map(WorldException::new).toList() : List.of(first);
         }
     }
 }

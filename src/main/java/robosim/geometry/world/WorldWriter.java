@@ -16,6 +16,9 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.world.shared.Decimal;
+import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.Limits;
 
 /**
  * Writes a world as XML that reads back to an equal one. The same world always gives the same text.
@@ -57,17 +60,17 @@ public final class WorldWriter {
         Checks.present("file", file);
         byte[] bytes = bytes(world, most);
         if (bytes.length == 0) {
-            throw new WorldException(
+            throw new WorldException(new FileProblem(
                     file.toString(),
                     0,
                     0,
                     "a world file must have at most " + most + " bytes, or it could not be read again; write an .obj"
-                            + " instead, or keep large meshes in files of their own that the world names (got: more)");
+                            + " instead, or keep large meshes in files of their own that the world names (got: more)"));
         }
         try {
             AtomicFileWriter.write(file, out -> out.write(bytes));
         } catch (IOException e) {
-            throw new WorldException(file.toString(), 0, 0, "the file could not be written: " + e, e);
+            throw new WorldException(new FileProblem(file.toString(), 0, 0, "the file could not be written: " + e, e));
         }
     }
 

@@ -93,7 +93,7 @@ final class Solid {
                 yield new Solid(kind, new double[0][], c, axis, row[3], row[4]);
             }
             case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, PRISM -> new Solid(kind, new double[0][], c, new double[3], row[3], 0);
-            case MESH, SOLID_MESH -> throw kind.refused();
+            case UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
         };
     }
 

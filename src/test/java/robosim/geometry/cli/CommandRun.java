@@ -6,12 +6,12 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.io.TempDir;
 
 /** What tests of commands begin with: an empty folder, and what the last command said. */
-abstract class CommandRun {
+public abstract class CommandRun {
     @TempDir
-    Path folder;
+    public Path folder;
 
-    final StringWriter out = new StringWriter();
-    final StringWriter err = new StringWriter();
+    public final StringWriter out = new StringWriter();
+    public final StringWriter err = new StringWriter();
 
     /** Carries a command line out and answers its exit code. */
     final int run(Object... arguments) {

@@ -21,6 +21,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import picocli.CommandLine;
+import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.cli.terminal.Version;
 
 class CommandsTest {
     private final StringWriter out = new StringWriter();

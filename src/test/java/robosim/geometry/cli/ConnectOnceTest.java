@@ -18,6 +18,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import robosim.geometry.cli.terminal.ExitCodes;
 
 /** What {@code connect --once} tells by its exit code. */
 @Timeout(60)

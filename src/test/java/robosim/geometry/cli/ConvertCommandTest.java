@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.world.ImportOptions;
 import robosim.geometry.world.ObjReader;
 import robosim.geometry.world.RosMapReader;

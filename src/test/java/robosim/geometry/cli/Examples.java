@@ -14,10 +14,11 @@ import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
+import robosim.geometry.cli.demo.Program;
 
 /** The programs of examples/, compiled as a user would compile them. */
-final class Examples {
-    static final Path FOLDER = Path.of("examples");
+public final class Examples {
+    public static final Path FOLDER = Path.of("examples");
 
     private Examples() {}
 
@@ -30,7 +31,7 @@ final class Examples {
     }
 
     /** Compiles sources against the module's classes alone and answers what the compiler said; empty is good. */
-    static String compile(List<Path> sources, Path into) throws IOException {
+    public static String compile(List<Path> sources, Path into) throws IOException {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         StringWriter said = new StringWriter();
         try (StandardJavaFileManager files = compiler.getStandardFileManager(null, null, StandardCharsets.UTF_8)) {
@@ -52,7 +53,7 @@ final class Examples {
     }
 
     /** What the audit of a recording writes, and its exit code at the end. */
-    static String audit(Path recording, Path compiled) throws Exception {
+    public static String audit(Path recording, Path compiled) throws Exception {
         URL[] place = {compiled.toUri().toURL()};
         try (URLClassLoader loader = new URLClassLoader(place, Examples.class.getClassLoader())) {
             ByteArrayOutputStream bytes = new ByteArrayOutputStream();

@@ -6,6 +6,7 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import org.junit.jupiter.api.Test;
 import picocli.CommandLine;
+import robosim.geometry.cli.terminal.Progress;
 
 class ProgressTest {
     private final StringWriter err = new StringWriter();

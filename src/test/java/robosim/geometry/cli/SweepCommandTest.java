@@ -9,6 +9,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import robosim.geometry.cli.studies.SweepCommand;
+import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.sweep.Replicate;
 import robosim.geometry.sweep.Result;
 import robosim.geometry.sweep.SweepScenario;

@@ -11,6 +11,7 @@ import java.net.ServerSocket;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import robosim.geometry.cli.terminal.ExitCodes;
 
 class ViewCommandTest {
     private final StringWriter out = new StringWriter();

@@ -50,11 +50,11 @@ import robosim.geometry.world.SdfReader;
 import robosim.geometry.world.StlReader;
 import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
-import robosim.geometry.world.WorldCheck;
 import robosim.geometry.world.WorldImport;
 import robosim.geometry.world.WorldObject;
 import robosim.geometry.world.WorldReader;
 import robosim.geometry.world.WorldWriter;
+import robosim.geometry.world.check.WorldCheck;
 
 /** Where a value must be given, null is refused as every other bad argument: by its name, and not by the JVM. */
 @SuppressWarnings("NullAway")

@@ -19,9 +19,9 @@ import robosim.geometry.model.Point;
 import robosim.geometry.net.GeometryServer;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.JsonLines;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.json.JsonLines;
 
 /** Tests that fail, each in its way; {@link WorldExtensionTest} runs them. No build finds them by their name. */
 final class Doomed {

@@ -18,9 +18,7 @@ import java.util.Locale;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.Gate;
-import robosim.geometry.protocol.JsonLines;
 import robosim.geometry.protocol.Limits;
-import robosim.geometry.protocol.MessageChannel;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageTranslator;
@@ -30,6 +28,8 @@ import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.Samples;
+import robosim.geometry.protocol.channel.MessageChannel;
+import robosim.geometry.protocol.json.JsonLines;
 
 /**
  * Gives bytes to a decoder and judges what becomes of them: bundles, or the protocol's own exception, within a second and

@@ -21,13 +21,13 @@ import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.JsonLines;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.Problem;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.json.JsonLines;
 
 /** Both encodings on one port, whoever dials and whoever speaks first. */
 @Timeout(60)

@@ -26,7 +26,7 @@ import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.SonarRequest;
 
 /** Peers that send rubbish, stall or vanish lose their own connection, with a line in the log, and nothing else. */
-class HostilePeerTest {
+public class HostilePeerTest {
     private static final MoveRequest NOBODY = new MoveRequest("nobody", 1, 0, 0, 0, 0);
 
     static Stream<Arguments> rubbish() throws IOException {
@@ -181,7 +181,7 @@ class HostilePeerTest {
         }
     }
 
-    static void await(java.util.function.BooleanSupplier condition) throws InterruptedException {
+    public static void await(java.util.function.BooleanSupplier condition) throws InterruptedException {
         long deadline = System.nanoTime() + 10_000_000_000L;
         while (!condition.getAsBoolean()) {
             assertThat(System.nanoTime()).as("waited 10 s").isLessThan(deadline);

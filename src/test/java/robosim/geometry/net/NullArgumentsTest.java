@@ -32,8 +32,6 @@ import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.Gate;
 import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.JsonRecord;
-import robosim.geometry.protocol.MessageChannel;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageTranslator;
@@ -42,6 +40,8 @@ import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
+import robosim.geometry.protocol.channel.MessageChannel;
+import robosim.geometry.protocol.json.JsonRecord;
 import robosim.geometry.scenario.Recorder;
 import robosim.geometry.scenario.Recordings;
 import robosim.geometry.scenario.Replay;
@@ -193,7 +193,7 @@ class NullArgumentsTest {
 
     private static List<Class<?>> publicTypes() throws Exception {
         List<Class<?>> types = new ArrayList<>();
-        for (String room : new String[] {"protocol", "net", "scenario"}) {
+        for (String room : new String[] {"protocol", "protocol/channel", "protocol/json", "net", "scenario"}) {
             Path classes = Path.of(
                     Path.of(Session.class
                                     .getProtectionDomain()
@@ -207,7 +207,8 @@ class NullArgumentsTest {
             for (File file : classes.toFile().listFiles()) {
                 String name = file.getName();
                 if (name.endsWith(".class") && !name.equals("package-info.class")) {
-                    Class<?> type = Class.forName(ROOT + room + "." + name.substring(0, name.length() - 6));
+                    Class<?> type =
+                            Class.forName(ROOT + room.replace('/', '.') + "." + name.substring(0, name.length() - 6));
                     if (Modifier.isPublic(type.getModifiers()) && !NOT_ASKED.contains(type.getSimpleName())) {
                         types.add(type);
                     }

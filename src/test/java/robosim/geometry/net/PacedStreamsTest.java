@@ -18,6 +18,13 @@ import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import robosim.geometry.net.pace.PacedInput;
+import robosim.geometry.net.pace.PacedOutput;
+import robosim.geometry.net.pace.Room;
+import robosim.geometry.net.pace.SocketSettings;
+import robosim.geometry.net.pace.Turn;
+import robosim.geometry.net.pace.Turns;
+import robosim.geometry.net.pace.Watchdog;
 import robosim.geometry.protocol.DistanceBundle;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageTranslator;
@@ -46,7 +53,8 @@ class PacedStreamsTest {
             try (Watchdog watchdog = new Watchdog("watchdog of a test", Timeouts.DEFAULT.finest())) {
                 Watchdog.Guard guard = watchdog.guard(() -> {});
                 Turn turn = new Turns(1, System::nanoTime).turn();
-                PacedOutput paced = new PacedOutput(counting, guard, Timeouts.DEFAULT, turn);
+                PacedOutput paced =
+                        new PacedOutput(counting, guard, Timeouts.DEFAULT.stall(), Timeouts.DEFAULT.message(), turn);
                 ObjectOutputStream bare = new ObjectOutputStream(paced); // writes every 1,024 bytes
                 bare.writeObject(new DistanceBundle(Collections.nCopies(700, 1.5)));
                 bare.flush();
@@ -125,7 +133,9 @@ class PacedStreamsTest {
                     socket,
                     in,
                     watchdog.guard(() -> {}),
-                    Timeouts.DEFAULT,
+                    Timeouts.DEFAULT.idle(),
+                    Timeouts.DEFAULT.stall(),
+                    Timeouts.DEFAULT.message(),
                     new Turns(1, System::nanoTime).turn(),
                     new Room(1000).share(),
                     () -> false);

@@ -24,8 +24,6 @@ import robosim.geometry.model.Point;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.Gate;
 import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.JsonLines;
-import robosim.geometry.protocol.MessageChannel;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageTranslator;
 import robosim.geometry.protocol.MoveBundle;
@@ -33,6 +31,8 @@ import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.channel.MessageChannel;
+import robosim.geometry.protocol.json.JsonLines;
 
 /**
  * Conversations of all sizes that are sent without waiting: how their bytes are split and joined on the way changes no

@@ -12,14 +12,14 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.Gate;
-import robosim.geometry.protocol.JsonLines;
-import robosim.geometry.protocol.MessageChannel;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageTranslator;
 import robosim.geometry.protocol.MessageWriter;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.channel.MessageChannel;
+import robosim.geometry.protocol.json.JsonLines;
 
 /** What an environment speaks. */
 enum Tongue {

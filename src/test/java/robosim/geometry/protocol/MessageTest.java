@@ -12,7 +12,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.model.GeometryObject;
 
-class MessageTest {
+public class MessageTest {
     @Test
     void everyBundleComesBackAsItWas() throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
@@ -126,7 +126,7 @@ class MessageTest {
                         + " idle bytes begun bytes message idle bytes");
     }
 
-    static byte[] write(Bundle... bundles) throws IOException {
+    public static byte[] write(Bundle... bundles) throws IOException {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         MessageWriter writer = new MessageWriter(bytes);
         for (Bundle bundle : bundles) {
@@ -135,7 +135,7 @@ class MessageTest {
         return bytes.toByteArray();
     }
 
-    static List<Bundle> readAll(byte[] bytes) throws IOException {
+    public static List<Bundle> readAll(byte[] bytes) throws IOException {
         MessageReader reader = new MessageReader(new ByteArrayInputStream(bytes));
         List<Bundle> read = new ArrayList<>();
         for (Bundle bundle = reader.read(); bundle != null; bundle = reader.read()) {

@@ -23,10 +23,10 @@ import robosim.geometry.net.NetOptions;
 import robosim.geometry.net.SessionListener;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.JsonLines;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageWriter;
 import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.protocol.json.JsonLines;
 
 /** Recordings of sessions over real sockets: what a peer got is what the file holds and what a replay answers. */
 @Timeout(60)

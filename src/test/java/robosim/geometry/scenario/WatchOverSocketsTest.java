@@ -31,12 +31,12 @@ import robosim.geometry.net.SessionOptions;
 import robosim.geometry.net.WatchServer;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.InitBundle;
-import robosim.geometry.protocol.JsonLines;
 import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.MessageWriter;
 import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.json.JsonLines;
 
 /** A server that is watched, over loopback. */
 @Timeout(120)

@@ -25,6 +25,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import robosim.geometry.Geometry;
+import robosim.geometry.sweep.lines.ChecksummedLine;
+import robosim.geometry.sweep.lines.SweepLines;
 
 /** A file of results is nobody else's at the same time, and what is none is left alone. */
 @Timeout(120)

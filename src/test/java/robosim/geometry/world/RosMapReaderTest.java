@@ -27,6 +27,10 @@ import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.world.rosmap.MapFiles;
+import robosim.geometry.world.rosmap.OccupancyGrid;
+import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.Limits;
 
 class RosMapReaderTest {
     private static final Path MAPS = Path.of("src/test/resources/robosim/geometry/world/maps");
@@ -52,8 +56,8 @@ class RosMapReaderTest {
         return map(image.getBytes(StandardCharsets.ISO_8859_1), 0, "trinary");
     }
 
-    private static OccupancyGrid grid(Path yaml) throws WorldException {
-        return RosMapReader.grid(yaml, RosMapReader.settings(yaml));
+    private static OccupancyGrid grid(Path yaml) throws FileProblem {
+        return MapFiles.grid(yaml, MapFiles.settings(yaml));
     }
 
     /** The rows of an image, walls as #. */

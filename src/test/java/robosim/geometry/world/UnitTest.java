@@ -24,7 +24,7 @@ class UnitTest {
             String decimal = k % 2 == 0
                     ? Double.toString(random.nextDouble(-1000, 1000))
                     : new BigDecimal(BigInteger.valueOf(random.nextInt(100_000)), random.nextInt(6)).toPlainString();
-            double converted = Numbers.length(decimal + from.symbol(), to);
+            double converted = Unit.length(decimal + from.symbol(), to);
             // |converted - exact| against half the gaps to both neighbours, as whole numbers of rationals.
             BigDecimal exact = new BigDecimal(decimal).multiply(BigDecimal.valueOf(TENTHS.get(from.symbol())));
             BigDecimal unit = BigDecimal.valueOf(TENTHS.get(to.symbol()));
@@ -52,17 +52,17 @@ class UnitTest {
 
     @Test
     void aLengthWithAUnitNeedsAWorldUnit() {
-        assertThat(Numbers.length("25cm", Unit.METRE)).isEqualTo(0.25);
-        assertThat(Numbers.length("0.1m", Unit.METRE)).isEqualTo(0.1);
-        assertThat(Numbers.length("12in", Unit.FOOT)).isEqualTo(1);
-        assertThat(Numbers.length("7", null)).isEqualTo(7);
+        assertThat(Unit.length("25cm", Unit.METRE)).isEqualTo(0.25);
+        assertThat(Unit.length("0.1m", Unit.METRE)).isEqualTo(0.1);
+        assertThat(Unit.length("12in", Unit.FOOT)).isEqualTo(1);
+        assertThat(Unit.length("7", null)).isEqualTo(7);
         assertThatIllegalArgumentException()
-                .isThrownBy(() -> Numbers.length("25cm", null))
+                .isThrownBy(() -> Unit.length("25cm", null))
                 .withMessageContaining("add unit=\"m\" to <world>");
         for (String wrong : new String[] {"m", "1 m", "1M", "1.m.", "--1", "1e", "", "1e9999mm", "\u0661"}) {
             assertThatIllegalArgumentException()
                     .as(wrong)
-                    .isThrownBy(() -> Numbers.length(wrong, Unit.CENTIMETRE))
+                    .isThrownBy(() -> Unit.length(wrong, Unit.CENTIMETRE))
                     .withMessageContaining("(got: ");
         }
     }

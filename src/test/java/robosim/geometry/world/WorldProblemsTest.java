@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import robosim.geometry.world.shared.Limits;
 
 /** All problems of a file at once. */
 class WorldProblemsTest {

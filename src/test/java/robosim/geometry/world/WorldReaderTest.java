@@ -32,6 +32,7 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
+import robosim.geometry.world.shared.Bounded;
 
 class WorldReaderTest {
     private static final String OPEN = "<world xmlns=\"urn:robosim:world:1\" width=\"9\" height=\"9\" length=\"9\"";

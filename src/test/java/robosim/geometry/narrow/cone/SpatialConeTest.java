@@ -400,7 +400,7 @@ class SpatialConeTest {
                                 + z * row[3] * row[8 + 3 * i];
                     case UPRIGHT_CYLINDER -> row[i] + (i == 1 ? p[1] * row[4] : (i == 0 ? x : z) * row[3]);
                     case SPHERE -> row[i];
-                    case MESH, SOLID_MESH -> throw kind.refused();
+                    case UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
                 };
                 v[i] -= o[i];
             }
@@ -430,7 +430,7 @@ class SpatialConeTest {
                                 + p[1] * row[4] * row[7 + 3 * i]
                                 + 0.7 * p[2] * row[3] * row[8 + 3 * i];
                     case UPRIGHT_CYLINDER, SPHERE -> row[i] + 0.7 * p[i] * row[i == 1 && kind == LeafKind.UPRIGHT_CYLINDER ? 4 : 3];
-                    case MESH, SOLID_MESH -> throw kind.refused();
+                    case UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
                 };
                 v[i] -= o[i];
             }

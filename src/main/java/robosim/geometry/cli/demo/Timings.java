@@ -1,0 +1,81 @@
+package robosim.geometry.cli.demo;
+
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.MoveResult;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.net.SessionListener;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.protocol.MoveRequest;
+import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.Text;
+
+/** How long the module's side of a conversation took, and what stood in the way. */
+public final class Timings implements SessionListener {
+    private final Times sonar = new Times();
+    private final Times moves = new Times();
+    private final Map<String, Integer> refusedBy = new HashMap<>();
+
+    @Override
+    public synchronized void tried(MoveRequest request, MoveResult result) {
+        if (!result.allowed()) {
+            refusedBy.merge(text(result.obstacle()), 1, Integer::sum);
+        }
+    }
+
+    private static String text(@Nullable GeometryObject obstacle) {
+        if (obstacle == null) {
+            return "the world's border";
+        }
+        return Text.name(obstacle);
+    }
+
+    @Override
+    public synchronized void answered(Bundle request, @Nullable Bundle answer, long nanoseconds) {
+        if (request instanceof SonarRequestBundle) {
+            sonar.add(nanoseconds);
+        } else if (request instanceof MoveBundle) {
+            moves.add(nanoseconds);
+        }
+    }
+
+    /** What refused moves, and how many. */
+    synchronized Map<String, Integer> refusedBy() {
+        return new HashMap<>(refusedBy);
+    }
+
+    /** Microseconds within which a share of all sonar bundles was answered. */
+    synchronized double sonarMicros(double share) {
+        return sonar.micros(share);
+    }
+
+    /** Microseconds within which a share of all move bundles was answered. */
+    synchronized double moveMicros(double share) {
+        return moves.micros(share);
+    }
+
+    /** Nanoseconds, many of them. */
+    private static final class Times {
+        private long[] nanos = new long[1024];
+        private int size;
+
+        void add(long value) {
+            if (size == nanos.length) {
+                nanos = Arrays.copyOf(nanos, 2 * size);
+            }
+            nanos[size++] = value;
+        }
+
+        double micros(double share) {
+            if (size == 0) {
+                return 0;
+            }
+            long[] sorted = Arrays.copyOf(nanos, size);
+            Arrays.sort(sorted);
+            return sorted[Math.max(0, (int) Math.ceil(share * size) - 1)] / 1000.0;
+        }
+    }
+}

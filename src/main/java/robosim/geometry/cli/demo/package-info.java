@@ -1,0 +1,5 @@
+/** The demo. */
+@NullMarked
+package robosim.geometry.cli.demo;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,81 @@
+package robosim.geometry.cli.network;
+
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.cli.terminal.Ports;
+import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.net.GeometryClient;
+import robosim.geometry.net.NetOptions;
+import robosim.geometry.net.Quotas;
+import robosim.geometry.net.Redial;
+
+/** Dials an environment and answers it. */
+@Command(
+        name = "connect",
+        description = "Dials RoboSim's environment module and answers it; dials again when it is gone.",
+        mixinStandardHelpOptions = true,
+        versionProvider = Version.class,
+        exitCodeListHeading = ExitCodes.HEADING,
+        exitCodeList = {
+            ExitCodes.FINE + ":with --once, the environment was answered and hung up",
+            ExitCodes.UNUSABLE
+                    + ":not done: bad usage, or with --once an environment that cannot be reached or a connection that"
+                    + " failed (TLS, the secret, the protocol)",
+            ExitCodes.ENDED
+        },
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  robosim-geometry connect localhost 5555",
+            "  robosim-geometry connect localhost 5555 --once --record session.scenario.jsonl"
+        })
+public final class ConnectCommand implements Callable<Integer> {
+    @Spec
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private CommandSpec spec;
+
+    @Parameters(index = "0", paramLabel = "HOST", description = "the environment's name or address")
+    private String host = "localhost";
+
+    @Parameters(index = "1", paramLabel = "PORT", description = "1 to 65535")
+    private int port;
+
+    @Option(names = "--once", description = "dial once and end when the environment hangs up")
+    private boolean once;
+
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private ConnectionOptions common;
+
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private RecordOptions record;
+
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private WatchOptions watch;
+
+    private ConnectCommand() {}
+
+    @Override
+    public Integer call() {
+        Ports.check(spec, port, 1);
+        NetOptions options =
+                record.inFile(common.options(Quotas.DEFAULT.connections())).withRedial(once ? null : Redial.DEFAULT);
+        WatchOptions.Watch watched = watch.begin(options);
+        int seconds = common.figuresSeconds();
+        GeometryClient client = new GeometryClient(host, port, watched.options());
+        FiguresPrinter.start(spec.commandLine().getOut(), client.figures(), seconds, () -> {
+            client.close();
+            watched.close();
+        });
+        client.run();
+        // What went wrong on the connection has been logged by then; only without --once does that not matter.
+        return once && client.figures().getErrors() > 0 ? ExitCodes.UNUSABLE : ExitCodes.FINE;
+    }
+}

@@ -1,0 +1,166 @@
+package robosim.geometry.cli.network;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Arrays;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+import robosim.geometry.net.NetOptions;
+import robosim.geometry.net.Quotas;
+import robosim.geometry.net.Secret;
+import robosim.geometry.net.Timeouts;
+import robosim.geometry.net.Tls;
+
+/** What {@code serve} and {@code connect} have in common. No password and no secret is ever an argument. */
+public final class ConnectionOptions {
+    @Spec(Spec.Target.MIXEE)
+    @SuppressWarnings("NullAway.Init") // set by picocli
+    private CommandSpec spec;
+
+    @Option(
+            names = "--stall",
+            paramLabel = "SECONDS",
+            defaultValue = "10",
+            description = "how long a message may pause, in or out, before its connection is closed (default:"
+                    + " ${DEFAULT-VALUE})")
+    private int stall;
+
+    @Option(
+            names = "--message-time",
+            paramLabel = "SECONDS",
+            defaultValue = "60",
+            description = "how long a whole message may take (default: ${DEFAULT-VALUE})")
+    private int messageTime;
+
+    @Option(
+            names = "--idle",
+            paramLabel = "SECONDS",
+            defaultValue = "86400",
+            description = "how long a peer may say nothing between two messages (default: ${DEFAULT-VALUE})")
+    private int idle;
+
+    @Option(names = "--max-objects", paramLabel = "N", description = "most objects of a world")
+    private int objects = Quotas.DEFAULT.objects();
+
+    @Option(names = "--max-requests", paramLabel = "N", description = "most moves or sonar requests of a bundle")
+    private int requests = Quotas.DEFAULT.requests();
+
+    @ArgGroup(exclusive = false)
+    private @Nullable Stores stores;
+
+    @ArgGroup
+    private @Nullable SecretSource secret;
+
+    @Option(
+            names = "--figures",
+            paramLabel = "SECONDS",
+            defaultValue = "0",
+            description = "how often to print a line of figures; 0 for never. One is printed at the end.")
+    private int figures;
+
+    private ConnectionOptions() {}
+
+    /** TLS: all of it or nothing. */
+    private static final class Stores {
+        @Option(names = "--key-store", paramLabel = "FILE", required = true, description = "TLS: the own key")
+        private Path key = Path.of("");
+
+        @Option(
+                names = "--trust-store",
+                paramLabel = "FILE",
+                required = true,
+                description = "TLS: the certificates that peers may show")
+        private Path trust = Path.of("");
+
+        @ArgGroup(multiplicity = "1")
+        private PasswordSource password = new PasswordSource();
+    }
+
+    private static final class PasswordSource {
+        @Option(names = "--password-file", paramLabel = "FILE", description = "its first line opens both stores")
+        private @Nullable Path file;
+
+        @Option(names = "--password-env", paramLabel = "NAME", description = "a variable that opens both stores")
+        private @Nullable String variable;
+    }
+
+    private static final class SecretSource {
+        @Option(
+                names = "--secret-file",
+                paramLabel = "FILE",
+                description = "its first line is the secret that JSON peers must show; others then need TLS")
+        private @Nullable Path file;
+
+        @Option(names = "--secret-env", paramLabel = "NAME", description = "a variable that holds this secret")
+        private @Nullable String variable;
+    }
+
+    /** As told; a bad one is refused as the command line's own. */
+    NetOptions options(int connections) {
+        try {
+            return NetOptions.defaults()
+                    .withTimeouts(new Timeouts(
+                            Duration.ofSeconds(stall), Duration.ofSeconds(messageTime), Duration.ofSeconds(idle)))
+                    .withQuotas(new Quotas(connections, objects, requests))
+                    .withAccess(tls(), secret());
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(spec.commandLine(), String.valueOf(e.getMessage()), e);
+        }
+    }
+
+    /** 0 for never. */
+    int figuresSeconds() {
+        if (figures < 0) {
+            throw new ParameterException(spec.commandLine(), "--figures must be at least 0 (got: " + figures + ")");
+        }
+        return figures;
+    }
+
+    private @Nullable Tls tls() {
+        if (stores == null) {
+            return null;
+        }
+        char[] password = read(stores.password.file, stores.password.variable, "--password");
+        try {
+            return Tls.load(stores.key, password, stores.trust, password);
+        } finally {
+            Arrays.fill(password, ' ');
+        }
+    }
+
+    private @Nullable Secret secret() {
+        if (secret == null) {
+            return null;
+        }
+        char[] letters = read(secret.file, secret.variable, "--secret");
+        try {
+            return Secret.of(letters);
+        } finally {
+            Arrays.fill(letters, ' ');
+        }
+    }
+
+    private static char[] read(@Nullable Path file, @Nullable String variable, String option) {
+        if (file != null) {
+            try {
+                List<String> lines = Files.readAllLines(file);
+                return lines.isEmpty() ? new char[0] : lines.get(0).toCharArray();
+            } catch (IOException e) {
+                throw new IllegalArgumentException(option + "-file must be a file of text (got: " + file + ")", e);
+            }
+        }
+        String value = variable == null ? null : System.getenv(variable);
+        if (value == null) {
+            throw new IllegalArgumentException(
+                    option + "-env must name a variable that is set (got: " + variable + ")");
+        }
+        return value.toCharArray();
+    }
+}

@@ -1,0 +1,79 @@
+package robosim.geometry.cli.network;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+import robosim.geometry.net.NetOptions;
+import robosim.geometry.scenario.Recordings;
+
+/** How {@code serve} and {@code connect} write down their sessions. */
+public final class RecordOptions {
+    @Spec(Spec.Target.MIXEE)
+    @SuppressWarnings("NullAway.Init") // set by picocli
+    private CommandSpec spec;
+
+    @Option(
+            names = "--record",
+            paramLabel = "PLACE",
+            description =
+                    "write each session as a scenario, which `replay` carries out anew: serve takes a folder, with a"
+                            + " file for each connection, connect a file, and numbers those of further connections")
+    private @Nullable Path place;
+
+    @Option(
+            names = "--record-bytes",
+            paramLabel = "N",
+            description = "most bytes of a file; then recording stops and the session goes on (default: 1 GiB)")
+    private long bytes = Recordings.DEFAULT_BYTES;
+
+    private RecordOptions() {}
+
+    /** A folder, made where it is not there. */
+    NetOptions inFolder(NetOptions options) {
+        Path folder = place;
+        if (folder == null) {
+            return options;
+        }
+        try {
+            Files.createDirectories(folder);
+        } catch (IOException e) {
+            throw refused("--record must be a folder, or where one can be made (got: " + folder + ")");
+        }
+        if (!Files.isWritable(folder)) {
+            throw refused("--record must be a folder that can be written to (got: " + folder + ")");
+        }
+        return options.withListeners(limited(Recordings.inFolder(folder, options.session())));
+    }
+
+    /** A file that is not there yet, in a folder that is. */
+    NetOptions inFile(NetOptions options) {
+        Path file = place;
+        if (file == null) {
+            return options;
+        }
+        if (Files.exists(file)) {
+            throw refused("--record must be a new file; none is written over (got: " + file + ")");
+        }
+        Path folder = file.toAbsolutePath().getParent();
+        if (folder == null || !Files.isWritable(folder)) {
+            throw refused("--record must be a file in a folder that can be written to (got: " + file + ")");
+        }
+        return options.withListeners(limited(Recordings.inFile(file, options.session())));
+    }
+
+    private Recordings limited(Recordings recordings) {
+        if (bytes < 1) {
+            throw refused("--record-bytes must be at least 1 (got: " + bytes + ")");
+        }
+        return recordings.atMost(bytes);
+    }
+
+    private ParameterException refused(String message) {
+        return new ParameterException(spec.commandLine(), message);
+    }
+}

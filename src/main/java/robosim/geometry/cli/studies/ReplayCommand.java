@@ -1,0 +1,182 @@
+package robosim.geometry.cli.studies;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.cli.terminal.FailureText;
+import robosim.geometry.cli.terminal.Inputs;
+import robosim.geometry.cli.terminal.Progress;
+import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.cli.terminal.WireFiles;
+import robosim.geometry.exact.NumberText;
+import robosim.geometry.scenario.Mismatch;
+import robosim.geometry.scenario.Replay;
+import robosim.geometry.scenario.ScenarioReader;
+import robosim.geometry.scenario.Step;
+import robosim.geometry.scenario.StepReader;
+
+/** Carries out recorded conversations anew. */
+@Command(
+        name = "replay",
+        description = "Carries out recorded conversations anew, without sockets, and compares the answers bit for bit.",
+        mixinStandardHelpOptions = true,
+        versionProvider = Version.class,
+        exitCodeListHeading = ExitCodes.HEADING,
+        exitCodeList = {
+            ExitCodes.FINE + ":every answer is the one recorded",
+            ExitCodes.FINDINGS + ":any answer is another",
+            ExitCodes.REFUSED
+        },
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  robosim-geometry serve 5555 --record recordings",
+            "  robosim-geometry replay recordings",
+            "  robosim-geometry replay target/demo",
+            "  robosim-geometry replay bug.scenario.jsonl worlds/scenarios"
+        })
+public final class ReplayCommand implements Callable<Integer> {
+    @Spec
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private CommandSpec spec;
+
+    @Parameters(
+            arity = "1..*",
+            paramLabel = "FILE|FOLDER",
+            description = "scenarios, or folders in whose trees every *" + ScenarioReader.ENDING
+                    + " is one; also the demo's " + WireFiles.TO_MODULE + ", with " + WireFiles.FROM_MODULE
+                    + " beside it")
+    private List<Path> places = List.of();
+
+    @Option(
+            names = "--root",
+            paramLabel = "DIR",
+            description = "no world outside of this folder is read that a scenario names (default: the folder above the"
+                    + " scenario's own)")
+    private @Nullable Path root;
+
+    @Option(names = "--most", paramLabel = "N", description = "differences told of each file (default: 10)")
+    private int most = 10;
+
+    private long steps;
+    private long compared;
+    private int different;
+    private int unreadable;
+
+    private ReplayCommand() {}
+
+    @Override
+    public Integer call() throws Exception {
+        List<Path> files = files();
+        try (Progress progress = Progress.of(spec.commandLine(), "replaying", files.size())) {
+            for (int k = 0; k < files.size(); k++) {
+                replay(files.get(k), k, progress);
+            }
+        }
+        PrintWriter out = spec.commandLine().getOut();
+        out.printf(
+                Locale.ROOT,
+                "%s, %s, %,d moves and distances: %s%n",
+                NumberText.count(files.size(), "scenario"),
+                NumberText.count(steps, "step"),
+                compared,
+                different + unreadable == 0
+                        ? "all the same, bit for bit"
+                        : different + " answered otherwise, " + unreadable + " unreadable");
+        out.flush();
+        return unreadable > 0 ? ExitCodes.UNUSABLE : different > 0 ? ExitCodes.FINDINGS : 0;
+    }
+
+    private List<Path> files() throws IOException {
+        List<Path> files = new ArrayList<>();
+        for (Path place : places) {
+            if (Files.isRegularFile(place)) {
+                Path toModule = WireFiles.at(place);
+                files.add(toModule == null ? place : toModule);
+                continue;
+            }
+            if (Files.exists(place) && !Files.isDirectory(place)) {
+                Inputs.file(spec, "FILE|FOLDER", place); // which refuses it
+            }
+            if (!Files.isDirectory(place)) {
+                throw new ParameterException(
+                        spec.commandLine(), "FILE|FOLDER must be there to be replayed (got: " + place + ")");
+            }
+            int before = files.size();
+            try (Stream<Path> tree = Files.walk(place)) {
+                tree.filter(file -> isRecording(file) && Files.isRegularFile(file))
+                        .sorted()
+                        .forEach(files::add);
+            }
+            if (files.size() == before) {
+                throw new ParameterException(
+                        spec.commandLine(),
+                        "FOLDER must hold a *" + ScenarioReader.ENDING + " or the demo's " + WireFiles.TO_MODULE
+                                + ", itself or in its tree (got: " + place + ")");
+            }
+        }
+        return files;
+    }
+
+    private static boolean isRecording(Path file) {
+        return file.toString().endsWith(ScenarioReader.ENDING) || file.endsWith(WireFiles.TO_MODULE);
+    }
+
+    private StepReader open(Path file) throws IOException {
+        if (file.endsWith(WireFiles.TO_MODULE)) {
+            return WireFiles.open(file);
+        }
+        return root == null ? ScenarioReader.open(file) : ScenarioReader.open(file, root);
+    }
+
+    private void replay(Path file, int number, Progress progress) {
+        PrintWriter out = spec.commandLine().getOut();
+        try (StepReader reader = open(file)) {
+            Replay replay = new Replay(reader.header().options());
+            for (Step step = reader.next(); step != null; step = reader.next()) {
+                Mismatch mismatch = replay.step(step);
+                if (mismatch != null && replay.mismatches() <= most) {
+                    progress.clear();
+                    out.println(file + ": " + mismatch);
+                }
+                progress.at(number, () -> file.getFileName() + ", step " + replay.steps());
+            }
+            progress.clear();
+            conclude(file, reader, replay);
+        } catch (IOException e) {
+            progress.clear();
+            unreadable++;
+            String told = FailureText.of(e);
+            spec.commandLine().getErr().println(told.startsWith(file.toString()) ? told : file + ": " + told);
+        }
+    }
+
+    private void conclude(Path file, StepReader reader, Replay replay) {
+        PrintWriter out = spec.commandLine().getOut();
+        if (replay.mismatches() > most) {
+            long rest = replay.mismatches() - most;
+            out.println(file + ": and " + NumberText.count(rest, "more step") + (rest == 1 ? " is" : " are")
+                    + " answered otherwise");
+        }
+        if (reader instanceof ScenarioReader lines && lines.torn() > 0) {
+            out.println(file + ": line " + lines.torn()
+                    + " breaks off, as where a recording is killed or its disk is full; it was passed over");
+        }
+        steps += replay.steps();
+        compared += replay.compared();
+        different += replay.mismatches() > 0 ? 1 : 0;
+    }
+}

@@ -1,0 +1,250 @@
+package robosim.geometry.cli.studies;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.lang.reflect.InvocationTargetException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.Callable;
+import java.util.concurrent.atomic.AtomicLong;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.cli.terminal.Inputs;
+import robosim.geometry.cli.terminal.Progress;
+import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.exact.NumberText;
+import robosim.geometry.scenario.ScenarioReader;
+import robosim.geometry.sweep.ScenarioSweep;
+import robosim.geometry.sweep.Shard;
+import robosim.geometry.sweep.Sweep;
+import robosim.geometry.sweep.SweepResults;
+import robosim.geometry.sweep.SweepRun;
+import robosim.geometry.sweep.SweepScenario;
+import robosim.geometry.sweep.SweepWorld;
+
+/** Carries out a scenario over worlds, parameters and seeds. */
+@Command(
+        name = "sweep",
+        description = "Carries out a scenario over worlds, parameters and seeds, on any number of threads and machines,"
+                + " with the same results to the bit.",
+        mixinStandardHelpOptions = true,
+        versionProvider = Version.class,
+        subcommands = SweepMergeCommand.class,
+        exitCodeListHeading = ExitCodes.HEADING,
+        exitCodeList = {ExitCodes.DONE, ExitCodes.FINDINGS + ":replicates failed", ExitCodes.REFUSED},
+        footerHeading = "%nParameters of a scenario file, 0 where they are not given:%n",
+        footer = {
+            "  place    radius in world units of the disc in which each robot starts",
+            "  heading  degrees by which its heading is off at most",
+            "  slip     standard deviation of each move, as a share of it",
+            "  aim      standard deviation in degrees of each beam's direction",
+            "  range    standard deviation in world units of each distance",
+            "Of any scenario: accuracy, dimension (those of the world).",
+            "",
+            "Examples:",
+            "  robosim-geometry sweep wandering.scenario.jsonl -n 1000 -p place=0,0.5,1 --plot wandering.svg",
+            "  robosim-geometry sweep com.example.Docking worlds/*.xml -n 200 -p speed=0.5,1 --threads 8",
+            "  robosim-geometry sweep com.example.Docking worlds/*.xml -n 200 --shard 3/16 --resume",
+            "  robosim-geometry sweep merge sweep-*-of-16.jsonl --digest"
+        })
+public final class SweepCommand implements Callable<Integer> {
+    @Spec
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private CommandSpec spec;
+
+    @Parameters(
+            index = "0",
+            arity = "0..1",
+            paramLabel = "SCENARIO",
+            description = "a *" + ScenarioReader.ENDING
+                    + ", or the name of a class on the class path that implements SweepScenario")
+    private @Nullable String scenario;
+
+    @Parameters(
+            index = "1..*",
+            paramLabel = "WORLD",
+            description = "world files, in the order of the results; a scenario file has its own and needs none")
+    private List<Path> worlds = List.of();
+
+    @Option(
+            names = {"-n", "--replicates"},
+            paramLabel = "N",
+            description = "of each world with each combination of values (default: ${DEFAULT-VALUE})",
+            defaultValue = "100")
+    private long replicates;
+
+    @Option(names = "--seed", paramLabel = "N", description = "the root of all seeds (default: 0)")
+    private long seed;
+
+    @Option(
+            names = {"-p", "--parameter"},
+            paramLabel = "NAME=VALUE[,VALUE...]",
+            description = "values of a parameter; may be repeated for others")
+    private List<String> parameters = List.of();
+
+    @Option(names = "--threads", paramLabel = "N", description = "default: as many as there are processors")
+    private int threads = Runtime.getRuntime().availableProcessors();
+
+    @Option(
+            names = "--shard",
+            paramLabel = "I/N",
+            description = "carry out only the I-th of N parts, I from 0: one on each machine")
+    private @Nullable String shard;
+
+    @Option(
+            names = "--resume",
+            description = "go on where the results end, if there are any: nothing is carried out again")
+    private boolean resumed;
+
+    @Option(
+            names = {"-o", "--out"},
+            paramLabel = "FILE",
+            description = "the results, JSON lines (default: sweep.jsonl, of a shard sweep-I-of-N.jsonl)")
+    private @Nullable Path target;
+
+    @Mixin
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private SweepOutput output;
+
+    private SweepCommand() {}
+
+    @Override
+    public Integer call() throws Exception {
+        Shard part = shard == null ? Shard.ALL : Shard.parse(shard);
+        Path file = target != null ? target : Path.of(part.count() == 1 ? "sweep.jsonl" : name(part));
+        SweepRun run = SweepRun.of(sweep(), file).shard(part).threads(threads);
+        if (resumed) {
+            run.resume();
+        }
+        long start = System.nanoTime();
+        AtomicLong before = new AtomicLong(-1);
+        SweepResults results;
+        long size = run.size();
+        try (Progress progress = Progress.of(spec.commandLine(), "replicates", size)) {
+            results = run.progress(done -> {
+                        before.compareAndSet(-1, done);
+                        progress.at(done, () -> left(System.nanoTime() - start, done - before.get(), size - done));
+                    })
+                    .run();
+        }
+        PrintWriter out = spec.commandLine().getOut();
+        int code = output.tell(results, out);
+        long earlier = Math.max(0, before.get());
+        out.printf(
+                "%s on %s%s, %.1f s: %s%n",
+                NumberText.count(size - earlier, "replicate"),
+                NumberText.count(threads, "thread"),
+                earlier > 0 ? String.format(", %,d were there", earlier) : "",
+                (System.nanoTime() - start) / 1e9,
+                file);
+        out.flush();
+        return code;
+    }
+
+    private static String name(Shard part) {
+        return "sweep-" + part.number() + "-of-" + part.count() + ".jsonl";
+    }
+
+    /** How long it will still take, for people. */
+    public static String left(long nanos, long done, long remaining) {
+        if (done < 1) {
+            return "";
+        }
+        Duration left = Duration.ofSeconds((long) Math.ceil(nanos / 1e9 / done * remaining));
+        return left.toHours() > 0
+                ? "%d h %d min left".formatted(left.toHours(), left.toMinutesPart())
+                : left.toMinutes() > 0
+                        ? "%d min %d s left".formatted(left.toMinutes(), left.toSecondsPart())
+                        : left.toSeconds() + " s left";
+    }
+
+    private Sweep sweep() throws IOException {
+        if (scenario == null) {
+            throw new ParameterException(spec.commandLine(), "SCENARIO must be given (got: none)");
+        }
+        Sweep sweep;
+        if (scenario.endsWith(ScenarioReader.ENDING) || Files.isRegularFile(Path.of(scenario))) {
+            ScenarioSweep conversation = ScenarioSweep.read(Inputs.file(spec, "SCENARIO", Path.of(scenario)));
+            sweep = Sweep.of(conversation);
+            if (worlds.isEmpty()) {
+                sweep = sweep.over(conversation.world());
+            }
+            for (Path world : worlds) {
+                sweep = sweep.over(conversation.in(world(world)));
+            }
+        } else {
+            sweep = Sweep.of(made(scenario));
+            if (worlds.isEmpty()) {
+                throw new ParameterException(
+                        spec.commandLine(), "WORLD must be given for a class; a scenario file has its own (got: none)");
+            }
+            for (Path world : worlds) {
+                sweep = sweep.over(world(world));
+            }
+        }
+        Set<String> names = new HashSet<>();
+        for (String parameter : parameters) {
+            int end = parameter.indexOf('=');
+            if (end < 1) {
+                throw new ParameterException(
+                        spec.commandLine(), "--parameter must be NAME=VALUE[,VALUE...] (got: " + parameter + ")");
+            }
+            String name = parameter.substring(0, end);
+            if (!names.add(name)) {
+                throw new ParameterException(
+                        spec.commandLine(),
+                        "--parameter must name each parameter once, with commas between its values (got: " + name
+                                + " again)");
+            }
+            sweep = sweep.vary(name, parameter.substring(end + 1).split(",", -1));
+        }
+        return sweep.replicates(replicates).seed(seed);
+    }
+
+    private SweepWorld world(Path file) throws IOException {
+        return SweepWorld.read(Inputs.file(spec, "WORLD", file));
+    }
+
+    private SweepScenario made(String name) {
+        try {
+            Object made = Class.forName(name).getConstructor().newInstance();
+            if (made instanceof SweepScenario found) {
+                return found;
+            }
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "SCENARIO must be a class that implements " + SweepScenario.class.getName() + " (got: " + name
+                            + ")");
+        } catch (ClassNotFoundException e) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "SCENARIO must be a *" + ScenarioReader.ENDING
+                            + " or a class on the class path, for which start this as java -cp JAR:FOLDER"
+                            + " robosim.geometry.cli.Main; there is none of that name (got: " + name + ")",
+                    e);
+        } catch (InvocationTargetException | ExceptionInInitializerError e) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "SCENARIO must be a class that can be made (got: " + name + ", which failed with " + e.getCause()
+                            + ")",
+                    e);
+        } catch (ReflectiveOperationException | LinkageError e) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "SCENARIO must be a public class with a public constructor without arguments (got: " + name + ", "
+                            + e + ")",
+                    e);
+        }
+    }
+}

@@ -1,0 +1,52 @@
+package robosim.geometry.cli.studies;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Option;
+import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.sweep.SweepPlot;
+import robosim.geometry.sweep.SweepResults;
+import robosim.geometry.sweep.SweepSummary;
+
+/** What is told of the results of a sweep. */
+public final class SweepOutput {
+    @Option(names = "--table", paramLabel = "FILE.md", description = "also write the table, Markdown, to a file")
+    private @Nullable Path table;
+
+    @Option(names = "--plot", paramLabel = "FILE.svg", description = "draw the means over the values of a parameter")
+    private @Nullable Path plot;
+
+    @Option(
+            names = "--digest",
+            description = "print a digest of all results: the same on any number of threads, shards and machines")
+    private boolean digest;
+
+    private SweepOutput() {}
+
+    /** Tells it; answers the exit code. */
+    int tell(SweepResults results, PrintWriter out) throws IOException {
+        SweepSummary summary = new SweepSummary();
+        Failures failures = new Failures();
+        results.forEach(outcome -> {
+            summary.accept(outcome);
+            failures.accept(outcome);
+        });
+        String text = summary.markdown();
+        out.print(text);
+        if (table != null) {
+            Files.writeString(table, text);
+        }
+        if (plot != null) {
+            Files.writeString(plot, SweepPlot.svg(results.header(), summary));
+        }
+        failures.tell(out);
+        if (digest) {
+            out.println("digest " + results.digest());
+        }
+        out.flush();
+        return failures.areThere() ? ExitCodes.FINDINGS : ExitCodes.FINE;
+    }
+}

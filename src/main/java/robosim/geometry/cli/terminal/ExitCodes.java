@@ -1,0 +1,24 @@
+package robosim.geometry.cli.terminal;
+
+/** What every command tells by its exit code, and the words for it in each command's help. */
+public final class ExitCodes {
+    /** Done, and nothing is wrong. */
+    public static final int FINE = 0;
+
+    /** Done, and something was found: answers that differ, an audit that fails, a world with findings. */
+    public static final int FINDINGS = 1;
+
+    /** Not done: bad usage, input that cannot be read, a connection that failed. */
+    public static final int UNUSABLE = 2;
+
+    public static final String HEADING = "%nExit codes:%n";
+
+    public static final String DONE = FINE + ":done, and nothing is wrong";
+
+    public static final String REFUSED = UNUSABLE + ":not done: bad usage, or something that cannot be read or written";
+
+    /** What a Java process ends with that a signal ends, after its last steps. */
+    public static final String ENDED = "128+N:ended by signal N, after it was closed: 143 by SIGTERM, 130 by Ctrl-C";
+
+    private ExitCodes() {}
+}

@@ -1,0 +1,22 @@
+package robosim.geometry.cli.terminal;
+
+import picocli.CommandLine.IVersionProvider;
+
+/** What {@code --version} prints. */
+public final class Version implements IVersionProvider {
+    /** What the program is called. */
+    public static final String PROGRAM = "robosim-geometry";
+
+    /** That of the pom; a test compares them. */
+    public static final String NUMBER = "1.0.0-SNAPSHOT";
+
+    private Version() {}
+
+    @Override
+    public String[] getVersion() {
+        return new String[] {
+            PROGRAM + " " + NUMBER,
+            "Java " + Runtime.version() + ", " + System.getProperty("os.name") + " " + System.getProperty("os.arch")
+        };
+    }
+}

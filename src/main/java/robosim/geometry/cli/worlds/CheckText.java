@@ -1,0 +1,340 @@
+package robosim.geometry.cli.worlds;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import robosim.geometry.exact.NumberText;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.protocol.Text;
+import robosim.geometry.world.Skipped;
+import robosim.geometry.world.Unit;
+import robosim.geometry.world.World;
+import robosim.geometry.world.WorldImport;
+import robosim.geometry.world.check.Needs;
+import robosim.geometry.world.check.Overlap;
+import robosim.geometry.world.check.Room;
+import robosim.geometry.world.check.Setting;
+import robosim.geometry.world.check.WorldCheck;
+
+/** A checked world in words. */
+public final class CheckText {
+    /** Pairs of static objects that are told one by one. */
+    private static final int STATIC_PAIRS = 10;
+
+    /** Things left out that are told one by one. */
+    private static final int SKIPPED = 20;
+
+    private final WorldCheck check;
+    private final List<Skipped> skipped;
+    private final List<String> notes;
+    private final World world;
+    private final String unit;
+    private final StringBuilder text = new StringBuilder();
+
+    private CheckText(WorldCheck check, WorldImport read) {
+        this.check = check;
+        this.skipped = read.skipped();
+        this.notes = read.remarks();
+        this.world = check.world();
+        Unit given = world.unit();
+        this.unit = given == null ? "" : " " + given.symbol();
+    }
+
+    /** @param read the account of the file */
+    static String of(Path file, WorldCheck check, WorldImport read) {
+        CheckText text = new CheckText(check, read);
+        text.contents(file);
+        text.skipped();
+        text.outside();
+        text.overlaps();
+        text.rooms();
+        text.needs();
+        text.add(
+                "verdict",
+                check.isFine() && read.isWhole()
+                        ? "fine"
+                        : "FINDINGS: " + text.findings().stream().collect(Collectors.joining(", ")));
+        return text.text.toString();
+    }
+
+    private void add(String what, String line, Object... values) {
+        String told = values.length == 0 ? line : String.format(Locale.ROOT, line, values);
+        text.append(String.format(Locale.ROOT, "%-9s %s%n", what, told));
+    }
+
+    /** One or more of a kind. */
+    private static String kinds(GeometryObject.Kind kind, int count) {
+        String one = kind.word();
+        return count == 1 ? one : one.endsWith("x") || one.endsWith("sh") ? one + "es" : one + "s";
+    }
+
+    private static String number(double value) {
+        return Math.abs(value) >= 1e-3 ? NumberText.places(value, 4) : NumberText.digits(value, 3);
+    }
+
+    private String length(double value) {
+        return number(value) + unit;
+    }
+
+    private static String point(Point p) {
+        return "(" + number(p.x()) + ", " + number(p.y()) + ", " + number(p.z()) + ")";
+    }
+
+    private void contents(Path file) {
+        add(
+                "world",
+                "%s: %s x %s x %s%s, %s, %s",
+                file,
+                number(world.width()),
+                number(world.height()),
+                number(world.length()),
+                unit,
+                world.dimension(),
+                world.accuracy());
+        String kinds = check.counts().entrySet().stream()
+                .map(kind ->
+                        String.format(Locale.ROOT, "%,d %s", kind.getValue(), kinds(kind.getKey(), kind.getValue())))
+                .collect(Collectors.joining(", "));
+        String inside = (check.members() > 0
+                        ? String.format(Locale.ROOT, "; %,d members of groups", check.members())
+                        : "")
+                + (check.triangles() > 0 ? String.format(Locale.ROOT, "; %,d triangles", check.triangles()) : "");
+        add("objects", "%,d%s%s", world.objects().size(), kinds.isEmpty() ? "" : ": " + kinds, inside);
+        add("robots", "%,d moveable, %,d sonars", check.robots().size(), check.sonars());
+    }
+
+    private void skipped() {
+        skipped.stream().limit(SKIPPED).forEach(each -> add("skipped", "%s", each));
+        if (skipped.size() > SKIPPED) {
+            add("", "  and %,d more; --json tells all", skipped.size() - SKIPPED);
+        }
+        notes.stream().limit(SKIPPED).forEach(each -> add("note", "%s", each));
+        if (notes.size() > SKIPPED) {
+            add("", "  and %,d more; --json tells all", notes.size() - SKIPPED);
+        }
+    }
+
+    private void outside() {
+        if (check.outside().isEmpty()) {
+            add("border", "nothing reaches beyond it");
+        }
+        check.outside()
+                .forEach(object -> add(
+                        "border",
+                        "%s reaches beyond the world; move it or enlarge the world",
+                        Text.name(object.object())));
+    }
+
+    private void overlaps() {
+        List<Overlap> starts = check.startingContacts();
+        if (starts.isEmpty() && !check.robots().isEmpty()) {
+            add("contacts", "no robot starts in contact");
+        }
+        starts.forEach(
+                overlap -> add("contacts", "%s starts %s", overlap(overlap).toArray()));
+        if (check.staticOverlaps() == 0) {
+            add("overlaps", "no static objects touch or overlap");
+            return;
+        }
+        add(
+                "overlaps",
+                "%,d %s of static objects touch or overlap, which is allowed",
+                check.staticOverlaps(),
+                check.staticOverlaps() == 1 ? "pair" : "pairs");
+        check.overlaps().stream()
+                .filter(overlap -> !overlap.isStart())
+                .limit(STATIC_PAIRS)
+                .forEach(overlap -> add("", "  %s is %s", overlap(overlap).toArray()));
+        if (check.staticOverlaps() > STATIC_PAIRS) {
+            add(
+                    "",
+                    "  and %,d more; --json tells the first %,d",
+                    check.staticOverlaps() - STATIC_PAIRS,
+                    WorldCheck.MAX_STATIC_OVERLAPS);
+        }
+    }
+
+    /** Who, and how it is with whom. */
+    private List<String> overlap(Overlap overlap) {
+        String second = Text.name(overlap.second().object());
+        String at = " at " + point(overlap.contact());
+        String how = overlap.depth() == 0
+                ? "in touch with " + second + at
+                : Double.isInfinite(overlap.depth())
+                        ? "within " + second + at
+                        : "within " + second + at + ", " + length(overlap.depth()) + " deep along "
+                                + point(overlap.normal());
+        return List.of(Text.name(overlap.first().object()), how);
+    }
+
+    private void rooms() {
+        List<Room> rooms = check.rooms();
+        if (rooms.isEmpty()) {
+            add(
+                    "ways",
+                    check.robots().isEmpty()
+                            ? "there is no robot"
+                            : "there is no robot that can be asked where it gets to");
+            return;
+        }
+        Room main = rooms.get(0);
+        if (rooms.size() == 1) {
+            add(
+                    "ways",
+                    main.robots().size() == 1 ? "%s gets about in %s" : "%s get to each other, in %s",
+                    main.robots().size() == 1
+                            ? main.robots().get(0)
+                            : "all " + main.robots().size() + " robots that start free",
+                    room(main));
+        } else {
+            add("ways", "%s get about in %s", names(main), room(main));
+        }
+        String them = main.robots().size() == 1 ? main.robots().get(0) : "them";
+        check.shutIn().forEach(room -> add("ways", "%s cannot get to %s: shut in %s", names(room), them, room(room)));
+        check.stuck().forEach(room -> add("ways", "%s cannot make a step", names(room)));
+        check.untold()
+                .forEach(room -> add(
+                        "ways",
+                        room.equals(main)
+                                ? "whether %s can get about could not be told at a step of %3$s"
+                                : "whether %s can get to %s could not be told at a step of %s",
+                        names(room),
+                        them,
+                        length(room.step())));
+    }
+
+    private static String names(Room room) {
+        return String.join(", ", room.robots());
+    }
+
+    private String room(Room room) {
+        return String.format(
+                Locale.ROOT,
+                "x %s to %s, z %s to %s, about %s%s of places (%,d at a step of %s)",
+                number(room.minX()),
+                number(room.maxX()),
+                number(room.minZ()),
+                number(room.maxZ()),
+                number(room.area()),
+                unit.isEmpty() ? "" : unit + "^2",
+                room.places(),
+                length(room.step()));
+    }
+
+    private void needs() {
+        Needs needs = check.needs();
+        Setting truth = needs.setting(world.dimension(), Accuracy.EXACT);
+        if (check.robots().isEmpty()) {
+            add(
+                    "needs",
+                    "not asked, for there is no robot: name an object and make it moveable to learn what its"
+                            + " questions need");
+            return;
+        }
+        if (truth.isAskedEnough() && !needs.isTold()) {
+            add(
+                    "needs",
+                    "cannot be told: none of %,d places, %,d moves and %,d distances met anything; keep %s, %s",
+                    truth.places(),
+                    truth.moves(),
+                    truth.distances(),
+                    needs.dimension(),
+                    needs.accuracy());
+            return;
+        }
+        if (!needs.isTold()) {
+            add(
+                    "needs",
+                    "cannot be told: robots had room for %,d moves and %,d distances alone; keep %s, %s",
+                    truth.moves(),
+                    truth.distances(),
+                    needs.dimension(),
+                    needs.accuracy());
+            return;
+        }
+        add(
+                "needs",
+                "%s, %s is enough: the coarsest that answers %,d places, %,d moves and %,d %s as EXACT does",
+                needs.dimension(),
+                needs.accuracy(),
+                truth.places(),
+                truth.moves(),
+                truth.distances(),
+                check.sonars() > 0 ? "sonars" : "rays");
+        dimension(needs);
+        for (Setting setting : needs.settings()) {
+            if (setting.dimension() == needs.dimension() && setting.accuracy() != Accuracy.EXACT) {
+                add("", "  %-6s %s", setting.accuracy(), otherwise(setting));
+            }
+        }
+    }
+
+    private void dimension(Needs needs) {
+        boolean planar = world.dimension() == Dimension.PLANAR;
+        Setting other = needs.setting(planar ? Dimension.SPATIAL : Dimension.PLANAR, Accuracy.EXACT);
+        String why = needs.isProven()
+                ? "heights cannot matter: everything stands upright and reaches the height of every robot's centre"
+                : other.isSame() ? "heights did not matter in any of them" : "heights matter: ";
+        add("", "  %s%s", why, needs.isProven() || other.isSame() ? "" : other.dimension() + " " + otherwise(other));
+    }
+
+    private String otherwise(Setting setting) {
+        if (setting.isSame()) {
+            return "answers all alike";
+        }
+        return String.format(
+                Locale.ROOT,
+                "answers %s of places, %s of moves, %s of distances otherwise%s",
+                share(setting.placesOtherwise(), setting.places()),
+                share(setting.movesOtherwise(), setting.moves()),
+                share(setting.distancesOtherwise(), setting.distances()),
+                shortfall(setting));
+    }
+
+    private String shortfall(Setting setting) {
+        if (setting.shortest() == 0) {
+            return "";
+        }
+        return Double.isInfinite(setting.shortest())
+                ? ", and hears what is not there"
+                : ", short by up to " + length(setting.shortest());
+    }
+
+    private static String share(int some, int all) {
+        return all == 0
+                ? "0 %"
+                : String.format(
+                        Locale.ROOT, some > 0 && some * 1000L < all ? "%.2f %%" : "%.1f %%", 100.0 * some / all);
+    }
+
+    /** What is found, counted. */
+    private List<String> findings() {
+        List<String> findings = new ArrayList<>();
+        count(findings, skipped.size(), "left out of the file");
+        count(findings, check.outside().size(), "outside of the world");
+        count(
+                findings,
+                (int) check.startingContacts().stream()
+                        .map(Overlap::first)
+                        .distinct()
+                        .count(),
+                "starting in contact");
+        count(
+                findings,
+                check.shutIn().stream().mapToInt(room -> room.robots().size()).sum(),
+                "shut in");
+        count(findings, check.stuck().size(), "unable to move");
+        return findings;
+    }
+
+    private static void count(List<String> findings, int count, String what) {
+        if (count > 0) {
+            findings.add(count + " " + what);
+        }
+    }
+}

@@ -1,0 +1,201 @@
+package robosim.geometry.cli.worlds;
+
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import java.util.stream.Stream;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.cli.terminal.Inputs;
+import robosim.geometry.cli.terminal.Progress;
+import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.exact.NumberText;
+import robosim.geometry.model.Bounds;
+import robosim.geometry.viewer.playback.Pictures;
+import robosim.geometry.world.ImportOptions;
+import robosim.geometry.world.ObjWriter;
+import robosim.geometry.world.World;
+import robosim.geometry.world.WorldImport;
+import robosim.geometry.world.WorldWriter;
+
+/** Makes a world file of a file of another format. */
+@Command(
+        name = "convert",
+        description =
+                "Reads a world, a map of ROS, SDFormat, or a mesh, and writes it as a world, or as a mesh for other viewers."
+                        + " Tells what was read, what was left out and why, and what was written.",
+        mixinStandardHelpOptions = true,
+        versionProvider = Version.class,
+        exitCodeListHeading = ExitCodes.HEADING,
+        exitCodeList = {
+            ExitCodes.DONE,
+            ExitCodes.FINDINGS + ":with --strict: something of IN would be left out, and OUT was not written",
+            ExitCodes.REFUSED
+        },
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  robosim-geometry convert map.yaml --wall-height 0.5 map.xml",
+            "  robosim-geometry convert arena.world --models ~/.gazebo/models arena.xml",
+            "  robosim-geometry convert part.stl --scale 0.001 --up z part.xml",
+            "  robosim-geometry convert worlds/rooms.xml rooms.obj"
+        })
+public final class ConvertCommand implements Callable<Integer> {
+    private static final int MOST_LINES = 20;
+
+    /** Of a length. */
+    private static final int DIGITS = 6;
+
+    @Spec
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private CommandSpec spec;
+
+    @Parameters(
+            index = "0",
+            paramLabel = "IN",
+            description =
+                    "a world (.xml), a map of ROS (.yaml), SDFormat (.sdf, .world, or a model's folder), or a mesh"
+                            + " (.obj, .stl)")
+    private Path in = Path.of("");
+
+    @Parameters(
+            index = "1",
+            paramLabel = "OUT",
+            description = "the file to write: a world (.xml), or the triangles of all that is in it (.obj)")
+    private Path out = Path.of("");
+
+    @Option(
+            names = "--wall-height",
+            paramLabel = "METRES",
+            defaultValue = "2",
+            description = "how high the walls of a map are (default: ${DEFAULT-VALUE})")
+    private double wallHeight;
+
+    @Option(
+            names = "--scale",
+            paramLabel = "UNITS",
+            defaultValue = "1",
+            description = "world units for each unit of a mesh: 0.001 for millimetres (default: ${DEFAULT-VALUE})")
+    private double scale;
+
+    @Option(
+            names = "--up",
+            paramLabel = "AXIS",
+            defaultValue = "y",
+            completionCandidates = Axes.class,
+            description = "which axis of a mesh points up: y or z (default: ${DEFAULT-VALUE})")
+    private ImportOptions.Up up = ImportOptions.Up.Y;
+
+    @Option(
+            names = "--models",
+            paramLabel = "DIR",
+            description = "a folder of models for SDFormat's model://, beside that of IN; may be given again")
+    private List<Path> models = new ArrayList<>();
+
+    @Option(names = "--strict", description = "writes nothing where anything would be left out, and ends with 1")
+    private boolean strict;
+
+    @Option(names = "--all", description = "names all that is left out; else the first " + MOST_LINES)
+    private boolean all;
+
+    /** What a shell offers for {@code --up}: as the help writes it. */
+    static final class Axes implements Iterable<String> {
+        @Override
+        public Iterator<String> iterator() {
+            return Stream.of(ImportOptions.Up.values())
+                    .map(axis -> axis.name().toLowerCase(Locale.ROOT))
+                    .iterator();
+        }
+    }
+
+    private ConvertCommand() {}
+
+    @Override
+    public Integer call() throws Exception {
+        boolean asMesh = isMesh();
+        if (!Files.isDirectory(in)) {
+            Inputs.file(spec, "IN", in);
+        }
+        if (Files.exists(out) && Files.isSameFile(in, out)) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "OUT must be another file than IN, which it would overwrite (got: " + out + ")");
+        }
+        Inputs.folders(spec, "--models", models);
+        WorldImport read = WorldImport.read(in, options());
+        PrintWriter printer = spec.commandLine().getOut();
+        read.lines(all ? Integer.MAX_VALUE : MOST_LINES).forEach(printer::println);
+        if (strict && !read.isWhole()) {
+            printer.println("Wrote nothing: --strict, and " + read.skipped().size() + " left out");
+            return ExitCodes.FINDINGS;
+        }
+        World world = read.world();
+        if (asMesh) {
+            try (Progress progress =
+                    Progress.of(spec.commandLine(), "objects", world.objects().size())) {
+                ObjWriter.write(world, out, progress::at);
+            }
+        } else {
+            WorldWriter.write(world, out);
+        }
+        printer.println(written(world));
+        return ExitCodes.FINE;
+    }
+
+    private boolean isMesh() {
+        String name = out.toString().toLowerCase(Locale.ROOT);
+        if (!name.endsWith(".xml") && !name.endsWith(".obj")) {
+            throw new ParameterException(spec.commandLine(), "OUT must end in .xml or .obj (got: " + out + ")");
+        }
+        if (Files.isDirectory(out)) {
+            throw new ParameterException(spec.commandLine(), "OUT must be a file; this is a folder (got: " + out + ")");
+        }
+        return name.endsWith(".obj");
+    }
+
+    private ImportOptions options() {
+        try {
+            return new ImportOptions(wallHeight, scale, up, models);
+        } catch (IllegalArgumentException e) {
+            throw new ParameterException(spec.commandLine(), String.valueOf(e.getMessage()), e);
+        }
+    }
+
+    private String written(World world) {
+        int objects = world.objects().size();
+        StringBuilder line = new StringBuilder("Wrote " + out + ": " + NumberText.count(objects, "object"));
+        long moveable = world.objects().stream()
+                .filter(each -> each.object().isMoveable())
+                .count();
+        line.append(moveable == 0 ? "" : ", " + moveable + " of them moveable");
+        String unit = Pictures.unit(world);
+        line.append(String.format(
+                Locale.ROOT,
+                "; the world is %s x %s x %s%s",
+                NumberText.digits(world.width(), DIGITS),
+                NumberText.digits(world.height(), DIGITS),
+                NumberText.digits(world.length(), DIGITS),
+                unit.isEmpty() ? "" : " " + unit));
+        world.objects().stream()
+                .map(each -> each.object().bounds())
+                .reduce(Bounds::and)
+                .ifPresent(all -> line.append(", the objects reach ")
+                        .append(reach("X", all.minX(), all.maxX()))
+                        .append(reach(", Y", all.minY(), all.maxY()))
+                        .append(reach(", Z", all.minZ(), all.maxZ())));
+        return line.toString();
+    }
+
+    private static String reach(String axis, double least, double most) {
+        return axis + " " + NumberText.digits(least, DIGITS) + " to " + NumberText.digits(most, DIGITS);
+    }
+}

@@ -1,0 +1,146 @@
+package robosim.geometry.cli.worlds;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+import robosim.geometry.cli.terminal.ExitCodes;
+import robosim.geometry.cli.terminal.Inputs;
+import robosim.geometry.cli.terminal.Ports;
+import robosim.geometry.cli.terminal.Version;
+import robosim.geometry.cli.terminal.WireFiles;
+import robosim.geometry.scenario.ScenarioReader;
+import robosim.geometry.scenario.WatchReader;
+import robosim.geometry.viewer.draw.Theme;
+import robosim.geometry.viewer.playback.Pictures;
+import robosim.geometry.viewer.window.Viewer;
+import robosim.geometry.world.World;
+
+/** Shows a world, a recording or a session in a window. */
+@Command(
+        name = ViewCommand.NAME,
+        description = "Shows a world, a recording or a running session from above, in a window.",
+        mixinStandardHelpOptions = true,
+        versionProvider = Version.class,
+        exitCodeListHeading = ExitCodes.HEADING,
+        exitCodeList = {ExitCodes.DONE, ExitCodes.UNUSABLE + ":not shown: there is no display, or no such file"},
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  robosim-geometry view worlds/rooms.xml",
+            "  robosim-geometry view recordings/session.scenario.jsonl",
+            "  robosim-geometry view target/demo --world worlds/rooms.xml",
+            "  robosim-geometry view --watch localhost:5556"
+        })
+public final class ViewCommand implements Callable<Integer> {
+    public static final String NAME = "view";
+
+    @Spec
+    @SuppressWarnings("NullAway.Init") // set by picocli before call()
+    private CommandSpec spec;
+
+    @Parameters(
+            arity = "0..1",
+            paramLabel = "FILE",
+            description = "a world of any format that convert reads, a recording (*" + ScenarioReader.ENDING
+                    + "), or a folder with the demo's " + WireFiles.TO_MODULE + " and " + WireFiles.FROM_MODULE)
+    private @Nullable Path file;
+
+    @Option(
+            names = "--watch",
+            paramLabel = "HOST:PORT",
+            description = "a session as it is held: the port of a serve or connect with --watch; nothing is sent to it")
+    private @Nullable String watched;
+
+    @Option(
+            names = "--world",
+            paramLabel = "WORLD",
+            description = "for a recording or a session: a world file that lends its colours and its unit")
+    private @Nullable Path colours;
+
+    @Option(
+            names = "--models",
+            paramLabel = "DIR",
+            description =
+                    "a folder of models for SDFormat's model://, beside that of the world file; may be given again")
+    private List<Path> models = new ArrayList<>();
+
+    @Option(names = "--dark", description = "on dark paper; D changes it in the window")
+    private boolean dark;
+
+    private ViewCommand() {}
+
+    @Override
+    public Integer call() throws Exception {
+        Path shown = file;
+        if ((shown == null) == (watched == null)) {
+            throw refused("either FILE or --watch must be given (got: " + (shown == null ? "neither" : "both") + ")");
+        }
+        if (shown != null && !Files.exists(shown)) {
+            throw refused("FILE must be there to be viewed; check the path (got: " + shown + ")");
+        }
+        if (shown != null && !Files.isDirectory(shown)) {
+            Inputs.file(spec, "FILE", shown);
+        }
+        Inputs.folders(spec, "--models", models);
+        if (!Viewer.hasDisplay()) {
+            spec.commandLine()
+                    .getErr()
+                    .println("view needs a display to open its window on, and there is none here; draw a world to a"
+                            + " picture with `" + Version.PROGRAM + " render`.");
+            return ExitCodes.UNUSABLE;
+        }
+        if (shown != null) {
+            view(shown);
+        } else if (watched != null) {
+            watch(watched);
+        }
+        return ExitCodes.FINE;
+    }
+
+    private void watch(String place) throws IOException, InterruptedException {
+        int colon = place.lastIndexOf(':');
+        if (colon < 1 || !place.substring(colon + 1).matches("[0-9]{1,5}")) {
+            throw refused("--watch must be HOST:PORT, as localhost:5556 (got: " + place + ")");
+        }
+        int port = Integer.parseInt(place.substring(colon + 1));
+        Ports.check(spec, port, 1);
+        String host = place.substring(0, colon).replaceAll("^\\[|]$", "");
+        World lender = lender();
+        Viewer.live(WatchReader.dial(host, port), place, lender, theme());
+    }
+
+    private void view(Path shown) throws IOException, InterruptedException {
+        String name = shown.toString().toLowerCase(Locale.ROOT);
+        String title = Pictures.title(shown);
+        Path toModule = WireFiles.at(shown);
+        if (toModule != null) {
+            Viewer.recording(WireFiles.open(toModule), title, lender(), theme());
+        } else if (name.endsWith(".jsonl")) {
+            Viewer.recording(ScenarioReader.open(shown), title, lender(), theme());
+        } else {
+            Viewer.world(Inputs.world(spec, shown, models), title, theme());
+        }
+    }
+
+    private @Nullable World lender() throws IOException {
+        return colours == null ? null : Inputs.world(spec, Inputs.file(spec, "--world", colours), models);
+    }
+
+    private Theme theme() {
+        return dark ? Theme.DARK : Theme.LIGHT;
+    }
+
+    private ParameterException refused(String message) {
+        return new ParameterException(spec.commandLine(), message);
+    }
+}

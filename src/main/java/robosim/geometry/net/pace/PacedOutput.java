@@ -1,0 +1,94 @@
+package robosim.geometry.net.pace;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.time.Duration;
+
+/**
+ * The way out to a peer. A message is gathered, so that a small one is one write and one segment; what is written goes to
+ * the socket's own queue, which is bounded. While that is full the writer waits, without its {@link Turn}, and reads no
+ * further request of that peer.
+ */
+public final class PacedOutput extends OutputStream {
+    /** One step of the progress that is watched. */
+    static final int STEP_BYTES = 1 << 14;
+
+    private final OutputStream out;
+    private final Watchdog.Guard guard;
+    private final Duration stall;
+    private final Duration message;
+    private final Turn turn;
+    private final byte[] gathered = new byte[STEP_BYTES];
+    private int count;
+    private long messageDue;
+
+    /** What is written next begins a message; each ends with a flush. */
+    private boolean between = true;
+
+    public PacedOutput(OutputStream out, Watchdog.Guard guard, Duration stall, Duration message, Turn turn) {
+        this.out = out;
+        this.guard = guard;
+        this.stall = stall;
+        this.message = message;
+        this.turn = turn;
+    }
+
+    @Override
+    public void write(int single) throws IOException {
+        write(new byte[] {(byte) single}, 0, 1);
+    }
+
+    @Override
+    public void write(byte[] bytes, int at, int length) throws IOException {
+        int end = at + length;
+        for (int from = at; from < end; ) {
+            if (count == STEP_BYTES) {
+                boolean computing = turn.isRunning();
+                step();
+                if (computing) {
+                    long start = System.nanoTime();
+                    turn.take();
+                    messageDue += System.nanoTime() - start; // no fault of the peer
+                }
+            }
+            int part = Math.min(STEP_BYTES - count, end - from);
+            System.arraycopy(bytes, from, gathered, count, part);
+            count += part;
+            from += part;
+        }
+    }
+
+    private void step() throws IOException {
+        turn.give();
+        if (between) {
+            between = false;
+            messageDue = System.nanoTime() + message.toNanos();
+        }
+        long stalled = System.nanoTime() + stall.toNanos();
+        guard.begin(stalled - messageDue < 0 ? stalled : messageDue);
+        try {
+            out.write(gathered, 0, count);
+            count = 0;
+        } catch (IOException e) {
+            throw guard.isBroken() ? new IOException(complaint(stalled), e) : e;
+        } finally {
+            guard.end();
+        }
+    }
+
+    private String complaint(long stalled) {
+        return stalled - messageDue < 0
+                ? "the peer read nothing for " + stall.toMillis() + " ms"
+                : "the peer did not read a message within " + message.toMillis() + " ms";
+    }
+
+    /** The end of a message, after which there is nothing to compute until another one has come. */
+    @Override
+    public void flush() throws IOException {
+        if (count > 0) {
+            step();
+        }
+        out.flush();
+        between = true;
+    }
+}

@@ -1,0 +1,36 @@
+package robosim.geometry.net.session;
+
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.MoveResult;
+import robosim.geometry.exact.NumberText;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.protocol.Text;
+
+/** Why a move was refused, in words. */
+public final class Reasons {
+    private Reasons() {}
+
+    /** As in {@code blocked by "wall 3" after 0.25 of the way}. */
+    public static String of(MoveResult result) {
+        return "blocked by " + obstacle(result.obstacle()) + " after " + way(result);
+    }
+
+    private static String obstacle(@Nullable GeometryObject obstacle) {
+        if (obstacle == null) {
+            return "the border of the world";
+        }
+        String name = obstacle.name();
+        return name != null ? Text.quoted(name) : Text.name(obstacle);
+    }
+
+    private static String way(MoveResult result) {
+        return result.fraction() < 1
+                ? share(result.fraction()) + " of the way"
+                : share(result.turnFraction()) + " of the turn";
+    }
+
+    /** Rounded down to a thousandth. */
+    private static String share(double fraction) {
+        return NumberText.places(Math.floor(1000 * fraction) / 1000, 3);
+    }
+}

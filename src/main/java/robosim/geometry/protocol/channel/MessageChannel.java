@@ -1,0 +1,237 @@
+package robosim.geometry.protocol.channel;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InterruptedIOException;
+import java.io.ObjectStreamConstants;
+import java.io.OutputStream;
+import java.io.SequenceInputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.Gate;
+import robosim.geometry.protocol.MessagePace;
+import robosim.geometry.protocol.MessageReader;
+import robosim.geometry.protocol.MessageTranslator;
+import robosim.geometry.protocol.MessageWriter;
+import robosim.geometry.protocol.ProtocolException;
+import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.Text;
+import robosim.geometry.protocol.json.JsonCodec;
+import robosim.geometry.protocol.json.JsonLines;
+
+/**
+ * Both directions of one connection, in the encoding that the peer chooses: the first byte that it sends tells, {@code AC}
+ * of Java serialization or <code>&#123;</code> of {@linkplain JsonLines JSON lines}.
+ *
+ * <p>A Java peer that opens its input first waits for our stream header before it sends a byte. So the header is written
+ * when the peer's first byte has told that it speaks Java, or when nothing has come for as long as {@link
+ * MessagePace#opening} waits. A peer that speaks JSON but is later than that is served too: the first line that it gets is
+ * then the four bytes of that header, to be skipped.
+ *
+ * <p>{@link #read} itself answers a JSON peer's hello and pings. One thread reads and one writes, the same or another: a
+ * message goes out whole. After an exception nothing more can be read.
+ */
+public final class MessageChannel {
+    /** How a peer's messages are written. */
+    public enum Encoding {
+        /** Java serialization. */
+        JAVA,
+        /** JSON lines. */
+        JSON
+    }
+
+    private static final int JAVA = ObjectStreamConstants.STREAM_MAGIC >> 8 & 0xff;
+
+    private final InputStream in;
+    private final OutputStream out;
+    private final MessageTranslator translator;
+    private final MessagePace pace;
+    private final Gate gate;
+
+    /** Made, and our stream header with it, before the peer has said a word. */
+    private @Nullable MessageWriter early;
+
+    private volatile @Nullable Codec speech;
+    private volatile @Nullable Encoding encoding;
+
+    /** Nothing is read or written yet. */
+    public MessageChannel(InputStream in, OutputStream out, MessageTranslator translator, MessagePace pace, Gate gate) {
+        this.in = Checks.present("in", in);
+        this.out = Checks.present("out", out);
+        this.translator = Checks.present("translator", translator);
+        this.pace = Checks.present("pace", pace);
+        this.gate = Checks.present("gate", gate);
+    }
+
+    /**
+     * Waits for the next bundle.
+     *
+     * @return null where the stream ends, between two messages
+     * @throws ProtocolException where bytes are no message, the peer is not admitted, or the stream fails or ends inside
+     *     of a message. A peer that speaks JSON has been told why
+     */
+    public @Nullable Bundle read() throws ProtocolException {
+        try {
+            Codec spoken = speech == null ? open() : speech;
+            return spoken == null ? null : spoken.read();
+        } catch (ProtocolException e) {
+            refuse(String.valueOf(e.getMessage()));
+            throw e;
+        }
+    }
+
+    /**
+     * Answers in the peer's encoding: one message, whole and flushed.
+     *
+     * @throws IllegalStateException where nothing has been read, so that there is no encoding yet
+     */
+    public void write(Reply reply) throws IOException {
+        Checks.present("reply", reply);
+        Codec spoken = speech;
+        if (spoken == null) {
+            throw new IllegalStateException("a request must be read before it is answered");
+        }
+        spoken.write(reply);
+    }
+
+    /**
+     * Tells the peer why its connection is about to be closed, where its encoding has a word for that; once, without an
+     * exception where it cannot be told any more.
+     */
+    public void refuse(String reason) {
+        Checks.present("reason", reason);
+        if (encoding != Encoding.JSON) {
+            return;
+        }
+        try {
+            synchronized (out) {
+                out.write(errorLine(reason));
+                out.flush();
+            }
+        } catch (IOException e) {
+            encoding = null; // who is gone need not be told
+        }
+    }
+
+    /** What a peer that speaks JSON is told before its connection is closed, with its line feed. Needs no Jackson. */
+    public static byte[] errorLine(String reason) {
+        String words = Text.line(Checks.present("reason", reason))
+                .replace("\\", "\\\\")
+                .replace("\"", "\\\"");
+        return ("{\"type\":\"error\",\"message\":\"" + words + "\"}\n").getBytes(StandardCharsets.UTF_8);
+    }
+
+    /** What the peer speaks; null until it has said a word. */
+    public @Nullable Encoding encoding() {
+        return encoding;
+    }
+
+    /** Bytes of the message that was read last; 0 before the first. */
+    public int messageBytes() {
+        Codec spoken = speech;
+        return spoken == null ? 0 : spoken.messageBytes();
+    }
+
+    private @Nullable Codec open() throws ProtocolException {
+        try {
+            int first = first();
+            if (first < 0) {
+                return null;
+            }
+            InputStream whole = new SequenceInputStream(new ByteArrayInputStream(new byte[] {(byte) first}), in);
+            Codec opened = switch (first) {
+                case JAVA -> java(whole);
+                case '{' -> json(whole);
+                default ->
+                    throw new ProtocolException(
+                            "a stream must begin with AC ED 00 05, Java serialization, or with {, JSON lines"
+                                    + " (got: %02X)".formatted(first));
+            };
+            speech = opened;
+            return opened;
+        } catch (ProtocolException e) {
+            throw e;
+        } catch (IOException e) {
+            throw new ProtocolException(
+                    "the connection failed before its first message: " + Text.line(e.toString()), e);
+        }
+    }
+
+    private int first() throws IOException {
+        pace.opening();
+        try {
+            return in.read();
+        } catch (InterruptedIOException silence) {
+            early = new MessageWriter(out, translator);
+            pace.idle();
+            return in.read();
+        }
+    }
+
+    private Codec java(InputStream whole) throws IOException {
+        encoding = Encoding.JAVA;
+        if (!gate.admits(null)) {
+            throw new ProtocolException("a peer must tell a secret, as JSON lines can and Java serialization cannot"
+                    + " (got: Java serialization); use TLS with a certificate, or let the module dial");
+        }
+        MessageWriter writer = early == null ? new MessageWriter(out, translator) : early;
+        MessageReader reader = new MessageReader(whole, translator, pace);
+        return new Codec() {
+            @Override
+            public @Nullable Bundle read() throws ProtocolException {
+                return reader.read();
+            }
+
+            @Override
+            public void write(Reply reply) throws IOException {
+                Checks.present("reply", reply);
+                writer.write(reply.bundle());
+            }
+
+            @Override
+            public int messageBytes() {
+                return reader.messageBytes();
+            }
+        };
+    }
+
+    private Codec json(InputStream whole) throws IOException {
+        encoding = Encoding.JSON;
+        if (early != null) {
+            out.write('\n'); // the header is a line of its own
+            out.flush();
+        }
+        try {
+            return codec(JsonCodec.open(whole, out, pace, gate));
+        } catch (LinkageError e) {
+            throw new ProtocolException(
+                    "JSON lines need Jackson: put com.fasterxml.jackson.core:jackson-core on the class path, or on the"
+                            + " module path with --add-modules com.fasterxml.jackson.core (got: "
+                            + Objects.requireNonNullElse(e.getMessage(), "no such class") + ")",
+                    e);
+        }
+    }
+
+    private static Codec codec(JsonCodec lines) {
+        return new Codec() {
+            @Override
+            public @Nullable Bundle read() throws ProtocolException {
+                return lines.read();
+            }
+
+            @Override
+            public void write(Reply reply) throws IOException {
+                lines.write(reply);
+            }
+
+            @Override
+            public int messageBytes() {
+                return lines.messageBytes();
+            }
+        };
+    }
+}

@@ -1,0 +1,45 @@
+package robosim.geometry.protocol.json;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** The fields that one kind of JSON object has; at most 64. */
+final class Fields {
+    private final List<String> names;
+    private final int required;
+
+    private Fields(List<String> names, int required) {
+        this.names = names;
+        this.required = required;
+    }
+
+    /** Names with a space between them; their numbers count on from the required ones to the optional ones. */
+    static Fields of(String required, String optional) {
+        List<String> names = new ArrayList<>(List.of(required.split(" ")));
+        int count = names.size();
+        if (!optional.isEmpty()) {
+            names.addAll(List.of(optional.split(" ")));
+        }
+        return new Fields(List.copyOf(names), count);
+    }
+
+    /** The number of a field, or -1. */
+    int indexOf(String name) {
+        return names.indexOf(name);
+    }
+
+    String name(int index) {
+        return names.get(index);
+    }
+
+    /** The first of the required fields that is not among those seen, a bit each; -1 where none is missing. */
+    int missing(long seen) {
+        int first = Long.numberOfTrailingZeros(~seen);
+        return first < required ? first : -1;
+    }
+
+    @Override
+    public String toString() {
+        return String.join(", ", names);
+    }
+}

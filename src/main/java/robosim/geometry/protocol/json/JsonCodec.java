@@ -1,0 +1,166 @@
+package robosim.geometry.protocol.json;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.BufferedOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InterruptedIOException;
+import java.io.OutputStream;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.Gate;
+import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.MessagePace;
+import robosim.geometry.protocol.ProtocolException;
+import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.Text;
+
+/** A connection in JSON lines: a hello first, then requests and pings. */
+public final class JsonCodec {
+    private final LineInput lines;
+
+    /** Also the lock under which a message is written. */
+    private final OutputStream target;
+
+    private final OutputStream buffered;
+    private final Gate gate;
+    private boolean admitted;
+    private int messageBytes;
+
+    private JsonCodec(InputStream in, OutputStream out, MessagePace pace, Gate gate) {
+        this.lines = new LineInput(in, pace);
+        this.target = out;
+        this.buffered = new BufferedOutputStream(out, 8192);
+        this.gate = gate;
+    }
+
+    /**
+     * A connection of which nothing has been read.
+     *
+     * @throws LinkageError where there is no Jackson
+     */
+    public static JsonCodec open(InputStream in, OutputStream out, MessagePace pace, Gate gate) {
+        JsonInput.FACTORY.version(); // here, and not in the midst of a message
+        return new JsonCodec(in, out, pace, gate);
+    }
+
+    /**
+     * The next bundle, once all hellos and pings before it have been answered; null at the end of the stream.
+     *
+     * @throws ProtocolException where bytes are no message, the peer is not admitted, or the stream fails
+     */
+    public @Nullable Bundle read() throws ProtocolException {
+        try {
+            Bundle request = null;
+            while (request == null) {
+                if (!lines.await(admitted ? Limits.MAX_MESSAGE_BYTES : Limits.MAX_HELLO_BYTES)) {
+                    return null;
+                }
+                request = message();
+            }
+            return request;
+        } catch (ProtocolException e) {
+            throw new ProtocolException("line " + lines.number() + ", " + e.getMessage(), e.getCause());
+        } catch (InterruptedIOException e) {
+            throw new ProtocolException(
+                    "line " + lines.number() + ", a message stalled after " + lines.count() + " bytes of it", e);
+        } catch (IOException e) {
+            throw new ProtocolException(
+                    "line " + lines.number() + ", the connection failed: " + Text.line(e.toString()), e);
+        }
+    }
+
+    /** Null for a message that is answered here. */
+    private @Nullable Bundle message() throws IOException {
+        if (!admitted) {
+            hello();
+            messageBytes = lines.count();
+            return null;
+        }
+        Object message = JsonLines.guardedAsItComes(this::decode);
+        messageBytes = lines.count();
+        if (message instanceof JsonMessages.Ping ping) {
+            send(output -> output.writePong(ping.id()));
+            return null;
+        }
+        return (Bundle) message;
+    }
+
+    private Object decode() throws IOException {
+        if (lines.isWhole()) {
+            return decode(lines.buffer(), lines.start(), lines.length());
+        }
+        String type = JsonInput.firstTypeOf(JsonInput.of(lines.buffer(), lines.start(), lines.length()));
+        if (type == null) { // it may stand at the end
+            byte[] line = lines.gather();
+            return decode(line, 0, line.length);
+        }
+        try (JsonInput in = JsonInput.of(lines.characters())) {
+            return message(type, in);
+        }
+    }
+
+    private static Object decode(byte[] bytes, int at, int length) throws IOException {
+        String type = JsonInput.typeOf(JsonInput.of(bytes, at, length));
+        try (JsonInput in = JsonInput.of(bytes, at, length)) {
+            return message(type, in);
+        }
+    }
+
+    private static Object message(String type, JsonInput in) throws IOException {
+        if (type.equals("hello")) {
+            throw new ProtocolException("a hello must come once, as the first message (got: another)");
+        }
+        return type.equals("ping") ? new JsonMessages(in).ping() : JsonLines.request(type, in);
+    }
+
+    private void hello() throws IOException {
+        JsonMessages.Hello hello;
+        try {
+            hello = JsonLines.guarded(this::decodeHello);
+        } catch (ProtocolException e) {
+            throw new ProtocolException(String.valueOf(e.getMessage())); // without a cause, which might repeat the line
+        } finally {
+            lines.wipe();
+        }
+        if (!gate.admits(hello.secret())) {
+            throw new ProtocolException(
+                    hello.secret() == null
+                            ? "a hello must have the field \"secret\" here (got: none)"
+                            : "the secret must be the one that this module was given (got: another)");
+        }
+        admitted = true;
+        send(JsonOutput::writeHello);
+    }
+
+    private JsonMessages.Hello decodeHello() throws IOException {
+        String type = JsonInput.typeOf(JsonInput.discreet(lines.buffer(), lines.start(), lines.length()));
+        if (!type.equals("hello")) {
+            throw new ProtocolException("the first message must be a hello, as in {\"type\":\"hello\",\"version\":"
+                    + JsonLines.VERSION + "} (got: another)");
+        }
+        try (JsonInput in = JsonInput.discreet(lines.buffer(), lines.start(), lines.length())) {
+            return new JsonMessages(in).hello();
+        }
+    }
+
+    /** Sends an answer, whole and flushed. */
+    public void write(Reply reply) throws IOException {
+        send(output -> output.write(reply));
+    }
+
+    private void send(JsonLines.Writing message) throws IOException {
+        synchronized (target) {
+            try (JsonGenerator generator = JsonInput.FACTORY.createGenerator(buffered)) {
+                message.write(new JsonOutput(generator));
+            }
+            buffered.write('\n');
+            buffered.flush();
+        }
+    }
+
+    /** Bytes of the message that was read last. */
+    public int messageBytes() {
+        return messageBytes;
+    }
+}

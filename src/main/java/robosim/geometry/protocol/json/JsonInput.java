@@ -1,0 +1,465 @@
+package robosim.geometry.protocol.json;
+
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.JsonToken;
+import com.fasterxml.jackson.core.StreamReadConstraints;
+import com.fasterxml.jackson.core.StreamWriteFeature;
+import com.fasterxml.jackson.core.exc.StreamConstraintsException;
+import java.io.ByteArrayInputStream;
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.Reader;
+import java.math.BigDecimal;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.ProtocolException;
+import robosim.geometry.protocol.Text;
+
+/**
+ * One line of JSON, read strictly: an object's fields are those that it must and may have, each once; a value is of its
+ * kind and within the limits. What is refused is named with its place, a JSON pointer.
+ */
+final class JsonInput implements Closeable {
+    /** Longest number: the exact digits of the longest double are some 1,080. */
+    static final int MAX_NUMBER_LENGTH = 1_100;
+
+    /** Longest whole number with a point or an exponent in it. */
+    private static final int MAX_WHOLE_LENGTH = 40;
+
+    static final JsonFactory FACTORY = JsonFactory.builder()
+            .streamReadConstraints(StreamReadConstraints.builder()
+                    .maxNestingDepth(Limits.MAX_DEPTH)
+                    .maxNumberLength(MAX_NUMBER_LENGTH)
+                    .maxStringLength(Limits.MAX_TEXT_BYTES)
+                    .maxNameLength(Limits.MAX_TEXT_BYTES)
+                    .build())
+            // Names come from a peer: none stays.
+            .disable(JsonFactory.Feature.INTERN_FIELD_NAMES)
+            .disable(JsonFactory.Feature.CANONICALIZE_FIELD_NAMES)
+            // The shortest digits that mean the double, on every JVM.
+            .enable(StreamWriteFeature.USE_FAST_DOUBLE_WRITER)
+            .disable(StreamWriteFeature.AUTO_CLOSE_TARGET)
+            // A line goes out with its line feed, at once.
+            .disable(StreamWriteFeature.FLUSH_PASSED_TO_STREAM)
+            .build();
+
+    private final JsonParser parser;
+    private final boolean discreet;
+    private int containers;
+
+    /** The text that was read last. */
+    private @Nullable String lastText;
+
+    private JsonInput(JsonParser parser, boolean discreet) {
+        this.parser = parser;
+        this.discreet = discreet;
+    }
+
+    /** A line whose words may be repeated where it is refused. */
+    static JsonInput of(byte[] bytes, int at, int length) throws IOException {
+        return new JsonInput(parser(bytes, at, length), false);
+    }
+
+    /** A line whose words may be repeated, as it comes. */
+    static JsonInput of(Reader line) throws IOException {
+        return new JsonInput(FACTORY.createParser(line), false);
+    }
+
+    /** A line that may hold a secret: nothing of it is repeated. */
+    static JsonInput discreet(byte[] bytes, int at, int length) throws IOException {
+        return new JsonInput(parser(bytes, at, length), true);
+    }
+
+    // Not createParser(bytes, at, length): where names are not canonicalized, that of Jackson 2.22 takes at + length
+    // for the length of more than 8,000 bytes, and reads what stands behind the line.
+    private static JsonParser parser(byte[] bytes, int at, int length) throws IOException {
+        return length <= LineInput.BUFFER
+                ? FACTORY.createParser(new String(bytes, at, length, StandardCharsets.UTF_8))
+                : FACTORY.createParser(
+                        new InputStreamReader(new ByteArrayInputStream(bytes, at, length), StandardCharsets.UTF_8));
+    }
+
+    /** The {@code type} of the message, wherever in it that stands; what comes behind it is not looked at. */
+    static String typeOf(JsonInput message) throws IOException {
+        try (JsonInput in = message) {
+            if (in.find("type")) {
+                return in.text();
+            }
+            throw in.refused("must have the field \"type\" (got: none)");
+        }
+    }
+
+    /** The {@code type} of the message of which this is the beginning, where it stands first; null elsewhere. */
+    static @Nullable String firstTypeOf(JsonInput beginning) {
+        try (JsonInput in = beginning) {
+            in.begin();
+            return in.isObject() && "type".equals(in.nextField()) && in.isText() ? in.text() : null;
+        } catch (IOException e) {
+            return null; // who reads all of it tells what is wrong with it
+        }
+    }
+
+    /** Goes to a field of the line's object, wherever in it that stands. */
+    boolean find(String field) throws IOException {
+        if (advance() == null) {
+            throw new ProtocolException("a line must hold a message (got: a blank line)");
+        }
+        if (!isObject()) {
+            throw refused("must be an object, {...} (got: " + kind() + ")");
+        }
+        for (String name = nextField(); name != null; name = nextField()) {
+            if (name.equals(field)) {
+                return true;
+            }
+            skip();
+        }
+        return false;
+    }
+
+    /** Goes to the value of the current object's next field, and tells its name; null at the object's end. */
+    @Nullable
+    String nextField() throws IOException {
+        if (advance() != JsonToken.FIELD_NAME) {
+            return null;
+        }
+        String name = parser.currentName();
+        advance();
+        return name;
+    }
+
+    private void skip() throws IOException {
+        try {
+            parser.skipChildren();
+        } catch (JsonProcessingException e) {
+            throw noJson(e);
+        }
+    }
+
+    /** Begins the line's value. */
+    void begin() throws IOException {
+        advance();
+    }
+
+    /** Begins the line's object. */
+    Members message(Fields fields) throws IOException {
+        advance();
+        return object(fields);
+    }
+
+    /** Ends the line. */
+    void end() throws IOException {
+        if (advance() != null) {
+            throw refused("nothing may follow a message on its line (got: " + kind() + ")");
+        }
+    }
+
+    private JsonToken advance() throws IOException {
+        try {
+            return parser.nextToken();
+        } catch (JsonProcessingException e) {
+            throw noJson(e);
+        }
+    }
+
+    /** Begins the object that is the current value. */
+    Members object(Fields fields) throws IOException {
+        if (parser.currentToken() != JsonToken.START_OBJECT) {
+            throw refused("must be an object, {...} (got: " + kind() + ")");
+        }
+        count();
+        return new Members(fields);
+    }
+
+    boolean isObject() {
+        return parser.currentToken() == JsonToken.START_OBJECT;
+    }
+
+    boolean isNull() {
+        return parser.currentToken() == JsonToken.VALUE_NULL;
+    }
+
+    boolean isText() {
+        return parser.currentToken() == JsonToken.VALUE_STRING;
+    }
+
+    boolean isNumber() {
+        return parser.currentToken() == JsonToken.VALUE_NUMBER_INT
+                || parser.currentToken() == JsonToken.VALUE_NUMBER_FLOAT;
+    }
+
+    boolean isFlag() {
+        return parser.currentToken() == JsonToken.VALUE_TRUE || parser.currentToken() == JsonToken.VALUE_FALSE;
+    }
+
+    private void count() throws IOException {
+        if (++containers > Limits.MAX_REFERENCES) {
+            throw refused(
+                    "there must be at most " + Limits.MAX_REFERENCES + " objects and lists in a message (got: more)");
+        }
+    }
+
+    /** Begins the list that is the current value; {@link #more} leads to its items. */
+    void list() throws IOException {
+        if (parser.currentToken() != JsonToken.START_ARRAY) {
+            throw refused("must be a list, [...] (got: " + kind() + ")");
+        }
+        count();
+    }
+
+    /**
+     * Goes to the next item of a list.
+     *
+     * @param sofar items that have been read
+     * @return false at its end
+     */
+    boolean more(int sofar, int most) throws IOException {
+        if (advance() == JsonToken.END_ARRAY) {
+            return false;
+        }
+        if (sofar >= most) {
+            throw refused("a list must have at most " + most + " items here (got: more)");
+        }
+        return true;
+    }
+
+    /** The finite number that is the current value, its nearest double. */
+    double number() throws IOException {
+        if (!isNumber()) {
+            throw refused("must be a number (got: " + kind() + ")");
+        }
+        String digits = scalar();
+        if (digits.length() > MAX_NUMBER_LENGTH) { // the parser itself does not count the sign, nor the point
+            throw refused(numberTooLong());
+        }
+        double value = Double.parseDouble(digits);
+        if (!Double.isFinite(value)) {
+            throw refused("must be a number that a double can hold (got: one beyond 1.8e308)");
+        }
+        return value;
+    }
+
+    /** The whole number that is the current value. */
+    long whole(long least, long most) throws IOException {
+        double value = number();
+        if (!(value >= least && value <= most) || !isWhole()) {
+            throw refused(
+                    "must be a whole number from " + least + " to " + most + " (got: " + Text.line(scalar()) + ")");
+        }
+        return (long) value;
+    }
+
+    // 1.0 and 1e0 are whole numbers too, as in the schema; what only rounds to one is not, nor what takes long to tell.
+    private boolean isWhole() throws IOException {
+        return parser.currentToken() == JsonToken.VALUE_NUMBER_INT
+                || (parser.getTextLength() <= MAX_WHOLE_LENGTH
+                        && new BigDecimal(scalar()).stripTrailingZeros().scale() <= 0);
+    }
+
+    /** That many numbers in a list, which is the current value. */
+    double[] numbers(int count) throws IOException {
+        double[] numbers = new double[count];
+        list();
+        int k = 0;
+        while (more(k, count)) {
+            numbers[k++] = number();
+        }
+        if (k < count) {
+            throw refused("must be a list of " + count + " numbers (got: " + k + ")");
+        }
+        return numbers;
+    }
+
+    boolean flag() throws IOException {
+        if (!isFlag()) {
+            throw refused("must be true or false (got: " + kind() + ")");
+        }
+        return parser.currentToken() == JsonToken.VALUE_TRUE;
+    }
+
+    /** The text that is the current value; whole characters, no longer than a Java stream can hold. */
+    String text() throws IOException {
+        if (!isText()) {
+            throw refused("must be a text (got: " + kind() + ")");
+        }
+        String last = lastText;
+        if (last != null && isAgain(last)) {
+            return last; // one robot's name stands in many requests of a bundle
+        }
+        String text = scalar();
+        int bytes = 0;
+        for (int k = 0; k < text.length(); k++) {
+            char c = text.charAt(k);
+            bytes += c >= 1 && c <= 0x7f ? 1 : c <= 0x7ff ? 2 : 3; // modified UTF-8
+            if (Character.isHighSurrogate(c) && k + 1 < text.length() && Character.isLowSurrogate(text.charAt(k + 1))) {
+                k++;
+                bytes += 3;
+            } else if (Character.isSurrogate(c)) {
+                throw refused("a text must have no half of a surrogate pair (got: " + told(String.valueOf(c)) + ")");
+            }
+        }
+        if (bytes > Limits.MAX_TEXT_BYTES) {
+            throw refused(tooLong());
+        }
+        lastText = text;
+        return text;
+    }
+
+    private boolean isAgain(String text) throws IOException {
+        try {
+            char[] chars = parser.getTextCharacters();
+            int from = parser.getTextOffset();
+            boolean same = parser.getTextLength() == text.length();
+            for (int k = 0; same && k < text.length(); k++) {
+                same = chars[from + k] == text.charAt(k);
+            }
+            return same;
+        } catch (JsonProcessingException e) {
+            throw noJson(e);
+        }
+    }
+
+    /** One of the names of an enum. */
+    <E extends Enum<E>> E constant(Class<E> type) throws IOException {
+        String text = text();
+        for (E constant : type.getEnumConstants()) {
+            if (constant.name().equals(text)) {
+                return constant;
+            }
+        }
+        throw refused("must be one of " + Arrays.toString(type.getEnumConstants()) + " (got: " + told(text) + ")");
+    }
+
+    /** What came, for a message. */
+    String told(String text) {
+        return discreet ? "another" : Text.quoted(text);
+    }
+
+    private String scalar() throws IOException {
+        try {
+            return parser.getText();
+        } catch (JsonProcessingException e) {
+            throw noJson(e);
+        }
+    }
+
+    /** Makes a value; what its constructor refuses is refused here. */
+    <T> T make(Supplier<T> constructor) throws ProtocolException {
+        try {
+            return constructor.get();
+        } catch (IllegalArgumentException e) {
+            throw new ProtocolException(place() + String.valueOf(e.getMessage()), e);
+        }
+    }
+
+    /** What is wrong with the current value. */
+    ProtocolException refused(String what) {
+        return new ProtocolException(place() + what);
+    }
+
+    private String place() {
+        String pointer =
+                discreet ? "" : parser.getParsingContext().pathAsPointer().toString();
+        return pointer.isEmpty() ? "the message: " : "at " + Text.line(pointer) + ": ";
+    }
+
+    private static String numberTooLong() {
+        return "a number must have at most " + MAX_NUMBER_LENGTH + " characters (got: more)";
+    }
+
+    private static String tooLong() {
+        return "a text must have at most " + Limits.MAX_TEXT_BYTES + " bytes (got: more)";
+    }
+
+    /** The parser's words without its advice, which is for who configures it. */
+    private ProtocolException noJson(JsonProcessingException e) {
+        String words = String.valueOf(e.getOriginalMessage());
+        if (e instanceof StreamConstraintsException) {
+            return refused(beyond(words));
+        }
+        int column = e.getLocation() == null ? 0 : e.getLocation().getColumnNr();
+        String what = "must be JSON (RFC 8259), which ends at column " + column;
+        if (discreet) {
+            return refused(what);
+        }
+        String told = Text.line(words.replaceFirst("(?s)(: | \\()?(was expecting|enable `|maybe a ).*", ""));
+        String remedy = words.matches("(?s).*'[-+]?(?i:nan|inf).*")
+                ? "; a number is finite, and no echo or no end of a beam is null"
+                : "";
+        return refused(what + remedy + " (got: " + told + ")");
+    }
+
+    private static String beyond(String words) {
+        if (words.startsWith("Document nesting depth")) {
+            return "nesting must be at most " + Limits.MAX_DEPTH + " deep (got: more)";
+        }
+        if (words.startsWith("Number value length")) {
+            return numberTooLong();
+        }
+        return words.startsWith("String value length") || words.startsWith("Name length") ? tooLong() : words;
+    }
+
+    /** What the current value is, for a message. */
+    String kind() {
+        JsonToken token = parser.currentToken();
+        if (token == null) {
+            return "nothing";
+        }
+        return switch (token) {
+            case START_OBJECT -> "an object";
+            case START_ARRAY -> "a list";
+            case VALUE_STRING -> "a text";
+            case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT -> "a number";
+            case VALUE_TRUE -> "true";
+            case VALUE_FALSE -> "false";
+            case VALUE_NULL -> "null";
+            default -> "something else";
+        };
+    }
+
+    @Override
+    public void close() throws IOException {
+        parser.close();
+    }
+
+    /** An object that is being read. */
+    final class Members {
+        private final Fields fields;
+        private long seen;
+
+        private Members(Fields fields) {
+            this.fields = fields;
+        }
+
+        /** Goes to the value of the next field, and tells its number; -1 at the end, when nothing is missing. */
+        int next() throws IOException {
+            if (advance() != JsonToken.FIELD_NAME) {
+                int missing = fields.missing(seen);
+                if (missing >= 0) {
+                    throw refused("must have the field \"" + fields.name(missing) + "\" (got: none)");
+                }
+                return -1;
+            }
+            String name = parser.currentName();
+            int index = fields.indexOf(name);
+            if (index < 0) {
+                throw refused("a field must be one of " + fields + " (got: " + told(name) + ")");
+            }
+            if ((seen & 1L << index) != 0) {
+                throw refused("a field must come once (got: \"" + name + "\" twice)");
+            }
+            seen |= 1L << index;
+            advance();
+            return index;
+        }
+
+        boolean has(int index) {
+            return (seen & 1L << index) != 0;
+        }
+    }
+}

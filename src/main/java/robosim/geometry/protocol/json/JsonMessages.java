@@ -1,0 +1,276 @@
+package robosim.geometry.protocol.json;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.protocol.Beam;
+import robosim.geometry.protocol.DistanceBundle;
+import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.protocol.MoveRequest;
+import robosim.geometry.protocol.Problem;
+import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.SonarRequest;
+import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.WorldSettings;
+
+/** Messages from JSON, whose type is known. */
+final class JsonMessages {
+    private static final Fields INIT = Fields.of("type objects", "settings");
+    private static final Fields SETTINGS = Fields.of("width height length dimension accuracy", "");
+    private static final Fields MOVES = Fields.of("type moves", "");
+    private static final Fields MOVE = Fields.of("objectName x y z rx ry", "");
+    private static final Fields SONARS = Fields.of("type requests", "");
+    private static final Fields SONAR = Fields.of("objectName xOffset zOffset", "beam");
+    private static final Fields BEAM = Fields.of("min max width", "");
+    private static final Fields MADE = Fields.of("type moves refused", "");
+    private static final Fields REFUSED = Fields.of("index reason", "");
+    private static final Fields DISTANCES = Fields.of("type distances", "");
+    private static final Fields ERROR = Fields.of("error", "");
+    private static final Fields HELLO = Fields.of("type version", "secret");
+    private static final Fields PING = Fields.of("type", "id");
+
+    private static final long MAX_ID = (1L << 53) - 1;
+
+    private final JsonInput in;
+
+    JsonMessages(JsonInput in) {
+        this.in = in;
+    }
+
+    /** The first message of a peer. */
+    record Hello(@Nullable String secret) {
+        @Override
+        public String toString() {
+            return "hello"; // the secret appears nowhere
+        }
+    }
+
+    /**
+     * Asks whether anybody is there.
+     *
+     * @param id a text, a Long, or null for none
+     */
+    record Ping(@Nullable Object id) {}
+
+    Hello hello() throws IOException {
+        String secret = null;
+        JsonInput.Members message = in.message(HELLO);
+        for (int field = message.next(); field >= 0; field = message.next()) {
+            switch (field) {
+                case 0 -> in.text();
+                case 1 -> version();
+                default -> secret = in.text();
+            }
+        }
+        in.end();
+        return new Hello(secret);
+    }
+
+    private void version() throws IOException {
+        double version = in.number();
+        if (version != JsonLines.VERSION) {
+            throw in.refused("version must be " + JsonLines.VERSION + " (got: another)");
+        }
+    }
+
+    Ping ping() throws IOException {
+        Object id = null;
+        JsonInput.Members message = in.message(PING);
+        for (int field = message.next(); field >= 0; field = message.next()) {
+            if (field == 0 || in.isText()) {
+                String text = in.text();
+                id = field == 0 ? id : text;
+            } else {
+                id = in.whole(-MAX_ID, MAX_ID);
+            }
+        }
+        in.end();
+        return new Ping(id);
+    }
+
+    InitBundle init() throws IOException {
+        List<GeometryObject> objects = new ArrayList<>();
+        WorldSettings settings = null;
+        JsonInput.Members message = in.message(INIT);
+        for (int field = message.next(); field >= 0; field = message.next()) {
+            switch (field) {
+                case 0 -> in.text();
+                case 1 -> objects = new JsonObjects(in).list();
+                default -> settings = settings();
+            }
+        }
+        in.end();
+        return new InitBundle(objects, settings);
+    }
+
+    private WorldSettings settings() throws IOException {
+        double[] sizes = new double[3];
+        Dimension[] dimension = {Dimension.PLANAR};
+        Accuracy[] accuracy = {Accuracy.EXACT};
+        JsonInput.Members members = in.object(SETTINGS);
+        for (int field = members.next(); field >= 0; field = members.next()) {
+            switch (field) {
+                case 3 -> dimension[0] = in.constant(Dimension.class);
+                case 4 -> accuracy[0] = in.constant(Accuracy.class);
+                default -> sizes[field] = in.number();
+            }
+        }
+        return in.make(() -> new WorldSettings(sizes[0], sizes[1], sizes[2], dimension[0], accuracy[0]));
+    }
+
+    MoveBundle moves() throws IOException {
+        List<MoveRequest> moves = new ArrayList<>();
+        JsonInput.Members message = in.message(MOVES);
+        for (int field = message.next(); field >= 0; field = message.next()) {
+            if (field == 0) {
+                in.text();
+            } else {
+                moves = moveList();
+            }
+        }
+        in.end();
+        return new MoveBundle(moves);
+    }
+
+    private List<MoveRequest> moveList() throws IOException {
+        List<MoveRequest> moves = new ArrayList<>();
+        in.list();
+        while (in.more(moves.size(), Limits.MAX_LIST_LENGTH)) {
+            moves.add(move());
+        }
+        return moves;
+    }
+
+    private MoveRequest move() throws IOException {
+        String[] name = {""};
+        double[] numbers = new double[5];
+        JsonInput.Members members = in.object(MOVE);
+        for (int field = members.next(); field >= 0; field = members.next()) {
+            if (field == 0) {
+                name[0] = in.text();
+            } else {
+                numbers[field - 1] = in.number();
+            }
+        }
+        return in.make(() -> new MoveRequest(name[0], numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]));
+    }
+
+    SonarRequestBundle sonars() throws IOException {
+        List<SonarRequest> requests = new ArrayList<>();
+        JsonInput.Members message = in.message(SONARS);
+        for (int field = message.next(); field >= 0; field = message.next()) {
+            if (field == 0) {
+                in.text();
+                continue;
+            }
+            in.list();
+            while (in.more(requests.size(), Limits.MAX_LIST_LENGTH)) {
+                requests.add(sonar());
+            }
+        }
+        in.end();
+        return new SonarRequestBundle(requests);
+    }
+
+    private SonarRequest sonar() throws IOException {
+        String[] name = {""};
+        double[] offset = new double[2];
+        Beam[] beam = new Beam[1];
+        JsonInput.Members members = in.object(SONAR);
+        for (int field = members.next(); field >= 0; field = members.next()) {
+            switch (field) {
+                case 0 -> name[0] = in.text();
+                case 3 -> beam[0] = beam();
+                default -> offset[field - 1] = in.number();
+            }
+        }
+        return in.make(() -> new SonarRequest(name[0], offset[0], offset[1], beam[0]));
+    }
+
+    private Beam beam() throws IOException {
+        double[] numbers = new double[3];
+        JsonInput.Members members = in.object(BEAM);
+        for (int field = members.next(); field >= 0; field = members.next()) {
+            numbers[field] = field == 1 && in.isNull() ? Double.POSITIVE_INFINITY : in.number();
+        }
+        return in.make(() -> new Beam(numbers[0], numbers[1], numbers[2]));
+    }
+
+    /** An answer to moves. */
+    Reply made() throws IOException {
+        List<MoveRequest> moves = new ArrayList<>();
+        List<Problem> problems = new ArrayList<>();
+        JsonInput.Members message = in.message(MADE);
+        for (int field = message.next(); field >= 0; field = message.next()) {
+            switch (field) {
+                case 0 -> in.text();
+                case 1 -> moves = moveList();
+                default -> {
+                    in.list();
+                    while (in.more(problems.size(), Limits.MAX_LIST_LENGTH)) {
+                        problems.add(problem());
+                    }
+                }
+            }
+        }
+        in.end();
+        return new Reply(new MoveBundle(moves), problems);
+    }
+
+    private Problem problem() throws IOException {
+        int index = 0;
+        String reason = "";
+        JsonInput.Members members = in.object(REFUSED);
+        for (int field = members.next(); field >= 0; field = members.next()) {
+            if (field == 0) {
+                index = (int) in.whole(0, Limits.MAX_LIST_LENGTH);
+            } else {
+                reason = in.text();
+            }
+        }
+        return Problem.of(index, reason);
+    }
+
+    /** An answer to sonar requests. */
+    Reply distances() throws IOException {
+        List<Double> distances = new ArrayList<>();
+        List<Problem> problems = new ArrayList<>();
+        JsonInput.Members message = in.message(DISTANCES);
+        for (int field = message.next(); field >= 0; field = message.next()) {
+            if (field == 0) {
+                in.text();
+                continue;
+            }
+            in.list();
+            while (in.more(distances.size(), Limits.MAX_LIST_LENGTH)) {
+                distances.add(distance(distances.size(), problems));
+            }
+        }
+        in.end();
+        return in.make(() -> new Reply(new DistanceBundle(distances), problems));
+    }
+
+    private double distance(int index, List<Problem> problems) throws IOException {
+        if (in.isNull()) {
+            return Double.POSITIVE_INFINITY;
+        }
+        if (!in.isObject()) {
+            double distance = in.number();
+            if (distance < 0) {
+                throw in.refused("a distance must be at least 0 (got: " + distance + ")");
+            }
+            return distance;
+        }
+        JsonInput.Members members = in.object(ERROR);
+        for (int field = members.next(); field >= 0; field = members.next()) {
+            problems.add(Problem.of(index, in.text()));
+        }
+        return Double.NaN;
+    }
+}

@@ -1,0 +1,241 @@
+package robosim.geometry.protocol.json;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.CapsuleObject;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+import robosim.geometry.model.SphereObject;
+import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.ProtocolException;
+
+/** Objects from JSON. The fields come in any order, so an object is noted whole before its kind decides. */
+final class JsonObjects {
+    private static final Fields FIELDS = Fields.of(
+            "kind",
+            "name moveable center rotation headingDegrees width height length radius segment vertices faces solid"
+                    + " boundingVolume members");
+
+    private static final List<String> COMMON =
+            List.of("kind", "name", "moveable", "center", "rotation", "headingDegrees");
+
+    private static final List<Form> FORMS = List.of(
+            Form.of(GeometryObject.Kind.BOX, "box", "center width height length", ""),
+            Form.of(GeometryObject.Kind.CYLINDER, "cylinder", "center radius height", ""),
+            Form.of(GeometryObject.Kind.SPHERE, "sphere", "center radius", ""),
+            Form.of(GeometryObject.Kind.CAPSULE, "capsule", "center radius segment", ""),
+            Form.of(GeometryObject.Kind.MESH, "mesh", "vertices faces", "solid boundingVolume"),
+            Form.of(GeometryObject.Kind.GROUP, "group", "members", "boundingVolume"));
+
+    private static final int MAX_VERTICES = Limits.MAX_ARRAY_LENGTH / 3;
+
+    private final JsonInput in;
+    private long parts;
+
+    /** Parts of the object or list that was read last. */
+    private long weight;
+
+    JsonObjects(JsonInput in) {
+        this.in = in;
+    }
+
+    /** The list of objects that is the current value. */
+    List<GeometryObject> list() throws IOException {
+        List<GeometryObject> objects = new ArrayList<>();
+        long sum = 0;
+        in.list();
+        while (in.more(objects.size(), Limits.MAX_LIST_LENGTH)) {
+            objects.add(object());
+            sum += weight;
+            add(weight);
+        }
+        weight = sum;
+        return objects;
+    }
+
+    private void add(long more) throws ProtocolException {
+        parts += more;
+        if (parts > Limits.MAX_PARTS) {
+            throw in.refused("a message's objects must have at most " + Limits.MAX_PARTS
+                    + " parts, counted in every list that they are in (got: more)");
+        }
+    }
+
+    private GeometryObject object() throws IOException {
+        Draft draft = new Draft();
+        JsonInput.Members members = in.object(FIELDS);
+        for (int field = members.next(); field >= 0; field = members.next()) {
+            read(draft, field);
+        }
+        checkFields(draft, members);
+        weight = draft.weight;
+        return in.make(draft::make);
+    }
+
+    private void read(Draft draft, int field) throws IOException {
+        switch (field) {
+            case 0 -> draft.form = form();
+            case 1 -> draft.name = in.text();
+            case 2 -> draft.moveable = in.flag();
+            case 3 -> draft.center = point();
+            case 4 -> draft.rotation = in.numbers(9);
+            case 5 -> draft.heading = in.numbers(2);
+            case 6 -> draft.width = in.number();
+            case 7 -> draft.height = in.number();
+            case 8 -> draft.length = in.number();
+            case 9 -> draft.radius = in.number();
+            case 10 -> draft.vertices = vertices();
+            case 11 -> {
+                draft.faces = faces();
+                draft.weight = weight;
+            }
+            case 12 -> draft.solid = in.flag();
+            case 13 -> draft.boundingVolume = object();
+            default -> {
+                draft.members = list();
+                draft.weight = weight;
+            }
+        }
+    }
+
+    private void checkFields(Draft draft, JsonInput.Members members) throws ProtocolException {
+        Form form = draft.form;
+        for (int field = 0; field < 15; field++) {
+            String name = FIELDS.name(field);
+            if (members.has(field) ? !form.may.contains(name) : form.must.contains(name)) {
+                throw in.refused("a " + form.word + (members.has(field) ? " must not" : " must") + " have the field \""
+                        + name + "\"");
+            }
+        }
+        if (draft.heading != null && draft.rotation == null) {
+            throw in.refused("headingDegrees must come with the rotation that it belongs to (got: no rotation)");
+        }
+    }
+
+    private Point point() throws IOException {
+        double[] numbers = in.numbers(3);
+        return in.make(() -> new Point(numbers[0], numbers[1], numbers[2]));
+    }
+
+    private List<Point> vertices() throws IOException {
+        List<Point> vertices = new ArrayList<>();
+        in.list();
+        while (in.more(vertices.size(), MAX_VERTICES)) {
+            vertices.add(point());
+        }
+        return vertices;
+    }
+
+    private int[][] faces() throws IOException {
+        List<int[]> faces = new ArrayList<>();
+        long triangles = 0;
+        in.list();
+        while (in.more(faces.size(), Limits.MAX_LIST_LENGTH)) {
+            int[] face = face();
+            faces.add(face);
+            triangles += face.length - 2;
+        }
+        weight = triangles;
+        add(triangles);
+        return faces.toArray(int[][]::new);
+    }
+
+    private int[] face() throws IOException {
+        int[] corners = new int[4];
+        int count = 0;
+        in.list();
+        while (in.more(count, 4)) {
+            corners[count++] = (int) in.whole(0, MAX_VERTICES - 1L);
+        }
+        if (count < 3) {
+            throw in.refused("a face must have 3 or 4 corners (got: " + count + ")");
+        }
+        return Arrays.copyOf(corners, count);
+    }
+
+    /** What an object of a kind is called, and which fields it must and may have. */
+    private record Form(GeometryObject.Kind kind, String word, List<String> must, List<String> may) {
+        static Form of(GeometryObject.Kind kind, String word, String must, String more) {
+            List<String> may = new ArrayList<>(COMMON);
+            may.addAll(List.of((must + " " + more).trim().split(" ")));
+            return new Form(kind, word, List.of(must.split(" ")), List.copyOf(may));
+        }
+    }
+
+    private Form form() throws IOException {
+        String text = in.text();
+        for (Form form : FORMS) {
+            if (form.word.equals(text)) {
+                return form;
+            }
+        }
+        throw in.refused("must be box, cylinder, sphere, mesh or group (got: " + in.told(text) + ")");
+    }
+
+    /** What has been read of an object. */
+    private static final class Draft {
+        private Form form = FORMS.get(0);
+        private long weight = 1;
+        private @Nullable String name;
+        private boolean moveable;
+        private Point center = new Point();
+        private double @Nullable [] rotation;
+        private double @Nullable [] heading;
+        private double width;
+        private double height;
+        private double length;
+        private double radius;
+        private double segment;
+        private List<Point> vertices = List.of();
+        private int[][] faces = {};
+        private boolean solid;
+        private @Nullable GeometryObject boundingVolume;
+        private List<GeometryObject> members = List.of();
+
+        GeometryObject make() {
+            GeometryObject placed = shape().at(pose());
+            if (moveable) {
+                if (name == null) {
+                    throw new IllegalArgumentException("name must be given for a moveable object (got: none)");
+                }
+                return placed.moveable(name);
+            }
+            return name == null ? placed : placed.named(name);
+        }
+
+        private GeometryObject shape() {
+            return switch (form.kind) {
+                case BOX -> new BoxObject(center, width, height, length);
+                case CYLINDER -> new CylinderObject(center, radius, height);
+                case SPHERE -> new SphereObject(center, radius);
+                case CAPSULE -> new CapsuleObject(center, radius, segment);
+                case MESH -> mesh();
+                case GROUP -> new ObjectGroup(members, boundingVolume);
+            };
+        }
+
+        private MeshObject mesh() {
+            MeshObject surface = boundingVolume == null
+                    ? new MeshObject(vertices, faces)
+                    : new MeshObject(vertices, faces, boundingVolume);
+            return solid ? surface.solid() : surface;
+        }
+
+        private Pose pose() {
+            if (rotation == null) {
+                return Pose.of(center, 0);
+            }
+            return heading == null
+                    ? Pose.of(center, 0).oriented(rotation)
+                    : Pose.of(center, rotation, heading[0], heading[1]);
+        }
+    }
+}

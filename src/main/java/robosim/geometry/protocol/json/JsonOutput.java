@@ -1,0 +1,295 @@
+package robosim.geometry.protocol.json;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import java.util.Arrays;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.CapsuleObject;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.Pose;
+import robosim.geometry.model.SphereObject;
+import robosim.geometry.model.TriangleMesh;
+import robosim.geometry.protocol.Beam;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.DistanceBundle;
+import robosim.geometry.protocol.InitBundle;
+import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.protocol.MoveRequest;
+import robosim.geometry.protocol.Problem;
+import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.SonarRequest;
+import robosim.geometry.protocol.SonarRequestBundle;
+import robosim.geometry.protocol.WorldSettings;
+
+/** Messages to JSON; every double in the shortest digits that mean its bits. */
+final class JsonOutput {
+    private static final double[] FORWARD = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+
+    private final JsonGenerator out;
+
+    JsonOutput(JsonGenerator out) {
+        this.out = out;
+    }
+
+    /** A request. */
+    void write(Bundle request) throws IOException {
+        if (request instanceof InitBundle init) {
+            begin("init");
+            objects("objects", init.objects());
+            settings(init.settings());
+            out.writeEndObject();
+        } else if (request instanceof MoveBundle moves) {
+            begin("moves");
+            moves(moves.moves());
+            out.writeEndObject();
+        } else if (request instanceof SonarRequestBundle sonars) {
+            begin("sonars");
+            requests(sonars.requests());
+            out.writeEndObject();
+        } else {
+            throw new IllegalArgumentException("a request must be an InitBundle, a MoveBundle or a SonarRequestBundle"
+                    + " (got: " + request.getClass().getSimpleName() + ")");
+        }
+    }
+
+    /** An answer. */
+    void write(Reply reply) throws IOException {
+        if (reply.bundle() instanceof MoveBundle made) {
+            begin("moves");
+            moves(made.moves());
+            out.writeArrayFieldStart("refused");
+            for (Problem problem : reply.problems()) {
+                out.writeStartObject();
+                out.writeNumberField("index", problem.index());
+                out.writeStringField("reason", problem.reason());
+                out.writeEndObject();
+            }
+            out.writeEndArray();
+        } else {
+            begin("distances");
+            distances(((DistanceBundle) reply.bundle()).distances(), reply.problems());
+        }
+        out.writeEndObject();
+    }
+
+    /** The answer to a peer's hello. */
+    void writeHello() throws IOException {
+        begin("hello");
+        out.writeNumberField("version", JsonLines.VERSION);
+        out.writeStringField("module", JsonLines.MODULE);
+        out.writeObjectFieldStart("limits");
+        out.writeNumberField("messageBytes", Limits.MAX_MESSAGE_BYTES);
+        out.writeNumberField("depth", Limits.MAX_DEPTH);
+        out.writeNumberField("references", Limits.MAX_REFERENCES);
+        out.writeNumberField("arrayLength", Limits.MAX_ARRAY_LENGTH);
+        out.writeNumberField("listLength", Limits.MAX_LIST_LENGTH);
+        out.writeNumberField("parts", Limits.MAX_PARTS);
+        out.writeNumberField("textBytes", Limits.MAX_TEXT_BYTES);
+        out.writeEndObject();
+        out.writeEndObject();
+    }
+
+    /** The answer to a ping. */
+    void writePong(@Nullable Object id) throws IOException {
+        begin("pong");
+        if (id instanceof Long number) {
+            out.writeNumberField("id", number);
+        } else if (id != null) {
+            out.writeStringField("id", id.toString());
+        }
+        out.writeEndObject();
+    }
+
+    private void begin(String type) throws IOException {
+        out.writeStartObject();
+        out.writeStringField("type", type);
+    }
+
+    private void settings(@Nullable WorldSettings settings) throws IOException {
+        if (settings == null) {
+            return;
+        }
+        out.writeObjectFieldStart("settings");
+        out.writeNumberField("width", settings.width());
+        out.writeNumberField("height", settings.height());
+        out.writeNumberField("length", settings.length());
+        out.writeStringField("dimension", settings.dimension().name());
+        out.writeStringField("accuracy", settings.accuracy().name());
+        out.writeEndObject();
+    }
+
+    private void moves(List<MoveRequest> moves) throws IOException {
+        out.writeArrayFieldStart("moves");
+        for (MoveRequest move : moves) {
+            out.writeStartObject();
+            out.writeStringField("objectName", move.objectName());
+            out.writeNumberField("x", move.x());
+            out.writeNumberField("y", move.y());
+            out.writeNumberField("z", move.z());
+            out.writeNumberField("rx", move.rx());
+            out.writeNumberField("ry", move.ry());
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+    }
+
+    private void requests(List<SonarRequest> requests) throws IOException {
+        out.writeArrayFieldStart("requests");
+        for (SonarRequest request : requests) {
+            out.writeStartObject();
+            out.writeStringField("objectName", request.objectName());
+            out.writeNumberField("xOffset", request.xOffset());
+            out.writeNumberField("zOffset", request.zOffset());
+            Beam beam = request.beam();
+            if (beam != null) {
+                out.writeObjectFieldStart("beam");
+                out.writeNumberField("min", beam.min());
+                out.writeFieldName("max");
+                finiteOrNull(beam.max());
+                out.writeNumberField("width", beam.width());
+                out.writeEndObject();
+            }
+            out.writeEndObject();
+        }
+        out.writeEndArray();
+    }
+
+    private void distances(List<Double> distances, List<Problem> problems) throws IOException {
+        out.writeArrayFieldStart("distances");
+        int problem = 0;
+        for (int k = 0; k < distances.size(); k++) {
+            double distance = distances.get(k);
+            while (problem < problems.size() && problems.get(problem).index() < k) {
+                problem++;
+            }
+            if (Double.isNaN(distance)) {
+                boolean known =
+                        problem < problems.size() && problems.get(problem).index() == k;
+                out.writeStartObject();
+                out.writeStringField("error", known ? problems.get(problem).reason() : "no distance");
+                out.writeEndObject();
+            } else {
+                finiteOrNull(distance);
+            }
+        }
+        out.writeEndArray();
+    }
+
+    private void finiteOrNull(double number) throws IOException {
+        if (number < Double.POSITIVE_INFINITY) {
+            out.writeNumber(number);
+        } else {
+            out.writeNull();
+        }
+    }
+
+    private void objects(String field, List<GeometryObject> objects) throws IOException {
+        out.writeArrayFieldStart(field);
+        for (GeometryObject object : objects) {
+            object(object);
+        }
+        out.writeEndArray();
+    }
+
+    private void object(GeometryObject object) throws IOException {
+        out.writeStartObject();
+        switch (object.kind()) {
+            case BOX -> {
+                BoxObject box = (BoxObject) object;
+                place("box", object);
+                out.writeNumberField("width", box.width());
+                out.writeNumberField("height", box.height());
+                out.writeNumberField("length", box.length());
+            }
+            case CYLINDER -> {
+                CylinderObject cylinder = (CylinderObject) object;
+                place("cylinder", object);
+                out.writeNumberField("radius", cylinder.radius());
+                out.writeNumberField("height", cylinder.height());
+            }
+            case SPHERE -> {
+                place("sphere", object);
+                out.writeNumberField("radius", ((SphereObject) object).radius());
+            }
+            case CAPSULE -> {
+                CapsuleObject capsule = (CapsuleObject) object;
+                place("capsule", object);
+                out.writeNumberField("radius", capsule.radius());
+                out.writeNumberField("segment", capsule.segment());
+            }
+            case MESH -> {
+                place("mesh", object);
+                mesh((MeshObject) object);
+            }
+            case GROUP -> {
+                ObjectGroup group = (ObjectGroup) object;
+                place("group", object);
+                objects("members", group.members());
+                bounding(group.boundingVolume());
+            }
+        }
+        out.writeEndObject();
+    }
+
+    private void place(String kind, GeometryObject object) throws IOException {
+        out.writeStringField("kind", kind);
+        if (object.name() != null) {
+            out.writeStringField("name", object.name());
+        }
+        if (object.isMoveable()) {
+            out.writeBooleanField("moveable", true);
+        }
+        Point center = object.center();
+        numbers("center", center.x(), center.y(), center.z());
+        Pose pose = object.pose();
+        double[] rotation = pose.rotation();
+        if (!Arrays.equals(rotation, FORWARD) || pose.heading() != 0 || pose.lostHeading() != 0) {
+            numbers("rotation", rotation);
+            Pose plain = Pose.of(center, 0).oriented(rotation);
+            if (plain.heading() != pose.heading() || plain.lostHeading() != pose.lostHeading()) {
+                numbers("headingDegrees", pose.heading(), pose.lostHeading());
+            }
+        }
+    }
+
+    private void mesh(MeshObject mesh) throws IOException {
+        TriangleMesh triangles = mesh.triangles();
+        out.writeArrayFieldStart("vertices");
+        for (int v = 0; v < triangles.vertices(); v++) {
+            out.writeStartArray();
+            for (int axis = 0; axis < 3; axis++) {
+                out.writeNumber(triangles.coordinate(v, axis));
+            }
+            out.writeEndArray();
+        }
+        out.writeEndArray();
+        out.writeArrayFieldStart("faces");
+        for (int[] face : mesh.faces()) {
+            out.writeArray(face, 0, face.length);
+        }
+        out.writeEndArray();
+        if (mesh.isSolid()) {
+            out.writeBooleanField("solid", true);
+        }
+        bounding(mesh.boundingVolume());
+    }
+
+    private void bounding(@Nullable GeometryObject volume) throws IOException {
+        if (volume != null) {
+            out.writeFieldName("boundingVolume");
+            object(volume);
+        }
+    }
+
+    private void numbers(String field, double... numbers) throws IOException {
+        out.writeFieldName(field);
+        out.writeArray(numbers, 0, numbers.length);
+    }
+}

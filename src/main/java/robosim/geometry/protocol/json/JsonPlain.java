@@ -1,0 +1,52 @@
+package robosim.geometry.protocol.json;
+
+import java.io.IOException;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/** A line's object whose fields are not known beforehand: texts, Doubles, Booleans, nulls and objects like it. */
+final class JsonPlain {
+    private JsonPlain() {}
+
+    /** All of the line. */
+    static Map<String, @Nullable Object> read(JsonInput in) throws IOException {
+        in.begin();
+        Map<String, @Nullable Object> fields = fields(in);
+        in.end();
+        return fields;
+    }
+
+    private static Map<String, @Nullable Object> fields(JsonInput in) throws IOException {
+        if (!in.isObject()) {
+            throw in.refused("must be an object, {...} (got: " + in.kind() + ")");
+        }
+        Map<String, @Nullable Object> fields = new LinkedHashMap<>();
+        for (String name = in.nextField(); name != null; name = in.nextField()) {
+            if (fields.containsKey(name)) {
+                throw in.refused("a field must come once (got: " + in.told(name) + " twice)");
+            }
+            fields.put(name, value(in));
+        }
+        return fields;
+    }
+
+    private static @Nullable Object value(JsonInput in) throws IOException {
+        if (in.isObject()) {
+            return fields(in);
+        }
+        if (in.isText()) {
+            return in.text();
+        }
+        if (in.isNumber()) {
+            return in.number();
+        }
+        if (in.isFlag()) {
+            return in.flag();
+        }
+        if (in.isNull()) {
+            return null;
+        }
+        throw in.refused("must be an object, a text, a number, true, false or null (got: " + in.kind() + ")");
+    }
+}

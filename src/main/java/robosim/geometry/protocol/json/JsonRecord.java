@@ -1,0 +1,178 @@
+package robosim.geometry.protocol.json;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import java.io.StringWriter;
+import java.io.UncheckedIOException;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
+import robosim.geometry.protocol.ProtocolException;
+import robosim.geometry.protocol.Text;
+
+/**
+ * A line of JSON that is no message of the wire's: an object whose fields are asked for by their names, as strictly as a
+ * message is read. A scenario's file has such lines beside the wire's.
+ */
+public final class JsonRecord {
+    private final String place;
+    private final Map<String, @Nullable Object> fields;
+
+    private JsonRecord(String place, Map<String, @Nullable Object> fields) {
+        this.place = place;
+        this.fields = fields;
+    }
+
+    /**
+     * Reads a line.
+     *
+     * @throws ProtocolException where it is no object of texts, numbers, flags, nulls and objects like it
+     */
+    public static JsonRecord read(String line) throws ProtocolException {
+        byte[] bytes = JsonLines.bytes(line);
+        return JsonLines.guarded(() -> {
+            try (JsonInput in = JsonInput.of(bytes, 0, bytes.length)) {
+                return new JsonRecord("", JsonPlain.read(in));
+            }
+        });
+    }
+
+    /**
+     * Holds the record to its fields.
+     *
+     * @param required names with a space between them
+     * @param optional names with a space between them, or empty
+     * @return this
+     * @throws ProtocolException naming a field that is missing or unknown
+     */
+    public JsonRecord only(String required, String optional) throws ProtocolException {
+        Checks.present("optional", optional);
+        for (String name : List.of(Checks.present("required", required).split(" "))) {
+            if (!fields.containsKey(name)) {
+                throw refused("must have the field \"" + name + "\" (got: none)");
+            }
+        }
+        List<String> known = Arrays.asList((required + " " + optional).trim().split(" "));
+        for (String name : fields.keySet()) {
+            if (!known.contains(name)) {
+                throw refused(
+                        "a field must be one of " + String.join(", ", known) + " (got: " + Text.quoted(name) + ")");
+            }
+        }
+        return this;
+    }
+
+    /** The names of all fields, in their order. */
+    public List<String> names() {
+        return List.copyOf(fields.keySet());
+    }
+
+    /** Whether there is such a field. */
+    public boolean has(String field) {
+        return fields.containsKey(Checks.present("field", field));
+    }
+
+    /** Whether the field is there and null. */
+    public boolean isNull(String field) {
+        return has(field) && fields.get(field) == null;
+    }
+
+    /** A text. */
+    public String text(String field) throws ProtocolException {
+        return value(field, String.class, "a text");
+    }
+
+    /** A finite number. */
+    public double number(String field) throws ProtocolException {
+        return value(field, Double.class, "a number");
+    }
+
+    /** A whole number, from {@code least} to {@code most}, which a double can hold. */
+    public long whole(String field, long least, long most) throws ProtocolException {
+        double number = number(field);
+        if (!(number >= least && number <= most) || number != Math.rint(number)) {
+            throw at(field).refused("must be a whole number from " + least + " to " + most + " (got: " + number + ")");
+        }
+        return (long) number;
+    }
+
+    /** One of the names of an enum. */
+    public <E extends Enum<E>> E constant(String field, Class<E> type) throws ProtocolException {
+        Checks.present("type", type);
+        String text = text(field);
+        for (E constant : type.getEnumConstants()) {
+            if (constant.name().equals(text)) {
+                return constant;
+            }
+        }
+        throw at(field)
+                .refused("must be one of " + Arrays.toString(type.getEnumConstants()) + " (got: " + Text.quoted(text)
+                        + ")");
+    }
+
+    /** A record within this one. */
+    @SuppressWarnings("unchecked") // JsonPlain makes no other maps
+    public JsonRecord record(String field) throws ProtocolException {
+        return new JsonRecord(
+                place + "/" + field, (Map<String, @Nullable Object>) value(field, Map.class, "an object, {...}"));
+    }
+
+    private <T> T value(String field, Class<T> type, String kind) throws ProtocolException {
+        Object value = fields.get(Checks.present("field", field));
+        if (!type.isInstance(value)) {
+            throw at(field).refused("must be " + kind + " (got: " + (value == null ? "null or none" : "another") + ")");
+        }
+        return type.cast(value);
+    }
+
+    private JsonRecord at(String field) {
+        return new JsonRecord(place + "/" + field, fields);
+    }
+
+    /** What is wrong here, with its place. */
+    public ProtocolException refused(String what) {
+        Checks.present("what", what);
+        return new ProtocolException((place.isEmpty() ? "the line: " : "at " + Text.line(place) + ": ") + what);
+    }
+
+    /**
+     * A line, without its line feed.
+     *
+     * @param fields in the order of the map; texts, Longs and Integers, Doubles, Booleans, enums, nulls and maps like it.
+     *               An infinite Double becomes null, as on the wire
+     */
+    public static String write(Map<String, ? extends @Nullable Object> fields) {
+        Checks.present("fields", fields);
+        StringWriter text = new StringWriter();
+        try (JsonGenerator out = JsonInput.FACTORY.createGenerator(text)) {
+            write(out, fields);
+        } catch (IOException e) {
+            throw new UncheckedIOException("a text cannot fail", e);
+        }
+        return JsonLines.wellFormed(text.toString());
+    }
+
+    private static void write(JsonGenerator out, Map<?, ?> fields) throws IOException {
+        out.writeStartObject();
+        for (Map.Entry<?, ?> field : fields.entrySet()) {
+            out.writeFieldName(String.valueOf(field.getKey()));
+            Object value = field.getValue();
+            if (value instanceof Map<?, ?> inner) {
+                write(out, inner);
+            } else if (value instanceof Double number && Double.isFinite(number)) {
+                out.writeNumber(number);
+            } else if (value instanceof Long || value instanceof Integer) {
+                out.writeNumber(((Number) value).longValue());
+            } else if (value instanceof Boolean flag) {
+                out.writeBoolean(flag);
+            } else if (value == null || value instanceof Double) {
+                out.writeNull();
+            } else {
+                out.writeString(value instanceof Enum<?> constant ? constant.name() : value.toString());
+            }
+        }
+        out.writeEndObject();
+    }
+}

@@ -1,0 +1,101 @@
+package robosim.geometry.sweep.lines;
+
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+import java.util.List;
+import robosim.geometry.Snapshot;
+import robosim.geometry.model.CapsuleObject;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.SphereObject;
+
+/** A digest of numbers by their bits and of texts: the same on every JVM, whatever it writes numbers like. */
+public final class Fingerprint {
+    private final MessageDigest digest;
+
+    public Fingerprint() {
+        try {
+            digest = MessageDigest.getInstance("SHA-256");
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException("every JDK has SHA-256", e);
+        }
+    }
+
+    /** Of a world's settings and objects. */
+    public static String of(Snapshot world) {
+        Fingerprint print = new Fingerprint();
+        print.add(world.width()).add(world.height()).add(world.length());
+        print.add(world.dimension().name()).add(world.accuracy().name());
+        world.objects().forEach(print::add);
+        return print.hex().substring(0, 16);
+    }
+
+    public Fingerprint add(long number) {
+        digest.update(ByteBuffer.allocate(Long.BYTES).putLong(number).array());
+        return this;
+    }
+
+    public Fingerprint add(double number) {
+        return add(Double.doubleToLongBits(number));
+    }
+
+    public Fingerprint add(String text) {
+        byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+        add(bytes.length);
+        digest.update(bytes);
+        return this;
+    }
+
+    private void add(Point point) {
+        add(point.x()).add(point.y()).add(point.z());
+    }
+
+    public void add(GeometryObject object) {
+        add(object.kind().name());
+        String name = object.name();
+        add(name == null ? "" : name).add(object.isMoveable() ? 1 : 0);
+        add(object.center());
+        for (double number : object.rotation()) {
+            add(number);
+        }
+        add(object.heading());
+        switch (object.kind()) {
+            case BOX -> {
+                BoxObject box = (BoxObject) object;
+                add(box.width()).add(box.height()).add(box.length());
+            }
+            case CYLINDER -> add(((CylinderObject) object).radius()).add(((CylinderObject) object).height());
+            case SPHERE -> add(((SphereObject) object).radius());
+            case CAPSULE -> add(((CapsuleObject) object).radius()).add(((CapsuleObject) object).segment());
+            case MESH -> add((MeshObject) object);
+            case GROUP -> {
+                List<GeometryObject> members = ((ObjectGroup) object).members();
+                add(members.size());
+                members.forEach(this::add);
+            }
+        }
+    }
+
+    private void add(MeshObject mesh) {
+        add(mesh.isSolid() ? 1 : 0).add(mesh.vertices().size());
+        mesh.vertices().forEach(this::add);
+        for (int[] face : mesh.faces()) {
+            add(face.length);
+            for (int corner : face) {
+                add(corner);
+            }
+        }
+    }
+
+    /** All so far. */
+    public String hex() {
+        return HexFormat.of().formatHex(digest.digest());
+    }
+}

@@ -1,0 +1,136 @@
+package robosim.geometry.world.check;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.collision.Budget;
+import robosim.geometry.collision.Contact;
+import robosim.geometry.collision.ContactQuery;
+import robosim.geometry.collision.Verdict;
+import robosim.geometry.index.QuadCursor;
+import robosim.geometry.index.QuadTree;
+import robosim.geometry.model.Bounds;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.world.World;
+import robosim.geometry.world.WorldObject;
+
+/** The pairs of a world's objects that are in contact, in the order of the objects. */
+public final class Overlaps {
+    /** A way out that is shorter than this share of the smaller object is a touch. */
+    private static final double TOUCH = 0x1p-30;
+
+    /** Halvings of a way out that is known to within a factor of two. */
+    private static final int HALVINGS = 7;
+
+    private final List<WorldObject> objects;
+    private final Dimension dimension;
+    private final List<Overlap> found = new ArrayList<>();
+    private int staticCount;
+
+    Overlaps(World world, Watch watch) {
+        objects = world.objects();
+        dimension = world.dimension();
+        List<Bounds> bounds = objects.stream().map(o -> o.object().bounds()).toList();
+        QuadTree tree = new QuadTree(-world.width() / 2, -world.length() / 2, world.width() / 2, world.length() / 2);
+        QuadCursor cursor = tree.cursor();
+        for (int k = 0; k < objects.size(); k++) {
+            watch.at("overlaps", k, objects.size());
+            Bounds e = bounds.get(k);
+            List<Integer> near = new ArrayList<>();
+            cursor.startBox(e.minX(), e.minZ(), e.maxX(), e.maxZ());
+            for (int other = cursor.next(); other >= 0; other = cursor.next()) {
+                near.add(other);
+            }
+            near.sort(null);
+            for (int other : near) {
+                boolean level = dimension == Dimension.PLANAR || haveCommonHeight(e, bounds.get(other));
+                if (level) {
+                    compare(
+                            objects.get(other),
+                            objects.get(k),
+                            Math.min(e.size(), bounds.get(other).size()));
+                }
+            }
+            tree.add(k, e.minX(), e.minZ(), e.maxX(), e.maxZ());
+        }
+    }
+
+    private static boolean haveCommonHeight(Bounds a, Bounds b) {
+        return a.minY() <= b.maxY() && b.minY() <= a.maxY();
+    }
+
+    /** All with a moveable object, and as many of two static ones as are told. */
+    List<Overlap> found() {
+        return found;
+    }
+
+    int staticCount() {
+        return staticCount;
+    }
+
+    private void compare(WorldObject earlier, WorldObject later, double size) {
+        boolean moves = later.object().isMoveable() && !earlier.object().isMoveable();
+        WorldObject first = moves ? later : earlier;
+        WorldObject second = moves ? earlier : later;
+        boolean fixed = !first.object().isMoveable();
+        if (fixed && staticCount >= WorldCheck.MAX_STATIC_OVERLAPS) {
+            staticCount += touches(first.object(), second.object()) ? 1 : 0;
+            return;
+        }
+        List<Contact> contacts = ContactQuery.contacts(first.object(), second.object(), dimension, 1);
+        if (contacts.isEmpty()) {
+            return;
+        }
+        staticCount += fixed ? 1 : 0;
+        Contact contact = contacts.get(0);
+        found.add(new Overlap(
+                first,
+                second,
+                contact.point(),
+                contact.normal(),
+                depth(first.object(), second.object(), contact.normal(), size)));
+    }
+
+    private boolean touches(GeometryObject a, GeometryObject b) {
+        return ContactQuery.ask(a, b, dimension, Budget.UNLIMITED).answer() == Verdict.Answer.YES;
+    }
+
+    /** How far the first must go along the normal until it is clear of the second. */
+    private double depth(GeometryObject first, GeometryObject second, Point normal, double size) {
+        double reach = TOUCH * (size > 0 ? size : 1);
+        if (isClear(first, second, normal, reach)) {
+            return 0;
+        }
+        double least = reach;
+        double most = 2 * (first.bounds().size() + second.bounds().size()) + reach;
+        while (!isClear(first, second, normal, 2 * least)) {
+            least *= 2;
+            if (least > most) {
+                return Double.POSITIVE_INFINITY;
+            }
+        }
+        double clear = 2 * least;
+        for (int k = 0; k < HALVINGS; k++) {
+            double middle = (least + clear) / 2;
+            if (isClear(first, second, normal, middle)) {
+                clear = middle;
+            } else {
+                least = middle;
+            }
+        }
+        return clear;
+    }
+
+    private boolean isClear(GeometryObject first, GeometryObject second, Point n, double way) {
+        Point c = first.center();
+        @Nullable GeometryObject moved;
+        try {
+            moved = first.movedTo(new Point(c.x() + way * n.x(), c.y() + way * n.y(), c.z() + way * n.z()));
+        } catch (IllegalArgumentException beyondAllCoordinates) {
+            return false;
+        }
+        return !touches(moved, second);
+    }
+}

@@ -1,0 +1,48 @@
+package robosim.geometry.world.mesh;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Path;
+import java.util.Locale;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.RegularFile;
+
+/** What the readers of meshes share: how a file is opened, what a scale may be, and which reader a file's name asks for. */
+public final class MeshFiles {
+    private MeshFiles() {}
+
+    /** A reader of one format: of a stream, which it leaves open. */
+    @FunctionalInterface
+    public interface Format {
+        public MeshObject read(InputStream in, String source, double scale) throws FileProblem;
+    }
+
+    /** Whether a name ends as those of the formats do that are read: .obj and .stl. */
+    public static boolean isNamed(String file) {
+        return isStl(file) || file.toLowerCase(Locale.ROOT).endsWith(".obj");
+    }
+
+    private static boolean isStl(String file) {
+        return file.toLowerCase(Locale.ROOT).endsWith(".stl");
+    }
+
+    /** The surface of a file, in the format that its name ends in; OBJ where that tells nothing. */
+    public static MeshObject read(Path file, double scale) throws FileProblem {
+        return read(file, scale, isStl(file.toString()) ? StlSurface::read : ObjSurface::read);
+    }
+
+    public static MeshObject read(Path file, double scale, Format format) throws FileProblem {
+        try (InputStream in = RegularFile.open(file)) {
+            return format.read(in, file.toString(), scale);
+        } catch (IOException e) {
+            throw FileProblem.unreadable(file, e);
+        }
+    }
+
+    public static void checkScale(double scale) {
+        if (!(scale > 0 && scale <= 0x1p100)) { // written so that NaN fails it
+            throw new IllegalArgumentException("scale must be a number above 0, up to 2^100 (got: " + scale + ")");
+        }
+    }
+}

@@ -1,0 +1,164 @@
+package robosim.geometry.world.mesh;
+
+import java.io.BufferedInputStream;
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.io.Reader;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.world.shared.Bounded;
+import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.Limits;
+import robosim.geometry.world.shared.Numbers;
+
+/** The surface of a Wavefront OBJ file while it is read: its vertices and its faces, polygons cut. */
+public final class ObjSurface {
+    private static final Set<String> PASSED_OVER = Set.of(
+            "vn",
+            "vt",
+            "vp",
+            "o",
+            "g",
+            "s",
+            "mg",
+            "mtllib",
+            "usemtl",
+            "usemap",
+            "maplib",
+            "l",
+            "p",
+            "lod",
+            "bevel",
+            "c_interp",
+            "d_interp",
+            "shadow_obj",
+            "trace_obj");
+
+    /** That of UTF-8, read as Latin-1. */
+    private static final String BYTE_ORDER_MARK = "\u00ef\u00bb\u00bf";
+
+    private final double scale;
+    private final List<Point> vertices = new ArrayList<>();
+    private final List<int[]> faces = new ArrayList<>();
+    private int line;
+    private boolean ended;
+
+    private ObjSurface(double scale) {
+        this.scale = scale;
+    }
+
+    /** Reads a mesh from a stream, which is left open. */
+    public static MeshObject read(InputStream in, String source, double scale) throws FileProblem {
+        ObjSurface reader = new ObjSurface(scale);
+        try {
+            // Latin-1 takes every byte; all that is looked at is ASCII.
+            reader.readLines(new BufferedReader(
+                    new InputStreamReader(new Bounded(new BufferedInputStream(in)), StandardCharsets.ISO_8859_1)));
+            return new MeshObject(reader.vertices, reader.faces.toArray(int[][]::new));
+        } catch (FileProblem e) {
+            throw e;
+        } catch (IOException e) {
+            throw new FileProblem(source, reader.line, 0, "the file could not be read: " + e.getMessage(), e);
+        } catch (IllegalArgumentException e) {
+            throw new FileProblem(source, reader.line, 0, String.valueOf(e.getMessage()), e);
+        }
+    }
+
+    private void readLines(Reader in) throws IOException {
+        while (!ended) {
+            StringBuilder text = new StringBuilder();
+            int begin = line + 1; // errors name the line at which a statement begins
+            readLine(in, text);
+            while (text.length() > 0 && text.charAt(text.length() - 1) == '\\' && !ended) {
+                text.setCharAt(text.length() - 1, ' ');
+                readLine(in, text);
+            }
+            int end = line;
+            line = begin;
+            statement(text.toString().strip());
+            line = end;
+        }
+        if (faces.isEmpty()) {
+            line = 0;
+            throw new IllegalArgumentException("an OBJ file must have at least one face (got: none)");
+        }
+    }
+
+    /** Appends one line without its comment and its end; a file without line ends is not read into memory. */
+    private void readLine(Reader in, StringBuilder text) throws IOException {
+        line++;
+        boolean comment = false;
+        for (int c = in.read(); c != '\n'; c = in.read()) {
+            if (c < 0) {
+                ended = true;
+                break;
+            }
+            comment |= c == '#';
+            if (!comment && c != '\r') {
+                text.append((char) c);
+                if (text.length() > Limits.MAX_STATEMENT) {
+                    throw new IllegalArgumentException(
+                            "a statement must have at most " + Limits.MAX_STATEMENT + " characters (got: more)");
+                }
+            }
+        }
+        if (line == 1 && text.indexOf(BYTE_ORDER_MARK) == 0) {
+            text.delete(0, BYTE_ORDER_MARK.length());
+        }
+    }
+
+    private void statement(String text) {
+        if (text.isEmpty()) {
+            return;
+        }
+        String[] words = Numbers.words(text);
+        switch (words[0]) {
+            case "v" -> vertex(words);
+            case "f" -> face(words);
+            default -> {
+                if (!PASSED_OVER.contains(words[0])) {
+                    throw new IllegalArgumentException("a statement must be v, f or one that a surface can do without,"
+                            + " such as vn, vt, usemtl or g; export the mesh as polygons (got: " + words[0] + ")");
+                }
+            }
+        }
+    }
+
+    private void vertex(String[] words) {
+        if (words.length < 4) {
+            throw new IllegalArgumentException("a vertex must have x y z (got: " + String.join(" ", words) + ")");
+        }
+        vertices.add(new Point(
+                scale * Numbers.parse(words[1]), scale * Numbers.parse(words[2]), scale * Numbers.parse(words[3])));
+    }
+
+    private void face(String[] words) {
+        int corners = words.length - 1;
+        if (corners < 3 || corners > Limits.MAX_CORNERS) {
+            throw new IllegalArgumentException(
+                    "a face must have 3 to " + Limits.MAX_CORNERS + " corners (got: " + corners + ")");
+        }
+        int[] face = new int[corners];
+        for (int k = 0; k < corners; k++) {
+            String word = words[k + 1];
+            int slash = word.indexOf('/');
+            int index = Numbers.integer(slash < 0 ? word : word.substring(0, slash));
+            face[k] = index > 0 ? index - 1 : vertices.size() + index;
+            if (index == 0 || face[k] < 0 || face[k] >= vertices.size()) {
+                throw new IllegalArgumentException("a face must use vertices that stand before it, from 1 to "
+                        + vertices.size() + " or -1 to -" + vertices.size() + " (got: " + index + ")");
+            }
+        }
+        if (faces.size() + corners - 2 > Limits.MAX_FACES) {
+            throw new IllegalArgumentException(
+                    "a file must have at most " + Limits.MAX_FACES + " faces, cut into triangles (got: more)");
+        }
+        Polygon.cut(vertices, face, faces);
+    }
+}

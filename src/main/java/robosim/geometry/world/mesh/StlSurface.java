@@ -1,0 +1,147 @@
+package robosim.geometry.world.mesh;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import robosim.geometry.model.MeshObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.world.shared.AsciiScanner;
+import robosim.geometry.world.shared.Bounded;
+import robosim.geometry.world.shared.FileProblem;
+
+/** The surface of an STL file while it is read: its triangles, with corners that are equal joined. */
+public final class StlSurface {
+    private static final int HEADER = 84;
+    private static final int TRIANGLE = 50;
+
+    private final double scale;
+    private final Map<Point, Integer> indices = new HashMap<>();
+    private final List<Point> vertices = new ArrayList<>();
+    private final List<int[]> faces = new ArrayList<>();
+
+    private StlSurface(double scale) {
+        this.scale = scale;
+    }
+
+    /** Reads a mesh from a stream, which is left open. */
+    public static MeshObject read(InputStream in, String source, double scale) throws FileProblem {
+        byte[] bytes;
+        try {
+            bytes = new Bounded(in).readAllBytes();
+        } catch (IOException e) {
+            throw new FileProblem(source, 0, 0, "the file could not be read: " + e.getMessage(), e);
+        }
+        StlSurface reader = new StlSurface(scale);
+        AsciiScanner words = new AsciiScanner(bytes, source, -1);
+        if (isBinary(bytes)) {
+            reader.binary(bytes, source);
+        } else if (words.next() && words.is("solid")) {
+            reader.text(words);
+        } else {
+            throw new FileProblem(source, 0, 0, noStl(bytes));
+        }
+        try {
+            if (reader.faces.isEmpty()) {
+                throw new IllegalArgumentException("an STL file must have at least one triangle (got: none)");
+            }
+            return new MeshObject(reader.vertices, reader.faces.toArray(int[][]::new));
+        } catch (IllegalArgumentException e) {
+            throw new FileProblem(source, 0, 0, String.valueOf(e.getMessage()), e);
+        }
+    }
+
+    private static boolean isBinary(byte[] bytes) {
+        return bytes.length >= HEADER && bytes.length == HEADER + TRIANGLE * triangles(bytes);
+    }
+
+    // Unsigned; no text passes for one, since four of its bytes count more triangles than a file can hold.
+    private static long triangles(byte[] bytes) {
+        return Integer.toUnsignedLong(
+                ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).getInt(HEADER - 4));
+    }
+
+    private static String noStl(byte[] bytes) {
+        String begin = "an STL file must begin with the word solid, or be binary with 84 + 50 bytes for each triangle";
+        if (bytes.length < HEADER) {
+            return begin + " (got: " + bytes.length + " bytes)";
+        }
+        long count = triangles(bytes);
+        long need = HEADER + TRIANGLE * count;
+        return begin
+                + (bytes.length < need
+                        ? "; if it is one, it is cut off (got: "
+                        : "; if it is one, something stands behind its last triangle, so save it anew (got: ")
+                + bytes.length + " bytes that would hold " + count + " triangles, which take " + need + ")";
+    }
+
+    private void binary(byte[] bytes, String source) throws FileProblem {
+        ByteBuffer numbers = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+        int count = (bytes.length - HEADER) / TRIANGLE;
+        for (int k = 0; k < count; k++) {
+            int[] face = new int[3];
+            for (int corner = 0; corner < 3; corner++) {
+                int at = HEADER + TRIANGLE * k + 12 * (corner + 1); // behind the normal
+                try {
+                    face[corner] = vertex(numbers.getFloat(at), numbers.getFloat(at + 4), numbers.getFloat(at + 8));
+                } catch (IllegalArgumentException e) {
+                    throw new FileProblem(
+                            source,
+                            0,
+                            0,
+                            "corner " + (corner + 1) + " of triangle " + (k + 1) + ": " + e.getMessage(),
+                            e);
+                }
+            }
+            faces.add(face);
+        }
+    }
+
+    private void text(AsciiScanner words) throws FileProblem {
+        do {
+            words.skipLine(); // the solid's name
+            while (words.expect("facet or endsolid", "facet", "endsolid") == 0) {
+                facet(words);
+            }
+            words.skipLine();
+        } while (words.next() && words.expectCurrent("solid or the file's end", "solid"));
+    }
+
+    private void facet(AsciiScanner words) throws FileProblem {
+        words.expect("normal", "normal");
+        for (int k = 0; k < 3; k++) {
+            words.any("a number of the normal"); // which may be nan where the triangle has none
+        }
+        words.expect("outer", "outer");
+        words.expect("loop", "loop");
+        int[] face = new int[3];
+        for (int corner = 0; corner < 3; corner++) {
+            words.expect("vertex", "vertex");
+            double x = words.number("x of a vertex");
+            double y = words.number("y of a vertex");
+            double z = words.number("z of a vertex");
+            try {
+                face[corner] = vertex(x, y, z);
+            } catch (IllegalArgumentException e) {
+                throw words.wrong(String.valueOf(e.getMessage()));
+            }
+        }
+        words.expect("endloop (a facet is a triangle)", "endloop");
+        words.expect("endfacet", "endfacet");
+        faces.add(face);
+    }
+
+    private int vertex(double x, double y, double z) {
+        Point point = new Point(scale * x, scale * y, scale * z);
+        Integer known = indices.putIfAbsent(point, vertices.size());
+        if (known != null) {
+            return known;
+        }
+        vertices.add(point);
+        return vertices.size() - 1;
+    }
+}

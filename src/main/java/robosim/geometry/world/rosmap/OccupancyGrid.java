@@ -1,0 +1,91 @@
+package robosim.geometry.world.rosmap;
+
+import java.util.BitSet;
+import robosim.geometry.world.shared.Limits;
+
+/** The cells of a ROS map, row by row from the top of its image, and what the pixels made of them. */
+public final class OccupancyGrid {
+    /** Of a cell's value, as ROS has it: 0 is free, and this is a wall for certain. */
+    private static final int CERTAIN = 100;
+
+    private static final int UNKNOWN = -1;
+
+    public final int width;
+    public final int height;
+
+    /** The walls: cell {@code x} of row {@code row} is bit {@code row * width + x}. */
+    public final BitSet occupied;
+
+    private final MapSettings settings;
+    private int unknown;
+
+    /** Free to begin with; the size must have passed {@link #checkSize}. */
+    OccupancyGrid(int width, int height, MapSettings settings) {
+        this.width = width;
+        this.height = height;
+        this.settings = settings;
+        this.occupied = new BitSet(width * height);
+    }
+
+    /** Refuses an image of no cell or of too many, before memory is given to it. */
+    static void checkSize(int width, int height) {
+        if (width < 1 || height < 1 || (long) width * height > Limits.MAX_CELLS) {
+            throw new IllegalArgumentException(
+                    "an image must have 1 to " + Limits.MAX_CELLS + " pixels (got: " + width + " x " + height + ")");
+        }
+    }
+
+    /** Cells that are neither walls nor free. */
+    public int unknown() {
+        return unknown;
+    }
+
+    /**
+     * Makes a cell of a pixel.
+     *
+     * @param sum      of its colours
+     * @param whole    the sum that white has
+     * @param alpha    its opacity, 0 to {@code opaque}
+     * @param opaque   the opacity of what is not transparent at all; 0 where the image has no such channel
+     */
+    void pixel(int x, int row, long sum, long whole, int alpha, int opaque) {
+        int value = value(sum, whole, alpha, opaque);
+        if (value == UNKNOWN) {
+            unknown++;
+        } else if (isWall(value)) {
+            occupied.set(row * width + x);
+        } else if (value != 0) {
+            unknown++;
+        }
+    }
+
+    private boolean isWall(int value) {
+        return settings.mode() == MapSettings.Mode.RAW ? value > CERTAIN * settings.occupied() : value == CERTAIN;
+    }
+
+    // As nav2_map_server's map_io.cpp documents and does, loadMapFromFile.
+    private int value(long sum, long whole, int alpha, int opaque) {
+        boolean isTrinary = settings.mode() == MapSettings.Mode.TRINARY;
+        // In mode trinary the opacity counts as a fourth colour.
+        double shade = isTrinary && opaque > 0
+                ? (sum + alpha * (whole / 3.0) / opaque) / (whole + whole / 3.0)
+                : (double) sum / whole;
+        if (settings.mode() == MapSettings.Mode.RAW) {
+            long raw = Math.round(shade * 255);
+            return raw <= CERTAIN ? (int) raw : UNKNOWN;
+        }
+        if (settings.mode() == MapSettings.Mode.SCALE && alpha < opaque) {
+            return UNKNOWN;
+        }
+        double share = settings.isNegated() ? shade : 1 - shade;
+        if (share > settings.occupied()) {
+            return CERTAIN;
+        }
+        if (share < settings.free()) {
+            return 0;
+        }
+        return isTrinary
+                ? UNKNOWN
+                : (int) Math.rint(CERTAIN * (share - settings.free()) / (settings.occupied() - settings.free()));
+    }
+}

@@ -1,0 +1,79 @@
+package robosim.geometry.world.rosmap;
+
+import robosim.geometry.world.shared.AsciiScanner;
+import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.Limits;
+
+/** Reads the cells of a map from a PGM image, of text (P2) or bytes (P5), with 1 or 2 bytes to a pixel. */
+public final class PgmReader {
+    private static final int MOST = 65_535;
+
+    private PgmReader() {}
+
+    static OccupancyGrid read(byte[] bytes, String source, MapSettings settings) throws FileProblem {
+        AsciiScanner words = new AsciiScanner(bytes, source, '#');
+        boolean isText = words.expect("P2 or P5", "P2", "P5") == 0;
+        int width = words.digits("the width", 1, Limits.MAX_CELLS);
+        int height = words.digits("the height", 1, Limits.MAX_CELLS);
+        try {
+            OccupancyGrid.checkSize(width, height);
+        } catch (IllegalArgumentException e) {
+            throw words.wrong(String.valueOf(e.getMessage()));
+        }
+        int white = words.digits("the value of white", 1, MOST);
+        if (isText) {
+            return text(words, new OccupancyGrid(width, height, settings), white);
+        }
+        int size = white < 256 ? 1 : 2;
+        int from = words.behind();
+        long need = (long) width * height * size;
+        long there = bytes.length - (long) from;
+        if (there != need) {
+            throw new FileProblem(
+                    source,
+                    0,
+                    0,
+                    "an image of " + width + " x " + height + " pixels must have " + need + " bytes behind its head; "
+                            + (there < need
+                                    ? "it is cut off (got: " + Math.max(0, there) + ")"
+                                    : "something stands behind its last pixel, so save it anew (got: " + there + ")"));
+        }
+        return binary(bytes, from, source, new OccupancyGrid(width, height, settings), white);
+    }
+
+    private static OccupancyGrid text(AsciiScanner words, OccupancyGrid grid, int white) throws FileProblem {
+        for (int row = 0; row < grid.height; row++) {
+            for (int x = 0; x < grid.width; x++) {
+                grid.pixel(x, row, words.digits("a pixel", 0, white), white, 0, 0);
+            }
+        }
+        if (words.next()) {
+            throw words.wrong("an image must end behind its last pixel (got: "
+                    + words.word().length() + " more)");
+        }
+        return grid;
+    }
+
+    private static OccupancyGrid binary(byte[] bytes, int from, String source, OccupancyGrid grid, int white)
+            throws FileProblem {
+        int at = from;
+        for (int row = 0; row < grid.height; row++) {
+            for (int x = 0; x < grid.width; x++) {
+                int value = bytes[at++] & 0xff;
+                if (white > 255) {
+                    value = 256 * value + (bytes[at++] & 0xff);
+                }
+                if (value > white) {
+                    throw new FileProblem(
+                            source,
+                            0,
+                            0,
+                            "a pixel must be at most white, " + white + " (got: " + value + " in column " + (x + 1)
+                                    + " of row " + (row + 1) + ")");
+                }
+                grid.pixel(x, row, value, white, 0, 0);
+            }
+        }
+        return grid;
+    }
+}

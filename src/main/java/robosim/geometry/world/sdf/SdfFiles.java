@@ -1,0 +1,217 @@
+package robosim.geometry.world.sdf;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.Folder;
+import robosim.geometry.world.shared.Limits;
+
+/**
+ * The files that a file of SDFormat names: beside it, or in folders of models that were given. Nothing outside their trees
+ * is opened, and no address in a network is followed.
+ */
+public final class SdfFiles {
+    private static final Pattern REMOTE = Pattern.compile("(?i)(https?|ftp|fuel)://");
+
+    private final Path main;
+    private final List<Path> folders = new ArrayList<>();
+    /** The file of a model, by what was included: it, or its folder. */
+    private final Map<Path, Path> models = new HashMap<>();
+
+    private final Map<Path, SdfElement> roots = new HashMap<>();
+    private final Map<Path, Boolean> counted = new HashMap<>();
+
+    /** What was looked for, and found or not: a model is included a thousand times, and a disk is slow. */
+    private final Map<Name, Optional<Path>> known = new HashMap<>();
+
+    private final List<String> remarks = new ArrayList<>();
+    private long bytes;
+
+    private record Name(String uri, Path from) {}
+
+    /** For a file of SDFormat, with folders whose subfolders are models. */
+    public SdfFiles(Path main, List<Path> given) throws FileProblem {
+        try {
+            this.main = main.toRealPath();
+            folders.add(folder(this.main));
+            for (Path folder : given) {
+                folders.add(folder.toRealPath());
+            }
+        } catch (IOException e) {
+            throw FileProblem.unreadable(main, e);
+        }
+    }
+
+    /** What is worth a word about the files, and nothing is missing for. */
+    public List<String> remarks() {
+        return remarks;
+    }
+
+    private static Path folder(Path file) {
+        Path folder = file.getParent();
+        return folder == null ? file : folder;
+    }
+
+    /** The file itself, under the name that its user gave. */
+    public SdfElement main(String shown) throws FileProblem {
+        return open(main, shown);
+    }
+
+    private SdfElement open(Path real, String shown) throws FileProblem {
+        SdfElement known = roots.get(real);
+        if (known == null) {
+            known = SdfParser.read(new SdfFile(real, folder(real), shown));
+            roots.put(real, known);
+        }
+        return known;
+    }
+
+    /** Whether a file is where no reader goes: an address in a network. */
+    static boolean isRemote(String uri) {
+        return REMOTE.matcher(uri).lookingAt();
+    }
+
+    /**
+     * The root of an included model: of a file, or of the file that a folder's model.config names. Null where it is not
+     * there.
+     */
+    @Nullable
+    SdfElement included(SdfElement uri) throws FileProblem {
+        Path found = find(uri);
+        if (found == null) {
+            return null;
+        }
+        Path file = models.get(found);
+        if (file == null) {
+            file = Files.isDirectory(found) ? modelOf(found, remarks::add) : found;
+            models.put(found, file);
+        }
+        count(uri, file);
+        return open(file, file.toString());
+    }
+
+    /**
+     * The file of the model in a folder.
+     *
+     * @param remarks takes what is worth a word
+     */
+    public static Path modelOf(Path folder, Consumer<String> remarks) throws FileProblem {
+        Path manifest = folder.resolve(SdfManifest.NAME);
+        boolean isNamed = Files.isRegularFile(manifest);
+        if (!isNamed && !Files.isRegularFile(folder.resolve(SdfManifest.DEFAULT))) {
+            throw new FileProblem(
+                    folder.toString(),
+                    0,
+                    0,
+                    "a folder must be that of a model, with " + SdfManifest.NAME + "; name a file in it (got: none)");
+        }
+        try {
+            String name = isNamed ? SdfManifest.read(manifest, remarks) : SdfManifest.DEFAULT;
+            return Folder.locate(folder.toRealPath(), name, "model", "SDFormat");
+        } catch (IllegalArgumentException e) {
+            throw new FileProblem(manifest.toString(), 0, 0, String.valueOf(e.getMessage()), e);
+        } catch (IOException e) {
+            throw FileProblem.unreadable(manifest, e);
+        }
+    }
+
+    /** A file that is named and there; null where it is nowhere. */
+    @Nullable
+    Path find(SdfElement uri) throws FileProblem {
+        Name name = new Name(uri.value(), uri.file.folder());
+        Optional<Path> found = known.get(name);
+        if (found == null) {
+            found = Optional.ofNullable(search(uri));
+            known.put(name, found);
+        }
+        return found.orElse(null);
+    }
+
+    private @Nullable Path search(SdfElement uri) throws FileProblem {
+        String name = uri.value();
+        if (name.isEmpty() || name.indexOf('\\') >= 0) {
+            throw uri.wrong("<uri> must be a path with /, or model://NAME (got: " + name + ")");
+        }
+        try {
+            for (Path candidate : candidates(name, uri.file.folder())) {
+                if (Files.exists(candidate)) {
+                    Path real = candidate.toRealPath();
+                    if (folders.stream().noneMatch(real::startsWith)) {
+                        throw uri.wrong(
+                                "<uri> must lead to a file below the folder of the file that is read, or below a"
+                                        + " folder of models that was given (got: " + name + ")");
+                    }
+                    return real;
+                }
+            }
+            return null;
+        } catch (InvalidPathException e) {
+            throw uri.wrong("<uri> must be a path (got: " + name + ")");
+        } catch (IOException e) {
+            throw new FileProblem(uri.file.shown(), uri.line, uri.column, name + " could not be read: " + e, e);
+        }
+    }
+
+    private List<Path> candidates(String name, Path from) {
+        List<Path> candidates = new ArrayList<>();
+        int scheme = name.indexOf("://");
+        if (scheme < 0) {
+            candidates.add(from.resolve(name).normalize());
+            for (Path folder : folders) {
+                candidates.add(folder.resolve(name).normalize());
+            }
+        } else if (name.startsWith("file://")) {
+            candidates.add(from.resolve(name.substring(scheme + 3)).normalize());
+        } else {
+            String rest = name.substring(scheme + 3);
+            int slash = rest.indexOf('/');
+            String model = slash < 0 ? rest : rest.substring(0, slash);
+            Path last = from.getFileName();
+            if (last != null && last.toString().equals(model)) { // a model's own files
+                candidates.add(
+                        from.resolve(slash < 0 ? "" : rest.substring(slash + 1)).normalize());
+            }
+            candidates.add(from.resolve(rest).normalize());
+            for (Path folder : folders) {
+                candidates.add(folder.resolve(rest).normalize());
+            }
+        }
+        return candidates;
+    }
+
+    /** Says where a file was looked for in vain. */
+    FileProblem missing(SdfElement uri) {
+        StringBuilder searched = new StringBuilder();
+        for (Path folder : folders) {
+            searched.append(searched.isEmpty() ? "" : ", ").append(folder);
+        }
+        return uri.wrong("there is no such file or folder below " + searched + "; check the name, or give the folder"
+                + " that holds the model (got: " + uri.value() + ")");
+    }
+
+    /** Counts the bytes of a file that is going to be read. */
+    void count(SdfElement uri, Path file) throws FileProblem {
+        if (counted.putIfAbsent(file, true) != null) {
+            return;
+        }
+        try {
+            bytes += Files.size(file);
+        } catch (IOException e) {
+            throw FileProblem.unreadable(file, e);
+        }
+        if (bytes > Limits.MAX_INCLUDED_BYTES) {
+            throw uri.wrong("all files that a file of SDFormat brings in must have at most " + Limits.MAX_INCLUDED_BYTES
+                    + " bytes together (got: more, with " + file + ")");
+        }
+    }
+}

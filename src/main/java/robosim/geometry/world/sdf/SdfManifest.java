@@ -1,0 +1,136 @@
+package robosim.geometry.world.sdf;
+
+import java.io.BufferedInputStream;
+import java.io.CharConversionException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import org.xml.sax.Attributes;
+import org.xml.sax.SAXException;
+import org.xml.sax.SAXParseException;
+import org.xml.sax.helpers.DefaultHandler;
+import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.Limits;
+import robosim.geometry.world.shared.RegularFile;
+import robosim.geometry.world.xml.SafeXml;
+import robosim.geometry.world.xml.XmlGuard;
+
+/** The file model.config of a model's folder, which says which file holds the model: that of the highest version. */
+public final class SdfManifest extends DefaultHandler {
+    /** Its name in each folder. */
+    public static final String NAME = "model.config";
+
+    /** The model's file where nothing says otherwise. */
+    static final String DEFAULT = "model.sdf";
+
+    private final Path file;
+    private final StringBuilder text = new StringBuilder();
+    private int depth;
+    private boolean named;
+    private int version;
+    private int best = -1;
+    private @Nullable String model;
+
+    /** Whether it is no well-formed XML. */
+    private boolean broken;
+
+    private SdfManifest(Path file) {
+        this.file = file;
+    }
+
+    /**
+     * The name of the model's file. Where the XML breaks off, as many a description does with its {@code &}, it is what
+     * stands before that, or model.sdf where that is there.
+     *
+     * @param remarks takes what is worth a word
+     */
+    static String read(Path file, Consumer<String> remarks) throws FileProblem {
+        SdfManifest manifest = new SdfManifest(file);
+        try {
+            manifest.parse();
+        } catch (FileProblem e) {
+            if (!manifest.broken) {
+                throw e;
+            }
+            if (manifest.model == null && Files.isRegularFile(file.resolveSibling(DEFAULT))) {
+                manifest.model = DEFAULT;
+            }
+            if (manifest.model == null) {
+                throw e;
+            }
+            remarks.accept(e.getMessage() + "; only the name of the model's file matters here, and " + manifest.model
+                    + " was taken");
+        }
+        if (manifest.model == null) {
+            throw new FileProblem(
+                    file.toString(), 0, 0, "<model> must have <sdf version=\"1.x\"> with a file's name (got: none)");
+        }
+        return manifest.model;
+    }
+
+    private void parse() throws FileProblem {
+        try (InputStream in = RegularFile.open(file)) {
+            XmlGuard.parse(new BufferedInputStream(in), file.toString(), this);
+        } catch (SAXException e) {
+            if (e.getException() instanceof FileProblem refusal) {
+                throw refusal;
+            }
+            throw new FileProblem(file.toString(), 0, 0, "the XML was refused: " + e, e);
+        } catch (CharConversionException e) { // bytes that are no character
+            broken = true;
+            throw FileProblem.unreadable(file, e);
+        } catch (IOException e) {
+            throw FileProblem.unreadable(file, e);
+        }
+    }
+
+    /** The second number of a version that begins with 1; -1 where it is none. */
+    static int minor(String version) {
+        if (!version.matches("1\\.\\d{1,3}")) {
+            return -1;
+        }
+        return Integer.parseInt(version.substring(2));
+    }
+
+    @Override
+    public void startElement(String uri, String local, String name, Attributes attributes) {
+        depth++;
+        named = depth == 2 && name.equals("sdf");
+        if (named) {
+            String given = attributes.getValue("version");
+            version = given == null ? 0 : minor(given.strip());
+            text.setLength(0);
+        }
+    }
+
+    @Override
+    public void characters(char[] characters, int start, int length) {
+        if (named && text.length() <= Limits.MAX_ATTRIBUTE) {
+            text.append(characters, start, length);
+        }
+    }
+
+    @Override
+    public void endElement(String uri, String local, String name) {
+        if (named && version > best && text.length() <= Limits.MAX_ATTRIBUTE) {
+            best = version;
+            model = text.toString().strip();
+        }
+        named = false;
+        depth--;
+    }
+
+    @Override
+    public void error(SAXParseException e) throws SAXException {
+        fatalError(e);
+    }
+
+    @Override
+    public void fatalError(SAXParseException e) throws SAXException {
+        broken = true;
+        throw new SAXException(SafeXml.refusal(file.toString(), e));
+    }
+}

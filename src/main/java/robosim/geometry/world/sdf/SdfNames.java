@@ -1,0 +1,147 @@
+package robosim.geometry.world.sdf;
+
+import java.util.Map;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The elements of SDFormat 1.4 to 1.12, as far as they matter: which are read, which say nothing about what is solid and
+ * where, and which would, but cannot be read.
+ */
+public final class SdfNames {
+    private static final Set<String> ALL = Set.of();
+
+    /** Below each element, the children that are read. */
+    private static final Map<String, Set<String>> READ = Map.ofEntries(
+            Map.entry("sdf", Set.of("world", "model")),
+            Map.entry("world", Set.of("model", "include", "frame")),
+            Map.entry("model", Set.of("model", "include", "link", "frame", "joint", "pose", "static")),
+            Map.entry("include", Set.of("uri", "name", "pose", "static", "placement_frame")),
+            Map.entry("link", Set.of("pose", "collision")),
+            Map.entry("collision", Set.of("pose", "geometry")),
+            Map.entry("frame", Set.of("pose")),
+            Map.entry("joint", Set.of("pose", "child")),
+            Map.entry(
+                    "geometry",
+                    Set.of(
+                            "box",
+                            "capsule",
+                            "cone",
+                            "cylinder",
+                            "ellipsoid",
+                            "empty",
+                            "heightmap",
+                            "image",
+                            "mesh",
+                            "plane",
+                            "polyline",
+                            "sphere")),
+            Map.entry("box", Set.of("size")),
+            Map.entry("capsule", Set.of("radius", "length")),
+            Map.entry("cylinder", Set.of("radius", "length")),
+            Map.entry("sphere", Set.of("radius")),
+            Map.entry("plane", Set.of("normal")),
+            Map.entry("mesh", Set.of("uri", "scale", "submesh")));
+
+    /** Below each element, the children that are passed over; all others where the set is {@link #ALL}. */
+    private static final Map<String, Set<String>> PASSED_OVER = Map.ofEntries(
+            Map.entry("sdf", Set.of("light", "plugin")),
+            Map.entry(
+                    "world",
+                    Set.of(
+                            "atmosphere",
+                            "audio",
+                            "gravity",
+                            "gui",
+                            "joint",
+                            "light",
+                            "magnetic_field",
+                            "physics",
+                            "plugin",
+                            "road",
+                            "scene",
+                            "spherical_coordinates",
+                            "wind")),
+            Map.entry("model", Set.of("allow_auto_disable", "enable_wind", "gripper", "plugin", "self_collide")),
+            Map.entry("include", Set.of("namespace", "plugin")),
+            Map.entry(
+                    "link",
+                    Set.of(
+                            "audio_sink",
+                            "audio_source",
+                            "battery",
+                            "enable_wind",
+                            "frame",
+                            "gravity",
+                            "inertial",
+                            "kinematic",
+                            "light",
+                            "must_be_base_link",
+                            "particle_emitter",
+                            "plugin",
+                            "projector",
+                            "self_collide",
+                            "sensor",
+                            "velocity_decay",
+                            "visual")),
+            Map.entry(
+                    "collision",
+                    Set.of("auto_inertia_params", "density", "frame", "laser_retro", "max_contacts", "surface")),
+            Map.entry("mesh", Set.of("convex_decomposition")),
+            Map.entry("plane", Set.of("size")),
+            Map.entry("joint", ALL),
+            Map.entry("cone", ALL),
+            Map.entry("ellipsoid", ALL),
+            Map.entry("empty", ALL),
+            Map.entry("heightmap", ALL),
+            Map.entry("image", ALL),
+            Map.entry("polyline", ALL),
+            Map.entry("submesh", ALL));
+
+    private SdfNames() {}
+
+    static boolean isRead(String parent, String child) {
+        return READ.getOrDefault(parent, Set.of()).contains(child);
+    }
+
+    /** Whether an element may have any number of these; of all others that are read it has one. */
+    static boolean isRepeated(String child) {
+        return switch (child) {
+            case "world", "model", "include", "link", "frame", "joint", "collision" -> true;
+            default -> false;
+        };
+    }
+
+    static boolean isPassedOver(String parent, String child) {
+        Set<String> names = PASSED_OVER.get(parent);
+        return names != null && (names.isEmpty() || names.contains(child));
+    }
+
+    /** Whether what is passed over below an element is something of its own, and no mere property. */
+    static boolean isCounted(String parent) {
+        return switch (parent) {
+            case "sdf", "world", "model", "include", "link", "collision" -> true;
+            default -> false;
+        };
+    }
+
+    /** Why a child that is neither read nor passed over is left out. */
+    static String reason(String parent, String child) {
+        String known = known(child);
+        if (known != null) {
+            return known;
+        }
+        return child.indexOf(':') >= 0
+                ? "an extension of SDFormat, whose meaning is not known here"
+                : "SDFormat has no <" + child + "> in <" + parent + ">; check the spelling";
+    }
+
+    private static @Nullable String known(String child) {
+        return switch (child) {
+            case "actor" -> "an actor moves by a script";
+            case "population" -> "it places copies of a model at random";
+            case "state" -> "the poses of a saved state are not read; models stand where their own <pose> says";
+            default -> null;
+        };
+    }
+}

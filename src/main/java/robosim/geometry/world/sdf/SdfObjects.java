@@ -1,0 +1,221 @@
+package robosim.geometry.world.sdf;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.ObjectGroup;
+import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.Limits;
+import robosim.geometry.world.shared.Placement;
+
+/**
+ * Makes objects of models. What is static becomes objects that rest, one for each collision; any other model becomes one
+ * object that the world may move, with all that is in it, in the pose in which the file shows it.
+ */
+public final class SdfObjects {
+    private final SdfTree tree;
+    private final SdfShapes shapes;
+    private final List<GeometryObject> objects = new ArrayList<>();
+    private final Set<String> names = new HashSet<>();
+    private final Map<String, Integer> namesakes = new HashMap<>();
+    private final Map<String, Integer> counts = new TreeMap<>();
+    private final List<String> remarks = new ArrayList<>();
+    private int collisions;
+
+    /** A model that moves as one: what was found in it so far, in its own frame. */
+    private static final class Body {
+        final List<GeometryObject> members = new ArrayList<>();
+
+        /** Where in the body its first member stands. */
+        @Nullable
+        Placement first;
+    }
+
+    public SdfObjects(SdfTree tree, SdfShapes shapes) {
+        this.tree = tree;
+        this.shapes = shapes;
+    }
+
+    public List<GeometryObject> objects() {
+        return objects;
+    }
+
+    public Map<String, Integer> counts() {
+        return counts;
+    }
+
+    public List<String> remarks() {
+        return remarks;
+    }
+
+    /** Adds all that is in a world. */
+    public void add(SdfScope world) throws FileProblem {
+        for (SdfNode model : world.models) {
+            Placement place = world.placement(model);
+            if (model.isStatic || model.inner == null) {
+                statics(model, place);
+            } else {
+                moveable(model, model.inner, place);
+            }
+        }
+    }
+
+    private void moveable(SdfNode model, SdfScope inner, Placement place) throws FileProblem {
+        Body body = new Body();
+        gather(model, place, Placement.NONE, body);
+        if (body.members.isEmpty() || body.first == null) {
+            return;
+        }
+        SdfElement element = model.element;
+        String name = unique(inner.path, element);
+        try {
+            // One shape that turns about the model's own vertical is the object itself; else a group keeps the frame.
+            GeometryObject only = body.members.get(0);
+            GeometryObject whole = body.members.size() == 1 && body.first.isOnTheSpot()
+                    ? only.at(place.then(body.first).pose())
+                    : new ObjectGroup(body.members).at(place.pose());
+            objects.add(whole.moveable(name));
+        } catch (IllegalArgumentException e) {
+            throw element.wrong("model " + name + ": " + e.getMessage());
+        }
+    }
+
+    /** What moves with a body goes into it; static models in it become objects of their own. */
+    private void gather(SdfNode model, Placement inWorld, Placement inBody, Body body) throws FileProblem {
+        SdfScope scope = inner(model);
+        counts.merge("model", 1, Integer::sum);
+        for (SdfNode link : scope.links) {
+            counts.merge("link", 1, Integer::sum);
+            for (SdfElement collision : collisions(link)) {
+                String path = path(scope, link, collision);
+                Placement local = local(scope, link, collision);
+                GeometryObject shape = shape(collision, path, inWorld.then(local));
+                if (shape != null) {
+                    Placement place = inBody.then(local);
+                    body.first = body.first == null ? place : body.first;
+                    body.members.add(placed(collision, shape, place));
+                }
+            }
+        }
+        for (SdfNode nested : scope.models) {
+            Placement local = scope.placement(nested);
+            if (nested.isStatic) {
+                statics(nested, inWorld.then(local));
+            } else {
+                gather(nested, inWorld.then(local), inBody.then(local), body);
+            }
+        }
+    }
+
+    /** All of a model that rests; the models in it rest too. */
+    private void statics(SdfNode model, Placement inWorld) throws FileProblem {
+        Map<SdfElement, GeometryObject> found = new LinkedHashMap<>();
+        Map<SdfElement, String> paths = new HashMap<>();
+        SdfScope scope = inner(model);
+        counts.merge("model", 1, Integer::sum);
+        for (SdfNode link : scope.links) {
+            counts.merge("link", 1, Integer::sum);
+            for (SdfElement collision : collisions(link)) {
+                String path = path(scope, link, collision);
+                Placement place = inWorld.then(local(scope, link, collision));
+                GeometryObject shape = shape(collision, path, place);
+                if (shape != null) {
+                    found.put(collision, placed(collision, shape, place));
+                    paths.put(collision, path);
+                }
+            }
+        }
+        boolean alone = found.size() == 1 && scope.models.isEmpty();
+        for (Map.Entry<SdfElement, GeometryObject> each : found.entrySet()) {
+            SdfElement collision = each.getKey();
+            String name = unique(alone ? scope.path : paths.getOrDefault(collision, scope.path), collision);
+            try {
+                objects.add(each.getValue().named(name));
+            } catch (IllegalArgumentException e) {
+                throw collision.wrong("collision " + name + ": " + e.getMessage());
+            }
+        }
+        for (SdfNode nested : scope.models) {
+            statics(nested, inWorld.then(scope.placement(nested)));
+        }
+    }
+
+    private static SdfScope inner(SdfNode model) {
+        if (model.inner == null) {
+            throw new IllegalStateException("a model must have a scope");
+        }
+        return model.inner;
+    }
+
+    private List<SdfElement> collisions(SdfNode link) {
+        return link.element.children.stream()
+                .filter(each -> each.name.equals("collision"))
+                .toList();
+    }
+
+    private static String path(SdfScope scope, SdfNode link, SdfElement collision) throws FileProblem {
+        return scope.pathOf(link.element.givenName() + "::" + collision.givenName());
+    }
+
+    /** Where a collision stands in its model: it counts from its link, unless its pose names another frame. */
+    private static Placement local(SdfScope scope, SdfNode link, SdfElement collision) throws FileProblem {
+        SdfElement pose = collision.child("pose");
+        if (pose == null) {
+            return scope.placement(link);
+        }
+        String base = pose.attribute("relative_to");
+        Placement from = base.isEmpty() ? scope.placement(link) : scope.placement(base, link.home, pose);
+        return from.then(SdfPose.read(pose));
+    }
+
+    private @Nullable GeometryObject shape(SdfElement collision, String path, Placement place) throws FileProblem {
+        if (++collisions > Limits.MAX_OBJECTS) {
+            throw collision.wrong("a world must have at most " + Limits.MAX_OBJECTS + " collisions (got: more)");
+        }
+        counts.merge("collision", 1, Integer::sum);
+        tree.account(collision);
+        GeometryObject shape = shapes.shape(collision, path, place);
+        if (shape != null) {
+            counts.merge(collision.required("geometry").children.get(0).name, 1, Integer::sum);
+        }
+        return shape;
+    }
+
+    private static GeometryObject placed(SdfElement collision, GeometryObject shape, Placement place)
+            throws FileProblem {
+        try {
+            return shape.at(place.pose());
+        } catch (IllegalArgumentException e) {
+            throw collision.wrong("<collision>: " + e.getMessage());
+        }
+    }
+
+    /** Refuses a name that leaves no room for a number behind it. */
+    static void checkName(String name, SdfElement place) throws FileProblem {
+        if (name.length() > Limits.MAX_ATTRIBUTE - 20) {
+            throw place.wrong("a name with those of the models around it must have at most "
+                    + (Limits.MAX_ATTRIBUTE - 20) + " characters (got: " + name.length() + ")");
+        }
+    }
+
+    /** A name that no other object has. */
+    private String unique(String name, SdfElement place) throws FileProblem {
+        checkName(name, place);
+        String given = name;
+        while (!names.add(given)) {
+            given = name + " (" + namesakes.merge(name, 2, (before, two) -> before + 1) + ")";
+        }
+        if (!given.equals(name)) {
+            remarks.add(place.file.shown() + ":" + place.line + ": another object is named " + name
+                    + ", so this one is named " + given);
+        }
+        return given;
+    }
+}

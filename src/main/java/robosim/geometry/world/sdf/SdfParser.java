@@ -1,0 +1,215 @@
+package robosim.geometry.world.sdf;
+
+import java.io.BufferedInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Map;
+import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
+import org.xml.sax.Attributes;
+import org.xml.sax.InputSource;
+import org.xml.sax.Locator;
+import org.xml.sax.SAXException;
+import org.xml.sax.SAXParseException;
+import org.xml.sax.helpers.DefaultHandler;
+import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.Limits;
+import robosim.geometry.world.shared.RegularFile;
+import robosim.geometry.world.xml.SafeXml;
+import robosim.geometry.world.xml.XmlGuard;
+
+/** Reads a file of SDFormat into elements: those that matter to what is solid and where, and counts of the others. */
+public final class SdfParser extends DefaultHandler {
+    private static final int FIRST_VERSION = 4;
+    private static final int LAST_VERSION = 12;
+
+    private final SdfFile file;
+    private @Nullable Locator locator;
+    private @Nullable SdfElement root;
+
+    /** The elements that are open and kept, from the root. */
+    private final Deque<SdfElement> open = new ArrayDeque<>();
+
+    /** How deep the parser is within something that is not kept. */
+    private int outside;
+
+    private int count;
+    private int models;
+
+    private SdfParser(SdfFile file) {
+        this.file = file;
+    }
+
+    /** The root of a file: an sdf element of a version that is known. */
+    static SdfElement read(SdfFile file) throws FileProblem {
+        SdfParser parser = new SdfParser(file);
+        try (InputStream in = RegularFile.open(file.path())) {
+            XmlGuard.parse(new BufferedInputStream(in), file.shown(), parser);
+        } catch (SAXException e) {
+            if (e.getException() instanceof FileProblem refusal) {
+                throw refusal;
+            }
+            throw new FileProblem(file.shown(), parser.line(), parser.column(), "the XML was refused: " + e, e);
+        } catch (IOException e) {
+            throw FileProblem.unreadable(file.path(), e);
+        }
+        if (parser.root == null) {
+            throw new IllegalStateException("the document has no root");
+        }
+        return parser.root;
+    }
+
+    private int line() {
+        return locator == null ? 0 : locator.getLineNumber();
+    }
+
+    private int column() {
+        return locator == null ? 0 : locator.getColumnNumber();
+    }
+
+    @Override
+    public void setDocumentLocator(Locator given) {
+        locator = given;
+    }
+
+    @Override
+    public void startElement(String uri, String local, String name, Attributes attributes) throws SAXException {
+        if (outside > 0) {
+            outside++;
+            return;
+        }
+        SdfElement parent = open.peek();
+        if (parent == null) {
+            root = keep(null, name, attributes);
+            checkRoot(root);
+        } else if (SdfNames.isRead(parent.name, name)) {
+            keep(parent, name, attributes);
+        } else {
+            outside = 1;
+            if (SdfNames.isPassedOver(parent.name, name)) {
+                if (SdfNames.isCounted(parent.name)) {
+                    parent.passedOver.merge(name, 1, Integer::sum);
+                }
+            } else {
+                bounded();
+                parent.skipped.add(
+                        new LeftOut(file.shown(), line(), tag(name, attributes), SdfNames.reason(parent.name, name)));
+            }
+        }
+    }
+
+    private SdfElement keep(@Nullable SdfElement parent, String name, Attributes attributes) throws SAXException {
+        bounded();
+        Map<String, String> values = attributes.getLength() == 0 ? Map.of() : new TreeMap<>();
+        for (int k = 0; k < attributes.getLength(); k++) {
+            if (attributes.getValue(k).length() > Limits.MAX_ATTRIBUTE) {
+                throw refusal(attributes.getQName(k) + " of <" + name + "> must have at most " + Limits.MAX_ATTRIBUTE
+                        + " characters (got: " + attributes.getValue(k).length() + ")");
+            }
+            values.put(attributes.getQName(k), attributes.getValue(k));
+        }
+        SdfElement element = new SdfElement(file, name, line(), column(), values);
+        if (name.equals("model") && ++models > Limits.MAX_GROUPS) {
+            throw refusal("models must be at most " + Limits.MAX_GROUPS + " within each other (got: one more)");
+        }
+        if (parent != null) {
+            // Else who looks for the collisions of a link would go through all of its poses, at each include anew.
+            if (!SdfNames.isRepeated(name) && parent.child(name) != null) {
+                throw refusal(
+                        "<" + parent.name + "> must have only one <" + name + ">; remove this or the other (got: two)");
+            }
+            parent.children.add(element);
+        }
+        open.push(element);
+        return element;
+    }
+
+    private void bounded() throws SAXException {
+        if (++count > Limits.MAX_ELEMENTS) {
+            throw refusal("a file must have at most " + Limits.MAX_ELEMENTS + " elements that matter (got: more)");
+        }
+    }
+
+    private static String tag(String name, Attributes attributes) {
+        String given = attributes.getValue("name");
+        return "<" + name + ">" + (given == null || given.length() > Limits.MAX_ATTRIBUTE ? "" : " \"" + given + "\"");
+    }
+
+    private void checkRoot(SdfElement sdf) throws SAXException {
+        if (!sdf.name.equals("sdf")) {
+            throw refusal("the root of SDFormat must be <sdf> (got: <" + sdf.name + ">)");
+        }
+        String version = sdf.attribute("version");
+        int minor = SdfManifest.minor(version);
+        if (minor < FIRST_VERSION || minor > LAST_VERSION) {
+            throw refusal("version of <sdf> must be 1." + FIRST_VERSION + " to 1." + LAST_VERSION + " (got: "
+                    + (version.isEmpty() ? "none" : version) + ")");
+        }
+    }
+
+    @Override
+    public void characters(char[] text, int start, int length) throws SAXException {
+        SdfElement element = open.peek();
+        if (outside > 0 || element == null) {
+            return;
+        }
+        if (!takesText(element)) {
+            return;
+        }
+        if (element.text.length() + length > Limits.MAX_ATTRIBUTE) {
+            throw refusal(
+                    "<" + element.name + "> must have at most " + Limits.MAX_ATTRIBUTE + " characters (got: more)");
+        }
+        element.text.append(text, start, length);
+    }
+
+    private static boolean takesText(SdfElement element) {
+        return switch (element.name) {
+            case "pose",
+                    "static",
+                    "uri",
+                    "name",
+                    "placement_frame",
+                    "child",
+                    "size",
+                    "radius",
+                    "length",
+                    "normal",
+                    "scale" -> true;
+            default -> false;
+        };
+    }
+
+    @Override
+    public void endElement(String uri, String local, String name) {
+        if (outside > 0) {
+            outside--;
+            return;
+        }
+        if (name.equals("model")) {
+            models--;
+        }
+        open.pop();
+    }
+
+    @Override
+    public void error(SAXParseException e) throws SAXException {
+        fatalError(e);
+    }
+
+    @Override
+    public void fatalError(SAXParseException e) throws SAXException {
+        throw new SAXException(SafeXml.refusal(file.shown(), e));
+    }
+
+    @Override
+    public InputSource resolveEntity(@Nullable String publicId, @Nullable String systemId) throws SAXException {
+        throw refusal("a world has no external entities; remove the reference (got: " + systemId + ")");
+    }
+
+    private SAXException refusal(String problem) {
+        return new SAXException(new FileProblem(file.shown(), line(), column(), problem));
+    }
+}

@@ -1,0 +1,133 @@
+package robosim.geometry.world.sdf;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.Placement;
+
+/**
+ * The names that can see each other: those directly in a world or in a model. It works out where each of them stands in
+ * its frame, whichever of them counts from which.
+ */
+public final class SdfScope {
+    /** The scope's own frame, by its reserved name. */
+    private static final String OWN = "__model__";
+
+    private static final String WORLD = "world";
+
+    /** Names of the models around what is in here, and of this one, parted by {@code ::}; empty for a world. */
+    final String path;
+
+    final List<SdfNode> models = new ArrayList<>();
+    final List<SdfNode> links = new ArrayList<>();
+
+    private final Map<String, SdfNode> nodes = new HashMap<>();
+
+    SdfScope(String path) {
+        this.path = path;
+    }
+
+    /** The path of something in here. */
+    String pathOf(String name) {
+        return path.isEmpty() ? name : path + "::" + name;
+    }
+
+    /** Adds a name, and answers whether it was not there before. */
+    boolean add(String name, SdfNode node) {
+        return nodes.putIfAbsent(name, node) == null;
+    }
+
+    /** What has a name here already. */
+    @Nullable
+    SdfNode named(String name) {
+        return nodes.get(name);
+    }
+
+    /** Where a node of this scope stands in its frame. */
+    Placement placement(SdfNode node) throws FileProblem {
+        // One after the other, not each calling the next: a file may hang a hundred thousand frames on each other.
+        Deque<SdfNode> waiting = new ArrayDeque<>();
+        for (SdfNode at = node; at != null && at.local == null; at = next(at)) {
+            if (at.isOpen) {
+                throw at.place()
+                        .wrong("poses must not count from each other in a circle; let one of them count from the model"
+                                + " (got: " + at.relativeTo() + ")");
+            }
+            at.isOpen = true;
+            waiting.push(at);
+        }
+        while (!waiting.isEmpty()) {
+            SdfNode at = waiting.pop();
+            at.local = work(at);
+            at.isOpen = false;
+        }
+        if (node.local == null) {
+            throw new IllegalStateException("a place was not worked out");
+        }
+        return node.local;
+    }
+
+    private Placement work(SdfNode node) throws FileProblem {
+        Placement place = placement(node.relativeTo(), node.home, node.place());
+        try {
+            if (node.pose != null) {
+                place = place.then(SdfPose.read(node.pose));
+            }
+            if (!node.placementFrame.isEmpty() && node.inner != null) {
+                Placement within = node.inner.placement(node.placementFrame, null, node.element);
+                place = place.then(within.inverse());
+            }
+            return place;
+        } catch (IllegalArgumentException e) {
+            throw node.place().wrong("<pose>: " + e.getMessage());
+        }
+    }
+
+    /** The node of this scope that must be known before a node is; null where that is the scope's own frame. */
+    private @Nullable SdfNode next(SdfNode node) throws FileProblem {
+        String name = node.relativeTo();
+        return isOwn(name) ? node.home : first(name, node.place());
+    }
+
+    private boolean isOwn(String name) {
+        return name.isEmpty() || name.equals(path.isEmpty() ? WORLD : OWN) || (path.isEmpty() && name.equals(OWN));
+    }
+
+    /** Where the first part of a name ends; -1 where it is one name, which in older files may hold {@code ::} too. */
+    private int end(String name) {
+        return nodes.containsKey(name) ? -1 : name.indexOf("::");
+    }
+
+    private SdfNode first(String name, SdfElement place) throws FileProblem {
+        int end = end(name);
+        SdfNode node = nodes.get(end < 0 ? name : name.substring(0, end));
+        if (node == null || (end >= 0 && node.inner == null)) {
+            throw place.wrong("there is no such frame in " + (path.isEmpty() ? "the world" : "model " + path)
+                    + "; name a link, frame, joint or model that it holds (got: " + name + ")");
+        }
+        return node;
+    }
+
+    /**
+     * Where a named frame is in this scope's frame.
+     *
+     * @param home  what stands for this scope's own frame; null for itself
+     * @param place who asks, for messages
+     */
+    Placement placement(String name, @Nullable SdfNode home, SdfElement place) throws FileProblem {
+        if (isOwn(name)) {
+            return home == null ? Placement.NONE : placement(home);
+        }
+        SdfNode node = first(name, place);
+        Placement found = placement(node);
+        int end = end(name);
+        return end < 0 || node.inner == null
+                ? found
+                : found.then(node.inner.placement(name.substring(end + 2), null, place));
+    }
+}

@@ -1,0 +1,286 @@
+package robosim.geometry.world.sdf;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
+import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.Limits;
+
+/** The scopes of a world, with everything that it includes in its place, and the account of what is not read. */
+public final class SdfTree {
+    /** What most worlds include of that which every Gazebo has with it, and why nothing is missing without it. */
+    private static final Map<String, String> WELL_KNOWN = Map.of(
+            "model://sun", "it is a light",
+            "model://ground_plane",
+                    "it is infinite ground, and a world has no plane; use a box if robots must meet it");
+
+    private final SdfFiles files;
+    private final Map<String, Integer> passedOver = new TreeMap<>();
+    private final List<LeftOut> skipped = new ArrayList<>();
+    private final Set<String> remarks = new LinkedHashSet<>();
+    private final Set<SdfFile> wellKnown = new HashSet<>();
+
+    /** The files that are being included, one by the other. */
+    private final Set<SdfFile> open;
+
+    private int nodes;
+    private int depth;
+
+    public SdfTree(SdfFiles files) {
+        this.files = files;
+        this.open = new HashSet<>();
+    }
+
+    /** To look at something for itself, within the limits that are left. */
+    private SdfTree(SdfTree outer) {
+        this.files = outer.files;
+        this.open = new HashSet<>(outer.open);
+        this.nodes = outer.nodes;
+        this.depth = outer.depth;
+    }
+
+    public Map<String, Integer> passedOver() {
+        return passedOver;
+    }
+
+    public List<LeftOut> skipped() {
+        return skipped;
+    }
+
+    /** What is worth a word, and is not missing. */
+    public List<String> remarks() {
+        return List.copyOf(remarks);
+    }
+
+    /** Leaves out ground: what every Gazebo has with it, and most worlds include, is not missed. */
+    void ground(SdfElement plane, String what, String reason) throws FileProblem {
+        if (wellKnown.contains(plane.file)) {
+            remarks.add(new LeftOut(plane.file.shown(), plane.line, what, reason).toString());
+        } else {
+            skip(plane, what, reason);
+        }
+    }
+
+    /** The scope of the one world of a file, or of its models where it has no world. */
+    public SdfScope read(SdfElement sdf) throws FileProblem {
+        account(sdf);
+        open.add(sdf.file);
+        SdfElement holder = sdf;
+        List<SdfElement> worlds =
+                sdf.children.stream().filter(each -> each.name.equals("world")).toList();
+        if (!worlds.isEmpty()) {
+            holder = worlds.get(0);
+            if (sdf.children.size() > 1) {
+                throw sdf.children
+                        .get(1)
+                        .wrong("a file must hold one world, or models alone; part it in two (got: <"
+                                + sdf.children.get(1).name + "> beside another)");
+            }
+            account(holder);
+        } else if (sdf.children.isEmpty() && sdf.skipped.isEmpty()) {
+            throw sdf.wrong("<sdf> must have a <world> or a <model> (got: none)");
+        }
+        SdfScope world = new SdfScope("");
+        fill(world, holder);
+        return world;
+    }
+
+    /** Adds what is not read of an element to the account. */
+    void account(SdfElement element) throws FileProblem {
+        element.passedOver.forEach((name, count) -> passedOver.merge(name, count, Integer::sum));
+        for (LeftOut each : element.skipped) {
+            skip(element, each);
+        }
+    }
+
+    void skip(SdfElement place, String what, String reason) throws FileProblem {
+        skip(place, new LeftOut(place.file.shown(), place.line, what, reason));
+    }
+
+    private void skip(SdfElement place, LeftOut each) throws FileProblem {
+        if (skipped.size() >= Limits.MAX_OBJECTS) {
+            throw place.wrong("at most " + Limits.MAX_OBJECTS + " things may be left out of a world (got: more)");
+        }
+        skipped.add(each);
+    }
+
+    /** Fills a scope with all that is in an element, and works out where that stands. */
+    private void fill(SdfScope scope, SdfElement element) throws FileProblem {
+        add(scope, element, null);
+        // Only now is everybody there from whom somebody may count; also what nobody counts from must stand somewhere.
+        for (SdfNode model : scope.models) {
+            scope.placement(model);
+        }
+        for (SdfNode link : scope.links) {
+            scope.placement(link);
+        }
+    }
+
+    private void add(SdfScope scope, SdfElement element, @Nullable SdfNode home) throws FileProblem {
+        if (++depth > Limits.MAX_GROUPS) {
+            throw element.wrong("models must be at most " + Limits.MAX_GROUPS
+                    + " within each other, included ones too (got: one more)");
+        }
+        for (SdfElement child : element.children) {
+            if (++nodes > Limits.MAX_FRAMES) {
+                throw child.wrong("a world must have at most " + Limits.MAX_FRAMES
+                        + " models, links and frames, with all that it includes (got: more)");
+            }
+            switch (child.name) {
+                case "model" -> model(scope, child, home);
+                case "include" -> include(scope, child, home);
+                case "link" -> link(scope, child, home);
+                case "frame" -> frame(scope, child, child.attribute("attached_to"), home);
+                case "joint" -> joint(scope, child, home);
+                default -> {} // pose and static are the model's own
+            }
+        }
+        depth--;
+    }
+
+    private void link(SdfScope scope, SdfElement link, @Nullable SdfNode home) throws FileProblem {
+        if (scope.path.isEmpty()) {
+            throw link.wrong("a link must be in a model (got: <link> in <world>)");
+        }
+        account(link);
+        SdfNode node = new SdfNode(link, link.child("pose"), "", home);
+        named(scope, link.givenName(), node);
+        scope.links.add(node);
+    }
+
+    private void frame(SdfScope scope, SdfElement frame, String base, @Nullable SdfNode home) throws FileProblem {
+        account(frame);
+        named(scope, frame.givenName(), new SdfNode(frame, frame.child("pose"), base, home));
+    }
+
+    /** A joint is only a frame, which stands at its child; older files give it the name of a link, and mean no frame. */
+    private void joint(SdfScope scope, SdfElement joint, @Nullable SdfNode home) throws FileProblem {
+        passedOver.merge("joint", 1, Integer::sum);
+        String name = joint.givenName();
+        scope.add(name, new SdfNode(joint, joint.child("pose"), joint.valueOf("child"), home));
+    }
+
+    private void named(SdfScope scope, String name, SdfNode node) throws FileProblem {
+        SdfNode earlier = scope.named(name);
+        if (!scope.add(name, node) && earlier != null) {
+            throw node.element.wrong("names must be unique in " + (scope.path.isEmpty() ? "the world" : scope.path)
+                    + "; rename this or the one in line " + earlier.element.line + " of "
+                    + earlier.element.file.shown() + " (got twice: " + name + ")");
+        }
+    }
+
+    private void model(SdfScope scope, SdfElement model, @Nullable SdfNode home) throws FileProblem {
+        model(scope, model, model, home, model.givenName(), model.child("pose"), isStatic(model, false));
+    }
+
+    private static boolean isStatic(SdfElement element, boolean otherwise) throws FileProblem {
+        SdfElement given = element.child("static");
+        return given == null ? otherwise : SdfElement.isTrue(given, "<static>", given.value());
+    }
+
+    private void model(
+            SdfScope scope,
+            SdfElement model,
+            SdfElement placed,
+            @Nullable SdfNode home,
+            String name,
+            @Nullable SdfElement pose,
+            boolean isStatic)
+            throws FileProblem {
+        account(model);
+        String frame = placed == model ? "" : placed.valueOf("placement_frame");
+        String path = scope.pathOf(name);
+        SdfObjects.checkName(path, placed);
+        SdfScope inner = new SdfScope(path);
+        fill(inner, model);
+        SdfNode node = new SdfNode(
+                placed, pose, "", home, inner, frame.isEmpty() ? model.attribute("placement_frame") : frame, isStatic);
+        named(scope, name, node);
+        scope.models.add(node);
+    }
+
+    private void include(SdfScope scope, SdfElement include, @Nullable SdfNode home) throws FileProblem {
+        account(include);
+        SdfElement uri = include.required("uri");
+        String address = uri.value();
+        if (SdfFiles.isRemote(address)) {
+            skip(
+                    include,
+                    "<include> of " + address,
+                    "no address in a network is followed; fetch the model, write model://NAME, and give the folder"
+                            + " that holds it");
+            return;
+        }
+        SdfElement root = files.included(uri);
+        if (root == null) {
+            String reason = WELL_KNOWN.get(address);
+            if (reason != null) {
+                remarks.add(
+                        new LeftOut(include.file.shown(), include.line, "<include> of " + address, reason).toString());
+                return;
+            }
+            throw files.missing(uri);
+        }
+        if (WELL_KNOWN.containsKey(address)) {
+            wellKnown.add(root.file);
+        }
+        if (!open.add(root.file)) {
+            throw uri.wrong("a file must not include itself, also not through others (got: " + address + ")");
+        }
+        account(root);
+        SdfElement model = theModel(root, uri);
+        if (model != null) {
+            included(scope, include, model, home);
+        }
+        open.remove(root.file);
+    }
+
+    /** The one model of an included file; null where it holds only what is not read. */
+    private static @Nullable SdfElement theModel(SdfElement root, SdfElement uri) throws FileProblem {
+        if (root.children.isEmpty() && !(root.passedOver.isEmpty() && root.skipped.isEmpty())) {
+            return null;
+        }
+        if (root.children.size() != 1 || !root.children.get(0).name.equals("model")) {
+            throw uri.wrong("an included file must hold one model (got: " + root.children.size()
+                    + " models or worlds in " + root.file.shown() + ")");
+        }
+        return root.children.get(0);
+    }
+
+    private void included(SdfScope scope, SdfElement include, SdfElement model, @Nullable SdfNode home)
+            throws FileProblem {
+        SdfElement ownPose = include.child("pose");
+        String frame = include.valueOf("placement_frame");
+        if (ownPose == null && !frame.isEmpty()) {
+            throw include.wrong("an <include> with a placement_frame must have a <pose>; add <pose/> (got: none)");
+        }
+        SdfElement pose = ownPose == null ? model.child("pose") : ownPose;
+        String merge = include.attribute("merge");
+        if (!merge.isEmpty() && SdfElement.isTrue(include, "merge of <include>", merge)) {
+            account(model);
+            String placementFrame = frame.isEmpty() ? model.attribute("placement_frame") : frame;
+            SdfScope alone = placementFrame.isEmpty() ? null : alone(model);
+            // Stands for the frame of the model that is no more.
+            SdfNode proxy = new SdfNode(include, pose, "", home, alone, placementFrame, false);
+            add(scope, model, proxy);
+            return;
+        }
+        String name = include.valueOf("name");
+        boolean isStatic = isStatic(include, isStatic(model, false));
+        model(scope, model, include, home, name.isEmpty() ? model.givenName() : name, pose, isStatic);
+    }
+
+    /** The scope of a model for itself; nothing of it goes to the account. */
+    private SdfScope alone(SdfElement model) throws FileProblem {
+        SdfTree aside = new SdfTree(this);
+        SdfScope scope = new SdfScope(model.givenName());
+        aside.fill(scope, model);
+        nodes = aside.nodes;
+        return scope;
+    }
+}

@@ -1,0 +1,63 @@
+package robosim.geometry.world.shared;
+
+import java.io.IOException;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
+
+/** What is wrong with a file, where, and what to do about it; users are told by a {@code WorldException}. */
+public final class FileProblem extends IOException {
+    private static final long serialVersionUID = 1;
+
+    private final String source;
+    private final int line;
+    private final int column;
+
+    /**
+     * At a place of a file.
+     *
+     * @param line   counted from 1; 0 where the problem has none
+     * @param column counted from 1; 0 where the problem has none
+     */
+    public FileProblem(String source, int line, int column, String problem, @Nullable Throwable cause) {
+        super(place(source, line, column) + problem, cause);
+        this.source = source;
+        this.line = line;
+        this.column = column;
+    }
+
+    /** That nothing else led to. */
+    public FileProblem(String source, int line, int column, String problem) {
+        this(source, line, column, problem, null);
+    }
+
+    /** The failure of a file that could not be read: as it is, where it already says what is wrong. */
+    public static FileProblem unreadable(Path file, IOException failure) {
+        if (failure instanceof FileProblem told) {
+            return told;
+        }
+        String problem = failure instanceof NoSuchFileException
+                ? "there is no such file; check the path"
+                : "the file could not be read: " + failure;
+        return new FileProblem(file.toString(), 0, 0, problem, failure);
+    }
+
+    private static String place(String source, int line, int column) {
+        if (line < 1) {
+            return source + ": ";
+        }
+        return column < 1 ? source + ":" + line + ": " : source + ":" + line + ":" + column + ": ";
+    }
+
+    public String source() {
+        return source;
+    }
+
+    public int line() {
+        return line;
+    }
+
+    public int column() {
+        return column;
+    }
+}

@@ -1,0 +1,85 @@
+package robosim.geometry.world.shared;
+
+import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
+
+/** Numbers of a text: decimal, finite, and nothing else that Java would take for a number. */
+public final class Numbers {
+    /** A double is written in at most 24 characters; people who count exactly need some more. */
+    static final int MAX_LENGTH = 100;
+
+    private static final Pattern SPACE = Pattern.compile("\\s+");
+
+    private Numbers() {}
+
+    /** The words of a text between white space; one empty word where it has none. */
+    public static String[] words(String text) {
+        return SPACE.split(text.strip(), -1);
+    }
+
+    /** A number; the message of the exception says what it must be and what came. */
+    public static double parse(String token) {
+        if (isDecimal(token)) {
+            try {
+                double value = Double.parseDouble(token);
+                if (Double.isFinite(value)) {
+                    return value;
+                }
+            } catch (NumberFormatException e) {
+                throw wrong(token, e);
+            }
+        }
+        throw wrong(token, null);
+    }
+
+    /** An index as XML has it: from 0. */
+    public static int index(String token) {
+        int index = integer(token, " of at least 0");
+        if (index < 0) {
+            throw new IllegalArgumentException("an index must be a whole number of at least 0 (got: " + token + ")");
+        }
+        return index;
+    }
+
+    /** A whole number of either sign. */
+    public static int integer(String token) {
+        return integer(token, "");
+    }
+
+    private static int integer(String token, String range) {
+        try {
+            return Integer.parseInt(token);
+        } catch (NumberFormatException e) {
+            throw new IllegalArgumentException(
+                    "an index must be a whole number" + range + " (got: " + shown(token) + ")", e);
+        }
+    }
+
+    private static boolean isDecimal(String token) {
+        if (token.length() > MAX_LENGTH) {
+            return false;
+        }
+        int exponentDigits = -1;
+        for (int k = 0; k < token.length(); k++) {
+            char c = token.charAt(k);
+            if (c == 'e' || c == 'E') {
+                exponentDigits = 0;
+            } else if (c >= '0' && c <= '9') {
+                exponentDigits += exponentDigits >= 0 ? 1 : 0;
+            } else if (c != '.' && c != '+' && c != '-') {
+                return false;
+            }
+        }
+        // An exponent of more digits is no double, and exact arithmetic on it would take its time.
+        return exponentDigits <= 3;
+    }
+
+    private static IllegalArgumentException wrong(String token, @Nullable Throwable cause) {
+        return new IllegalArgumentException(
+                "a number must be decimal and finite, like 12, -0.5 or 1.5e-3 (got: " + shown(token) + ")", cause);
+    }
+
+    private static String shown(String token) {
+        return token.length() <= MAX_LENGTH ? token : token.substring(0, MAX_LENGTH) + "...";
+    }
+}

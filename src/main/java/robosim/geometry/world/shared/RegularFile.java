@@ -1,0 +1,26 @@
+package robosim.geometry.world.shared;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/** Opens what is a file: a pipe may never say a word, and a device never end. */
+public final class RegularFile {
+    private RegularFile() {}
+
+    /** A stream of a file's bytes, at the end of all links. */
+    public static InputStream open(Path file) throws IOException {
+        if (Files.exists(file) && !Files.isRegularFile(file)) {
+            throw new FileProblem(
+                    file.toString(),
+                    0,
+                    0,
+                    Files.isDirectory(file)
+                            ? "a file is needed; name one in this folder (got: a folder)"
+                            : "a regular file is needed; save what a pipe or a device gives to one (got: a pipe, a"
+                                    + " socket or a device)");
+        }
+        return Files.newInputStream(file);
+    }
+}

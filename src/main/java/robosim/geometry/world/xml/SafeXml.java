@@ -1,0 +1,53 @@
+package robosim.geometry.world.xml;
+
+import java.util.List;
+import java.util.Locale;
+import javax.xml.XMLConstants;
+import javax.xml.parsers.ParserConfigurationException;
+import javax.xml.parsers.SAXParserFactory;
+import org.xml.sax.SAXException;
+import org.xml.sax.SAXParseException;
+import org.xml.sax.XMLReader;
+import robosim.geometry.world.shared.FileProblem;
+
+/** XML from a stranger: no document type, no entity, nothing read that the file names. */
+public final class SafeXml {
+    /** Parser and validator are made to speak English, their root language: it is what {@code SchemaErrors} reads. */
+    public static final String LOCALE = "http://apache.org/xml/properties/locale";
+
+    /** Limits of the JDK's that differ from one to the next, and are {@link XmlGuard}'s here; without entities they guard no more. */
+    private static final List<String> OWN_LIMITS =
+            List.of("jdk.xml.maxElementDepth", "jdk.xml.maxGeneralEntitySizeLimit", "jdk.xml.totalEntitySizeLimit");
+
+    private SafeXml() {}
+
+    /** A parser of the JDK's own, whatever else is on the class path. */
+    static XMLReader reader() throws SAXException {
+        SAXParserFactory factory = SAXParserFactory.newDefaultNSInstance();
+        try {
+            factory.setFeature(XMLConstants.FEATURE_SECURE_PROCESSING, true);
+            factory.setFeature("http://apache.org/xml/features/disallow-doctype-decl", true);
+            factory.setFeature("http://xml.org/sax/features/external-general-entities", false);
+            factory.setFeature("http://xml.org/sax/features/external-parameter-entities", false);
+            factory.setFeature("http://apache.org/xml/features/nonvalidating/load-external-dtd", false);
+            factory.setXIncludeAware(false);
+            XMLReader reader = factory.newSAXParser().getXMLReader();
+            reader.setProperty(LOCALE, Locale.ROOT);
+            for (String own : OWN_LIMITS) {
+                reader.setProperty(own, "0");
+            }
+            return reader;
+        } catch (ParserConfigurationException e) {
+            throw new IllegalStateException("the JDK's XML parser refuses to be hardened", e);
+        }
+    }
+
+    /** The parser's own errors: not well-formed, or against its limits. */
+    public static FileProblem refusal(String source, SAXParseException e) {
+        String message = String.valueOf(e.getMessage());
+        String problem = message.contains("disallow-doctype-decl")
+                ? "a document type is not accepted; remove <!DOCTYPE ...>, a world has no entities"
+                : "this is no well-formed XML: " + message;
+        return new FileProblem(source, e.getLineNumber(), e.getColumnNumber(), problem, e);
+    }
+}

@@ -1,0 +1,156 @@
+package robosim.geometry.world.xml;
+
+import java.io.FilterInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import org.jspecify.annotations.Nullable;
+import org.xml.sax.Attributes;
+import org.xml.sax.InputSource;
+import org.xml.sax.Locator;
+import org.xml.sax.SAXException;
+import org.xml.sax.XMLReader;
+import org.xml.sax.ext.LexicalHandler;
+import org.xml.sax.helpers.DefaultHandler;
+import org.xml.sax.helpers.XMLFilterImpl;
+import robosim.geometry.world.shared.Bounded;
+import robosim.geometry.world.shared.FileProblem;
+import robosim.geometry.world.shared.Limits;
+
+/**
+ * Stands between a parser and who follows it, and bounds what a file can ask of either: how deep its elements are nested,
+ * and how long a tag or a comment is, which a parser keeps in memory until its end.
+ */
+public final class XmlGuard extends XMLFilterImpl implements LexicalHandler {
+    private final String source;
+    private @Nullable Locator locator;
+    private int depth;
+
+    /** Bytes that were read since the parser last told anything. */
+    private long silent;
+
+    private XmlGuard(XMLReader parser, String source, DefaultHandler follower) throws SAXException {
+        super(parser);
+        this.source = source;
+        parser.setProperty("http://xml.org/sax/properties/lexical-handler", this);
+        setContentHandler(follower);
+        setErrorHandler(follower);
+        setEntityResolver(follower);
+    }
+
+    /**
+     * Parses a stream with the hardened parser.
+     *
+     * @param source what messages call the stream
+     * @throws SAXException around a {@link FileProblem}, where it is against the limits
+     */
+    public static void parse(InputStream in, String source, DefaultHandler follower) throws SAXException, IOException {
+        XmlGuard guard = new XmlGuard(SafeXml.reader(), source, follower);
+        guard.parse(new InputSource(guard.new Watched(new Bounded(in))));
+    }
+
+    /** Counts what the parser reads without a word about it. */
+    private final class Watched extends FilterInputStream {
+        Watched(InputStream in) {
+            super(in);
+        }
+
+        @Override
+        public int read() throws IOException {
+            int value = super.read();
+            count(value < 0 ? 0 : 1);
+            return value;
+        }
+
+        @Override
+        public int read(byte[] target, int from, int length) throws IOException {
+            int count = super.read(target, from, length);
+            count(count);
+            return count;
+        }
+
+        private void count(int bytes) throws IOException {
+            silent += Math.max(0, bytes);
+            if (silent > Limits.MAX_MARKUP) {
+                throw new FileProblem(
+                        source,
+                        locator == null ? 0 : locator.getLineNumber(),
+                        0,
+                        "a tag with its attributes, a comment, or the space before the first tag must have at most "
+                                + Limits.MAX_MARKUP + " bytes (got: more)");
+            }
+        }
+    }
+
+    @Override
+    public void setDocumentLocator(Locator given) {
+        locator = given;
+        super.setDocumentLocator(given);
+    }
+
+    @Override
+    public void startElement(String uri, String name, String qualified, Attributes attributes) throws SAXException {
+        silent = 0;
+        if (++depth > Limits.MAX_DEPTH) {
+            throw new SAXException(new FileProblem(
+                    source,
+                    locator == null ? 0 : locator.getLineNumber(),
+                    locator == null ? 0 : locator.getColumnNumber(),
+                    "elements must be at most " + Limits.MAX_DEPTH + " within each other (got: one more)"));
+        }
+        super.startElement(uri, name, qualified, attributes);
+    }
+
+    @Override
+    public void endElement(String uri, String name, String qualified) throws SAXException {
+        silent = 0;
+        depth--;
+        super.endElement(uri, name, qualified);
+    }
+
+    @Override
+    public void characters(char[] text, int start, int length) throws SAXException {
+        silent = 0;
+        super.characters(text, start, length);
+    }
+
+    @Override
+    public void ignorableWhitespace(char[] text, int start, int length) throws SAXException {
+        silent = 0;
+        super.ignorableWhitespace(text, start, length);
+    }
+
+    @Override
+    public void processingInstruction(String target, String data) throws SAXException {
+        silent = 0;
+        super.processingInstruction(target, data);
+    }
+
+    @Override
+    public void comment(char[] text, int start, int length) {
+        silent = 0;
+    }
+
+    @Override
+    public void startCDATA() {
+        silent = 0;
+    }
+
+    @Override
+    public void endCDATA() {
+        silent = 0;
+    }
+
+    // There is no document type, so no entity either.
+
+    @Override
+    public void startDTD(String name, @Nullable String publicId, @Nullable String systemId) {}
+
+    @Override
+    public void endDTD() {}
+
+    @Override
+    public void startEntity(String name) {}
+
+    @Override
+    public void endEntity(String name) {}
+}

@@ -1,0 +1,5 @@
+/** XML from strangers, parsed within limits. */
+@NullMarked
+package robosim.geometry.world.xml;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,226 @@
+package robosim.geometry.net.pace;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import robosim.geometry.net.HostilePeerTest;
+
+/** Turns on a clock of the test's own: who computes when, without threads and without waiting. */
+@Timeout(60)
+class TurnsTest {
+    private static final long MILLI = 1_000_000;
+
+    /** How often one that computes looks up. */
+    private static final long BREATH = MILLI / 10;
+
+    private final AtomicLong now = new AtomicLong(1);
+
+    /** A connection whose peer asks for so much, then says nothing for a while, again and again. */
+    private static final class Asker {
+        final Turn turn;
+        final long work;
+        final long pause;
+        long left;
+        long idleUntil;
+        long askedAt;
+        long computed;
+        long done;
+        long longestWait;
+
+        Asker(Turn turn, long work, long pause) {
+            this.turn = turn;
+            this.work = work;
+            this.pause = pause;
+            this.left = work;
+        }
+
+        void step(Turns turns, long time) {
+            if (turn.state == Turn.State.RUNNING) {
+                computed += BREATH;
+                left -= BREATH;
+                if (left <= 0) {
+                    turn.give();
+                    turn.rest();
+                    done++;
+                    left = work;
+                    idleUntil = time + pause;
+                } else {
+                    if (turns.areWanted()) {
+                        turns.giveWay(turn);
+                    }
+                    askedAt = turn.isWaiting() ? time : askedAt;
+                }
+            } else if (turn.state == Turn.State.IDLE && time >= idleUntil) {
+                askedAt = time;
+                turns.ask(turn);
+            }
+            if (turn.isWaiting()) {
+                longestWait = Math.max(longestWait, time - askedAt);
+            }
+        }
+    }
+
+    private List<Asker> askers(Turns turns, int count, long work, long pause) {
+        List<Asker> askers = new ArrayList<>();
+        for (int k = 0; k < count; k++) {
+            askers.add(new Asker(turns.turn(), work, pause));
+        }
+        return askers;
+    }
+
+    private void run(Turns turns, List<Asker> askers, long time) {
+        for (long end = now.get() + time; now.get() < end; now.addAndGet(BREATH)) {
+            for (Asker asker : askers) {
+                asker.step(turns, now.get());
+            }
+        }
+    }
+
+    private static long running(List<Asker> askers) {
+        return askers.stream().filter(asker -> asker.turn.isRunning()).count();
+    }
+
+    @Test
+    void longWorkIsDoneInSlicesByAsManyAsThereAreProcessorsInFairShares() {
+        Turns turns = new Turns(2, now::get);
+        List<Asker> greedy = askers(turns, 50, 1_000 * MILLI, 0);
+        for (int k = 0; k < 2_000; k++) {
+            run(turns, greedy, MILLI);
+            assertThat(running(greedy)).isEqualTo(2);
+        }
+        for (Asker each : greedy) {
+            assertThat(each.computed / MILLI).isBetween(40L, 160L); // a fiftieth of two processors is 80
+            assertThat(each.longestWait / MILLI).isLessThan(500L);
+        }
+    }
+
+    @Test
+    void aShortQuestionDoesNotWaitForLongOnes() {
+        Turns turns = new Turns(2, now::get);
+        List<Asker> all = askers(turns, 50, 50 * MILLI, 0);
+        Asker healthy = new Asker(turns.turn(), BREATH, MILLI);
+        all.add(healthy);
+        run(turns, all, 1_000 * MILLI);
+        healthy.longestWait = 0; // by now it is known for short questions
+        run(turns, all, 1_000 * MILLI);
+        assertThat(healthy.longestWait).isZero();
+        assertThat(healthy.done).isGreaterThan(1_500);
+    }
+
+    @Test
+    void aNewcomerWaitsForFewSlices() {
+        Turns turns = new Turns(2, now::get);
+        List<Asker> all = askers(turns, 50, 1_000 * MILLI, 0);
+        run(turns, all, 1_000 * MILLI);
+        Asker newcomer = new Asker(turns.turn(), BREATH, MILLI);
+        all.add(newcomer);
+        run(turns, all, 100 * MILLI);
+        assertThat(newcomer.longestWait).isLessThanOrEqualTo(2 * Turns.SLICE_NANOS + BREATH);
+        assertThat(newcomer.done).isGreaterThan(10);
+    }
+
+    /** Messages that are sent without end are one burst: who never rests is not short. */
+    @Test
+    void aFloodOfSmallMessagesIsLongWork() {
+        Turns turns = new Turns(1, now::get);
+        Turn flood = turns.turn();
+        turns.ask(flood);
+        for (int k = 0; k < 100; k++) { // never idle between two messages
+            now.addAndGet(BREATH);
+            flood.give();
+            turns.ask(flood);
+        }
+        assertThat(flood.need()).isGreaterThan(Turns.SHORT_NANOS);
+    }
+
+    /** It has at least a quarter of a fair share, here a thirty-first. */
+    @Test
+    void manyOfMiddlingLengthDoNotHoldOffALongOne() {
+        Turns turns = new Turns(1, now::get);
+        List<Asker> all = askers(turns, 30, 15 * BREATH, 0); // one of them always waits
+        run(turns, all, 500 * MILLI);
+        Asker large = new Asker(turns.turn(), 100 * MILLI, 0);
+        all.add(large);
+        run(turns, all, 3_100 * MILLI);
+        assertThat(large.computed / MILLI).isBetween(25L, 100L);
+    }
+
+    @Test
+    void heavyWorkLeavesATurn() {
+        Turns turns = new Turns(3, now::get);
+        List<Asker> heavy = askers(turns, 10, 1_000 * MILLI, 0);
+        for (int k = 0; k < 100; k++) {
+            heavy.forEach(each -> each.turn.heavy());
+            run(turns, heavy, MILLI);
+            assertThat(running(heavy)).isEqualTo(2);
+        }
+        Asker other = new Asker(turns.turn(), 1_000 * MILLI, 0);
+        heavy.add(other);
+        run(turns, heavy, 2 * BREATH);
+        assertThat(other.turn.isRunning()).isTrue();
+    }
+
+    @Test
+    void whoDoesNotGiveWayLendsTheTurnAndWaitsForTheNext() {
+        Turns turns = new Turns(1, now::get);
+        List<Turn> stuck = new ArrayList<>();
+        for (int k = 0; k < 3; k++) {
+            stuck.add(turns.turn());
+            turns.ask(stuck.get(k));
+        }
+        assertThat(stuck.get(0).isRunning()).isTrue();
+        now.addAndGet(Turns.SLICE_NANOS);
+        turns.lend(stuck.get(1));
+        assertThat(stuck.get(1).isWaiting()).as("too early").isTrue();
+        now.addAndGet(Turns.PATIENCE_NANOS);
+        turns.lend(stuck.get(1));
+        assertThat(stuck.get(1).isRunning()).isTrue();
+        now.addAndGet(10 * Turns.PATIENCE_NANOS);
+        turns.lend(stuck.get(2));
+        assertThat(stuck.get(2).isWaiting())
+                .as("no more than there are processors")
+                .isTrue();
+        turns.giveWay(stuck.get(0)); // it looks up at last
+        assertThat(stuck.get(0).isWaiting()).isTrue();
+        turns.lend(stuck.get(2));
+        assertThat(stuck.get(2).isRunning()).isTrue();
+        stuck.forEach(Turn::give);
+        assertThat(turns.areWanted()).isFalse();
+        Turn next = turns.turn();
+        turns.ask(next);
+        assertThat(next.isRunning()).as("no turn was lost").isTrue();
+    }
+
+    @Test
+    void whoIsCutOffComputesNoMoreWhetherItWaitsOrNot() throws Exception {
+        Turns turns = new Turns(1, now::get); // which stands still: no turn is lent
+        Turn first = turns.turn();
+        first.take();
+        Turn second = turns.turn();
+        CountDownLatch returned = new CountDownLatch(1);
+        Thread waiting = new Thread(() -> {
+            second.take();
+            second.give();
+            returned.countDown();
+        });
+        waiting.start();
+        HostilePeerTest.await(second::isWaiting);
+        second.cutOff();
+        assertThat(returned.await(20, TimeUnit.SECONDS)).isTrue();
+        first.breathe();
+        first.cutOff();
+        assertThatThrownBy(first::breathe).isInstanceOf(Turn.CutOff.class);
+        first.give();
+        Turn third = turns.turn();
+        third.take();
+        assertThat(third.isRunning()).isTrue();
+        third.give();
+    }
+}

@@ -1,0 +1,389 @@
+package robosim.geometry.protocol.channel;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InterruptedIOException;
+import java.io.OutputStream;
+import java.lang.reflect.InvocationTargetException;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.Gate;
+import robosim.geometry.protocol.Limits;
+import robosim.geometry.protocol.MessagePace;
+import robosim.geometry.protocol.MessageReader;
+import robosim.geometry.protocol.MessageTest;
+import robosim.geometry.protocol.MessageTranslator;
+import robosim.geometry.protocol.MessageWriter;
+import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.protocol.MoveRequest;
+import robosim.geometry.protocol.Problem;
+import robosim.geometry.protocol.ProtocolException;
+import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.Samples;
+import robosim.geometry.protocol.json.JsonLines;
+
+class MessageChannelTest {
+    private static final String HELLO = "{\"type\":\"hello\",\"version\":1}\n";
+    private static final String MOVES = "{\"type\":\"moves\",\"moves\":[]}\n";
+    private static final byte[] HEADER = {(byte) 0xAC, (byte) 0xED, 0, 5};
+    private static final Reply NONE_MADE = new Reply(new MoveBundle(List.of()), List.of(Problem.of(0, "a \"b\"")));
+
+    private final ByteArrayOutputStream out = new ByteArrayOutputStream();
+
+    private MessageChannel channel(InputStream in, Gate gate) {
+        return new MessageChannel(in, out, MessageTranslator.RECORDS, MessagePace.NONE, gate);
+    }
+
+    private MessageChannel channel(String text) {
+        return channel(new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)), Gate.OPEN);
+    }
+
+    private List<String> lines() {
+        return out.toString(StandardCharsets.UTF_8).lines().toList();
+    }
+
+    /** Silent at first, as told by the pace of a stream with a clock. */
+    private static InputStream late(byte[] bytes) {
+        return new InputStream() {
+            private final InputStream in = new ByteArrayInputStream(bytes);
+            private boolean silent = true;
+
+            @Override
+            public int read() throws IOException {
+                byte[] one = new byte[1];
+                return read(one, 0, 1) < 0 ? -1 : one[0] & 0xff;
+            }
+
+            @Override
+            public int read(byte[] into, int at, int length) throws IOException {
+                if (silent) {
+                    silent = false;
+                    throw new InterruptedIOException();
+                }
+                return in.read(into, at, Math.min(length, 1));
+            }
+        };
+    }
+
+    @Test
+    void aJavaPeerIsAnsweredInJava() throws IOException {
+        byte[] bytes = MessageTest.write(Samples.everyBundle().toArray(Bundle[]::new));
+        MessageChannel channel = channel(new ByteArrayInputStream(bytes), Gate.OPEN);
+        assertThat(out.toByteArray()).as("before a word of the peer").isEmpty();
+        assertThat(channel.encoding()).isNull();
+        assertThatThrownBy(() -> channel.write(NONE_MADE)).isInstanceOf(IllegalStateException.class);
+        for (Bundle bundle : Samples.everyBundle()) {
+            assertThat(channel.read()).isEqualTo(bundle);
+            assertThat(channel.messageBytes()).isPositive();
+        }
+        assertThat(channel.encoding()).isEqualTo(MessageChannel.Encoding.JAVA);
+        assertThat(out.toByteArray()).containsExactly(HEADER);
+        channel.write(NONE_MADE);
+        channel.refuse("there is no word for this in Java");
+        assertThat(channel.read()).isNull();
+        assertThat(MessageTest.readAll(out.toByteArray())).containsExactly(NONE_MADE.bundle());
+    }
+
+    @Test
+    void aJsonPeerIsAnsweredInJson() throws IOException {
+        MessageChannel channel = channel(HELLO + "{\"type\":\"ping\"}\n{\"id\":\"\u00e9\\\"\",\"type\":\"ping\"}\r\n"
+                + "{\"type\":\"ping\",\"id\":-9007199254740991}\n" + MOVES);
+        assertThat(channel.read()).isEqualTo(new MoveBundle(List.of()));
+        assertThat(channel.encoding()).isEqualTo(MessageChannel.Encoding.JSON);
+        assertThat(channel.messageBytes()).isEqualTo(MOVES.length() - 1);
+        channel.write(NONE_MADE);
+        assertThat(channel.read()).isNull();
+        assertThat(lines())
+                .hasSize(5)
+                .endsWith(
+                        "{\"type\":\"pong\"}",
+                        "{\"type\":\"pong\",\"id\":\"\u00e9\\\"\"}",
+                        "{\"type\":\"pong\",\"id\":-9007199254740991}",
+                        "{\"type\":\"moves\",\"moves\":[],\"refused\":[{\"index\":0,\"reason\":\"a \\\"b\\\"\"}]}");
+        assertThat(lines().get(0))
+                .startsWith("{\"type\":\"hello\",\"version\":1,\"module\":\"robosim-geometry ")
+                .contains("\"messageBytes\":67108864");
+    }
+
+    /** Where nothing is delayed, each write may be a packet. */
+    @Test
+    void anAnswerInJsonIsOneWrite() throws IOException {
+        int[] writes = new int[1];
+        OutputStream counting = new OutputStream() {
+            @Override
+            public void write(int single) {
+                writes[0]++;
+            }
+
+            @Override
+            public void write(byte[] bytes, int at, int length) {
+                writes[0]++;
+            }
+        };
+        InputStream in = new ByteArrayInputStream((HELLO + MOVES).getBytes(StandardCharsets.UTF_8));
+        MessageChannel channel =
+                new MessageChannel(in, counting, MessageTranslator.RECORDS, MessagePace.NONE, Gate.OPEN);
+        channel.read();
+        assertThat(writes[0]).as("for the hello").isEqualTo(1);
+        channel.write(NONE_MADE);
+        assertThat(writes[0]).as("for hello and answer").isEqualTo(2);
+    }
+
+    @Test
+    void whoIsSilentGetsTheHeaderOfJava() throws IOException {
+        byte[] bytes = MessageTest.write(new MoveBundle(List.of()));
+        MessageChannel channel = channel(late(bytes), Gate.OPEN);
+        assertThat(channel.read()).isEqualTo(new MoveBundle(List.of()));
+        channel.write(NONE_MADE);
+        assertThat(MessageTest.readAll(out.toByteArray())).containsExactly(NONE_MADE.bundle());
+    }
+
+    @Test
+    void aJsonPeerThatIsLateFindsTheHeaderOnALineOfItsOwn() throws IOException {
+        MessageChannel channel = channel(late((HELLO + MOVES).getBytes(StandardCharsets.UTF_8)), Gate.OPEN);
+        assertThat(channel.read()).isEqualTo(new MoveBundle(List.of()));
+        channel.write(NONE_MADE);
+        byte[] got = out.toByteArray();
+        assertThat(got).startsWith(0xAC, 0xED, 0, 5, '\n', '{');
+        assertThat(new String(got, 5, got.length - 5, StandardCharsets.UTF_8).lines())
+                .hasSize(2)
+                .allMatch(line -> line.startsWith("{") && line.endsWith("}"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"GET / HTTP/1.1", "\n{}", " {}", "\ufeff{}", "[1]", "\u0000"})
+    void anythingElseIsRefused(String text) {
+        assertThatThrownBy(() -> channel(text).read())
+                .isInstanceOf(ProtocolException.class)
+                .hasMessageContaining("AC ED 00 05")
+                .hasMessageContaining("JSON lines");
+        assertThat(out.toByteArray()).isEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            value = {
+                "{\"type\":\"moves\",\"moves\":[]} | line 1, the first message must be a hello",
+                "{\"version\":1} | line 1, the message: must have the field \"type\"",
+                "{\"type\":\"hello\"} | line 1, the message: must have the field \"version\"",
+                "{\"type\":\"hello\",\"version\":2} | line 1, the message: version must be 1",
+                "{\"type\":\"hello\",\"version\":\"1\"} | line 1, the message: must be a number",
+                "{\"type\":\"hello\",\"version\":1}~{\"type\":\"hello\",\"version\":1} | line 2, a hello must come once",
+                "{\"type\":\"hello\",\"version\":1}~ | line 2, a line must hold a message (got: a blank line)",
+                "{\"type\":\"hello\",\"version\":1}~{\"type\":\"pong\"} | line 2, a request's type must be",
+                "{\"type\":\"hello\",\"version\":1}~{\"type\":\"ping\",\"id\":1.5} | line 2, at /id: must be a whole number",
+                "{\"type\":\"hello\",\"version\":1}~{\"type\":\"ping\",\"id\":9007199254740992} | line 2, at /id: must be",
+                "{\"type\":\"hello\",\"version\":1}~{\"type\":\"ping\",\"id\":null} | line 2, at /id: must be a number",
+                "{\"type\":\"hello\",\"version\":1}~{\"type\":\"moves\",\"moves\":[NaN]} | line 2, at /moves/0: must be JSON",
+                "{\"type\":\"hello\",\"version\":1}~{\"type\":\"moves\",\"moves\":[]}}~ | line 2, "
+            })
+    void aJsonPeerIsToldWhy(String text, String reason) {
+        MessageChannel channel = channel(text.replace('~', '\n') + "\n" + MOVES);
+        assertThatThrownBy(channel::read)
+                .isInstanceOf(ProtocolException.class)
+                .hasMessageStartingWith(reason)
+                .satisfies(e -> assertThat(lines().get(lines().size() - 1))
+                        .isEqualTo("{\"type\":\"error\",\"message\":\""
+                                + e.getMessage().replace("\\", "\\\\").replace("\"", "\\\"") + "\"}"));
+        assertThat(lines().stream().filter(line -> line.contains("error"))).hasSize(1);
+    }
+
+    @Test
+    void aLineWithoutItsEndIsNoMessage() {
+        assertThatThrownBy(() -> channel(HELLO + MOVES.trim()).read())
+                .hasMessageContaining("line 2, the stream ended inside a line, after 27 bytes of it");
+    }
+
+    @Test
+    void bytesThatAreNoTextAreRefused() {
+        byte[][] bad = {
+            {(byte) 0xC0, (byte) 0x80}, {(byte) 0xED, (byte) 0xA0, (byte) 0xBD}, {(byte) 0xFF}, {(byte) 0xE4}
+        };
+        for (byte[] some : bad) {
+            ByteArrayOutputStream text = new ByteArrayOutputStream();
+            text.writeBytes((HELLO + "{\"type\":\"ping\",\"id\":\"").getBytes(StandardCharsets.UTF_8));
+            text.writeBytes(some);
+            text.writeBytes("\"}\n".getBytes(StandardCharsets.UTF_8));
+            assertThatThrownBy(() -> channel(new ByteArrayInputStream(text.toByteArray()), Gate.OPEN)
+                            .read())
+                    .isInstanceOf(ProtocolException.class)
+                    .hasMessageContaining("line 2, a line must be UTF-8 (got: other bytes at byte 22)");
+        }
+    }
+
+    @Test
+    void aLineHasAnEndAndAHelloHasItSooner() {
+        String longHello =
+                "{\"type\":\"hello\",\"version\":1,\"secret\":\"" + "x".repeat(Limits.MAX_HELLO_BYTES) + "\"}\n";
+        assertThatThrownBy(() -> channel(longHello).read())
+                .hasMessageContaining("line 1, a line must have at most 8192 bytes");
+        InputStream endless = new InputStream() {
+            private final InputStream hello = new ByteArrayInputStream((HELLO + "{").getBytes(StandardCharsets.UTF_8));
+
+            @Override
+            public int read() throws IOException {
+                int some = hello.read();
+                return some < 0 ? ' ' : some;
+            }
+        };
+        assertThatThrownBy(() -> channel(endless, Gate.OPEN).read())
+                .hasMessageContaining("line 2, a line must have at most " + Limits.MAX_MESSAGE_BYTES + " bytes");
+    }
+
+    @Test
+    void longAndShortLinesAlternate() throws IOException {
+        StringBuilder text = new StringBuilder(HELLO);
+        List<Bundle> sent = new ArrayList<>();
+        for (int k = 0; k < 40; k++) {
+            MoveRequest move = new MoveRequest("robot " + k, k, 0, 0, 0, 0);
+            sent.add(new MoveBundle(java.util.Collections.nCopies(k % 3 == 0 ? 3000 : k % 7, move)));
+            text.append(JsonLines.write(sent.get(k))).append('\n');
+        }
+        MessageChannel channel = channel(text.toString());
+        for (Bundle bundle : sent) {
+            assertThat(channel.read()).isEqualTo(bundle);
+        }
+        assertThat(channel.read()).isNull();
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "{\"type\":\"hello\",\"version\":1,\"secret\":\"hush hush\"}",
+                "{\"type\":\"hello\",\"version\":1,\"secret\":\"hush hush\",\"hush hush\":1}",
+                "{\"type\":\"hello\",\"version\":1,\"secret\":hush hush}",
+                "{\"type\":\"hello\",\"version\":1,\"secret\":\"hush hush}",
+                "{\"type\":\"hush hush\",\"version\":1}",
+                "{\"hush hush\":{\"type\":1}}",
+                "{\"type\":\"hello\",\"version\":1,\"secret\":\"hush hush\"} hush"
+            })
+    void aSecretIsRepeatedNowhere(String hello) {
+        MessageChannel channel =
+                channel(new ByteArrayInputStream((hello + "\n").getBytes(StandardCharsets.UTF_8)), secret -> false);
+        assertThatThrownBy(channel::read).isInstanceOf(ProtocolException.class).satisfies(e -> {
+            for (Throwable cause = e; cause != null; cause = cause.getCause()) {
+                assertThat(cause.toString()).doesNotContain("hush");
+            }
+        });
+        assertThat(lines()).singleElement().asString().contains("\"error\"").doesNotContain("hush");
+    }
+
+    @Test
+    void theGateIsAskedOnceAndNothingElseIsReadBeforeIt() throws IOException {
+        List<String> told = new ArrayList<>();
+        Gate gate = secret -> told.add(String.valueOf(secret));
+        String hello = HELLO.replace("1}", "1,\"secret\":\"\\u0061b\"}");
+        MessageChannel channel =
+                channel(new ByteArrayInputStream((hello + MOVES + MOVES).getBytes(StandardCharsets.UTF_8)), gate);
+        assertThat(channel.read()).isNotNull();
+        assertThat(channel.read()).isNotNull();
+        assertThat(told).containsExactly("ab");
+        MessageChannel java = channel(new ByteArrayInputStream(MessageTest.write(new MoveBundle(List.of()))), gate);
+        assertThat(java.read()).isNotNull();
+        assertThat(told).containsExactly("ab", "null");
+        // What follows a refused hello is not looked at, nor is a Java peer's first object.
+        out.reset();
+        MessageChannel refused = channel(
+                new ByteArrayInputStream((HELLO + "rubbish\n").getBytes(StandardCharsets.UTF_8)), secret -> false);
+        assertThatThrownBy(refused::read).hasMessageContaining("a hello must have the field \"secret\" here");
+        assertThat(lines()).hasSize(1);
+        InputStream header = new ByteArrayInputStream(new byte[] {(byte) 0xAC});
+        assertThatThrownBy(() -> channel(header, secret -> false).read()).hasMessageContaining("must tell a secret");
+    }
+
+    @Test
+    void aPeerThatIsGoneNeedNotBeTold() {
+        OutputStream broken = new OutputStream() {
+            @Override
+            public void write(int b) throws IOException {
+                throw new IOException("gone");
+            }
+        };
+        MessageChannel channel = new MessageChannel(
+                new ByteArrayInputStream("{}\n".getBytes(StandardCharsets.UTF_8)),
+                broken,
+                MessageTranslator.RECORDS,
+                MessagePace.NONE,
+                Gate.OPEN);
+        assertThatThrownBy(channel::read).hasMessageContaining("must have the field \"type\"");
+        channel.refuse("again");
+    }
+
+    /** Who embeds the module without Jackson does not notice; a JSON peer is told what is missing. */
+    @Test
+    void withoutJacksonJavaIsSpokenAndJsonIsRefused() throws Exception {
+        URL classes = MessageChannel.class.getProtectionDomain().getCodeSource().getLocation();
+        try (URLClassLoader bare = new URLClassLoader(new URL[] {classes}, ClassLoader.getPlatformClassLoader())) {
+            Object bundle = read(bare, MessageTest.write(new MoveBundle(List.of())));
+            assertThat(bundle).hasToString("MoveBundle[moves=[]]");
+            out.reset();
+            for (int k = 0; k < 2; k++) {
+                assertThatThrownBy(() -> read(bare, HELLO.getBytes(StandardCharsets.UTF_8)))
+                        .isInstanceOf(InvocationTargetException.class)
+                        .cause()
+                        .hasMessageContaining("com.fasterxml.jackson.core:jackson-core");
+            }
+            assertThat(lines()).hasSize(2).allMatch(line -> line.startsWith("{\"type\":\"error\",\"message\":\"JSON"));
+        }
+    }
+
+    private Object read(ClassLoader loader, byte[] bytes) throws ReflectiveOperationException {
+        String home = "robosim.geometry.protocol.";
+        Class<?> channel = loader.loadClass(home + "MessageChannel");
+        Class<?> translator = loader.loadClass(home + "MessageTranslator");
+        Class<?> pace = loader.loadClass(home + "MessagePace");
+        Class<?> gate = loader.loadClass(home + "Gate");
+        Object made = channel.getConstructor(InputStream.class, OutputStream.class, translator, pace, gate)
+                .newInstance(
+                        new ByteArrayInputStream(bytes),
+                        out,
+                        translator.getField("RECORDS").get(null),
+                        pace.getField("NONE").get(null),
+                        gate.getField("OPEN").get(null));
+        return channel.getMethod("read").invoke(made);
+    }
+
+    /** As where the peer is killed: its system resets the connection. */
+    @Test
+    void aConnectionThatFailsIsNoBadMessage() throws IOException {
+        ByteArrayOutputStream sent = new ByteArrayOutputStream();
+        MessageWriter writer = new MessageWriter(sent);
+        writer.write(new MoveBundle(List.of()));
+        int first = sent.size();
+        writer.write(new MoveBundle(List.of()));
+        for (int cut : new int[] {first, first + 1, first + 7, sent.size() - 3}) {
+            InputStream in = new java.io.FilterInputStream(new ByteArrayInputStream(sent.toByteArray(), 0, cut)) {
+                @Override
+                public int read(byte[] into, int at, int length) throws IOException {
+                    int got = super.read(into, at, length);
+                    if (got < 0) {
+                        throw new java.net.SocketException("Connection reset");
+                    }
+                    return got;
+                }
+            };
+            MessageReader reader = new MessageReader(in);
+            assertThat(reader.read()).isEqualTo(new MoveBundle(List.of()));
+            String place = cut == first ? "between two messages" : "bytes of a message";
+            assertThatThrownBy(reader::read)
+                    .isInstanceOf(ProtocolException.class)
+                    .hasMessageStartingWith("the connection failed ")
+                    .hasMessageEndingWith(place + ": Connection reset");
+        }
+    }
+}

@@ -1,0 +1,250 @@
+package robosim.geometry.protocol.json;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import com.networknt.schema.Schema;
+import com.networknt.schema.SchemaRegistry;
+import com.networknt.schema.SpecificationVersion;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+import robosim.geometry.protocol.Bundle;
+import robosim.geometry.protocol.DistanceBundle;
+import robosim.geometry.protocol.Gate;
+import robosim.geometry.protocol.MessagePace;
+import robosim.geometry.protocol.MessageTranslator;
+import robosim.geometry.protocol.MoveBundle;
+import robosim.geometry.protocol.MoveRequest;
+import robosim.geometry.protocol.Problem;
+import robosim.geometry.protocol.ProtocolException;
+import robosim.geometry.protocol.Reply;
+import robosim.geometry.protocol.Samples;
+import robosim.geometry.protocol.channel.MessageChannel;
+
+/** The published schema and the codec accept the same messages, but for what a schema cannot say. */
+class JsonSchemaTest {
+    private static final ObjectMapper MAPPER = new ObjectMapper();
+
+    /** What the codec refuses and the schema cannot: rules between values, and the rules of Unicode and of geometry. */
+    private static final List<String> BEYOND_A_SCHEMA = List.of(
+            "rotation must be 9 numbers",
+            "must not both be zero",
+            "max must be at least min",
+            "must be closed",
+            "boundingVolume must enclose",
+            "must enclose",
+            "name must have a visible character",
+            "must be indices",
+            "faces[",
+            "enclose");
+
+    private static final List<String> REQUESTS = List.of(
+            "{\"type\":\"hello\",\"version\":1}",
+            "{\"type\":\"hello\",\"version\":1,\"secret\":\"s\"}",
+            "{\"type\":\"ping\"}",
+            "{\"type\":\"ping\",\"id\":\"x\"}",
+            "{\"type\":\"ping\",\"id\":17}");
+
+    private final Schema toModule = schema("toModule");
+    private final Schema fromModule = schema("fromModule");
+
+    private static Schema schema(String part) {
+        try {
+            ObjectNode whole = (ObjectNode) MAPPER.readTree(Files.readString(Path.of("docs", "protocol.schema.json")));
+            whole.remove("anyOf");
+            whole.put("$ref", "#/$defs/" + part);
+            return SchemaRegistry.withDefaultDialect(SpecificationVersion.DRAFT_2020_12)
+                    .getSchema(whole);
+        } catch (IOException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    private static List<String> requests() {
+        List<String> lines = new ArrayList<>(REQUESTS);
+        for (Bundle bundle : Samples.everyBundle()) {
+            if (!(bundle instanceof DistanceBundle)) {
+                lines.add(JsonLines.write(bundle));
+            }
+        }
+        return lines;
+    }
+
+    private static List<String> replies() {
+        MoveBundle made = new MoveBundle(List.of(new MoveRequest("r", 1, 0, -0.0, 1e-300, 2)));
+        return List.of(
+                JsonLines.write(new Reply(made)),
+                JsonLines.write(new Reply(made, List.of(Problem.of(1, "why")))),
+                JsonLines.write(new Reply(
+                        new DistanceBundle(List.of(0.0, 1.5, Double.POSITIVE_INFINITY, Double.NaN)),
+                        List.of(Problem.of(3, "why")))));
+    }
+
+    /** What the channel says to a peer that sends this message, as its hello or after one; null where it is accepted. */
+    private @Nullable String refusal(String line) throws IOException {
+        boolean hello = line.contains("\"hello\"");
+        String text = (hello ? "" : REQUESTS.get(0) + "\n") + line + "\n";
+        ByteArrayOutputStream out = new ByteArrayOutputStream();
+        MessageChannel channel = new MessageChannel(
+                new ByteArrayInputStream(text.getBytes(StandardCharsets.UTF_8)),
+                out,
+                MessageTranslator.RECORDS,
+                MessagePace.NONE,
+                Gate.OPEN);
+        String refusal = null;
+        try {
+            channel.read();
+        } catch (ProtocolException e) {
+            refusal = e.getMessage();
+        }
+        for (String answer : out.toString(StandardCharsets.UTF_8).lines().toList()) {
+            assertThat(fromModule.validate(MAPPER.readTree(answer))).as(answer).isEmpty();
+        }
+        return refusal;
+    }
+
+    private static @Nullable String replyRefusal(String line) {
+        try {
+            JsonLines.readReply(line);
+            return null;
+        } catch (ProtocolException e) {
+            return e.getMessage();
+        }
+    }
+
+    @Test
+    void everySampleIsAcceptedByBoth() throws IOException {
+        for (String line : requests()) {
+            assertThat(toModule.validate(MAPPER.readTree(line))).as(line).isEmpty();
+            assertThat(refusal(line)).as(line).isNull();
+        }
+        for (String line : replies()) {
+            assertThat(fromModule.validate(MAPPER.readTree(line))).as(line).isEmpty();
+            assertThat(replyRefusal(line)).as(line).isNull();
+        }
+    }
+
+    @Test
+    void mutationsAreJudgedAlike() throws IOException {
+        SplittableRandom random = new SplittableRandom(20261121);
+        List<String> lines = new ArrayList<>(requests());
+        int requests = lines.size();
+        lines.addAll(replies());
+        int accepted = 0;
+        int refused = 0;
+        int beyond = 0;
+        for (int round = 0; round < 6000; round++) {
+            int which = random.nextInt(lines.size());
+            JsonNode message = MAPPER.readTree(lines.get(which));
+            mutate(message, random);
+            String line = MAPPER.writeValueAsString(message);
+            boolean request = which < requests;
+            boolean fits = (request ? toModule : fromModule).validate(message).isEmpty();
+            String refusal = request ? refusal(line) : replyRefusal(line);
+            if (fits && refusal != null) {
+                assertThat(BEYOND_A_SCHEMA).as(line + "\n" + refusal).anyMatch(refusal::contains);
+                beyond++;
+            } else {
+                assertThat(refusal == null).as(line + "\n" + refusal).isEqualTo(fits);
+                accepted += fits ? 1 : 0;
+                refused += fits ? 0 : 1;
+            }
+        }
+        assertThat(accepted).isBetween(600, 4000);
+        assertThat(refused).isBetween(2000, 5400);
+        assertThat(beyond).isBetween(5, 1000);
+    }
+
+    private static final List<String> VALUES = List.of(
+            "null",
+            "true",
+            "false",
+            "0",
+            "-1",
+            "7",
+            "1.0",
+            "0.5",
+            "1e20",
+            "3e30",
+            "1e31",
+            "-0.0",
+            "\"\"",
+            "\"text\"",
+            "\" \"",
+            "[]",
+            "{}",
+            "[1]",
+            "[0,1,2]",
+            "{\"error\":\"x\"}",
+            "\"SPATIAL\"",
+            "\"mesh\"",
+            "9007199254740992",
+            "1333333",
+            "3.141592653589793",
+            "3.1415926535897927");
+
+    /** One change somewhere below a node. */
+    private static void mutate(JsonNode message, SplittableRandom random) throws IOException {
+        List<JsonNode> places = new ArrayList<>();
+        collect(message, places);
+        JsonNode place = places.get(random.nextInt(places.size()));
+        JsonNode value = MAPPER.readTree(VALUES.get(random.nextInt(VALUES.size())));
+        if (place instanceof ObjectNode object) {
+            List<String> names = new ArrayList<>();
+            object.fieldNames().forEachRemaining(names::add);
+            String name = names.isEmpty() ? "none" : names.get(random.nextInt(names.size()));
+            switch (random.nextInt(4)) {
+                case 0 -> object.remove(name);
+                case 1 -> object.set(NAMES.get(random.nextInt(NAMES.size())), value);
+                default -> object.set(name, value);
+            }
+        } else if (place instanceof ArrayNode list && !list.isEmpty()) {
+            int at = random.nextInt(list.size());
+            switch (random.nextInt(4)) {
+                case 0 -> list.remove(at);
+                case 1 -> list.add(list.get(at));
+                case 2 -> list.add(value);
+                default -> list.set(at, value);
+            }
+        }
+    }
+
+    private static final List<String> NAMES = List.of(
+            "type",
+            "kind",
+            "name",
+            "moveable",
+            "center",
+            "rotation",
+            "headingDegrees",
+            "solid",
+            "radius",
+            "secret",
+            "id",
+            "settings",
+            "beam",
+            "unknown",
+            "boundingVolume",
+            "refused",
+            "index",
+            "error");
+
+    private static void collect(JsonNode node, List<JsonNode> places) {
+        if (node.isContainerNode()) {
+            places.add(node);
+            node.forEach(child -> collect(child, places));
+        }
+    }
+}

@@ -1,0 +1,432 @@
+package robosim.geometry.world.check;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import robosim.geometry.collision.ContactQuery;
+import robosim.geometry.model.Accuracy;
+import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CylinderObject;
+import robosim.geometry.model.Dimension;
+import robosim.geometry.model.GeometryObject;
+import robosim.geometry.model.Point;
+import robosim.geometry.model.SphereObject;
+import robosim.geometry.world.World;
+import robosim.geometry.world.WorldObject;
+import robosim.geometry.world.WorldReader;
+
+class WorldCheckTest {
+    private static World world(Dimension dimension, GeometryObject... objects) {
+        List<WorldObject> all = new ArrayList<>();
+        for (GeometryObject object : objects) {
+            all.add(new WorldObject(object));
+        }
+        return new World(20, 4, 20.25, null, dimension, Accuracy.EXACT, all);
+    }
+
+    private static GeometryObject wall(double x, double z, double width, double length) {
+        return new BoxObject(new Point(x, 0, z), width, 2, length);
+    }
+
+    private static GeometryObject drum(String name, double x, double z, double radius) {
+        return new CylinderObject(new Point(x, 0, z), radius, 1).moveable(name);
+    }
+
+    /** Two rooms with a wall between them at x = 0 that has a door of that width at z = 3.3. */
+    private static List<GeometryObject> rooms(double door) {
+        double middle = 3.3;
+        double north = 10 + middle - door / 2;
+        double south = 10 - middle - door / 2;
+        return new ArrayList<>(List.of(wall(0, -10 + north / 2, 0.2, north), wall(0, 10 - south / 2, 0.2, south)));
+    }
+
+    private static WorldCheck check(double door, GeometryObject... robots) {
+        List<GeometryObject> objects = rooms(door);
+        objects.addAll(List.of(robots));
+        return WorldCheck.of(world(Dimension.PLANAR, objects.toArray(GeometryObject[]::new)));
+    }
+
+    @Test
+    void aWorldThatIsFineSaysSo() {
+        WorldCheck check = check(2, drum("a", -5, 0, 0.5), drum("b", 5, 0, 0.5));
+        assertThat(check.isFine()).isTrue();
+        assertThat(check.rooms()).singleElement().satisfies(room -> {
+            assertThat(room.robots()).containsExactly("a", "b");
+            // All of the floor that the centre of a disc of radius 0.5 may be on: 2 * 8.9 * 19, and the door.
+            assertThat(room.area()).isBetween(0.9 * 2 * 8.9 * 19, 1.1 * 2 * 8.9 * 19);
+            assertThat(room.minX()).isBetween(-10.0, -9.4);
+            assertThat(room.maxZ()).isBetween(9.4, 10.0);
+        });
+    }
+
+    @Test
+    void whoCannotPassADoorIsShutIn() {
+        WorldCheck check = check(0.9, drum("a", -5, 0, 0.5), drum("b", 5, 0, 0.5), drum("c", 5, 5, 0.5));
+        assertThat(check.isFine()).isFalse();
+        assertThat(check.rooms()).extracting(Room::robots).containsExactly(List.of("b", "c"), List.of("a"));
+        Room shut = check.shutIn().get(0);
+        assertThat(shut.minX()).isBetween(-10.0, -9.7);
+        assertThat(shut.maxX()).isBetween(-0.125, 0.25); // it reaches into the door
+        assertThat(shut.area()).isCloseTo(8.9 * 19, within(8.9));
+        assertThat(shut.step()).isEqualTo(0.125);
+    }
+
+    @Test
+    void aNarrowDoorIsFoundByAFinerStep() {
+        // The centre of a disc has a way of 0.2 through the door. The first grid, of 0.5 from z = 0, passes it by.
+        WorldCheck check = check(1.2, drum("a", -5, 0, 0.5), drum("b", 5, 0, 0.5));
+        assertThat(check.shutIn()).isEmpty();
+        assertThat(check.rooms().get(0).step()).isLessThan(0.5);
+    }
+
+    @Test
+    void theNarrowRobotMakesTheRoomOneForTheWideOne() {
+        WorldCheck check = check(1, drum("wide", -5, 0, 0.8), drum("narrow", 5, 0, 0.2));
+        assertThat(check.shutIn()).isEmpty();
+        assertThat(check(1, drum("wide", -5, 0, 0.8), drum("as wide", 5, 0, 0.8))
+                        .shutIn())
+                .hasSize(1);
+    }
+
+    @Test
+    void aLongRobotTurnsToPass() {
+        // 3 long and 0.6 wide, across the door at first: it passes only along X, at a heading of 0.
+        GeometryObject cart =
+                new BoxObject(new Point(-5, 0, 0), 3, 1, 0.6).turned(0, 90).moveable("cart");
+        assertThat(check(1, cart, drum("a", 5, 0, 0.2)).shutIn()).isEmpty();
+        assertThat(check(0.5, cart, drum("a", 5, 0, 0.3)).shutIn()).hasSize(1);
+        GeometryObject crooked =
+                new BoxObject(new Point(-5, 0, 0), 3, 1, 0.6).turned(0, 31).moveable("cart");
+        assertThat(check(1, crooked, drum("a", 5, 0, 0.4)).shutIn()).isEmpty();
+    }
+
+    @Test
+    void aThinWallIsNoMeeting() {
+        // As near as can be, and a sheet between them.
+        WorldCheck check = WorldCheck.of(world(
+                Dimension.SPATIAL,
+                new BoxObject(new Point(), 0.001, 4, 20.25),
+                drum("a", -0.6, 0, 0.5),
+                drum("b", 0.6, 0, 0.5)));
+        assertThat(check.shutIn()).hasSize(1);
+        // In space a robot is met over what is lower.
+        WorldCheck over = WorldCheck.of(world(
+                Dimension.SPATIAL,
+                new BoxObject(new Point(0, -1.9, 0), 0.001, 0.1, 20),
+                drum("a", -0.6, 0, 0.5),
+                drum("b", 0.6, 0, 0.5)));
+        assertThat(over.shutIn()).isEmpty();
+    }
+
+    private static WorldCheck large(Dimension dimension, double side, GeometryObject... objects) {
+        List<WorldObject> all = new ArrayList<>();
+        for (GeometryObject object : objects) {
+            all.add(new WorldObject(object));
+        }
+        return WorldCheck.of(new World(side, 6, side, null, dimension, Accuracy.EXACT, all));
+    }
+
+    private static GeometryObject crate(String name, double x, double y, double z, double side) {
+        return new BoxObject(new Point(x, y, z), side, 1, side).moveable(name);
+    }
+
+    /** What lies between the two centres is free, and no room for the bodies. */
+    @Test
+    void aSlitIsNoWayAndAKerbBelowTheCentresIsNone() {
+        WorldCheck slit = large(
+                Dimension.PLANAR,
+                20,
+                new BoxObject(new Point(0, 0, -5.01), 0.2, 6, 9.98),
+                new BoxObject(new Point(0, 0, 5.01), 0.2, 6, 9.98),
+                crate("a", -0.9, 0, 0, 0.9),
+                crate("b", 0.9, 0, 0, 0.9));
+        assertThat(slit.shutIn()).hasSize(1);
+        WorldCheck kerb = large(
+                Dimension.SPATIAL,
+                20,
+                new BoxObject(new Point(0, -2.9, 0), 0.2, 0.2, 20),
+                crate("a", -0.9, -2.5, 0, 0.9),
+                crate("b", 0.9, -2.5, 0, 0.9));
+        assertThat(kerb.shutIn()).hasSize(1);
+        WorldCheck free = large(
+                Dimension.SPATIAL,
+                20,
+                new BoxObject(new Point(0, -2.9, 0), 0.2, 0.2, 20),
+                crate("a", -0.9, -2.2, 0, 0.9),
+                crate("b", 0.9, -2.2, 0, 0.9));
+        assertThat(free.rooms()).hasSize(1);
+    }
+
+    @Test
+    void whoIsHigherMeetsByGoingDown() {
+        GeometryObject drone = crate("drone", -3, 1.5, 0, 0.5);
+        GeometryObject cart = crate("cart", 3, -1.5, 0, 0.5);
+        assertThat(large(Dimension.SPATIAL, 20, drone, cart).rooms()).hasSize(1);
+        // Two floors with a hole that is too narrow, through which each sees the other.
+        WorldCheck floors = large(
+                Dimension.SPATIAL,
+                20,
+                new BoxObject(new Point(-5.02, 0, 0), 9.96, 0.1, 20),
+                new BoxObject(new Point(5.02, 0, 0), 9.96, 0.1, 20),
+                crate("drone", 0, 1.5, 0, 0.5),
+                crate("cart", 0, -1.5, 0, 0.5));
+        assertThat(floors.shutIn()).hasSize(1);
+    }
+
+    /** 200 m, a door of 1.5 m, and robots of 0.4 m: the step that can be afforded is 2.3 m. */
+    @Test
+    void whatTooCoarseAStepDoesNotReachIsNoFinding() {
+        WorldCheck check = large(
+                Dimension.PLANAR,
+                200,
+                new BoxObject(new Point(0, 0, -49.5), 0.2, 6, 101),
+                new BoxObject(new Point(0, 0, 51.25), 0.2, 6, 97.5),
+                crate("a", -50, 0, 0.2, 0.4),
+                crate("b", 50, 0, 0.2, 0.4));
+        assertThat(check.isFine()).isTrue();
+        assertThat(check.shutIn()).isEmpty();
+        assertThat(check.untold()).singleElement().satisfies(room -> {
+            assertThat(room.isTold()).isFalse();
+            assertThat(room.step()).isGreaterThan(2);
+        });
+    }
+
+    /** No step is as fine as what has no extent; a wall without a door is told all the same. */
+    @Test
+    void aPointIsShutInByAWall() {
+        WorldCheck check = large(
+                Dimension.PLANAR, 20, new BoxObject(new Point(), 0.2, 6, 20), drum("a", -5, 0, 0), drum("b", 5, 0, 0));
+        assertThat(check.shutIn()).hasSize(1);
+        assertThat(check.untold()).isEmpty();
+    }
+
+    @Test
+    void aCellInALargeWorldIsFoundByAFinerStepNearTheStart() {
+        List<GeometryObject> objects = new ArrayList<>(List.of(
+                new BoxObject(new Point(-2, 0, 0), 0.2, 6, 4),
+                new BoxObject(new Point(2, 0, 0), 0.2, 6, 4),
+                new BoxObject(new Point(0, 0, -2), 4, 6, 0.2),
+                new BoxObject(new Point(0, 0, 2), 4, 6, 0.2),
+                crate("a", 0, 0, 0, 0.4)));
+        // Alone it gets about, in steps finer than the cell.
+        WorldCheck alone = large(Dimension.PLANAR, 200, objects.toArray(GeometryObject[]::new));
+        assertThat(alone.isFine()).isTrue();
+        assertThat(alone.rooms()).singleElement().satisfies(room -> {
+            assertThat(room.isTold()).isTrue();
+            assertThat(room.area()).isBetween(9.0, 14.0);
+        });
+        objects.add(crate("b", 50, 0, 0, 0.4));
+        objects.add(crate("c", 60, 0, 0, 0.4));
+        WorldCheck check = large(Dimension.PLANAR, 200, objects.toArray(GeometryObject[]::new));
+        assertThat(check.shutIn()).extracting(Room::robots).containsExactly(List.of("a"));
+        assertThat(check.isFine()).isFalse();
+    }
+
+    @Test
+    void whereNobodyHasRoomNothingIsRecommended() {
+        // It stands on the floor, and touching is colliding.
+        WorldCheck check = large(
+                Dimension.SPATIAL,
+                20,
+                new BoxObject(new Point(0, -1.0625, 0), 20, 0.125, 20),
+                new BoxObject(new Point(3, -0.5, 0), 0.25, 1, 10).turned(0, 30),
+                new BoxObject(new Point(0, -0.75, 0), 0.5, 0.5, 0.5).moveable("robot"));
+        assertThat(check.needs().isTold()).isFalse();
+        assertThat(check.needs().dimension()).isEqualTo(Dimension.SPATIAL);
+        assertThat(check.needs().accuracy()).isEqualTo(Accuracy.EXACT);
+        assertThat(check.needs().settings()).noneMatch(Setting::isSame);
+    }
+
+    /** Where nothing is met all settings answer alike, and none was tried. */
+    @Test
+    void whereNothingIsMetNothingIsRecommended() {
+        WorldCheck check = large(Dimension.SPATIAL, 1e6, crate("robot", 0, 0, 0, 0.5));
+        assertThat(check.needs().met()).isZero();
+        assertThat(check.needs().setting(Dimension.SPATIAL, Accuracy.SPHERE).moves())
+                .isGreaterThan(1000);
+        assertThat(check.needs().isTold()).isFalse();
+        assertThat(check.needs().accuracy()).isEqualTo(Accuracy.EXACT);
+    }
+
+    @Test
+    void inATightAisleItsOwnPlacesAreAsked() {
+        WorldCheck check = large(
+                Dimension.PLANAR,
+                100,
+                new BoxObject(new Point(-25.5, 0, 0), 48.9, 6, 100),
+                new BoxObject(new Point(25.5, 0, 0), 48.9, 6, 100),
+                crate("robot", 0, 0, 0, 2));
+        assertThat(check.needs().isTold()).isTrue();
+        Setting sphere = check.needs().setting(Dimension.PLANAR, Accuracy.SPHERE);
+        assertThat(sphere.moves()).isGreaterThan(1000);
+        assertThat(sphere.movesOtherwise()).isPositive();
+        assertThat(check.needs().accuracy()).isNotEqualTo(Accuracy.SPHERE);
+    }
+
+    @Test
+    void whoCannotMakeAStepIsTold() {
+        List<GeometryObject> cell = List.of(
+                wall(-1.01, 0, 1, 3),
+                wall(1.01, 0, 1, 3),
+                wall(0, -1.01, 1, 1),
+                wall(0, 1.01, 1, 1),
+                drum("a", 0, 0, 0.5));
+        WorldCheck check = WorldCheck.of(world(Dimension.PLANAR, cell.toArray(GeometryObject[]::new)));
+        assertThat(check.isFine()).isFalse();
+        assertThat(check.rooms()).singleElement().extracting(Room::places).isEqualTo(1);
+    }
+
+    @Test
+    void contactsComeWithAPointAndADepth() {
+        WorldCheck check = WorldCheck.of(world(
+                Dimension.SPATIAL,
+                wall(0, 0, 2, 2),
+                drum("deep", 1.3, 0, 0.5),
+                drum("touching", 0, 1.5, 0.5),
+                drum("free", 5, 5, 0.5),
+                new SphereObject(new Point(-9.9, 0, 0), 0.5).named("outside"),
+                wall(8, 8, 1, 1),
+                wall(8.5, 8, 1, 1)));
+        assertThat(check.outside()).extracting(o -> o.object().name()).containsExactly("outside");
+        assertThat(check.startingContacts())
+                .extracting(o -> o.first().object().name())
+                .containsExactly("deep", "touching");
+        Overlap deep = check.startingContacts().get(0);
+        assertThat(deep.depth()).isBetween(0.2, 0.2 * 1.01);
+        assertThat(deep.normal().x()).isEqualTo(1);
+        assertThat(deep.contact().x()).isBetween(0.8, 1.0);
+        assertThat(check.startingContacts().get(1).depth()).isZero();
+        assertThat(check.staticOverlaps()).isEqualTo(1);
+        assertThat(check.overlaps()).hasSize(3);
+        // Who starts in contact is not asked for its ways.
+        assertThat(check.rooms())
+                .singleElement()
+                .satisfies(room -> assertThat(room.robots()).containsExactly("free"));
+        assertThat(check.isFine()).isFalse();
+    }
+
+    /** All pairs, found by asking every one. */
+    @ParameterizedTest
+    @CsvSource({"PLANAR, 1", "PLANAR, 2", "SPATIAL, 3", "SPATIAL, 4"})
+    void noContactIsMissed(Dimension dimension, long seed) {
+        SplittableRandom random = new SplittableRandom(seed);
+        GeometryObject[] objects = new GeometryObject[60];
+        for (int k = 0; k < objects.length; k++) {
+            Point at = new Point(random.nextDouble(-8, 8), random.nextDouble(-1, 1), random.nextDouble(-8, 8));
+            double size = random.nextDouble(0.1, 4);
+            GeometryObject shape = switch (random.nextInt(3)) {
+                case 0 -> new BoxObject(at, size, 0.5, 1).turned(0, random.nextDouble(360));
+                case 1 -> new CylinderObject(at, size / 2, 1).turned(random.nextInt(2) * 30.0, 10);
+                default -> new SphereObject(at, size / 2);
+            };
+            objects[k] = k % 6 == 0 ? shape.moveable("r" + k) : shape.named("s" + k);
+        }
+        Set<Set<String>> truth = new HashSet<>();
+        for (int a = 0; a < objects.length; a++) {
+            for (int b = 0; b < a; b++) {
+                if (!ContactQuery.contacts(objects[a], objects[b], dimension, 1).isEmpty()) {
+                    truth.add(Set.of(String.valueOf(objects[a].name()), String.valueOf(objects[b].name())));
+                }
+            }
+        }
+        Overlaps overlaps = new Overlaps(world(dimension, objects), (work, done, total) -> {});
+        Set<Set<String>> found = new HashSet<>();
+        for (Overlap overlap : overlaps.found()) {
+            GeometryObject first = overlap.first().object();
+            GeometryObject second = overlap.second().object();
+            found.add(Set.of(String.valueOf(first.name()), String.valueOf(second.name())));
+            // The depth is a way out.
+            if (overlap.depth() > 0 && Double.isFinite(overlap.depth())) {
+                Point c = first.center();
+                Point n = overlap.normal();
+                double way = overlap.depth();
+                GeometryObject out =
+                        first.movedTo(new Point(c.x() + way * n.x(), c.y() + way * n.y(), c.z() + way * n.z()));
+                assertThat(ContactQuery.contacts(out, second, dimension, 1)).isEmpty();
+            }
+        }
+        assertThat(found).isEqualTo(truth);
+        assertThat(found.size()).isBetween(20, 400);
+        assertThat(overlaps.staticCount()).isEqualTo((int)
+                overlaps.found().stream().filter(o -> !o.isStart()).count());
+    }
+
+    @Test
+    void planarIsProvenWhereAllReachTheRobotsHeight() {
+        WorldCheck check = WorldCheck.of(world(Dimension.SPATIAL, wall(3, 0, 1, 8), drum("a", 0, 0, 0.5)));
+        assertThat(check.needs().isProven()).isTrue();
+        assertThat(check.needs().dimension()).isEqualTo(Dimension.PLANAR);
+        assertThat(check.needs().setting(Dimension.PLANAR, Accuracy.EXACT).isSame())
+                .isTrue();
+        assertThat(check.needs().setting(Dimension.SPATIAL, Accuracy.EXACT).isSame())
+                .isTrue();
+    }
+
+    @Test
+    void heightsMatterUnderATable() {
+        GeometryObject table = new BoxObject(new Point(3, 1.5, 0), 6, 0.2, 8);
+        WorldCheck check = WorldCheck.of(world(Dimension.SPATIAL, table, drum("a", -5, 0, 0.5)));
+        assertThat(check.needs().isProven()).isFalse();
+        assertThat(check.needs().dimension()).isEqualTo(Dimension.SPATIAL);
+        Setting planar = check.needs().setting(Dimension.PLANAR, Accuracy.EXACT);
+        assertThat(planar.placesOtherwise()).isBetween(planar.places() / 10, planar.places() / 2);
+        assertThat(planar.distancesOtherwise()).isPositive();
+        assertThat(planar.shortest()).isPositive();
+    }
+
+    @Test
+    void boxesThatStandSquareNeedNoMoreThanTheirBoxes() {
+        // A ball's box is larger than the ball, but a robot that does not turn and is a box is its own.
+        GeometryObject robot = new CylinderObject(new Point(), 0, 1).moveable("point");
+        WorldCheck check = WorldCheck.of(world(Dimension.PLANAR, wall(3, 0, 1, 8), wall(-3, 2, 4, 1), robot));
+        assertThat(check.needs().accuracy()).isEqualTo(Accuracy.AABB);
+        assertThat(check.needs().setting(Dimension.PLANAR, Accuracy.SPHERE).isSame())
+                .isFalse();
+        GeometryObject crooked = new BoxObject(new Point(3, 0, 0), 1, 2, 8).turned(0, 30);
+        assertThat(WorldCheck.of(world(Dimension.PLANAR, crooked, robot))
+                        .needs()
+                        .accuracy())
+                .isEqualTo(Accuracy.OBB);
+    }
+
+    @Test
+    void aWorldWithoutRobotsIsAskedNothing() {
+        WorldCheck check = WorldCheck.of(world(Dimension.SPATIAL, wall(3, 0, 1, 8)));
+        assertThat(check.needs().isTold()).isFalse();
+        assertThat(check.needs().dimension()).isEqualTo(Dimension.SPATIAL);
+        assertThat(check.needs().accuracy()).isEqualTo(Accuracy.EXACT);
+        assertThat(check.needs().setting(Dimension.PLANAR, Accuracy.SPHERE).distances())
+                .isZero();
+        assertThat(check.rooms()).isEmpty();
+        assertThat(check.isFine()).isTrue();
+        assertThat(WorldCheck.of(world(Dimension.SPATIAL)).isFine()).isTrue();
+        assertThatThrownBy(() -> new Needs(Dimension.PLANAR, Accuracy.EXACT, false, 0, 1, List.of())
+                        .setting(Dimension.PLANAR, Accuracy.EXACT))
+                .isInstanceOf(IllegalArgumentException.class);
+    }
+
+    @Test
+    void theSameWorldHasTheSameCheck() throws IOException {
+        World rooms = WorldReader.read(Path.of("worlds/rooms.xml"));
+        WorldCheck check = WorldCheck.of(rooms);
+        assertThat(WorldCheck.of(rooms)).isEqualTo(check);
+        assertThat(check.isFine()).isTrue();
+        assertThat(check.rooms())
+                .singleElement()
+                .satisfies(room -> assertThat(room.robots()).hasSize(8));
+        assertThat(check.needs().setting(Dimension.PLANAR, Accuracy.EXACT).isSame())
+                .isTrue();
+        assertThat(check.staticOverlaps()).isEqualTo(29);
+    }
+}
