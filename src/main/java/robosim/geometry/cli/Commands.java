@@ -10,7 +10,7 @@ import java.util.List;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 
-/** All commands, and what becomes of their failures. */
+/** All commands, and how their failures are reported. */
 @Command(
         name = Commands.NAME,
         description = "Collision, motion and range queries for robot simulators, over TCP and on files.",
@@ -20,7 +20,7 @@ import picocli.CommandLine.Command;
         exitCodeListHeading = ExitCodes.HEADING,
         exitCodeList = {
             ExitCodes.DONE,
-            ExitCodes.FINDINGS + ":done, and something was found: answers differ, or a world has findings",
+            ExitCodes.FINDINGS + ":done, with findings: answers differ, or a world has findings",
             ExitCodes.UNUSABLE + ":not done: bad usage, input that cannot be read, a connection that failed"
         },
         footerHeading = "%nExamples:%n",
@@ -45,7 +45,7 @@ import picocli.CommandLine.Command;
 final class Commands {
     static final String NAME = "robosim-geometry";
 
-    /** What people type first who do not know a program. */
+    /** What people who do not know a program type first. */
     private static final String HELP = "help";
 
     private final boolean standard;
@@ -58,7 +58,7 @@ final class Commands {
         return run(line(true), arguments);
     }
 
-    /** Runs a command that writes elsewhere. */
+    /** Runs a command with its output redirected, and returns its exit code. */
     static int run(PrintWriter out, PrintWriter err, String... arguments) {
         CommandLine line = line(false);
         line.setOut(out);
@@ -66,14 +66,14 @@ final class Commands {
         return run(line, arguments);
     }
 
-    /** All commands, as yet without arguments. */
+    /** The command line with all its commands, before arguments are parsed. */
     static CommandLine line(boolean standard) {
         CommandLine line = new CommandLine(new Commands(standard));
         line.setCaseInsensitiveEnumValuesAllowed(true);
         return line;
     }
 
-    /** Whether what this command writes as its error is the process's own. */
+    /** Whether this command writes its errors to the process's own standard error. */
     static boolean writesToStandardError(CommandLine line) {
         return line.getCommandSpec().root().userObject() instanceof Commands commands && commands.standard;
     }
@@ -83,7 +83,7 @@ final class Commands {
             command.getErr().println(text(failure));
             return ExitCodes.UNUSABLE;
         });
-        // What is wrong, and no more: who wants the whole help asks for it.
+        // Only what is wrong; the full help is printed on request.
         line.setParameterExceptionHandler((refused, given) -> {
             CommandLine command = refused.getCommandLine();
             command.getErr().println(refused.getMessage());
@@ -98,7 +98,7 @@ final class Commands {
         return line.execute(arguments[0].equals(HELP) ? asked(line, arguments) : arguments);
     }
 
-    /** {@code help sweep} asks for what {@code sweep --help} does; what is no command is left to be refused. */
+    /** {@code help sweep} is turned into {@code sweep --help}; an unknown command stays as it is and is refused. */
     private static String[] asked(CommandLine line, String... arguments) {
         List<String> words = new ArrayList<>(List.of(arguments).subList(1, arguments.length));
         CommandLine command = line;
@@ -112,7 +112,7 @@ final class Commands {
         return words.toArray(new String[0]);
     }
 
-    /** What a failure tells people: its message, where that is a sentence. */
+    /** A failure as text for people: its own message where that is a sentence. */
     static String text(Exception failure) {
         String message = failure.getMessage();
         if (failure instanceof FileSystemException onFiles && message != null) {
@@ -124,13 +124,13 @@ final class Commands {
     private static String file(FileSystemException failure, String message) {
         String file = String.valueOf(failure.getFile());
         if (failure instanceof NoSuchFileException) {
-            return file + ": there is no such file or folder; check the path";
+            return file + ": no such file or folder; check the path";
         }
         if (failure instanceof AccessDeniedException) {
-            return file + ": this may not be read or written; check who owns it";
+            return file + ": permission denied; check who owns it";
         }
         if (failure instanceof FileAlreadyExistsException) {
-            return file + ": this is there already, and no folder; remove it or name another place";
+            return file + ": already exists and is not a folder; remove it or name another place";
         }
         return failure.getReason() == null ? message : file + ": " + failure.getReason();
     }

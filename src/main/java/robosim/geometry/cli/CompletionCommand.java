@@ -5,10 +5,10 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 
-/** Prints a script by which a shell completes these commands. */
+/** Prints a shell completion script for these commands. */
 @Command(
         name = "completion",
-        description = "Prints a script by which bash or zsh completes the commands and their options.",
+        description = "Prints a script that makes bash or zsh complete the commands and their options.",
         mixinStandardHelpOptions = true,
         versionProvider = Version.class,
         exitCodeListHeading = ExitCodes.HEADING,
@@ -18,7 +18,7 @@ import picocli.CommandLine.Spec;
             "  alias robosim-geometry='java -jar /path/to/robosim-geometry-app.jar'",
             "  source <(robosim-geometry completion)",
             "",
-            "Put both lines into ~/.bashrc to have it in every shell; zsh needs before them:",
+            "Put both lines into ~/.bashrc to have completion in every shell. In zsh, put these before them:",
             "  autoload -U compinit bashcompinit; compinit; bashcompinit"
         })
 final class CompletionCommand implements Runnable {

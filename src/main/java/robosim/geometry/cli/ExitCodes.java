@@ -1,11 +1,11 @@
 package robosim.geometry.cli;
 
-/** What every command tells by its exit code, and the words for it in each command's help. */
+/** The exit codes of all commands, and their descriptions in each command's help. */
 final class ExitCodes {
     /** Done, and nothing is wrong. */
     static final int FINE = 0;
 
-    /** Done, and something was found: answers that differ, an audit that fails, a world with findings. */
+    /** Done, with findings: answers that differ, an audit that fails, a world with findings. */
     static final int FINDINGS = 1;
 
     /** Not done: bad usage, input that cannot be read, a connection that failed. */
@@ -17,8 +17,8 @@ final class ExitCodes {
 
     static final String REFUSED = UNUSABLE + ":not done: bad usage, or something that cannot be read or written";
 
-    /** What a Java process ends with that a signal ends, after its last steps. */
-    static final String ENDED = "128+N:ended by signal N, after it was closed: 143 by SIGTERM, 130 by Ctrl-C";
+    /** The exit code of a Java process that a signal ends, after its shutdown hooks. */
+    static final String ENDED = "128+N:ended by signal N, after an orderly shutdown: 143 for SIGTERM, 130 for Ctrl-C";
 
     private ExitCodes() {}
 }

@@ -4,18 +4,18 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Locale;
 
-/** Numbers in what commands tell people. */
+/** Formats numbers in texts for people. */
 final class NumberText {
     private static final MathContext DIGITS = new MathContext(6);
 
     private NumberText() {}
 
-    /** As in {@code 1 step} and {@code 3,000 steps}. */
+    /** A count with its noun, as in {@code 1 step} and {@code 3,000 steps}. */
     static String count(long count, String one) {
         return String.format(Locale.ROOT, "%,d %s%s", count, one, count == 1 ? "" : "s");
     }
 
-    /** To six digits, without needless zeros. */
+    /** A number to six digits, without trailing zeros. */
     static String number(double value) {
         if (!Double.isFinite(value) || value == 0) {
             return value == 0 ? "0" : String.valueOf(value);

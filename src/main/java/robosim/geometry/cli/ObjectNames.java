@@ -2,11 +2,11 @@ package robosim.geometry.cli;
 
 import robosim.geometry.model.GeometryObject;
 
-/** What objects are called in texts for people. */
+/** Names of objects in texts for people. */
 final class ObjectNames {
     private ObjectNames() {}
 
-    /** Its name; without one, what it is and where. */
+    /** An object's name, or its kind and place where it has none. */
     static String text(GeometryObject object) {
         String name = object.name();
         return name != null ? name : "a " + kind(object.kind()) + " at " + place(object);
@@ -22,7 +22,7 @@ final class ObjectNames {
         };
     }
 
-    /** One or more of a kind. */
+    /** The noun for a kind, singular or plural. */
     static String kinds(GeometryObject.Kind kind, int count) {
         String one = kind(kind);
         return count == 1 ? one : one.endsWith("x") || one.endsWith("sh") ? one + "es" : one + "s";

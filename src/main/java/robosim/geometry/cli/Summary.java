@@ -11,15 +11,15 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Properties;
 
-/** What a demonstration tells at its end. */
+/** The summary that the demo prints at its end. */
 final class Summary {
-    /** Obstacles that are named; the rest is counted. */
+    /** How many obstacles are named; the rest are counted. */
     private static final int NAMED = 6;
 
     private final Properties environment = new Properties();
     private final Timings timings;
 
-    /** Takes the environment's numbers from the folder of the recording. */
+    /** Reads the environment's numbers from the folder of the recording. */
     Summary(Path folder, Timings timings) throws IOException {
         this.timings = timings;
         try (Reader in = Files.newBufferedReader(folder.resolve("environment.properties"))) {
@@ -35,7 +35,7 @@ final class Summary {
         return Double.parseDouble(environment.getProperty(key, "0"));
     }
 
-    /** One line for a picture. */
+    /** One line, as the caption of a picture. */
     String line(boolean right) {
         return format(
                 "%s, %s: %s asked, %,d refused, %s; the audit found %s wrong",
@@ -50,7 +50,7 @@ final class Summary {
     /**
      * The whole summary.
      *
-     * @param verdict what the audit wrote
+     * @param verdict the output of the audit
      */
     String text(String verdict) {
         long asked = count("moves.asked");

@@ -2,9 +2,9 @@ package robosim.geometry.cli;
 
 import picocli.CommandLine.IVersionProvider;
 
-/** What {@code --version} prints. */
+/** The text that {@code --version} prints. */
 final class Version implements IVersionProvider {
-    /** That of the pom; a test compares them. */
+    /** The version in the pom; a test compares the two. */
     static final String NUMBER = "1.0.0-SNAPSHOT";
 
     private Version() {}
