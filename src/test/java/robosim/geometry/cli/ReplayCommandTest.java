@@ -122,7 +122,7 @@ class ReplayCommandTest extends CommandRun {
         assertThat(err.toString()).startsWith(demo.resolve("to-module.bin") + ": a stream must begin with AC ED");
         Files.delete(answers);
         assertThat(run("replay", demo)).isEqualTo(ExitCodes.UNUSABLE);
-        assertThat(err.toString()).contains(answers + ": there is no such file or folder");
+        assertThat(err.toString()).contains(answers + ": no such file or folder");
     }
 
     private static void write(Path file, Bundle... bundles) throws IOException {
