@@ -1,6 +1,6 @@
 package robosim.geometry.net;
 
-/** What the connections of one end share. */
+/** What all connections of one server or client share. */
 record ConnectionContext(
         NetOptions options, Figures figures, Watchdog watchdog, Turns turns, Room room, Worlds worlds, LogBudget log) {
     ConnectionContext(NetOptions options, Figures figures, Watchdog watchdog) {

@@ -9,9 +9,13 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.model.TriangleMesh;
 
-/** How far objects reach from the origin along each axis. Never too little, as the room beside it exceeds any rounding. */
+/**
+ * How far objects extend from the origin along each axis. Never too small, as the added margin exceeds any rounding.
+ */
 final class Extent {
-    /** The room beside the farthest object, as a share of its reach; and in world units where that is less. */
+    /**
+     * The margin beyond the farthest object, as a fraction of its distance; and the smallest margin, in world units.
+     */
     private static final double ROOM = 0.25;
 
     private static final double LEAST_ROOM = 1;
@@ -22,8 +26,8 @@ final class Extent {
     private Extent() {}
 
     /**
-     * Width, height and length of a world, centred at the origin, that holds all the objects with room to spare: beside
-     * the farthest of them a quarter of its reach, at least 1 world unit.
+     * Width, height and length of a world, centred at the origin, that holds all objects with a margin: a quarter of
+     * the distance of the farthest one, at least 1 world unit.
      */
     static double[] worldFor(List<GeometryObject> objects) {
         Extent extent = new Extent();
@@ -40,7 +44,7 @@ final class Extent {
         return sizes;
     }
 
-    /** The object stands at its pose in a frame, which has a rotation and an origin in the world. */
+    /** Includes an object whose pose is relative to a frame, given by its rotation and origin in the world. */
     private void include(GeometryObject object, double[] frame, double[] origin) {
         double[] rotation = product(frame, object.rotation());
         double[] place = placed(
@@ -80,7 +84,7 @@ final class Extent {
         }
     }
 
-    /** A cylinder about its own Y. */
+    /** Includes a cylinder about its own Y. */
     private void disc(double[] place, double[] rotation, double radius, double halfHeight) {
         for (int k = 0; k < 3; k++) {
             double along = Math.min(1, Math.abs(rotation[3 * k + 1]));

@@ -4,12 +4,12 @@ import java.io.IOException;
 import java.io.OutputStream;
 
 /**
- * The way out to a peer. A message is gathered, so that a small one is one write and one segment; what is written goes to
- * the socket's own queue, which is bounded. While that is full the writer waits, without its {@link Turn}, and reads no
- * further request of that peer.
+ * The output to a peer. A message is buffered, so that a small one is a single write and a single segment; data goes to
+ * the socket's send buffer, whose size is limited. While that is full the writer waits, without holding its {@link
+ * Turn}, and reads no further request of that peer.
  */
 final class PacedOutput extends OutputStream {
-    /** One step of the progress that is watched. */
+    /** The number of bytes after which progress is checked. */
     static final int STEP_BYTES = 1 << 14;
 
     private final OutputStream out;
@@ -20,7 +20,7 @@ final class PacedOutput extends OutputStream {
     private int count;
     private long messageDue;
 
-    /** What is written next begins a message; each ends with a flush. */
+    /** Whether the next byte written begins a message; each message ends with a flush. */
     private boolean between = true;
 
     PacedOutput(OutputStream out, Watchdog.Guard guard, Timeouts timeouts, Turn turn) {
@@ -45,7 +45,7 @@ final class PacedOutput extends OutputStream {
                 if (computing) {
                     long start = System.nanoTime();
                     turn.take();
-                    messageDue += System.nanoTime() - start; // no fault of the peer
+                    messageDue += System.nanoTime() - start; // not the peer's fault
                 }
             }
             int part = Math.min(STEP_BYTES - count, end - from);
@@ -79,7 +79,7 @@ final class PacedOutput extends OutputStream {
                 : "the peer did not read a message within " + timeouts.message().toMillis() + " ms";
     }
 
-    /** The end of a message, after which there is nothing to compute until another one has come. */
+    /** Ends a message. After it there is nothing to compute until the next one comes. */
     @Override
     public void flush() throws IOException {
         if (count > 0) {

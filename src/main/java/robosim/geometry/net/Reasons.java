@@ -9,7 +9,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.protocol.Text;
 
-/** Why a move was refused, in words. */
+/** Describes in words why a move was refused. */
 final class Reasons {
     private Reasons() {}
 
@@ -31,7 +31,7 @@ final class Reasons {
                 + coordinate(center.y()) + ", " + coordinate(center.z()) + ")";
     }
 
-    /** To a thousandth; the same text on every JVM, which Double.toString is not. */
+    /** A coordinate to a thousandth; the same text on every JVM, unlike Double.toString. */
     private static String coordinate(double value) {
         return new BigDecimal(value)
                 .setScale(3, RoundingMode.HALF_EVEN)
@@ -45,7 +45,7 @@ final class Reasons {
                 : share(result.turnFraction()) + " of the turn";
     }
 
-    /** Rounded down to a thousandth, without a zero at its end; the same text on every JVM. */
+    /** A fraction rounded down to a thousandth, without trailing zeros; the same text on every JVM. */
     private static String share(double fraction) {
         int thousandths = (int) (1000 * fraction);
         if (thousandths % 1000 == 0) {
