@@ -175,7 +175,7 @@ public final class Geometry {
      * Adds an object unless it would touch something.
      *
      * @return false, and nothing is added, if it would touch or overlap another object or leave the world
-     * @throws IllegalArgumentException where its name is taken
+     * @throws IllegalArgumentException if its name is taken
      */
     public boolean addObject(GeometryObject object) {
         return registry.add(object, true);
@@ -185,7 +185,7 @@ public final class Geometry {
      * Adds an object even if it overlaps others, as some do in RoboSim's worlds.
      *
      * @return false, and nothing is added, if it would leave the world
-     * @throws IllegalArgumentException where its name is taken
+     * @throws IllegalArgumentException if its name is taken
      */
     public boolean addObjectUnchecked(GeometryObject object) {
         return registry.add(object, false);

@@ -15,7 +15,7 @@ import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.model.TriangleMesh;
 
-/** Messages to JSON; every double in the shortest digits that mean its bits. */
+/** Writes messages as JSON; every double in the shortest digits that identify it. */
 final class JsonOutput {
     private static final double[] FORWARD = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
@@ -25,7 +25,7 @@ final class JsonOutput {
         this.out = out;
     }
 
-    /** A request. */
+    /** Writes a request. */
     void write(Bundle request) throws IOException {
         if (request instanceof InitBundle init) {
             begin("init");
@@ -46,7 +46,7 @@ final class JsonOutput {
         }
     }
 
-    /** An answer. */
+    /** Writes an answer. */
     void write(Reply reply) throws IOException {
         if (reply.bundle() instanceof MoveBundle made) {
             begin("moves");
@@ -66,7 +66,7 @@ final class JsonOutput {
         out.writeEndObject();
     }
 
-    /** The answer to a peer's hello. */
+    /** Writes the answer to a peer's hello. */
     void writeHello() throws IOException {
         begin("hello");
         out.writeNumberField("version", JsonLines.VERSION);
@@ -83,7 +83,7 @@ final class JsonOutput {
         out.writeEndObject();
     }
 
-    /** The answer to a ping. */
+    /** Writes the answer to a ping. */
     void writePong(@Nullable Object id) throws IOException {
         begin("pong");
         if (id instanceof Long number) {

@@ -3,21 +3,21 @@ package robosim.geometry.protocol;
 import java.util.HexFormat;
 import robosim.geometry.exact.Checks;
 
-/** What a peer sent, made fit for a line of a log. */
+/** Makes text from a peer safe for a line of a log. */
 public final class Text {
     private static final int LONGEST_QUOTE = 100;
     private static final int LONGEST_LINE = 500;
 
     private Text() {}
 
-    /** A name in quotes, on one line, of bearable length. */
+    /** A name in quotes, on one line, shortened if necessary. */
     public static String quoted(String name) {
         return '"'
                 + plain(Checks.present("name", name).replace("\\", "\\\\").replace("\"", "\\\""), LONGEST_QUOTE)
                 + '"';
     }
 
-    /** A sentence that may hold what a peer sent, on one line, of bearable length. */
+    /** A sentence that may contain text from a peer, on one line, shortened if necessary. */
     public static String line(String sentence) {
         return plain(Checks.present("sentence", sentence), LONGEST_LINE);
     }
@@ -35,7 +35,7 @@ public final class Text {
         return plain.append(text.length() > longest ? "..." : "").toString();
     }
 
-    // A control, a direction mark or half of a pair could forge or garble a line.
+    // Control characters, direction marks and unpaired surrogates could forge or garble a line.
     private static boolean isPlain(char c) {
         return switch (Character.getType(c)) {
             case Character.CONTROL,

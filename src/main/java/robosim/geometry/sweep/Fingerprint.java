@@ -15,7 +15,7 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 
-/** A digest of numbers by their bits and of texts: the same on every JVM, whatever it writes numbers like. */
+/** A digest of strings and of numbers by their bits: the same on every JVM. */
 final class Fingerprint {
     private final MessageDigest digest;
 
@@ -27,7 +27,7 @@ final class Fingerprint {
         }
     }
 
-    /** Of a world's settings and objects. */
+    /** The digest of a world's settings and objects. */
     static String of(Snapshot world) {
         Fingerprint print = new Fingerprint();
         print.add(world.width()).add(world.height()).add(world.length());
@@ -92,7 +92,7 @@ final class Fingerprint {
         }
     }
 
-    /** All so far. */
+    /** The digest so far, in hexadecimal. */
     String hex() {
         return HexFormat.of().formatHex(digest.digest());
     }

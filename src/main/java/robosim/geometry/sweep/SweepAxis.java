@@ -4,7 +4,7 @@ import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
 
-/** One axis of a plot: from numbers to places, with ticks at round numbers. */
+/** One axis of a plot: maps numbers to positions, with ticks at round numbers. */
 final class SweepAxis {
     private static final int TICKS = 6;
 
@@ -14,7 +14,7 @@ final class SweepAxis {
     private final double end;
     private final BigDecimal step;
 
-    /** An axis over a range, which gets a little room, from one place to another. */
+    /** An axis over a range, slightly extended, from one position to another. */
     SweepAxis(double low, double high, double start, double end) {
         double size = high > low ? high - low : Math.max(Math.abs(low), 1);
         this.low = low - 0.06 * size;
@@ -24,7 +24,7 @@ final class SweepAxis {
         step = round((this.high - this.low) / TICKS);
     }
 
-    /** The next of 1, 2 and 5 times a power of ten. */
+    /** The next larger of 1, 2 and 5 times a power of ten. */
     private static BigDecimal round(double least) {
         int power = (int) Math.floor(StrictMath.log10(least));
         for (int digit : new int[] {1, 2, 5}) {
@@ -36,7 +36,7 @@ final class SweepAxis {
         return BigDecimal.ONE.scaleByPowerOfTen(power + 1);
     }
 
-    /** Where a number is. */
+    /** The position of a number. */
     double at(double number) {
         return start + (number - low) / (high - low) * (end - start);
     }
@@ -50,7 +50,7 @@ final class SweepAxis {
         return ticks;
     }
 
-    /** A tick in as many digits as all of them need. */
+    /** The label of a tick, with as many digits as all ticks need. */
     String label(double tick) {
         return BigDecimal.valueOf(Math.round(tick / step.doubleValue()))
                 .multiply(step)

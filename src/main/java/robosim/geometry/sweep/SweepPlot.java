@@ -10,9 +10,10 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 
 /**
- * Results as a picture, SVG: a panel for each number, its mean over the values of the parameter with the most numeric ones,
- * a line for each world and combination of the others; bars are the interval of {@link SweepSummary.Spread#margin()}. Where
- * no parameter varies, the worlds stand side by side. A number that is one and the same everywhere gets a line of text.
+ * Results as an SVG plot: a panel for each number with its mean over the values of one parameter, the one with the most
+ * numeric values, and a line for each world and combination of the other parameters. Error bars are the interval of
+ * {@link SweepSummary.Spread#margin()}. If no parameter varies, the worlds are shown side by side. A number that is the
+ * same everywhere is shown as a line of text.
  */
 public final class SweepPlot {
     private static final int WIDTH = 760;
@@ -23,7 +24,7 @@ public final class SweepPlot {
     private static final int BELOW = 60;
     private static final int LEGEND_ROW = 18;
 
-    /** Told apart by the colour-blind too: Okabe and Ito 2008. */
+    /** Distinguishable for colour-blind readers too: Okabe and Ito 2008. */
     private static final String[] COLOURS = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000"
     };
 
@@ -46,7 +47,7 @@ public final class SweepPlot {
         }
     }
 
-    /** The picture. */
+    /** The plot as SVG. */
     public static String svg(SweepHeader header, SweepSummary summary) {
         Checks.present("header", header);
         Checks.present("summary", summary);
@@ -55,7 +56,7 @@ public final class SweepPlot {
         return plot.svg.toString();
     }
 
-    /** The parameter with the most values, all numbers; null where none has two. */
+    /** The parameter with the most values, all of them numbers; null if none has two. */
     private static @Nullable String longest(SweepHeader header) {
         String best = null;
         int most = 1;
@@ -144,7 +145,7 @@ public final class SweepPlot {
         return all;
     }
 
-    /** Whether a number is the same in all replicates, or there is none in any. */
+    /** Whether a number is the same in all replicates, or absent in all. */
     private boolean isOne(String number) {
         double first = all(number).get(0).min();
         return all(number).stream()
@@ -245,7 +246,7 @@ public final class SweepPlot {
             if (spread == null || spread.count() == 0) {
                 continue;
             }
-            // Side by side where lines meet.
+            // Shifted sideways so that error bars do not overlap.
             double aside = 5 * (row - (lines.size() - 1) / 2.0);
             double x = horizontal.at(along == null ? k : Double.parseDouble(places.get(k))) + aside;
             double y = vertical.at(spread.mean());

@@ -5,7 +5,7 @@ import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.OwnLeaves;
 
 /**
- * A box along the world's axes that surely holds an object, for finding who may be near whom; {@link Extents} are tighter.
+ * A box along the world's axes that certainly encloses an object, for finding candidates; {@link Extents} are tighter.
  */
 record Enclosure(double minX, double minY, double minZ, double maxX, double maxY, double maxZ) {
     static Enclosure of(GeometryObject object) {
@@ -22,22 +22,22 @@ record Enclosure(double minX, double minY, double minZ, double maxX, double maxY
         return new Enclosure(all[0], all[1], all[2], all[3], all[4], all[5]);
     }
 
-    /** Along X and Z, from corner to corner. */
+    /** The length of the diagonal along X and Z. */
     double diagonal() {
         return StrictMath.hypot(maxX - minX, maxZ - minZ);
     }
 
-    /** The smaller one of those along X and Z. */
+    /** The smaller of the extents along X and Z. */
     double narrow() {
         return Math.min(maxX - minX, maxZ - minZ);
     }
 
-    /** Whether the two have a height in common. */
+    /** Whether the two overlap in height. */
     boolean meetsLevels(Enclosure other) {
         return other.minY <= maxY && minY <= other.maxY;
     }
 
-    /** The largest of all three. */
+    /** The largest of the three extents. */
     double size() {
         return Math.max(maxY - minY, Math.max(maxX - minX, maxZ - minZ));
     }

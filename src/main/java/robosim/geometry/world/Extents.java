@@ -11,14 +11,14 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
 
-/** How far objects reach along the world's axes, but for rounding. */
+/** The extents of objects along the world's axes, to within rounding. */
 public final class Extents {
     private final double[] least = {Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
     private final double[] most = {Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY};
 
     private Extents() {}
 
-    /** Of all objects of a world. */
+    /** The extents of all objects of a world. */
     public static Extents of(List<WorldObject> objects) {
         Checks.present("objects", objects);
         Extents extents = new Extents();
@@ -28,22 +28,22 @@ public final class Extents {
         return extents;
     }
 
-    /** Whether there is nothing. */
+    /** Whether there are no objects. */
     public boolean isEmpty() {
         return least[0] > most[0];
     }
 
-    /** The least X (0), Y (1) or Z (2). */
+    /** The minimum along an axis, X (0), Y (1) or Z (2). */
     public double least(int axis) {
         return least[axis];
     }
 
-    /** The greatest X (0), Y (1) or Z (2). */
+    /** The maximum along an axis, X (0), Y (1) or Z (2). */
     public double most(int axis) {
         return most[axis];
     }
 
-    /** The farthest from the origin along an axis, on either side. */
+    /** The largest distance from the origin along an axis, on either side. */
     double farthest(int axis) {
         return isEmpty() ? 0 : Math.max(Math.abs(least[axis]), Math.abs(most[axis]));
     }

@@ -18,10 +18,10 @@ import robosim.geometry.model.Point;
 /**
  * Reads the surface of a Wavefront OBJ file: its vertices and faces, with indices from 1 or back from the end.
  *
- * <p>Triangles and quads stay what they are; a quad that would fold over on the diagonal from its first corner begins at
- * its second. A polygon of more corners, which may be concave, is cut into triangles that keep its outline; one that
- * crosses itself is refused. Colours behind a vertex, normals, texture, materials, groups, smoothing, lines and points
- * are passed over; free-form curves and surfaces, which a reader of polygons would lose, are refused.
+ * <p>Triangles and quads are kept; a quad that would fold over along the diagonal from its first corner is made to
+ * begin at its second. A polygon with more corners, which may be concave, is cut into triangles; one that crosses
+ * itself is refused. Vertex colours, normals, textures, materials, groups, smoothing, lines and points are ignored;
+ * free-form curves and surfaces, which would be lost, are refused.
  */
 public final class ObjReader {
     private static final Set<String> PASSED_OVER = Set.of(
@@ -45,7 +45,7 @@ public final class ObjReader {
             "shadow_obj",
             "trace_obj");
 
-    /** That of UTF-8, read as Latin-1. */
+    /** The byte order mark of UTF-8, read as Latin-1. */
     private static final String BYTE_ORDER_MARK = "\u00ef\u00bb\u00bf";
 
     private final double scale;
@@ -80,7 +80,7 @@ public final class ObjReader {
     /**
      * Reads a mesh from a stream, which is left open.
      *
-     * @param source what messages call the stream
+     * @param source the name of the stream in messages
      * @param scale  world units for each unit of the stream; above 0
      * @throws WorldException naming source and line, where the stream fails or holds no surface
      */
@@ -90,7 +90,7 @@ public final class ObjReader {
         MeshFiles.checkScale(scale);
         ObjReader reader = new ObjReader(scale);
         try {
-            // Latin-1 takes every byte; all that is looked at is ASCII.
+            // Latin-1 accepts every byte; everything that is evaluated is ASCII.
             reader.readLines(new BufferedReader(
                     new InputStreamReader(new Bounded(new BufferedInputStream(in)), StandardCharsets.ISO_8859_1)));
             return new MeshObject(reader.vertices, reader.faces.toArray(int[][]::new));
@@ -106,7 +106,7 @@ public final class ObjReader {
     private void readLines(Reader in) throws IOException {
         while (!ended) {
             StringBuilder text = new StringBuilder();
-            int begin = line + 1; // errors name the line at which a statement begins
+            int begin = line + 1; // errors name the line on which a statement begins
             readLine(in, text);
             while (text.length() > 0 && text.charAt(text.length() - 1) == '\\' && !ended) {
                 text.setCharAt(text.length() - 1, ' ');
@@ -123,7 +123,10 @@ public final class ObjReader {
         }
     }
 
-    /** Appends one line without its comment and its end; a file without line ends is not read into memory. */
+    /**
+     * Appends one line without its comment and line end; long lines are refused, so a file without line ends is not
+     * read into memory.
+     */
     private void readLine(Reader in, StringBuilder text) throws IOException {
         line++;
         boolean comment = false;

@@ -18,19 +18,19 @@ import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
 
 /**
- * Writes the surfaces of a world as a Wavefront OBJ file, for other programs to look at: world units, Y up, an {@code o}
- * for each object. Boxes and meshes are what they are; a cylinder has {@link #SIDES} flat sides and a sphere as many
- * around, with their corners on the true surface, so that what is round is a little too small.
+ * Writes the surfaces of a world as a Wavefront OBJ file for display in other programs: world units, Y up, an {@code o}
+ * for each object. Boxes and meshes are exact; a cylinder has {@link #SIDES} flat sides and a sphere as many around,
+ * with their corners on the true surface, so round shapes are slightly too small.
  */
 public final class ObjWriter {
-    /** Flat sides of what is round. */
+    /** Number of flat sides of a round shape. */
     public static final int SIDES = 48;
 
     private static final int RINGS = SIDES / 2;
 
     private final BufferedWriter out;
 
-    /** How many vertices there are so far; OBJ counts them through the file, from 1. */
+    /** The number of vertices so far; OBJ counts them over the whole file, from 1. */
     private long vertices;
 
     private ObjWriter(BufferedWriter out) {
@@ -38,10 +38,10 @@ public final class ObjWriter {
     }
 
     /**
-     * Writes a file, all of it or nothing: an earlier file of the name stays as it was until the new one is whole.
+     * Writes a file atomically: an existing file stays as it was until the new one is complete.
      *
-     * @param progress told how many objects are written, now and then
-     * @throws WorldException where the file cannot be written
+     * @param progress called from time to time with the number of objects written
+     * @throws WorldException if the file cannot be written
      */
     public static void write(World world, Path file, LongConsumer progress) throws WorldException {
         Checks.present("world", world);
@@ -165,7 +165,7 @@ public final class ObjWriter {
         return Decimal.of(value + 0.0);
     }
 
-    /** A face over the last so many vertices, counted from 0. */
+    /** Writes a face whose corners count from 0 among the last vertices. */
     private void face(int last, int... corners) throws IOException {
         out.write("f");
         for (int corner : corners) {

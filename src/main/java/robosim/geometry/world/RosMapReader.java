@@ -16,25 +16,25 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 
 /**
- * Reads an occupancy map of ROS: a YAML file and the PGM (P2, P5) or PNG image that it names, in modes trinary, scale and
+ * Reads a ROS occupancy map: a YAML file and the PGM (P2, P5) or PNG image that it names, in modes trinary, scale and
  * raw.
  *
- * <p>Occupied cells become walls: few boxes that cover them exactly, and no free or unknown cell. A place (x, y, z) of the
- * map's frame, with z up from the floor, is (x, z - height / 2, -y) in the world, which is centred about the origin of
- * the map's frame, in metres, as high as its walls and one cell wider all round than what it must hold: the whole image,
- * free cells too, and its edges. Yaw is a heading.
+ * <p>Occupied cells become walls: a small number of boxes that cover exactly these cells. A place (x, y, z) of the
+ * map's frame, with z up from the floor, is (x, z - height / 2, -y) in the world, which is centred at the origin of the
+ * map's frame, in metres, as high as its walls, and one cell wider all round than its contents: the whole image, free
+ * cells included, and its edges. Yaw is a heading.
  *
- * <p>The map ends where its image does: along its edges stand four walls more, one cell thick and outside of the image, so
+ * <p>The map ends where its image does: four more walls, one cell thick, stand along its edges outside the image, so
  * that no robot that starts in the map leaves it, and no ray. They are named {@code left}, {@code right}, {@code upper}
- * and {@code lower edge of the map}; {@code removeObject} takes one away.
+ * and {@code lower edge of the map} and can be removed with {@code removeObject}.
  *
- * <p>In modes trinary and scale a cell is a wall where ROS gives it 100; in mode raw where its value is above 100 times
- * {@code occupied_thresh}. The edges of the boxes are those of the cells but for the rounding of their coordinates.
+ * <p>In modes trinary and scale a cell is a wall if ROS gives it the value 100; in mode raw if its value is above 100
+ * times {@code occupied_thresh}. The edges of the boxes are those of the cells, to within rounding.
  *
- * <p>Needs snakeyaml-engine on the class path, and the module java.desktop for PNG.
+ * <p>Requires snakeyaml-engine on the class path, and the module java.desktop for PNG.
  */
 public final class RosMapReader {
-    /** Metres of the walls of a map, which has none of its own: a door's. */
+    /** Height in metres of the walls of a map, which does not specify it: that of a door. */
     public static final double WALL_HEIGHT = 2;
 
     /** Cells must be far larger than the rounding of their coordinates. */
@@ -55,16 +55,16 @@ public final class RosMapReader {
     }
 
     /**
-     * Reads a map with walls of a height.
+     * Reads a map with walls of a given height.
      *
-     * @param height metres of the walls, and of the world; above 0
+     * @param height height of the walls and the world in metres; above 0
      * @throws WorldException naming file and line, where the map or its image cannot be read
      */
     public static World read(Path yaml, double height) throws WorldException {
         return readImport(yaml, height).world();
     }
 
-    /** Reads a map, with the account of it. */
+    /** Reads a map, with a report of what was read. */
     static WorldImport readImport(Path yaml, double height) throws WorldException {
         Checks.present("yaml", yaml);
         if (!(height > 0 && height <= 0x1p100)) {
@@ -158,7 +158,7 @@ public final class RosMapReader {
         return walls;
     }
 
-    /** A wall of one cell around the image, for the map ends there and the world may not. */
+    /** A wall one cell thick around the image, since the map ends there although the world may not. */
     private static List<WorldObject> edges(MapSettings settings, OccupancyGrid grid, double height) {
         int width = grid.width;
         int rows = grid.height;
@@ -191,7 +191,7 @@ public final class RosMapReader {
         return Degrees.toDegrees(settings.yaw());
     }
 
-    /** Where in the world a place of the image is, in metres right and up from its lower left corner. */
+    /** The world coordinates of a point of the image, given in metres right and up from its lower left corner. */
     private static Point place(MapSettings settings, double right, double up) {
         double cos = Degrees.cos(heading(settings));
         double sin = Degrees.sin(heading(settings));
@@ -200,7 +200,7 @@ public final class RosMapReader {
         return new Point(x, 0, -y);
     }
 
-    /** How far the image with its edges reaches from the origin along X (0) or Z (2), and one cell more. */
+    /** How far the image with its edges extends from the origin along X (0) or Z (2), plus one cell. */
     private static double extent(MapSettings settings, OccupancyGrid grid, int axis) {
         double farthest = 0;
         for (int corner = 0; corner < 4; corner++) {

@@ -14,21 +14,21 @@ import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The files that a file of SDFormat names: beside it, or in folders of models that were given. Nothing outside their trees
- * is opened, and no address in a network is followed.
+ * Finds the files that an SDFormat file names: relative to it, or in given model folders. Nothing outside their trees
+ * is opened, and no network address is followed.
  */
 final class SdfFiles {
     private static final Pattern REMOTE = Pattern.compile("(?i)(https?|ftp|fuel)://");
 
     private final Path main;
     private final List<Path> folders = new ArrayList<>();
-    /** The file of a model, by what was included: it, or its folder. */
+    /** The file of a model, by the included path: the file itself or its folder. */
     private final Map<Path, Path> models = new HashMap<>();
 
     private final Map<Path, SdfElement> roots = new HashMap<>();
     private final Map<Path, Boolean> counted = new HashMap<>();
 
-    /** What was looked for, and found or not: a model is included a thousand times, and a disk is slow. */
+    /** A cache of lookups, found or not: a model may be included a thousand times, and file access is slow. */
     private final Map<Name, Optional<Path>> known = new HashMap<>();
 
     private final List<String> remarks = new ArrayList<>();
@@ -36,7 +36,7 @@ final class SdfFiles {
 
     private record Name(String uri, Path from) {}
 
-    /** For a file of SDFormat, with folders whose subfolders are models. */
+    /** For an SDFormat file, with folders whose subfolders are models. */
     SdfFiles(Path main, List<Path> given) throws WorldException {
         try {
             this.main = main.toRealPath();
@@ -49,7 +49,7 @@ final class SdfFiles {
         }
     }
 
-    /** What is worth a word about the files, and nothing is missing for. */
+    /** Remarks about the files, none of which means that something is missing. */
     List<String> remarks() {
         return remarks;
     }
@@ -59,7 +59,7 @@ final class SdfFiles {
         return folder == null ? file : folder;
     }
 
-    /** The file itself, under the name that its user gave. */
+    /** The main file, under the name that the user gave. */
     SdfElement main(String shown) throws WorldException {
         return open(main, shown);
     }
@@ -73,14 +73,14 @@ final class SdfFiles {
         return known;
     }
 
-    /** Whether a file is where no reader goes: an address in a network. */
+    /** Whether a URI is a network address, which is never read. */
     static boolean isRemote(String uri) {
         return REMOTE.matcher(uri).lookingAt();
     }
 
     /**
-     * The root of an included model: of a file, or of the file that a folder's model.config names. Null where it is not
-     * there.
+     * The root element of an included model: of the file itself, or of the one that a folder's model.config names. Null
+     * if it does not exist.
      */
     @Nullable
     SdfElement included(SdfElement uri) throws WorldException {
@@ -100,7 +100,7 @@ final class SdfFiles {
     /**
      * The file of the model in a folder.
      *
-     * @param remarks takes what is worth a word
+     * @param remarks receives remarks
      */
     static Path modelOf(Path folder, Consumer<String> remarks) throws WorldException {
         Path manifest = folder.resolve(SdfManifest.NAME);
@@ -122,7 +122,7 @@ final class SdfFiles {
         }
     }
 
-    /** A file that is named and there; null where it is nowhere. */
+    /** Finds a file by name; null if it does not exist. */
     @Nullable
     Path find(SdfElement uri) throws WorldException {
         Name name = new Name(uri.value(), uri.file.folder());
@@ -186,7 +186,7 @@ final class SdfFiles {
         return candidates;
     }
 
-    /** Says where a file was looked for in vain. */
+    /** An exception that says where a file was searched for. */
     WorldException missing(SdfElement uri) {
         StringBuilder searched = new StringBuilder();
         for (Path folder : folders) {
@@ -196,7 +196,7 @@ final class SdfFiles {
                 + " that holds the model (got: " + uri.value() + ")");
     }
 
-    /** Counts the bytes of a file that is going to be read. */
+    /** Counts the bytes of a file that is about to be read. */
     void count(SdfElement uri, Path file) throws WorldException {
         if (counted.putIfAbsent(file, true) != null) {
             return;

@@ -14,7 +14,7 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 
-/** Makes shapes of SDFormat's geometries, at the origin and in the world's axes: its Z is our Y. */
+/** Creates shapes from SDFormat's geometries, at the origin and in the world's axes: its Z is our Y. */
 final class SdfShapes {
     private final SdfTree tree;
     private final SdfFiles files;
@@ -30,9 +30,9 @@ final class SdfShapes {
     }
 
     /**
-     * The shape of a collision; null where it has none or is left out.
+     * The shape of a collision; null if it has none or is left out.
      *
-     * @param owner the collision's name with those around it
+     * @param owner the collision's name with those of the enclosing elements
      * @param place where it stands in the world
      */
     @Nullable
@@ -77,7 +77,7 @@ final class SdfShapes {
         return new CylinderObject(new Point(), shape.number("radius"), shape.number("length"));
     }
 
-    /** A cylinder with a ball at either end; its length is that of the cylinder. */
+    /** A cylinder with a sphere at either end; its length is that of the cylinder. */
     private static ObjectGroup capsule(SdfElement shape) throws WorldException {
         double radius = shape.number("radius");
         double half = shape.number("length") / 2;
@@ -144,7 +144,9 @@ final class SdfShapes {
         return known;
     }
 
-    /** In the world's axes and size; a scale that mirrors turns the faces round again. */
+    /**
+     * A mesh scaled and in the world's axes; if the scale mirrors, the faces are reversed to keep their orientation.
+     */
     private MeshObject scaled(MeshObject surface, Point scale, SdfElement uri) throws WorldException {
         vertices += surface.vertices().size();
         if (vertices > Limits.MAX_VERTICES) {

@@ -14,12 +14,12 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 
 /**
- * Reads the surface of an STL file, binary or text: its triangles, with corners that are equal joined.
+ * Reads the surface of an STL file, binary or text: its triangles, with equal corners joined.
  *
- * <p>Which of the two it is, its length decides: a binary file of n triangles has 84 + 50 n bytes, whatever its header
- * says. Corners are joined where their three numbers are the same, and nowhere else, so a surface whose file gives one
- * corner with two roundings stays open. Normals, names, attributes and colours are passed over: the corners' order is
- * what counts. A text file may hold several solids one after the other, which become one mesh.
+ * <p>The file's length decides which of the two it is: a binary file of n triangles has 84 + 50 n bytes, whatever its
+ * header says. Corners are joined only if their three numbers are the same, so a surface whose file rounds a corner in
+ * two ways stays open. Normals, names, attributes and colours are ignored; only the order of corners counts. A text
+ * file may contain several solids, which become one mesh.
  */
 public final class StlReader {
     private static final int HEADER = 84;
@@ -56,7 +56,7 @@ public final class StlReader {
     /**
      * Reads a mesh from a stream, which is left open.
      *
-     * @param source what messages call the stream
+     * @param source the name of the stream in messages
      * @param scale  world units for each unit of the stream; above 0
      * @throws WorldException naming source and line (of a binary one the triangle), where the stream fails or holds no
      *     surface
@@ -94,7 +94,8 @@ public final class StlReader {
         return bytes.length >= HEADER && bytes.length == HEADER + TRIANGLE * triangles(bytes);
     }
 
-    // Unsigned; no text passes for one, since four of its bytes count more triangles than a file can hold.
+    // Unsigned; no text file is mistaken for a binary one, since four of its bytes give more triangles than a file can
+    // have.
     private static long triangles(byte[] bytes) {
         return Integer.toUnsignedLong(
                 ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).getInt(HEADER - 4));
@@ -149,7 +150,7 @@ public final class StlReader {
     private void facet(AsciiScanner words) throws WorldException {
         words.expect("normal", "normal");
         for (int k = 0; k < 3; k++) {
-            words.any("a number of the normal"); // which may be nan where the triangle has none
+            words.any("a number of the normal"); // which may be nan if the triangle has none
         }
         words.expect("outer", "outer");
         words.expect("loop", "loop");

@@ -18,40 +18,42 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 
 /**
- * What there is to know of a world before robots are let loose in it: what stands in what, who starts in contact, who can
- * get to whom, and which accuracy and dimension its questions need. The same world has the same check.
+ * Examines a world before robots are simulated in it: which objects overlap, which robots start in contact, which
+ * robots can reach each other, and which accuracy and dimension its queries need. The same world always gives the same
+ * result.
  *
- * <p><b>Rooms.</b> A robot, which is every moveable object, is taken through the world on a grid that begins at its own
- * place: from each place that it can get to by straight moves of one step along the world's X and Z at its own height. What
- * is not round also turns in place, by 45 degrees at a time. Each of these moves is one that a {@link
- * robosim.geometry.Geometry} of the static objects allows, so what is reached is reached; what is not may be reached by
- * moves between those of the grid, and the step is told. The first step is half of the robot's smaller extent, or coarser
- * in a large world; it is halved twice where not everything is reached. All other moveable objects are taken out, as they
- * may drive away. A robot can get to another where, from so near that the bodies would touch but for two steps, its body goes straight
- * to the other and meets nothing else first; two robots share a room where one of them can get to the other, also by way of
- * further ones. The narrowest go first, and who has been met need not go. Who starts in contact or outside of the world is
- * not asked. Where the step had to be coarser than half of the smaller extent, a search near the start goes in steps of
- * that half; where it comes to no end either, it could not be told whether the robots are shut in, and {@link Room#isTold}
- * is false.
+ * <p><b>Rooms.</b> Each robot, that is, each moveable object, explores the world on a grid that begins at its own
+ * place, by straight moves of one step along the world's X and Z at its own height. A robot that is not round also
+ * turns in place, by 45 degrees at a time. Each of these moves is checked by a {@link robosim.geometry.Geometry} of the
+ * static objects, so everything reached is truly reachable; what is not reached may still be reachable by moves off the
+ * grid, so the step is reported. The first step is half of the robot's smaller extent, or coarser in a large world; it
+ * is halved twice if not every robot is reached. All other moveable objects are removed, as they may drive away. A
+ * robot reaches another if, from a place at which the bodies are within two steps of touching, its body moves straight
+ * to the other and hits nothing else first. Two robots share a room if one of them reaches the other, directly or
+ * through further ones. The narrowest robots search first, and a robot that has been reached does not search. Robots
+ * that start in contact or outside the world are not tested. If the step had to be coarser than half of the smaller
+ * extent, a search near the start uses steps of that half; if that does not finish either, it is unknown whether the
+ * robots are shut in, and {@link Room#isTold} is false.
  *
- * <p><b>Needs.</b> The same questions, drawn from a fixed seed, are put to the world in both dimensions at each accuracy:
- * may a robot stand at a place, may it make a random move or turn from there, what does one of its sonars hear (in
- * a world without sonars, a line in a random direction). The places are random, and for each robot also its own start and
- * some that it got to. A setting is enough where it answers all of them as EXACT in the world's own dimension does; where
- * fewer than {@link #MIN_ANSWERS} moves or distances could be asked, as nobody has room or there is no robot, and where none
- * of them met anything, nothing can be told. A robot that is a mesh, and so slow, asks a twentieth of what others do.
+ * <p><b>Needs.</b> The same queries, drawn from a fixed seed, are made in both dimensions at each accuracy: may a robot
+ * stand at a place, may it make a random move or turn from there, what does one of its sonars measure (in a world
+ * without sonars, a line in a random direction). The places are random ones and, for each robot, its own start and some
+ * that it reached. A setting is enough if it answers all queries as EXACT in the world's own dimension does. The result
+ * is unknown if fewer than {@link #MIN_ANSWERS} moves or distances could be queried, because no robot has room or there
+ * is none, or if none of the queries hit anything. A robot that is a mesh is slow and gets a twentieth of the queries
+ * of others.
  *
- * @param world           what was checked
- * @param counts          how many objects of each kind, for the kinds that there are
- * @param members         objects that the groups are made of
- * @param triangles       of all meshes, a quad being two
+ * @param world           the world checked
+ * @param counts          number of objects of each kind that occurs
+ * @param members         number of members of groups
+ * @param triangles       number of triangles of all meshes, a quad counting as two
  * @param robots          the moveable objects
- * @param sonars          sensors of all rings
- * @param outside         objects that reach beyond the border; none of what follows knows them
- * @param overlaps        pairs in contact: all that a moveable object takes part in, and the first of static objects
+ * @param sonars          number of sensors in all rings
+ * @param outside         objects that extend beyond the world's bounds; they are ignored in the rest of the check
+ * @param overlaps        pairs in contact: all with a moveable object, and the first ones of two static objects
  * @param staticOverlaps  how many pairs of static objects are in contact, those in {@code overlaps} included
- * @param rooms           the robots that can get to each other; the first room is the one with most of them
- * @param needs           which accuracy and dimension is enough
+ * @param rooms           groups of robots that can reach each other; the first room has the most
+ * @param needs           which accuracy and dimension are enough
  */
 public record WorldCheck(
         World world,
@@ -66,10 +68,10 @@ public record WorldCheck(
         List<Room> rooms,
         Needs needs) {
 
-    /** Most pairs of static objects that are told one by one. */
+    /** Maximum number of pairs of static objects in {@code overlaps}. */
     public static final int MAX_STATIC_OVERLAPS = 100;
 
-    /** So many moves and as many distances must be asked for a setting to be called enough. */
+    /** Minimum number of moves, and of distances, that must be queried to call a setting enough. */
     public static final int MIN_ANSWERS = 50;
 
     /** Copies the collections. */
@@ -86,10 +88,10 @@ public record WorldCheck(
      *
      * @param first   the moveable one, or the earlier of two static ones
      * @param second  what it touches or overlaps
-     * @param contact a point of both
-     * @param normal  of length 1, from the second towards the first
-     * @param depth   how far the first must go along {@code normal} to be clear of the second, to within a hundredth,
-     *                world units; 0 where they only touch, {@code +Infinity} where that way does not lead out
+     * @param contact a point of both objects
+     * @param normal  a unit vector from the second towards the first
+     * @param depth   how far the first must move along {@code normal} to be clear of the second, to within a hundredth,
+     *                world units; 0 if they only touch, {@code +Infinity} if that direction does not lead out
      */
     public record Overlap(WorldObject first, WorldObject second, Point contact, Point normal, double depth) {
         /** Whether a moveable object starts in this contact. */
@@ -99,17 +101,17 @@ public record WorldCheck(
     }
 
     /**
-     * A part of the world that robots share.
+     * A part of the world in which robots can reach each other.
      *
      * @param robots their names, in the world's order
-     * @param minX   of the places that the centre of one of them gets to, and half of its smaller side around them; so are
-     *               the other three
-     * @param area   of the places that the centre of one of them gets to, world units squared: their number times the
-     *               square of the step
-     * @param places how many places of the grid that are; 1 where the robot cannot make a step
-     * @param step   the grid's, world units: finer ways may have been missed
-     * @param isTold whether the step was as fine as half of the robot's smaller extent, where it has any; else what was not reached tells
-     *               nothing
+     * @param minX   minimum X of the places that the centre of one of them reaches, less half of its smaller extent;
+     *               likewise the other three
+     * @param area   area of the places that the centre of one of them reaches, world units squared: their number times
+     *               the square of the step
+     * @param places number of grid places reached; 1 if the robot cannot make a step
+     * @param step   step of the grid, world units; narrower passages may have been missed
+     * @param isTold whether the step was at most half of the robot's smaller extent, if it has one; otherwise nothing
+     *               follows for what was not reached
      */
     public record Room(
             List<String> robots,
@@ -128,17 +130,17 @@ public record WorldCheck(
     }
 
     /**
-     * Which setting is enough.
+     * Which settings are enough.
      *
-     * @param dimension the coarsest that answered every question alike; PLANAR in a PLANAR world, and the world's own where
-     *                  it cannot be told
-     * @param accuracy  the coarsest that did so in that dimension; the world's own where it cannot be told
-     * @param isProven  whether PLANAR is enough whatever level moves and sonars are asked for: every object stands upright
-     *                  and reaches the height of every robot's centre
-     * @param met       how many of the questions met something: a place that is taken, a move that is refused, a sonar that
-     *                  hears; none tells nothing
-     * @param seed      of the questions
-     * @param settings  what each setting answered, PLANAR before SPATIAL and the coarsest first
+     * @param dimension the coarsest dimension that gave the same answers; PLANAR in a PLANAR world, and the world's own
+     *                  if unknown
+     * @param accuracy  the coarsest accuracy that did so in that dimension; the world's own if unknown
+     * @param isProven  whether PLANAR is certainly enough for any level moves and sonars: every object is upright and
+     *                  extends over the height of every robot's centre
+     * @param met       number of queries that hit something: an occupied place, a refused move, an echo; if 0, nothing
+     *                  follows
+     * @param seed      seed of the queries
+     * @param settings  the answers of each setting, PLANAR before SPATIAL and the coarsest accuracy first
      */
     public record Needs(
             Dimension dimension, Accuracy accuracy, boolean isProven, int met, long seed, List<Setting> settings) {
@@ -147,7 +149,7 @@ public record WorldCheck(
             settings = List.copyOf(settings);
         }
 
-        /** Whether enough was asked, and enough was there, to tell. */
+        /** Whether there were enough queries, and enough hits, to decide. */
         public boolean isTold() {
             return met > 0 && settings.stream().allMatch(Setting::isAskedEnough);
         }
@@ -163,16 +165,16 @@ public record WorldCheck(
     }
 
     /**
-     * What one setting answered, beside EXACT in the world's own dimension.
+     * How the answers of one setting compare with those of EXACT in the world's own dimension.
      *
-     * @param places            how often it was asked whether a robot may stand somewhere
-     * @param placesOtherwise   how often it said something else
-     * @param moves             moves and turns
-     * @param movesOtherwise    of them answered otherwise
-     * @param distances         of sonars
-     * @param distancesOtherwise of them off by more than a billionth of the world's diagonal
-     * @param shortest          by how much a distance fell short at most, world units; {@code +Infinity} where it heard
-     *                          something where there is no echo
+     * @param places            number of places at which it was queried whether a robot may stand there
+     * @param placesOtherwise   how many of them were answered differently
+     * @param moves             number of moves and turns
+     * @param movesOtherwise    how many of them were answered differently
+     * @param distances         number of sonar distances
+     * @param distancesOtherwise how many of them differed by more than a billionth of the world's diagonal
+     * @param shortest          the largest amount by which a distance was too short, world units; {@code +Infinity} if
+     *                          an echo was reported where there is none
      */
     public record Setting(
             Dimension dimension,
@@ -189,16 +191,16 @@ public record WorldCheck(
             return moves >= MIN_ANSWERS && distances >= MIN_ANSWERS;
         }
 
-        /** Whether enough was asked and everything was answered alike. */
+        /** Whether there were enough queries and all answers were the same. */
         public boolean isSame() {
             return isAskedEnough() && placesOtherwise + movesOtherwise + distancesOtherwise == 0;
         }
     }
 
-    /** Told how far a check is; it may take a while. */
+    /** Receives the progress of a check, which may take a while. */
     @FunctionalInterface
     public interface Watch {
-        /** So much of that work is done. */
+        /** Reports how much of a task is done. */
         void at(String work, long done, long total);
     }
 
@@ -207,7 +209,7 @@ public record WorldCheck(
         return of(world, (work, done, total) -> {});
     }
 
-    /** Checks a world and tells how far that is. */
+    /** Checks a world and reports progress. */
     public static WorldCheck of(World world, Watch watch) {
         Checks.present("world", world);
         Checks.present("watch", watch);
@@ -261,7 +263,10 @@ public record WorldCheck(
                 world.objects().stream().filter(o -> !left.contains(o)).toList());
     }
 
-    /** Robots that cannot get to where most are: all rooms but the first, and but those of which that cannot be told. */
+    /**
+     * Robots that cannot reach the room with the most robots: all rooms except the first and those for which this is
+     * unknown.
+     */
     public List<Room> shutIn() {
         return rooms.stream().skip(1).filter(Room::isTold).toList();
     }
@@ -273,7 +278,9 @@ public record WorldCheck(
                 .toList();
     }
 
-    /** Robots that got to no others or nowhere at a step that is too coarse to say that there is no way. */
+    /**
+     * Rooms of robots that reached no others, or no other place, at a step too coarse to conclude that there is no way.
+     */
     public List<Room> untold() {
         return IntStream.range(0, rooms.size())
                 .filter(k -> k > 0 || rooms.get(k).places() == 1)
@@ -288,15 +295,15 @@ public record WorldCheck(
     }
 
     /**
-     * Whether nothing was found that keeps robots from what they are there for: nothing is outside, no robot starts in
-     * contact, none is shut in or cannot make a step. Static objects may overlap, as the walls of a plan do, and {@link
-     * #untold} is no finding.
+     * Whether nothing was found that hinders robots: nothing is outside, no robot starts in contact, is shut in or is
+     * unable to make a step. Static objects may overlap, as the walls of a plan do, and {@link #untold} rooms are not
+     * findings.
      */
     public boolean isFine() {
         return outside.isEmpty() && startingContacts().isEmpty() && shutIn().isEmpty() && stuck().isEmpty();
     }
 
-    /** What groups and meshes are made of. */
+    /** Counts the parts of groups and meshes. */
     private static final class Pieces {
         int members;
         long triangles;

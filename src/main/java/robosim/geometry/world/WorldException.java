@@ -5,7 +5,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 
-/** Says why a file of a world could not be read or written: the file, the line and column, and what to do about it. */
+/** A world file could not be read or written; names the file, line and column, and what to do about it. */
 public final class WorldException extends IOException {
     private static final long serialVersionUID = 1;
 
@@ -24,7 +24,7 @@ public final class WorldException extends IOException {
         this(source, line, column, problem, null);
     }
 
-    /** The failure of a file that could not be read: as it is, where it already says what is wrong. */
+    /** The exception for a file that could not be read: the failure itself if it already says what is wrong. */
     static WorldException unreadable(Path file, IOException failure) {
         if (failure instanceof WorldException told) {
             return told;
@@ -42,17 +42,17 @@ public final class WorldException extends IOException {
         return column < 1 ? source + ":" + line + ": " : source + ":" + line + ":" + column + ": ";
     }
 
-    /** The file, or whatever name the reader was given for it. */
+    /** The file, or the name that the reader was given for it. */
     public String source() {
         return source;
     }
 
-    /** The line, counted from 1; 0 where the problem has none. */
+    /** The line, from 1; 0 if the problem concerns no line. */
     public int line() {
         return line;
     }
 
-    /** The column, counted from 1, at the end of the tag or number in question; 0 where the problem has none. */
+    /** The column, from 1, at the end of the tag or number in question; 0 if the problem concerns no column. */
     public int column() {
         return column;
     }

@@ -14,15 +14,15 @@ import org.xml.sax.helpers.DefaultHandler;
 import org.xml.sax.helpers.XMLFilterImpl;
 
 /**
- * Stands between a parser and who follows it, and bounds what a file can ask of either: how deep its elements are nested,
- * and how long a tag or a comment is, which a parser keeps in memory until its end.
+ * A filter between a parser and its handler that limits the nesting depth of elements, and the length of a tag or a
+ * comment, which a parser keeps in memory until its end.
  */
 final class XmlGuard extends XMLFilterImpl implements LexicalHandler {
     private final String source;
     private @Nullable Locator locator;
     private int depth;
 
-    /** Bytes that were read since the parser last told anything. */
+    /** Number of bytes read since the parser's last event. */
     private long silent;
 
     private XmlGuard(XMLReader parser, String source, DefaultHandler follower) throws SAXException {
@@ -37,15 +37,15 @@ final class XmlGuard extends XMLFilterImpl implements LexicalHandler {
     /**
      * Parses a stream with the hardened parser.
      *
-     * @param source what messages call the stream
-     * @throws SAXException around a {@link WorldException}, where it is against the limits
+     * @param source the name of the stream in messages
+     * @throws SAXException with a {@link WorldException} as cause, if a limit is exceeded
      */
     static void parse(InputStream in, String source, DefaultHandler follower) throws SAXException, IOException {
         XmlGuard guard = new XmlGuard(SafeXml.reader(), source, follower);
         guard.parse(new InputSource(guard.new Watched(new Bounded(in))));
     }
 
-    /** Counts what the parser reads without a word about it. */
+    /** Counts the bytes that the parser reads without an event. */
     private final class Watched extends FilterInputStream {
         Watched(InputStream in) {
             super(in);

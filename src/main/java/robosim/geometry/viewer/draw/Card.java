@@ -14,10 +14,10 @@ import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Outline;
 
 /**
- * What is told of one object.
+ * The description of one object.
  *
- * @param heading its name
- * @param lines   the rest
+ * @param heading the object's name
+ * @param lines   the other lines
  */
 public record Card(String heading, List<String> lines) {
     private static final double MARGIN = 12;
@@ -65,7 +65,7 @@ public record Card(String heading, List<String> lines) {
         return Labels.number(bounds.width()) + " by " + Labels.number(bounds.length());
     }
 
-    /** In the upper right corner of a map. */
+    /** Paints the card in the upper right corner of a map. */
     public void paint(MapFrame frame, Canvas canvas) {
         double widest = StrokeFont.width(heading, HEADING_SIZE);
         for (String line : lines) {

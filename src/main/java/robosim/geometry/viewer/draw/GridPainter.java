@@ -5,7 +5,7 @@ import java.math.RoundingMode;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Scene;
 
-/** The floor, lines at round coordinates with their numbers, the world's border, and the title. */
+/** Paints the floor, lines at round coordinates with their numbers, the world's bounds, and the title. */
 final class GridPainter {
     private final Scene scene;
     private final MapFrame frame;
@@ -45,7 +45,7 @@ final class GridPainter {
         canvas.close();
     }
 
-    /** The world's edge; on a window's map only where it is to be seen. */
+    /** Paints the world's bounds; on a window's map only the visible part. */
     private void border(double left, double top, double right, double bottom) {
         Scene.View world = scene.view();
         boolean whole = world.equals(frame.visible());
@@ -70,12 +70,12 @@ final class GridPainter {
         canvas.close();
     }
 
-    /** A multiple of a round length, without the noise of the product. */
+    /** A multiple of a round length, without rounding noise. */
     private static String number(long count, double step) {
         return text(count * step, step);
     }
 
-    /** A number to the places that a step has. */
+    /** A number with as many decimals as a step has. */
     static String text(double value, double step) {
         int places = (int) Math.max(0, -Math.floor(StrictMath.log10(step)));
         if (places > 9 || Math.abs(value) >= 1e9) {

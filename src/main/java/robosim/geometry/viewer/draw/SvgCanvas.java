@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
-/** Writes SVG whose colours stand in a style sheet, for light and for dark paper. */
+/** Writes SVG whose colours are in a style sheet, for light and dark themes. */
 final class SvgCanvas implements Canvas {
     private final double width;
     private final double height;
@@ -206,7 +206,7 @@ final class SvgCanvas implements Canvas {
         return body.append(" ".repeat(depth));
     }
 
-    /** Two places behind the point at most; the same on every machine. */
+    /** A number with at most two decimals; the same on every machine. */
     static String number(double value) {
         long hundredths = Math.round(value * 100);
         long whole = Math.abs(hundredths) / 100;
@@ -218,7 +218,7 @@ final class SvgCanvas implements Canvas {
         return sign + whole + (rest % 10 == 0 ? "." + rest / 10 : rest < 10 ? ".0" + rest : "." + rest);
     }
 
-    /** Text that XML can hold; characters that it cannot become U+FFFD. */
+    /** Escapes text for XML; characters that XML cannot represent become U+FFFD. */
     static String escape(String text) {
         StringBuilder escaped = new StringBuilder(text.length());
         text.codePoints().forEach(c -> {

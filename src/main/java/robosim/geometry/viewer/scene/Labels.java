@@ -6,11 +6,11 @@ import java.util.Locale;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.protocol.Text;
 
-/** Objects and numbers in words for people. */
+/** Objects and numbers as text for people. */
 public final class Labels {
     private Labels() {}
 
-    /** The name; of an object without one its kind and place. */
+    /** The name of an object, or its kind and place if it has none. */
     public static String name(GeometryObject object) {
         String name = object.name();
         return name != null
@@ -23,7 +23,7 @@ public final class Labels {
         return object.kind().name().toLowerCase(Locale.ROOT);
     }
 
-    /** To a thousandth, without zeros at its end; the same text on every JVM. */
+    /** A number to a thousandth, without trailing zeros; the same text on every JVM. */
     public static String number(double value) {
         if (!(Math.abs(value) < 1e9)) {
             return String.valueOf((float) value);

@@ -1,4 +1,4 @@
-/** What is to be seen from above: shapes, labels, bounds, and a map's frame. */
+/** The view from above: shapes, labels, bounds, and a map's frame. */
 @NullMarked
 package robosim.geometry.viewer.scene;
 
