@@ -18,7 +18,7 @@ package robosim.geometry.narrow.leaf;
  * world's, so that [6] = [14] = cos, [8] = sin, [12] = -sin of its heading, and [10] = 1. Zero sizes are legal.
  */
 public final class Leaf {
-    /** Doubles in a row. */
+    /** Number of doubles in a row. */
     public static final int STRIDE = 16;
 
     public static final int UPRIGHT_BOX = 0;
@@ -29,10 +29,10 @@ public final class Leaf {
     public static final int TRIANGLE = 5;
     public static final int PRISM = 6;
 
-    /** How many convex kinds there are; what follows is made of many triangles. */
+    /** The number of convex kinds; the kinds after them consist of triangles. */
     public static final int KINDS = 7;
 
-    /** A surface of triangles: 0-2 centre, 6-14 rotation; the triangles stand beside the row. */
+    /** A surface of triangles: 0-2 centre, 6-14 rotation; the triangles are stored separately. */
     public static final int MESH = 7;
 
     /** A closed surface with its inside. */
@@ -46,7 +46,7 @@ public final class Leaf {
 
     private Leaf() {}
 
-    /** Whether the kind is made of triangles. */
+    /** Whether the kind is a mesh. */
     public static boolean isMesh(int kind) {
         return kind >= MESH;
     }
@@ -56,7 +56,7 @@ public final class Leaf {
         return kind == UPRIGHT_BOX || kind == UPRIGHT_CYLINDER || kind == PRISM;
     }
 
-    /** Whether the kind is a disc as seen from above, whatever its attitude. */
+    /** Whether the kind projects to a disc on XZ. */
     public static boolean isDisc(int kind) {
         return kind == UPRIGHT_CYLINDER || kind == SPHERE;
     }

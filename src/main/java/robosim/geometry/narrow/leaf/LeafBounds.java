@@ -2,7 +2,7 @@ package robosim.geometry.narrow.leaf;
 
 import robosim.geometry.model.Dimension;
 
-/** Axis-aligned bounds of leaves, rounded outward: nothing of the leaf lies outside, to the bit. */
+/** Axis-aligned bounds of leaves, rounded outward: no point of the leaf lies outside. */
 public final class LeafBounds {
     // Six roundings of a sum of products of numbers that are not negative, and one for this product itself.
     private static final double OUTWARD = 1 + 0x1p-49;
@@ -30,7 +30,7 @@ public final class LeafBounds {
     }
 
     /**
-     * Whether the bounds of two leaves are apart; in PLANAR as seen from above.
+     * Whether the bounds of two leaves are apart; in PLANAR ignoring heights.
      *
      * @param p six numbers, for the bounds of a
      * @param q six numbers, for those of b
@@ -60,7 +60,7 @@ public final class LeafBounds {
         around(rows, at, boxHalf(rows, at, 0), boxHalf(rows, at, 3), boxHalf(rows, at, 6), out6);
     }
 
-    // Half the extent along one world axis; exact where the own axes are the world's.
+    // Half the extent along one world axis; exact if the leaf's own axes are the world's.
     private static double boxHalf(double[] rows, int at, int rowOfRotation) {
         int r = at + Leaf.ROTATION + rowOfRotation;
         double sum = 0;
@@ -76,7 +76,7 @@ public final class LeafBounds {
         if (a == 0 || b == 0 || a == 1 || b == 1) {
             return product;
         }
-        // Below this the tail of the product may itself be rounded away.
+        // Below this the rounding error of the product may itself be rounded.
         return Upright.up(product, product < 0x1p-960 ? 1 : Math.fma(a, b, -product));
     }
 

@@ -11,8 +11,8 @@ import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
 
 /**
- * An object as leaves in its own frame, made once; a placement computes the world's leaves from them, always from
- * scratch and in one order, so that a placed object has one set of stored numbers however it came there.
+ * The leaves of an object in its own frame, made once. A placement computes the leaves in the world from them, always
+ * afresh and in the same order, so that the stored numbers of a placed object do not depend on how it got there.
  */
 public final class OwnLeaves {
     private final LeafColumn own;
@@ -30,14 +30,14 @@ public final class OwnLeaves {
         return leaves;
     }
 
-    /** The leaves of an object where it stands, in a column of their own. */
+    /** The leaves of an object at its place, in a new column. */
     public static LeafColumn placed(GeometryObject object) {
         LeafColumn leaves = new LeafColumn(1);
         placed(object, leaves);
         return leaves;
     }
 
-    /** Makes a column hold the leaves of an object where it stands, and nothing else. */
+    /** Sets a column to the leaves of an object at its place. */
     public static void placed(GeometryObject object, LeafColumn leaves) {
         leaves.clear();
         switch (object.kind()) {
@@ -52,7 +52,7 @@ public final class OwnLeaves {
         }
     }
 
-    /** A single leaf is its own frame's: placed, it has the object's centre and rotation to the bit. */
+    /** Places a single leaf, which has the object's centre and rotation to the bit. */
     private static void placeSimple(GeometryObject object, LeafColumn leaves) {
         int leaf = leaves.append(1);
         double[] row = leaves.rows();
@@ -70,7 +70,7 @@ public final class OwnLeaves {
         leaves.setKind(leaf, Canonical.kind(kind, row, 0));
     }
 
-    /** Writes the sizes of a box, cylinder or sphere and answers its kind. */
+    /** Writes the sizes of a box, cylinder or sphere and returns its kind. */
     private static int size(GeometryObject object, double[] row, int at) {
         if (object instanceof BoxObject box) {
             row[at + 3] = box.width() / 2;
@@ -87,7 +87,7 @@ public final class OwnLeaves {
         return Leaf.SPHERE;
     }
 
-    /** How many leaves there are. */
+    /** The number of leaves. */
     public int size() {
         return own.size();
     }
@@ -147,10 +147,10 @@ public final class OwnLeaves {
     }
 
     /**
-     * Writes the world's leaves.
+     * Writes the leaves in the world.
      *
      * @param rotation the object's attitude: nine numbers from {@code at} on
-     * @param first    where in the column, which has room, the first leaf is written
+     * @param first    the index of the first leaf in the column, which must have room
      */
     public void place(double cx, double cy, double cz, double[] rotation, int at, LeafColumn column, int first) {
         double[] from = own.rows();

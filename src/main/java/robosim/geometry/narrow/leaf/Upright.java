@@ -5,9 +5,9 @@ import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.Stages;
 
-/** The heights of leaves that stand upright: a flat base on an interval of Y. */
+/** The heights of upright leaves: a flat base on an interval of Y. */
 public final class Upright {
-    // Rounding keeps the order of the two sums: only where they come out the same may either be the larger.
+    // Rounding preserves the order of the two sums: only if the results are equal may either be the larger.
     private static final boolean IS_DOUBTING = Filter.isDoubting();
     private static final Stages.Counter EXACT = Stages.counter("Upright");
 
@@ -18,7 +18,7 @@ public final class Upright {
         return isNotAbove(kindA, a, i, kindB, b, j) && isNotAbove(kindB, b, j, kindA, a, i);
     }
 
-    // The least height of a is at most the greatest of b.
+    // Whether the minimum height of a is at most the maximum of b.
     private static boolean isNotAbove(int kindA, double[] a, int i, int kindB, double[] b, int j) {
         double base = middle(kindA, a, i);
         double down = halfHeight(kindA, a, i);
@@ -33,27 +33,27 @@ public final class Upright {
         return Dyadic.signOfSum(base, -top, -down, -up) <= 0;
     }
 
-    /** The height of the middle of a box or cylinder, the least of an octagon, which has no half height beside it. */
+    /** The height of the centre of a box or cylinder; for an octagon, which has no half height, the minimum height. */
     public static double middle(int kind, double[] row, int at) {
         return kind == Leaf.PRISM ? row[at + 8] : row[at + 1];
     }
 
-    /** The height of the middle of a box or cylinder, the greatest of an octagon. */
+    /** The height of the centre of a box or cylinder; for an octagon the maximum height. */
     public static double top(int kind, double[] row, int at) {
         return kind == Leaf.PRISM ? row[at + 9] : row[at + 1];
     }
 
-    /** How far a box or cylinder reaches above and below its middle; 0 of an octagon. */
+    /** The half height of a box or cylinder; 0 for an octagon. */
     public static double halfHeight(int kind, double[] row, int at) {
         return kind == Leaf.PRISM ? 0 : row[at + 4];
     }
 
-    /** The least height of an upright leaf, rounded down. */
+    /** The minimum height of an upright leaf, rounded down. */
     public static double least(int kind, double[] row, int at) {
         return kind == Leaf.PRISM ? row[at + 8] : 0 - sumUp(-row[at + 1], row[at + 4]);
     }
 
-    /** The greatest height of an upright leaf, rounded up. */
+    /** The maximum height of an upright leaf, rounded up. */
     public static double greatest(int kind, double[] row, int at) {
         return kind == Leaf.PRISM ? row[at + 9] : sumUp(row[at + 1], row[at + 4]);
     }
@@ -64,7 +64,10 @@ public final class Upright {
         return up(sum, DoubleDouble.sumTail(a, b, sum));
     }
 
-    /** The next double above a number where its tail is above 0, without a branch: it would be guessed wrong half the time. */
+    /**
+     * The next double above a number if its tail is above 0; without a branch, which would be mispredicted half of the
+     * time.
+     */
     static double up(double number, double tail) {
         long isUp = Double.doubleToLongBits(0.0 - tail) >> (Long.SIZE - 1);
         long from = Double.doubleToRawLongBits(number + 0.0);

@@ -15,7 +15,7 @@ public final class ConvexOverlap {
                 : SpatialOverlap.test(kindA, a, i, kindB, b, j, s);
     }
 
-    /** Whether they certainly overlap by more than rounding; false where that is not told. */
+    /** Whether they certainly overlap by more than rounding; false if that is not known. */
     public static boolean isDeep(
             Dimension dimension, int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
         HullOverlap hulls = s.hulls();

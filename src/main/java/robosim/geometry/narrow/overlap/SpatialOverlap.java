@@ -15,8 +15,8 @@ import robosim.geometry.narrow.sat.ExactSphere;
 /** Whether two leaves touch or overlap in space. */
 public final class SpatialOverlap {
     /**
-     * Squares compared, with u = 2^-53: an offset 1u, which counts twice in its square, that 1u, the sum of three 2u, so 5u;
-     * the reach likewise 3u; their difference keeps its sign.
+     * For the comparison of squares, with u = 2^-53: an offset 1u, which counts twice in its square, the square 1u, the
+     * sum of three 2u, so 5u; the reach likewise 3u; their difference keeps its sign.
      */
     private static final double SPHERES_FILTER = Filter.bound(5.01 * 0x1p-53);
 
@@ -29,10 +29,10 @@ public final class SpatialOverlap {
     /**
      * Whether two leaves touch or overlap; the same for (a, b) and (b, a).
      *
-     * <p>Exact for the stored numbers, but for two cylinders whose axes are not parallel, and for a prism with a sphere or
-     * a turned cylinder (or where {@link PlanarOverlap} is not). These are certified: see {@link CylinderCylinder#touch};
-     * and prisms, which are enclosures and only have to miss nothing, are apart from what is round only where a slab
-     * between the two is wider than its rounding error, some 2^-48 of the sizes and the offset.
+     * <p>Exact for the stored numbers, except for two cylinders whose axes are not parallel, for a prism with a sphere
+     * or a turned cylinder, and where {@link PlanarOverlap} is not exact. These are certified: see {@link
+     * CylinderCylinder#touch}; prisms, which are enclosures and only must not miss anything, are apart from round
+     * shapes only if a slab between the two is wider than its rounding error, some 2^-48 of the sizes and the offset.
      */
     public static boolean test(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
         if (Leaf.isUpright(kindA) && Leaf.isUpright(kindB)) {
@@ -69,7 +69,7 @@ public final class SpatialOverlap {
         return kindA != Leaf.PRISM && kindB != Leaf.PRISM;
     }
 
-    /** What neither a slab nor a common point could decide. */
+    /** Decides cases for which neither a slab nor a common point was found. */
     private static boolean exactly(int kindA, double[] a, int i, int kindB, double[] b, int j, OverlapScratch s) {
         EXACT.count();
         if (kindA == Leaf.SPHERE && kindB != Leaf.PRISM) {
@@ -87,7 +87,7 @@ public final class SpatialOverlap {
         if (isPolytope(kindA) || isPolytope(kindB)) {
             return !ExactAxes.areApart(AxisBody.SPATIAL, kindA, a, i, kindB, b, j); // one is a prism
         }
-        s.uncertain = true; // a prism and something round: no slab was wide enough
+        s.uncertain = true; // a prism and a round shape: no slab was wide enough
         return true;
     }
 
