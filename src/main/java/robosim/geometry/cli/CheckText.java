@@ -184,7 +184,8 @@ final class CheckText {
             add("ways", "%s can move in %s", names(main), room(main));
         }
         String them = main.robots().size() == 1 ? main.robots().get(0) : "them";
-        check.shutIn().forEach(room -> add("ways", "%s cannot reach %s: shut in, in %s", names(room), them, room(room)));
+        check.shutIn()
+                .forEach(room -> add("ways", "%s cannot reach %s: shut in, in %s", names(room), them, room(room)));
         check.stuck().forEach(room -> add("ways", "%s cannot make a single step", names(room)));
         check.untold()
                 .forEach(room -> add(

@@ -49,7 +49,10 @@ final class ConnectionOptions {
     @Option(names = "--max-objects", paramLabel = "N", description = "maximum number of objects in a world")
     private int objects = Quotas.DEFAULT.objects();
 
-    @Option(names = "--max-requests", paramLabel = "N", description = "maximum number of moves or sonar requests in a bundle")
+    @Option(
+            names = "--max-requests",
+            paramLabel = "N",
+            description = "maximum number of moves or sonar requests in a bundle")
     private int requests = Quotas.DEFAULT.requests();
 
     @ArgGroup(exclusive = false)
@@ -69,7 +72,11 @@ final class ConnectionOptions {
 
     /** The options for TLS: all of them or none. */
     private static final class Stores {
-        @Option(names = "--key-store", paramLabel = "FILE", required = true, description = "TLS: this side's key and certificate")
+        @Option(
+                names = "--key-store",
+                paramLabel = "FILE",
+                required = true,
+                description = "TLS: this side's key and certificate")
         private Path key = Path.of("");
 
         @Option(
@@ -84,10 +91,16 @@ final class ConnectionOptions {
     }
 
     private static final class PasswordSource {
-        @Option(names = "--password-file", paramLabel = "FILE", description = "a file whose first line is the password of both stores")
+        @Option(
+                names = "--password-file",
+                paramLabel = "FILE",
+                description = "a file whose first line is the password of both stores")
         private @Nullable Path file;
 
-        @Option(names = "--password-env", paramLabel = "NAME", description = "an environment variable that holds the password of both stores")
+        @Option(
+                names = "--password-env",
+                paramLabel = "NAME",
+                description = "an environment variable that holds the password of both stores")
         private @Nullable String variable;
     }
 
@@ -95,10 +108,14 @@ final class ConnectionOptions {
         @Option(
                 names = "--secret-file",
                 paramLabel = "FILE",
-                description = "a file whose first line is the secret that JSON peers must present; all others then need TLS")
+                description =
+                        "a file whose first line is the secret that JSON peers must present; all others then need TLS")
         private @Nullable Path file;
 
-        @Option(names = "--secret-env", paramLabel = "NAME", description = "an environment variable that holds this secret")
+        @Option(
+                names = "--secret-env",
+                paramLabel = "NAME",
+                description = "an environment variable that holds this secret")
         private @Nullable String variable;
     }
 

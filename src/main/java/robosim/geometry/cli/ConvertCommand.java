@@ -54,9 +54,8 @@ final class ConvertCommand implements Callable<Integer> {
     @Parameters(
             index = "0",
             paramLabel = "IN",
-            description =
-                    "a world (.xml), a ROS map (.yaml), SDFormat (.sdf, .world, or a model's folder), or a mesh"
-                            + " (.obj, .stl)")
+            description = "a world (.xml), a ROS map (.yaml), SDFormat (.sdf, .world, or a model's folder), or a mesh"
+                    + " (.obj, .stl)")
     private Path in = Path.of("");
 
     @Parameters(
@@ -76,7 +75,8 @@ final class ConvertCommand implements Callable<Integer> {
             names = "--scale",
             paramLabel = "UNITS",
             defaultValue = "1",
-            description = "world units per mesh unit: 0.001 for a mesh in millimetres and a world in metres (default: ${DEFAULT-VALUE})")
+            description =
+                    "world units per mesh unit: 0.001 for a mesh in millimetres and a world in metres (default: ${DEFAULT-VALUE})")
     private double scale;
 
     @Option(
@@ -119,15 +119,15 @@ final class ConvertCommand implements Callable<Integer> {
         }
         if (Files.exists(out) && Files.isSameFile(in, out)) {
             throw new ParameterException(
-                    spec.commandLine(),
-                    "OUT must not be IN, which it would overwrite (got: " + out + ")");
+                    spec.commandLine(), "OUT must not be IN, which it would overwrite (got: " + out + ")");
         }
         Inputs.folders(spec, "--models", models);
         WorldImport read = WorldImport.read(in, options());
         PrintWriter printer = spec.commandLine().getOut();
         read.lines(all ? Integer.MAX_VALUE : MOST_LINES).forEach(printer::println);
         if (strict && !read.isWhole()) {
-            printer.println("Wrote nothing: --strict was given, and " + read.skipped().size() + " would be left out");
+            printer.println(
+                    "Wrote nothing: --strict was given, and " + read.skipped().size() + " would be left out");
             return ExitCodes.FINDINGS;
         }
         World world = read.world();

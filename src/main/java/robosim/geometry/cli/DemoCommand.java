@@ -162,8 +162,8 @@ final class DemoCommand implements Callable<Integer> {
         if (file == null || !Files.isRegularFile(file)) {
             throw new ParameterException(
                     spec.commandLine(),
-                    option + " must name a file that exists; start this in the project's folder, or name another (got: " + name
-                            + ")");
+                    option + " must name a file that exists; start this in the project's folder, or name another (got: "
+                            + name + ")");
         }
         return file;
     }

@@ -31,8 +31,7 @@ final class Inputs {
         }
         if (!Files.exists(file)) {
             throw new ParameterException(
-                    spec.commandLine(),
-                    parameter + " must be a file that exists; check the path (got: " + file + ")");
+                    spec.commandLine(), parameter + " must be a file that exists; check the path (got: " + file + ")");
         }
         if (!Files.isRegularFile(file)) {
             throw new ParameterException(

@@ -61,12 +61,14 @@ final class Program implements AutoCloseable {
     static Path home() {
         CodeSource source = Program.class.getProtectionDomain().getCodeSource();
         if (source == null) {
-            throw new IllegalStateException("the location of the module's classes is unknown, so it cannot be started again");
+            throw new IllegalStateException(
+                    "the location of the module's classes is unknown, so it cannot be started again");
         }
         try {
             return Path.of(source.getLocation().toURI());
         } catch (URISyntaxException e) {
-            throw new IllegalStateException("the location of the module's classes is not a path: " + source.getLocation(), e);
+            throw new IllegalStateException(
+                    "the location of the module's classes is not a path: " + source.getLocation(), e);
         }
     }
 

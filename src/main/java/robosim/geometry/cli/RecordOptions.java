@@ -20,15 +20,15 @@ final class RecordOptions {
     @Option(
             names = "--record",
             paramLabel = "PLACE",
-            description =
-                    "record each session as a scenario for `replay`: serve takes a folder and writes a"
-                            + " file for each connection; connect takes a file, and numbers those of further connections")
+            description = "record each session as a scenario for `replay`: serve takes a folder and writes a"
+                    + " file for each connection; connect takes a file, and numbers those of further connections")
     private @Nullable Path place;
 
     @Option(
             names = "--record-bytes",
             paramLabel = "N",
-            description = "largest size of a file; at that size recording stops and the session goes on (default: 1 GiB)")
+            description =
+                    "largest size of a file; at that size recording stops and the session goes on (default: 1 GiB)")
     private long bytes = Recordings.DEFAULT_BYTES;
 
     private RecordOptions() {}

@@ -49,9 +49,10 @@ final class ReplayCommand implements Callable<Integer> {
     @Parameters(
             arity = "1..*",
             paramLabel = "FILE|FOLDER",
-            description = "scenarios, or folders, which are searched with their subfolders for *" + ScenarioReader.ENDING
-                    + "; also the demo's " + WireFiles.TO_MODULE + ", with " + WireFiles.FROM_MODULE
-                    + " beside it")
+            description =
+                    "scenarios, or folders, which are searched with their subfolders for *" + ScenarioReader.ENDING
+                            + "; also the demo's " + WireFiles.TO_MODULE + ", with " + WireFiles.FROM_MODULE
+                            + " beside it")
     private List<Path> places = List.of();
 
     @Option(
@@ -61,7 +62,10 @@ final class ReplayCommand implements Callable<Integer> {
                     + " the scenario's folder)")
     private @Nullable Path root;
 
-    @Option(names = "--most", paramLabel = "N", description = "maximum number of differences listed for each file (default: 10)")
+    @Option(
+            names = "--most",
+            paramLabel = "N",
+            description = "maximum number of differences listed for each file (default: 10)")
     private int most = 10;
 
     private long steps;
@@ -105,8 +109,7 @@ final class ReplayCommand implements Callable<Integer> {
                 Inputs.file(spec, "FILE|FOLDER", place); // which refuses it
             }
             if (!Files.isDirectory(place)) {
-                throw new ParameterException(
-                        spec.commandLine(), "FILE|FOLDER must exist (got: " + place + ")");
+                throw new ParameterException(spec.commandLine(), "FILE|FOLDER must exist (got: " + place + ")");
             }
             int before = files.size();
             try (Stream<Path> tree = Files.walk(place)) {

@@ -97,9 +97,7 @@ final class SweepCommand implements Callable<Integer> {
             description = "run only the I-th of N parts, I from 0: one on each machine")
     private @Nullable String shard;
 
-    @Option(
-            names = "--resume",
-            description = "continue where existing results end; nothing is run twice")
+    @Option(names = "--resume", description = "continue where existing results end; nothing is run twice")
     private boolean resumed;
 
     @Option(
@@ -231,8 +229,8 @@ final class SweepCommand implements Callable<Integer> {
         } catch (InvocationTargetException | ExceptionInInitializerError e) {
             throw new ParameterException(
                     spec.commandLine(),
-                    "SCENARIO must be a class that can be instantiated (got: " + name + ", which failed with " + e.getCause()
-                            + ")",
+                    "SCENARIO must be a class that can be instantiated (got: " + name + ", which failed with "
+                            + e.getCause() + ")",
                     e);
         } catch (ReflectiveOperationException | LinkageError e) {
             throw new ParameterException(

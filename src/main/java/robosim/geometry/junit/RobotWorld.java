@@ -167,8 +167,7 @@ public final class RobotWorld {
     void watch(String robot, String other) {
         known(other);
         if (robot.equals(other)) {
-            throw new IllegalArgumentException(
-                    "other must not be the robot itself (got: " + Text.quoted(other) + ")");
+            throw new IllegalArgumentException("other must not be the robot itself (got: " + Text.quoted(other) + ")");
         }
         Watch watch = new Watch(robot, other);
         check(watch);

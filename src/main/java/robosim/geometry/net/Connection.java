@@ -224,7 +224,8 @@ final class Connection implements Runnable {
 
     private void closed(String reason, Throwable e) {
         if (ending) {
-            warn("closed at message " + message + ", which was cut off and has no answer, as the module is shutting down");
+            warn("closed at message " + message
+                    + ", which was cut off and has no answer, as the module is shutting down");
         } else if (!stopping || guard.isBroken()) {
             around.figures().failed();
             warn("closed at message " + message + ", " + Text.line(reason));

@@ -110,7 +110,8 @@ class ReplayCommandTest extends CommandRun {
         write(answers, first, new MoveBundle(List.of()), new DistanceBundle(List.of(2.9)));
         assertThat(run("replay", demo)).isEqualTo(ExitCodes.FINDINGS);
         assertThat(out.toString())
-                .contains("to-module.bin: step 3, ", "expected refused, got made", "step 4, ", "1 answered differently");
+                .contains(
+                        "to-module.bin: step 3, ", "expected refused, got made", "step 4, ", "1 answered differently");
         write(answers, first);
         assertThat(run("replay", demo)).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).contains("message 3: a request must have its answer in the other file");

@@ -212,7 +212,8 @@ class WatchOverSocketsTest {
             sockets.add(new Socket(InetAddress.getLoopbackAddress(), watch.port()));
             assertThat(sockets.get(k).getInputStream().read()).isEqualTo('{');
         }
-        assertThatThrownBy(() -> dial(watch.port())).hasMessageContaining("hung up at once; perhaps 16 are watching already");
+        assertThatThrownBy(() -> dial(watch.port()))
+                .hasMessageContaining("hung up at once; perhaps 16 are watching already");
         for (Socket socket : sockets) {
             socket.close();
         }

@@ -217,7 +217,10 @@ public final class Tiles {
         if (store.data[tile] < 0) {
             within(store.data[tile]).addPart(id, boxes, at);
         } else {
-            store.push(tile, id, store.hasQuantizedBounds() ? quantized(column, row, boxes, at) : QuantizedBounds.ANYWHERE);
+            store.push(
+                    tile,
+                    id,
+                    store.hasQuantizedBounds() ? quantized(column, row, boxes, at) : QuantizedBounds.ANYWHERE);
         }
     }
 
