@@ -67,7 +67,7 @@ class ConvertCommandTest extends CommandRun {
                 "<sdf version='1.7'><world name='w'><include><uri>model://inner_walls</uri></include></world></sdf>");
         assertThat(run("convert", sdf, xml)).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString())
-                .startsWith(sdf + ":1:50: no such file or folder below ")
+                .startsWith(sdf + ":1:50: there is no such file or folder below ")
                 .endsWith("give the folder that holds the model (got: model://inner_walls)" + System.lineSeparator());
         assertThat(run("convert", sdf, xml, "--models", FILES.resolve("sdf"))).isZero();
         assertThat(WorldReader.read(xml).objects()).hasSize(7);
