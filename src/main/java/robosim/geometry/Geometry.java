@@ -21,15 +21,15 @@ import robosim.geometry.model.Ray;
 import robosim.geometry.narrow.Scratch;
 
 /**
- * A world: a box centred at the origin with objects in it, and the answers to three questions. May this object be here?
- * How far may it move? How far away is the next surface?
+ * A world: a box centred at the origin with objects in it. It answers three questions: May this object be here? How far
+ * may it move? How far away is the nearest surface?
  *
- * <p>Static objects stand in a quadtree or, where heights count and the scene is stacked, in an octree. Up to 16 moveable
- * objects are in a list; where there are more, they are in the quadtree too. No answer depends on that.
+ * <p>Static objects are indexed by a quadtree or, where heights count and the scene is stacked, by an octree. Up to 16
+ * moveable objects are kept in a list; more are put in the quadtree too. No answer depends on this choice.
  *
- * <p>Nothing may be added or moved so that any part of it leaves the world, on the way or at the end: such a call answers
- * false. The border is closed (touching it is inside), is always judged on the exact shape, and echoes nothing. In
- * {@link Dimension#PLANAR} it has no heights.
+ * <p>No part of an object may leave the world, on the way or at the end: a call that would add or move it so returns
+ * false. The world's bounds are closed (touching them is inside), are always checked against the exact shape, and echo
+ * nothing. In {@link Dimension#PLANAR} heights are not bounded.
  *
  * <pre>{@code
  * Geometry geometry = new Geometry(20, 5, 20);
@@ -42,36 +42,37 @@ import robosim.geometry.narrow.Scratch;
  *
  * <h2>Contacts at the start</h2>
  *
- * What an object touches or overlaps where a move begins, as in worlds that were loaded unchecked, blocks only what goes
- * deeper into it: along it and away are free. Each face of a mesh and each member of a group is a piece of its own. And who
- * stands on a floor may cross its seams: where a plane is between the object and a piece that it touches, and the move does
- * not cross that plane, nothing that lies wholly behind the plane blocks, such as the next triangle of a floor, the next tile of
- * equal height, or the flush wall along which it slides. That is decided without rounding on the start and the end as stored, so
- * that a step of one ulp does block. Heights that are exact sums stay: who drives level keeps its height to the bit. On a
- * sloping floor the end of a move is rounded, and may be rounded to behind the plane: then the move is refused, or the
- * next seam is. {@code docs/numerics.md} says which planes are known.
+ * A piece that an object already touches or overlaps where a move begins, as in worlds loaded unchecked, blocks only
+ * motion deeper into it; moving along it or away is free. Each face of a mesh and each member of a group is a separate
+ * piece. An object that stands on a floor may cross its seams: if a plane separates the object from a piece that it
+ * touches, and the move does not cross that plane, nothing that lies wholly behind the plane blocks, such as the next
+ * triangle of a floor, the next tile of equal height, or the flush wall along which it slides. This is decided without
+ * rounding on the start and the end as stored, so a step of even one ulp across the plane is blocked. A level move
+ * keeps the height to the bit. On a sloping floor the end of a move is rounded, possibly to behind the plane; then this
+ * move, or the next one across a seam, is refused. {@code docs/numerics.md} says which planes are used.
  *
  * <h2>Long runs</h2>
  *
- * A moveable object's centre and heading are kept as sums together with the rounding that they lost; every query sees
- * the doubles nearest to them. So rounding does not pile up with the size of the coordinates. After any number of moves,
- * refused ones included:
+ * A moveable object's centre and heading are kept as compensated sums, that is, together with their rounding errors;
+ * queries see the nearest doubles. So rounding errors do not accumulate with the size of the coordinates. After any
+ * number of moves, refused ones included:
  *
  * <ul>
  *   <li>the heading of an upright object is the exact sum of its turns to within half an ulp, 1.5e-14 degree;
  *   <li>its centre is where exact moves along exact headings lead, to within half an ulp of each coordinate and
- *       2<sup>-50</sup> of the length of the way that it went;
- *   <li>a way there and back again, from where it was added or placed, ends there to the bit; so does a closed path of
- *       quarter turns;
- *   <li>a tipped object, one whose own Y is not the vertical, stays a rotation to 2<sup>-50</sup> for ever; its direction is
- *       off by at most 7 * 2<sup>-53</sup> radian a turn, and where it goes along that by as much of its way.
+ *       2<sup>-50</sup> of the length of its path;
+ *   <li>a path out and back to where it was added or placed ends there to the bit; so does a closed path of quarter
+ *       turns;
+ *   <li>the attitude of a tipped object, one whose own Y is not vertical, always remains a rotation to 2<sup>-50</sup>;
+ *       its direction is off by at most 7 * 2<sup>-53</sup> radian per turn, and its position by that fraction of its
+ *       path.
  * </ul>
  *
- * What a place has lost stays with the value that {@link #getObject} answers, but no question sees it, and it does not
- * travel over a wire.
+ * The rounding error of a pose stays with the value that {@link #getObject} returns, but no query sees it, and it is
+ * not sent over the network.
  *
- * <p>A bad argument throws {@code IllegalArgumentException} with the argument and its value in the message; after any
- * exception the world is as it was. A world belongs to one thread at a time.
+ * <p>A bad argument throws an {@code IllegalArgumentException} whose message names the argument and its value; after
+ * any exception the world is unchanged. A world may be used by one thread at a time.
  */
 public final class Geometry {
     private final double width;
@@ -94,7 +95,7 @@ public final class Geometry {
         this(1000, 1000, 1000);
     }
 
-    /** A SPATIAL and EXACT world of a size along X, Y and Z. */
+    /** A SPATIAL and EXACT world of a given size along X, Y and Z. */
     public Geometry(double width, double height, double length) {
         this(width, height, length, Dimension.SPATIAL, Accuracy.EXACT);
     }
@@ -106,7 +107,7 @@ public final class Geometry {
      * @param height    its extent along Y
      * @param length    its extent along Z
      * @param dimension whether heights count
-     * @param accuracy  what stands for an object where a query does not say
+     * @param accuracy  what stands for an object in queries that name no accuracy
      */
     public Geometry(double width, double height, double length, Dimension dimension, Accuracy accuracy) {
         this(
@@ -119,7 +120,10 @@ public final class Geometry {
                 new Scratch());
     }
 
-    /** The world of a snapshot before anything moveable is in it, with working memory that others of its thread may use. */
+    /**
+     * The world of a snapshot, without its moveable objects so far; its working memory may be shared with other worlds
+     * of its thread.
+     */
     Geometry(
             double width,
             double height,
@@ -162,34 +166,34 @@ public final class Geometry {
         return dimension;
     }
 
-    /** What stands for an object where a query does not say. */
+    /** What stands for an object in queries that name no accuracy. */
     public Accuracy accuracy() {
         return accuracy;
     }
 
     /**
-     * Adds an object where it touches nothing.
+     * Adds an object unless it would touch something.
      *
-     * @return false, and nothing is added, where it would touch or overlap another object or leave the world
-     * @throws IllegalArgumentException where its name is taken
+     * @return false, and nothing is added, if it would touch or overlap another object or leave the world
+     * @throws IllegalArgumentException if its name is taken
      */
     public boolean addObject(GeometryObject object) {
         return registry.add(object, true);
     }
 
     /**
-     * Adds an object even where it overlaps others, as RoboSim's worlds do.
+     * Adds an object even if it overlaps others, as some do in RoboSim's worlds.
      *
-     * @return false, and nothing is added, where it would leave the world
-     * @throws IllegalArgumentException where its name is taken
+     * @return false, and nothing is added, if it would leave the world
+     * @throws IllegalArgumentException if its name is taken
      */
     public boolean addObjectUnchecked(GeometryObject object) {
         return registry.add(object, false);
     }
 
     /**
-     * Whether an object would touch or overlap another one in the world as it is. The border is no object: what would
-     * leave the world is refused when it is added.
+     * Whether an object would touch or overlap another one in the world as it is. The world's bounds are not an object:
+     * they are checked only when an object is added.
      */
     public boolean testObject(GeometryObject object) {
         return registry.collides(view, object, -1);
@@ -200,22 +204,22 @@ public final class Geometry {
         return registry.collides(registry.at(accuracy), object, -1);
     }
 
-    /** Takes an object out; false where there is none of that name. */
+    /** Removes an object; returns false if there is none of that name. */
     public boolean removeObject(String name) {
         return registry.remove(name);
     }
 
     /**
-     * Puts a moveable object upright at a place, without a way there.
+     * Places a moveable object upright at a point, without checking a path to it.
      *
      * @param heading degrees about the vertical
-     * @return false, and nothing changes, where it would touch or overlap another object or leave the world
+     * @return false, and nothing changes, if it would touch or overlap another object or leave the world
      */
     public boolean placeObject(String name, Point center, double heading) {
         return registry.place(registry.mover(name), center, heading);
     }
 
-    /** The object of a name, at its present place. */
+    /** The object with a given name, at its present place. */
     public GeometryObject getObject(String name) {
         return objects.present(registry.known(name));
     }
@@ -231,29 +235,29 @@ public final class Geometry {
     }
 
     /**
-     * The world as it is now, for good: many threads may make copies of it that share its static objects and what is
-     * built over them. Takes about as long as adding the static objects did, unless this world is itself a copy of a
-     * snapshot and its static objects are still the same.
+     * An immutable snapshot of the world as it is now: many threads may make copies of it, which share its static
+     * objects and the indexes over them. Takes about as long as adding the static objects did, unless this world is
+     * itself a copy of a snapshot and its static objects are unchanged.
      */
     public Snapshot snapshot() {
         return Snapshot.of(this, objects, registry.shared());
     }
 
-    /** Puts an object of a snapshot back where it was; for a world that is being made of it. */
+    /** Puts an object of a snapshot back where it was, while a world is made from it. */
     void restore(GeometryObject object, long arrival) {
         registry.restore(object, arrival);
     }
 
-    /** Ends what {@link #restore} began: so many objects have come. */
+    /** Ends a series of calls of {@link #restore}, with the number of objects added to the original world so far. */
     void restored(long arrivals) {
         objects.arriveAt(arrivals);
     }
 
     /**
-     * Moves an object along its own axes, straight.
+     * Moves an object in a straight line, along its own axes.
      *
      * @param x world units forward
-     * @return false, and it stays where it is, where anything blocks the way or the end
+     * @return false, and it stays where it is, if anything blocks the path or the end
      */
     public boolean simpleMove(String name, double x, double y, double z) {
         int id = registry.mover(name);
@@ -264,7 +268,7 @@ public final class Geometry {
                 : verdict == TranslationFastPath.FREE;
     }
 
-    /** Makes a straight move if it is known to be free. */
+    /** Makes a straight move if the fast path finds it free. */
     private int stride(int id, double dx, double dy, double dz) {
         int verdict = fastPath.ask(view, id, dx, dy, dz);
         if (verdict == TranslationFastPath.FREE) {
@@ -277,7 +281,7 @@ public final class Geometry {
      * Turns an object about the vertical through its centre.
      *
      * @param degrees counter-clockwise seen from above
-     * @return false, and it stays as it is, where anything blocks the turn
+     * @return false, and it stays as it is, if anything blocks the turn
      */
     public boolean simpleTurn(String name, double degrees) {
         int id = registry.mover(name);
@@ -298,8 +302,9 @@ public final class Geometry {
     }
 
     /**
-     * Makes a move along the object's own axes, or tells what blocks it. All or nothing: a refused move leaves the
-     * object where it was, to the bit. What is free is free as stored: see {@link MoveResult} for moves of the size of an ulp.
+     * Makes a move along the object's own axes, or reports what blocks it. All or nothing: a refused move leaves the
+     * object where it was, to the bit. Free places are checked as stored, after rounding: see {@link MoveResult} for
+     * moves of the size of an ulp.
      */
     public MoveResult move(String name, Move move) {
         int id = registry.mover(name);
@@ -309,9 +314,9 @@ public final class Geometry {
     }
 
     /**
-     * Makes a move in the world's axes, or tells what blocks it: a translation along them, then in place a turn by
-     * {@code ry} about the world's Y and one by {@code rx} about the world's X, both through the object's centre. In PLANAR
-     * an object turns about the vertical only, and {@code rx} is left out.
+     * Makes a move along the world's axes, or reports what blocks it: a translation along them, then in place a turn by
+     * {@code ry} about the world's Y and one by {@code rx} about the world's X, both through the object's centre. In
+     * PLANAR an object turns about the vertical only, and {@code rx} is ignored.
      */
     public MoveResult moveGlobal(String name, Move move) {
         int id = registry.mover(name);
@@ -321,11 +326,12 @@ public final class Geometry {
     }
 
     /**
-     * Goes as far as a move is free and stops short of what blocks it: of every piece that the whole move would meet, all
-     * parts of the object stay at least the clearance away. What is passed by without being met is no obstacle, however near.
+     * Moves an object as far as the way is free and stops short of what blocks it: every part of the object stays at
+     * least the clearance away from every piece that the whole move would hit. A piece that the move passes without
+     * touching is not an obstacle, however near.
      *
      * @param clearance world units; at least 0
-     * @return {@code allowed} where the whole move was made; else the shares that were made
+     * @return {@code allowed} if the whole move was made; else the fractions that were made
      */
     public MoveResult moveToContact(String name, Move move, double clearance) {
         int id = registry.mover(name);
@@ -355,14 +361,14 @@ public final class Geometry {
     }
 
     /**
-     * Distance from the ray's start to the nearest surface within its beam. With an opening angle the beam is a cone,
-     * and the answer is that of the nearest point of any object within it.
+     * Distance from the ray's start to the nearest surface within its beam. With an opening angle above 0 the beam is a
+     * cone, and the result is the distance of the nearest point of any object within it.
      *
      * @param min   blind range, world units; a nearer echo is reported as {@code min} and still hides what is behind it
      * @param max   range, world units, {@code min <= max}; may be infinite
      * @param width full opening angle in degrees, from 0 (a line) up to, not including, 180
-     * @return world units in {@code [min, max]}, or {@code +Infinity} where nothing echoes; {@code min} where the ray
-     *     starts inside a solid
+     * @return world units in {@code [min, max]}, or {@code +Infinity} if nothing echoes; {@code min} if the ray starts
+     *     inside a solid
      * @throws IllegalArgumentException naming the argument that is NaN or out of range; in PLANAR also for a vertical ray
      */
     public double getRayDistance(Ray ray, double min, double max, double width) {
@@ -374,16 +380,16 @@ public final class Geometry {
         return beams.distance(registry.at(accuracy), ray, min, max, width, -1);
     }
 
-    /** Distance along a ray to the nearest object but one, which does not echo. */
+    /** Distance along a ray to the nearest object, ignoring the one of a given name. */
     public double getRayDistance(Ray ray, double min, double max, double width, String ignored) {
         return beams.distance(view, ray, min, max, width, registry.known(ignored));
     }
 
     /**
-     * Distance that a sonar in the middle of a moveable object hears, which does not hear itself.
+     * Distance that a sonar at the centre of a moveable object measures; the object itself does not echo.
      *
-     * @param x how far the direction goes forward in the object's own frame
-     * @param z how far it goes to the right
+     * @param x forward component of the direction in the object's own frame
+     * @param z component to the right
      */
     public double getSonarDistance(String name, double x, double z, double min, double max, double width) {
         int id = registry.mover(name);
@@ -395,7 +401,10 @@ public final class Geometry {
         return beams.sonar(view, id, 0, 0, 0, x, 0, z, min, max, width);
     }
 
-    /** Distance that a sonar hears along a ray given in a moveable object's own frame; the object itself is silent. */
+    /**
+     * Distance that a sonar measures along a ray given in a moveable object's own frame; the object itself does not
+     * echo.
+     */
     public double getSonarDistance(String name, Ray mount, double min, double max, double width) {
         int id = registry.mover(name);
         Point from = Checks.present("mount", mount).start();
@@ -404,11 +413,11 @@ public final class Geometry {
     }
 
     /**
-     * The least distance between an object and any other: the least of those to each other object alone, to the bit, and
-     * within 2<sup>-43</sup> of itself and of the sizes of the two. In contact it is 0.
+     * The smallest distance between an object and any other. To the bit, it is the minimum of the distances to each
+     * other object alone; its error is within 2<sup>-43</sup> of the distance and of the sizes of the two.
      *
      * @param max range, world units; may be infinite
-     * @return 0 in contact, {@code +Infinity} where nothing is within {@code max}
+     * @return 0 in contact, {@code +Infinity} if nothing is within {@code max}
      */
     public double getProximity(String name, double max) {
         int id = registry.known(name);
@@ -417,8 +426,8 @@ public final class Geometry {
     }
 
     /**
-     * What a ray meets first within a range; null where it meets nothing. A ray that starts inside a solid meets it at
-     * distance 0. In PLANAR the point keeps the height of the ray's start.
+     * What a ray hits first within a range; null if it hits nothing. A ray that starts inside a solid hits it at
+     * distance 0. In PLANAR the hit point keeps the height of the ray's start.
      */
     public @Nullable RayHit castRay(Ray ray, double max) {
         double distance = beams.cast(view, ray, max, vector);
@@ -432,11 +441,11 @@ public final class Geometry {
     }
 
     /**
-     * A scan: single rays from the middle of a moveable object, level with it: ray k goes at
-     * {@code firstDegrees + k * stepDegrees} counter-clockwise from forward.
+     * A scan: rays from the centre of a moveable object in its own horizontal plane. Ray k points {@code firstDegrees +
+     * k * stepDegrees} counter-clockwise from forward.
      *
-     * @param count how many rays; at least 0
-     * @return a distance each, as {@link #getRayDistance} answers it with a width of 0
+     * @param count number of rays; at least 0
+     * @return one distance per ray, as {@link #getRayDistance} returns it with a width of 0
      */
     public double[] scan(String name, double firstDegrees, double stepDegrees, int count, double min, double max) {
         double[] distances = new double[Checks.count(count)];
@@ -444,15 +453,15 @@ public final class Geometry {
         return distances;
     }
 
-    /** A scan into a given array, as many as it has room for. */
+    /** A scan into a given array, with as many rays as the array has elements. */
     public void scan(String name, double firstDegrees, double stepDegrees, double min, double max, double[] out) {
         beams.scan(view, registry.mover(name), 0, 0, 0, firstDegrees, stepDegrees, min, max, out);
     }
 
     /**
-     * A scan from a sensor that is mounted elsewhere.
+     * A scan from a sensor that is not at the object's centre.
      *
-     * @param mount where the sensor stands in the object's own frame
+     * @param mount the sensor's position in the object's own frame
      */
     public void scan(
             String name, Point mount, double firstDegrees, double stepDegrees, double min, double max, double[] out) {

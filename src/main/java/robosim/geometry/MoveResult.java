@@ -5,7 +5,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 
 /**
- * What became of a move.
+ * The outcome of a move.
  *
  * <pre>{@code
  * Geometry geometry = new Geometry();
@@ -19,24 +19,24 @@ import robosim.geometry.model.Point;
  * result.normal().x();      // -1: the crate pushes back
  * }</pre>
  *
- * <p>A place is free where it is stored: the share leads to the double nearest to each coordinate, and it is the place of these
- * doubles that is free. So where a whole move is of the size of an ulp of the coordinates, many shares lead to one place: the
- * share answered is one that leads to the last free <em>stored</em> place, often the start itself, and of shares beyond it
- * that are rounded to a free place too nothing is said. A share is below 1 where its part of the move is refused, however
- * close to the end that is.
+ * <p>Places are checked as they are stored: each coordinate along the move is rounded to the nearest double, and the
+ * place of these doubles is what is found free. So if a whole move is of the size of an ulp of the coordinates, many
+ * fractions lead to the same place. The fraction returned then leads to the last free <em>stored</em> place, often the
+ * start itself; larger fractions may round to a free place too. A fraction is below 1 whenever its part of the move is
+ * refused, however close to the end.
  *
- * @param allowed      whether it was made; a move is all or nothing, a refused one leaves the object where it was
- * @param fraction     the share of the translation that is free, from 0 to 1: strictly before contact, rounded down, and
- *                     that place has been verified free; the least of those beside each obstacle alone, and 1 only where
- *                     all of the translation is free
- * @param turnFraction the share of the turns that is free after the whole translation, from 0 to 1; 0 where the
- *                     translation is not free, and 1 only where the move is allowed. Where a move turns about both axes, the
- *                     turn about Y is the first half of this share and the turn about X the second
- * @param obstacle     what blocks the move, as it is, and of several that block at the same share the one added first; null
- *                     where nothing does, or the world's border before all of them
- * @param contact      where the moved object meets what blocks it, with the face of a mesh or the member of a group that
- *                     blocks; null where nothing blocks
- * @param normal       the unit normal there, from what blocks towards the moved object; null where nothing blocks
+ * @param allowed      whether the move was made; a move is all or nothing, a refused one leaves the object where it was
+ * @param fraction     the fraction of the translation that is free, from 0 to 1: strictly before contact, rounded down,
+ *                     with that place verified free. It is the minimum over the obstacles taken one by one, and 1 only
+ *                     if the whole translation is free
+ * @param turnFraction the fraction of the turns that is free after the whole translation, from 0 to 1; 0 if the
+ *                     translation is not free, and 1 only if the move is allowed. If a move turns about both axes, the
+ *                     turn about Y is the first half of this fraction and the turn about X the second
+ * @param obstacle     the object that blocks the move, at its present place; of several that block at the same fraction
+ *                     the one added first; null if nothing blocks, or if the world's bounds block before any object
+ * @param contact      where the moved object touches what blocks it: a point on the blocking face of a mesh or member
+ *                     of a group; null if nothing blocks
+ * @param normal       the unit normal at the contact, from what blocks towards the moved object; null if nothing blocks
  */
 public record MoveResult(
         boolean allowed,

@@ -26,17 +26,17 @@ import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.OwnLeaves;
 
 /**
- * A world at one moment, for good. Its static objects and the trees over them are built once and shared by all worlds that
- * are made of it: each of these costs as much as its moveable objects and its working memory do, and answers to the bit
- * what the world would that the snapshot is of.
+ * An immutable copy of a world at one moment. Its static objects and the trees over them are built once and shared by
+ * all worlds made from it. Each such world costs only its moveable objects and its working memory, and gives the same
+ * answers, to the bit, as the original world.
  *
- * <p>Immutable: many threads may make worlds of one snapshot at once, and each ask its own. A world made of it may be changed
- * like any other, and nobody else sees that. A static object that is added to it is its own; before one is taken out that is
- * shared, the world builds all of them for itself, which takes as long as adding them.
+ * <p>Many threads may make worlds from one snapshot at once and query their own. A world made from it may be changed
+ * like any other, without effect on the others. Static objects added to it belong to it alone; before a shared static
+ * object is removed, the world makes its own copy of all of them, which takes as long as adding them.
  *
- * <p>Serialized as plain values: settings, shapes, names and places, with what a place has lost to rounding, so worlds on the
- * other side give the same bits. Placements of one mesh share its triangles there too. What is read is checked as it is in a
- * new world. As with all of Java's serialization, read only what comes from someone you trust.
+ * <p>Serialized as plain values: settings, shapes, names and places with their rounding errors, so worlds made from the
+ * deserialized snapshot give the same bits. Placements of one mesh still share its triangles. What is read is checked
+ * as objects added to a new world are. As with all Java serialization, read only data from a source that you trust.
  */
 public final class Snapshot implements Serializable {
     private static final long serialVersionUID = 1;
@@ -49,10 +49,10 @@ public final class Snapshot implements Serializable {
     private final transient SharedIndex statics;
     private final transient GeometryObject[] movers;
 
-    /** When each of the moveable objects came, in arrivals before it. */
+    /** For each moveable object, how many objects had been added before it. */
     private final transient long[] arrivals;
 
-    /** How many objects had come. */
+    /** How many objects had been added, removed ones included. */
     private final transient long time;
 
     private Snapshot(Settings settings, SharedIndex statics, GeometryObject[] movers, long[] arrivals, long time) {
@@ -65,7 +65,7 @@ public final class Snapshot implements Serializable {
         this.movers = movers;
         this.arrivals = arrivals;
         this.time = time;
-        statics.table(accuracy); // whoever comes first would have to wait for it
+        statics.table(accuracy); // else the first query would have to wait for it
     }
 
     private record Settings(double width, double height, double length, Dimension dimension, Accuracy accuracy) {
@@ -114,12 +114,12 @@ public final class Snapshot implements Serializable {
         return dimension;
     }
 
-    /** What stands for an object where a query does not say. */
+    /** What stands for an object in queries that name no accuracy. */
     public Accuracy accuracy() {
         return accuracy;
     }
 
-    /** How many objects there are. */
+    /** The number of objects. */
     public int size() {
         return movers.length + statics.objects.size();
     }
@@ -136,16 +136,16 @@ public final class Snapshot implements Serializable {
                 .toList();
     }
 
-    /** A world of its own thread, as it was. Safe to call from many threads at once. */
+    /** Makes an independent world in the state of this snapshot. Safe to call from many threads at once. */
     public Geometry toGeometry() {
         return toGeometry(new Scratch());
     }
 
     /**
-     * Many worlds for one thread, which therefore need working memory once only: a fifth of what {@link #toGeometry()} takes
-     * for each. All of them belong to the same thread at a time.
+     * Makes many worlds for one thread, which share their working memory: each takes a fifth of the memory of one from
+     * {@link #toGeometry()}. All of them must be used by the same thread at a time.
      *
-     * @param count how many; at least 0
+     * @param count number of worlds; at least 0
      */
     public List<Geometry> toGeometries(int count) {
         Checks.count(count);
@@ -166,7 +166,7 @@ public final class Snapshot implements Serializable {
         return world;
     }
 
-    /** A snapshot in a stream. */
+    /** The serialized form of a snapshot. */
     private record Form(
             double width, double height, double length, Dimension dimension, Accuracy accuracy, ObjectRows objects)
             implements Serializable {
@@ -199,7 +199,7 @@ public final class Snapshot implements Serializable {
             return new Snapshot(settings, statics, at(all, moving), times(moving), all.size());
         }
 
-        /** Refuses what a world would. */
+        /** Refuses objects that a world would refuse. */
         private void check(List<GeometryObject> all) {
             WorldBounds worldBounds = new WorldBounds(width, height, length, dimension);
             LeafColumn leaves = new LeafColumn(1);

@@ -1,11 +1,12 @@
 /**
- * A world of objects, and the answers to three questions: may this be here, how far may it move, how far away is the next
- * surface? This page is a tour; all its code is run by a test, which compares the values in its comments.
+ * A world of objects, and the answers to three questions: may this be here, how far may it move, how far away is the
+ * nearest surface? This page is a tour. A test runs all its code and compares the values in the comments.
  *
  * <h2>A world</h2>
  *
- * A {@link robosim.geometry.Geometry} is a box around the origin with objects in it. Y is up, X and Z span the floor, angles
- * are degrees, forward is an object's own +X ({@link robosim.geometry.model} says it in full). What moves has a name.
+ * A {@link robosim.geometry.Geometry} is a box around the origin with objects in it. Y is up, X and Z span the floor,
+ * angles are degrees, forward is an object's own +X ({@link robosim.geometry.model} says it in full). Objects that move
+ * have a name.
  *
  * <pre>{@code
  * Geometry geometry = new Geometry(20, 5, 20);
@@ -18,8 +19,9 @@
  *
  * <h2>Moves</h2>
  *
- * A move is swept from its beginning to its end: it is made if nothing is touched anywhere on the way, however long its
- * stride, or not made at all. {@link robosim.geometry.MoveResult} tells what blocks it, where, and how much is free.
+ * A move is swept from its beginning to its end: it is made if nothing is touched anywhere on the way, however long it
+ * is, or else not made at all. {@link robosim.geometry.MoveResult} reports what blocks it, where, and how much of it is
+ * free.
  *
  * <!-- java: continues -->
  * <pre>{@code
@@ -36,8 +38,8 @@
  *
  * <h2>Sensors</h2>
  *
- * A beam has a range and an opening angle: 0 is a line, more is a cone, answered as its nearest point. Nothing heard is
- * {@code +Infinity}, and no robot hears itself.
+ * A beam has a range and an opening angle: 0 is a line, more is a cone, whose result is the distance of the nearest
+ * point within it. If there is no echo the result is {@code +Infinity}. No robot detects itself.
  *
  * <!-- java: continues -->
  * <pre>{@code
@@ -53,8 +55,9 @@
  *
  * <h2>Many worlds</h2>
  *
- * A {@link robosim.geometry.Snapshot} is a world for good. Worlds that are made of it share all that stands still, so thousands
- * of them cost little, each for a thread of its own; {@code robosim.geometry.sweep} runs scenarios over them.
+ * A {@link robosim.geometry.Snapshot} is an immutable copy of a world. Worlds made from it share all static objects, so
+ * thousands of them cost little, and each may be used by a thread of its own; {@code robosim.geometry.sweep} runs
+ * scenarios over them.
  *
  * <!-- java: continues -->
  * <pre>{@code
@@ -66,9 +69,10 @@
  *
  * <h2>Exactness</h2>
  *
- * Answers are those of the real geometry of the stored numbers, without a tolerance; where that is out of reach, "free" is a
- * proof. A coarser {@link robosim.geometry.model.Accuracy}, for a world or one question, may report collisions that are none
- * and never misses one. In {@link robosim.geometry.model.Dimension#PLANAR} only the floor plan counts.
+ * Answers are those of real-number geometry for the stored numbers, without a tolerance; where that is out of reach, at
+ * least "free" is proven. A coarser {@link robosim.geometry.model.Accuracy}, for a world or one query, may report
+ * collisions where there are none but never misses one. In {@link robosim.geometry.model.Dimension#PLANAR} only the
+ * floor plan counts.
  *
  * <!-- java: continues -->
  * <pre>{@code
@@ -86,8 +90,8 @@
  *   <li>{@link robosim.geometry.model}: the objects, and what their numbers mean
  *   <li>{@link robosim.geometry.collision}: two objects, or a ray and an object, without a world; contacts and distances
  *   <li>{@link robosim.geometry.world}: worlds, meshes and maps from files
- *   <li>{@link robosim.geometry.net} and {@link robosim.geometry.protocol}: the module beside a simulator, over TCP
- *   <li>{@link robosim.geometry.scenario}: recorded conversations, and their replay
+ *   <li>{@link robosim.geometry.net} and {@link robosim.geometry.protocol}: the module in use by a simulator, over TCP
+ *   <li>{@link robosim.geometry.scenario}: recorded conversations and their replay
  *   <li>{@link robosim.geometry.junit}: tests of robots
  *   <li>{@link robosim.geometry.sweep}: scenarios over worlds, parameters and seeds, on threads and on many machines
  * </ul>

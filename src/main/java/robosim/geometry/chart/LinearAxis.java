@@ -32,7 +32,7 @@ public record LinearAxis(String title, double low, double high, BigDecimal step)
         return new LinearAxis(title, low, high, round((high - low) / STEPS));
     }
 
-    /** The next of 1, 2 and 5 times a power of ten. */
+    /** The next larger of 1, 2 and 5 times a power of ten. */
     private static BigDecimal round(double least) {
         int power = (int) Math.floor(StrictMath.log10(least));
         for (int digit : new int[] {1, 2, 5}) {

@@ -19,7 +19,7 @@ import robosim.geometry.cli.worlds.ConvertCommand;
 import robosim.geometry.cli.worlds.RenderCommand;
 import robosim.geometry.cli.worlds.ViewCommand;
 
-/** All commands, and what becomes of their failures. */
+/** All commands, and how their failures are reported. */
 @Command(
         name = Version.PROGRAM,
         description = "Collision, motion and range queries for robot simulators, over TCP and on files.",
@@ -29,7 +29,7 @@ import robosim.geometry.cli.worlds.ViewCommand;
         exitCodeListHeading = ExitCodes.HEADING,
         exitCodeList = {
             ExitCodes.DONE,
-            ExitCodes.FINDINGS + ":done, and something was found: answers differ, or a world has findings",
+            ExitCodes.FINDINGS + ":done, with findings: answers differ, or a world has findings",
             ExitCodes.UNUSABLE + ":not done: bad usage, input that cannot be read, a connection that failed"
         },
         footerHeading = "%nExamples:%n",
@@ -52,7 +52,7 @@ import robosim.geometry.cli.worlds.ViewCommand;
             CompletionCommand.class
         })
 public final class Commands implements Terminal.Program {
-    /** What people type first who do not know a program. */
+    /** What people who do not know a program type first. */
     private static final String HELP = "help";
 
     private final boolean standard;
@@ -65,7 +65,7 @@ public final class Commands implements Terminal.Program {
         return run(line(true), arguments);
     }
 
-    /** Runs a command that writes elsewhere. */
+    /** Runs a command with its output redirected, and returns its exit code. */
     static int run(PrintWriter out, PrintWriter err, String... arguments) {
         CommandLine line = line(false);
         line.setOut(out);
@@ -73,7 +73,7 @@ public final class Commands implements Terminal.Program {
         return run(line, arguments);
     }
 
-    /** All commands, as yet without arguments. */
+    /** The command line with all its commands, before arguments are parsed. */
     static CommandLine line(boolean standard) {
         CommandLine line = new CommandLine(new Commands(standard));
         line.setCaseInsensitiveEnumValuesAllowed(true);
@@ -90,7 +90,7 @@ public final class Commands implements Terminal.Program {
             command.getErr().println(FailureText.of(failure));
             return ExitCodes.UNUSABLE;
         });
-        // What is wrong, and no more: who wants the whole help asks for it.
+        // Only what is wrong; the full help is printed on request.
         line.setParameterExceptionHandler((refused, given) -> {
             CommandLine command = refused.getCommandLine();
             command.getErr().println(refused.getMessage());
@@ -105,7 +105,7 @@ public final class Commands implements Terminal.Program {
         return line.execute(arguments[0].equals(HELP) ? asked(line, arguments) : arguments);
     }
 
-    /** {@code help sweep} asks for what {@code sweep --help} does; what is no command is left to be refused. */
+    /** {@code help sweep} is turned into {@code sweep --help}; an unknown command stays as it is and is refused. */
     private static String[] asked(CommandLine line, String... arguments) {
         List<String> words = new ArrayList<>(List.of(arguments).subList(1, arguments.length));
         CommandLine command = line;

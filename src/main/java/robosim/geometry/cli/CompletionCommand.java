@@ -7,10 +7,10 @@ import picocli.CommandLine.Spec;
 import robosim.geometry.cli.terminal.ExitCodes;
 import robosim.geometry.cli.terminal.Version;
 
-/** Prints a script by which a shell completes these commands. */
+/** Prints a shell completion script for these commands. */
 @Command(
         name = "completion",
-        description = "Prints a script by which bash or zsh completes the commands and their options.",
+        description = "Prints a script that makes bash or zsh complete the commands and their options.",
         mixinStandardHelpOptions = true,
         versionProvider = Version.class,
         exitCodeListHeading = ExitCodes.HEADING,
@@ -20,7 +20,7 @@ import robosim.geometry.cli.terminal.Version;
             "  alias robosim-geometry='java -jar /path/to/robosim-geometry-app.jar'",
             "  source <(robosim-geometry completion)",
             "",
-            "Put both lines into ~/.bashrc to have it in every shell; zsh needs before them:",
+            "Put both lines into ~/.bashrc to have completion in every shell. In zsh, put these before them:",
             "  autoload -U compinit bashcompinit; compinit; bashcompinit"
         })
 final class CompletionCommand implements Runnable {

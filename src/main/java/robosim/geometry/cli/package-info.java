@@ -1,4 +1,7 @@
-/** The command line: the only room that parses arguments or exits. It needs picocli and the JDK's java.desktop. */
+/**
+ * The command line: the only package that parses arguments or exits the process. It needs picocli and the JDK's
+ * java.desktop.
+ */
 @NullMarked
 package robosim.geometry.cli;
 

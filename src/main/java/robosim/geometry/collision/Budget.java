@@ -3,18 +3,18 @@ package robosim.geometry.collision;
 import java.time.Duration;
 
 /**
- * How much a question may cost: whichever limit is reached first ends it.
+ * The cost limits of a query: it ends when either limit is reached.
  *
- * @param steps how many steps may be taken, at least 0. A step looks at one pair: of boxes around pieces of the objects,
- *     of pieces themselves, or of a point and a solid mesh. The same number of steps always gives the same answer
- * @param time how long it may take, at least 0; looked at before the first and then after every sixteenth step. What
- *     is known when the time is up depends on the machine; it is true on all
+ * @param steps maximum number of steps, at least 0. A step examines one pair: of boxes around pieces of the objects, of
+ *     pieces themselves, or of a point and a solid mesh. The same number of steps always gives the same answer
+ * @param time maximum duration, at least 0; checked before the first step and then after every sixteenth. How much is
+ *     known when the time is up depends on the machine; that it is true does not
  */
 public record Budget(long steps, Duration time) {
-    /** More than 292 years, which is no limit. */
+    /** More than 292 years: no limit in practice. */
     private static final Duration EVER = Duration.ofNanos(Long.MAX_VALUE);
 
-    /** No limit: the question ends with an answer. */
+    /** No limit: the query always ends with an answer. */
     public static final Budget UNLIMITED = new Budget(Long.MAX_VALUE, EVER);
 
     public Budget {
@@ -26,17 +26,17 @@ public record Budget(long steps, Duration time) {
         }
     }
 
-    /** So many steps, however long they take. */
+    /** A limit of steps, whatever time they take. */
     public static Budget steps(long steps) {
         return new Budget(steps, EVER);
     }
 
-    /** So long, however many steps that makes. */
+    /** A limit of time, whatever the number of steps. */
     public static Budget time(Duration time) {
         return new Budget(Long.MAX_VALUE, time);
     }
 
-    /** In nanoseconds. */
+    /** The time limit in nanoseconds. */
     long nanos() {
         return time.compareTo(EVER) < 0 ? time.toNanos() : Long.MAX_VALUE;
     }

@@ -15,8 +15,8 @@ import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.OwnLeaves;
 
 /**
- * Two questions about objects in space as they are, whatever their shapes: do two of them collide, and how far along a
- * ray is one. A world of many objects asks them of its neighbours only: {@link robosim.geometry.Geometry}.
+ * Two queries about single objects of any shape in space: do two of them collide, and how far along a ray is one. For
+ * many objects use a world, which tests only those that are near: {@link robosim.geometry.Geometry}.
  *
  * <pre>{@code
  * BoxObject crate = new BoxObject(new Point(0, 0, 0), 2, 2, 2);
@@ -32,8 +32,8 @@ public final class CollisionDetection {
     private CollisionDetection() {}
 
     /**
-     * Whether two objects touch or overlap: whether they have a point in common, heights included. The order of the two
-     * makes no difference.
+     * Whether two objects touch or overlap, that is, have a point in common, heights included. Their order makes no
+     * difference.
      */
     public static boolean intersects(GeometryObject a, GeometryObject b) {
         if (a == null || b == null) {
@@ -56,7 +56,10 @@ public final class CollisionDetection {
         return false;
     }
 
-    /** Whether the bounding volume that an object was given, if any, meets the other one. It only ever rejects. */
+    /**
+     * Whether the bounding volume that an object was given, if any, meets the other object. It can only rule out
+     * contact.
+     */
     private static boolean mayMeet(GeometryObject object, LeafColumn other) {
         GeometryObject volume = boundingVolume(object);
         return volume == null || meet(OwnLeaves.placed(volume), other);
@@ -68,14 +71,15 @@ public final class CollisionDetection {
             case GROUP -> ((ObjectGroup) object).boundingVolume();
             case BOX, CYLINDER, SPHERE, CAPSULE -> null;
         };
-        // Only at home are the volume's own numbers those that were seen to enclose the object.
+        // The volume was checked to enclose the object only in the object's own frame, so only unplaced are its numbers
+        // exact.
         return volume != null && object.pose().equals(Pose.ORIGIN) ? volume : null;
     }
 
     /**
      * Distance along a ray from its start to an object, in world units.
      *
-     * @return 0 where the ray starts inside a solid or on the object; {@code +Infinity} where it misses
+     * @return 0 if the ray starts inside a solid or on the object; {@code +Infinity} if it misses
      */
     public static double rayDistance(Ray ray, GeometryObject object) {
         if (ray == null || object == null) {

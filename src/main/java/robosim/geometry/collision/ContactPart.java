@@ -3,16 +3,16 @@ package robosim.geometry.collision;
 /**
  * The piece of an object that takes part in a contact.
  *
- * @param part which of the object's simple parts it is: 0, unless the object is a group; there the boxes, cylinders,
- *     spheres and meshes that it is made of are counted from 0 in the order of its members, those of a member that is a
- *     group itself in its place
- * @param face the index of the mesh's face, as its faces were given; -1 where the part is no mesh, or where it is a solid
- *     mesh that holds the other piece inside without a face of it being touched
- * @param half which triangle of the face: 0 for the face's corners 0, 1, 2, which is all of a triangle, and 1 for corners
- *     0, 2, 3 of a quad; -1 where there is no face
+ * @param part index of the object's simple part: 0 unless the object is a group. The boxes, cylinders, spheres and
+ *     meshes of a group are counted from 0 in the order of its members; those of a nested group are counted at that
+ *     group's place
+ * @param face the index of the mesh's face, as its faces were given; -1 if the part is not a mesh, or is a solid mesh
+ *     that contains the other piece and none of whose faces is touched
+ * @param half which triangle of the face: 0 for the face's corners 0, 1, 2, which is all of a triangle, and 1 for
+ *     corners 0, 2, 3 of a quad; -1 if there is no face
  */
 public record ContactPart(int part, int face, int half) implements Comparable<ContactPart> {
-    /** Whether it is a face of a mesh; otherwise it is the part as a whole. */
+    /** Whether this is a face of a mesh; otherwise it is the part as a whole. */
     public boolean isFace() {
         return face >= 0;
     }

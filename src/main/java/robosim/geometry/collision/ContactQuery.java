@@ -16,14 +16,14 @@ import robosim.geometry.narrow.mesh.ContactPairs;
 import robosim.geometry.narrow.mesh.NearestPairs;
 
 /**
- * Where two objects touch, and whether they do and how far apart they are for as much work as one likes to spend.
+ * Finds where two objects touch and, within a budget of work, whether they touch and how far apart they are.
  *
  * <p>A contact is a pair of pieces, one of each object, that have a point in common: boxes, cylinders, spheres and the
- * triangles of meshes. They are the same decisions as those of {@link CollisionDetection#intersects}: there is a contact
- * exactly where that is true. Pieces that do not truly meet are never named, and none that do is left out, faces in one
- * plane, edges and corners that only touch, and faces without area included. Where no faces of two parts meet but one
- * is a solid mesh that holds the other inside, that is one contact more: of the solid no face is named; of a mesh inside
- * the first face of a piece of it that is inside. How deep things are in each other is not told.
+ * triangles of meshes. The decisions are those of {@link CollisionDetection#intersects}: there is a contact exactly if
+ * that is true. No pieces are reported that do not meet, and none that do are left out, including faces in one plane,
+ * edges and corners that only touch, and faces without area. If no faces of two parts meet but one part is a solid mesh
+ * that contains the other, that is one more contact: no face is named for the solid, and for a mesh inside it the first
+ * face of a piece that is inside. Penetration depth is not reported.
  *
  * <pre>{@code
  * BoxObject floor = new BoxObject(new Point(0, 0, 0), 10, 1, 10);
@@ -37,8 +37,8 @@ import robosim.geometry.narrow.mesh.NearestPairs;
  * ContactQuery.ask(floor, above, Budget.steps(100)).answer();  // NO
  * }</pre>
  *
- * <p>All questions mean the same for (a, b) and (b, a). Methods may be called from any number of threads. An argument that
- * is null or out of its range is refused with an {@code IllegalArgumentException} that names it.
+ * <p>All queries are symmetric in a and b. Methods may be called from any number of threads. An argument that is null
+ * or out of range throws an {@code IllegalArgumentException} that names it.
  */
 public final class ContactQuery {
     private static final int STEPS_A_LOOK = 16;
@@ -59,10 +59,10 @@ public final class ContactQuery {
     }
 
     /**
-     * All contacts in space, ordered by part, face and half of a, then of b. For (b, a) the same ones with their sides
-     * exchanged: the same points, and opposite normals but between two pieces that are the same set.
+     * All contacts in space, ordered by part, face and half of a, then of b. For (b, a) the contacts are the same with
+     * a and b exchanged: the same points, and opposite normals except between two pieces that are the same set.
      *
-     * @return empty where the two are apart
+     * @return empty if the two are apart
      */
     public static List<Contact> contacts(GeometryObject a, GeometryObject b) {
         return contacts(a, b, Dimension.SPATIAL, Integer.MAX_VALUE);
@@ -70,11 +70,11 @@ public final class ContactQuery {
 
     /**
      * Contacts in space or between the projections on XZ, in the order of {@link #contacts(GeometryObject,
-     * GeometryObject)}. In PLANAR nothing is inside of what is seen as a surface, normals are level, and a point's height
-     * is the middle of what the heights of its pieces have in common or leave between them.
+     * GeometryObject)}. In PLANAR every mesh counts as a surface without an inside, normals are horizontal, and the
+     * height of a point is the middle of the overlap of its two pieces' height ranges, or of the gap between them.
      *
-     * @param limit how many to answer at most, at least 1. Which ones of more that is are those that are found first:
-     *     always the same, in whichever order the objects are given
+     * @param limit maximum number of contacts, at least 1. If there are more, those found first are returned: always
+     *     the same ones, in whichever order the objects are given
      */
     public static List<Contact> contacts(GeometryObject a, GeometryObject b, Dimension dimension, int limit) {
         check(a, b, dimension);
@@ -85,10 +85,11 @@ public final class ContactQuery {
     }
 
     /**
-     * One contact in space: the first that is found, which is quicker than to find all. Always the same one, in whichever
-     * order the objects are given, and one of {@link #contacts(GeometryObject, GeometryObject)}, not always the first.
+     * One contact in space: the first that is found, which is faster than finding all. Always the same one, in
+     * whichever order the objects are given. It is one of {@link #contacts(GeometryObject, GeometryObject)}, but not
+     * always their first.
      *
-     * @return null where the two are apart
+     * @return null if the two are apart
      */
     public static @Nullable Contact first(GeometryObject a, GeometryObject b) {
         List<Contact> found = contacts(a, b, Dimension.SPATIAL, 1);
@@ -96,33 +97,33 @@ public final class ContactQuery {
     }
 
     /**
-     * Whether two objects touch or overlap in space: stops as soon as that is known, or where the budget ends with what
-     * is known then. Never a guess.
+     * Whether two objects touch or overlap in space. Stops as soon as that is known, or when the budget is spent, with
+     * what is known by then. The result is never a guess.
      */
     public static Verdict ask(GeometryObject a, GeometryObject b, Budget budget) {
         return ask(a, b, Dimension.SPATIAL, budget);
     }
 
     /**
-     * Whether two objects or their projections touch or overlap. The answer is "undecided" only where the budget was
-     * spent. More steps never widen the bracket and never change an answer that was given.
+     * Whether two objects or their projections touch or overlap. The answer is "undecided" only if the budget was
+     * spent. More steps never widen the bracket and never change a decided answer.
      */
     public static Verdict ask(GeometryObject a, GeometryObject b, Dimension dimension, Budget budget) {
         return limited(a, b, dimension, budget, false);
     }
 
     /**
-     * The distance of two objects in space: goes on where {@link #ask(GeometryObject, GeometryObject, Budget)} stops,
-     * until the bracket is as narrow as doubles allow or the budget ends.
+     * The distance of two objects in space: continues where {@link #ask(GeometryObject, GeometryObject, Budget)} stops,
+     * until the bracket is as narrow as doubles allow or the budget is spent.
      */
     public static Verdict distance(GeometryObject a, GeometryObject b, Budget budget) {
         return distance(a, b, Dimension.SPATIAL, budget);
     }
 
     /**
-     * The distance of two objects or of their projections. More steps never widen the bracket; without a limit it is at
-     * most 2<sup>-43</sup> of the distance and the objects' size wide, near contact too. Both ends are proven, with what
-     * rounding may have moved them.
+     * The distance of two objects or of their projections. More steps never widen the bracket; without a limit its
+     * width is at most 2<sup>-43</sup> of the distance and the objects' size, near contact too. Both ends are proven,
+     * with rounding errors taken into account.
      */
     public static Verdict distance(GeometryObject a, GeometryObject b, Dimension dimension, Budget budget) {
         return limited(a, b, dimension, budget, true);

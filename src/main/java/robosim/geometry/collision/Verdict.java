@@ -1,13 +1,14 @@
 package robosim.geometry.collision;
 
 /**
- * What a {@linkplain ContactQuery#ask limited question} found out about two objects.
+ * The result of a {@linkplain ContactQuery#ask query with a budget} about two objects.
  *
  * @param answer whether they touch or overlap
- * @param certainty {@code EXACT} where the answer is proven, which "no" always is; {@code UNCERTAIN} where nothing is
- *     decided yet or "yes" is to within rounding only
- * @param low they are at least so far apart, world units; 0 in contact, and where they are apart by less than doubles tell
- * @param high they are at most so far apart: no more than two points of theirs, rounded up; {@code low <= high}
+ * @param certainty {@code EXACT} if the answer is proven, which "no" always is; {@code UNCERTAIN} if nothing is decided
+ *     yet or "yes" holds only to within rounding
+ * @param low a lower bound of their distance, world units; 0 in contact, and if they are closer than doubles can
+ *     resolve
+ * @param high an upper bound of their distance: that of some two points of theirs, rounded up; {@code low <= high}
  * @param steps how many steps were taken
  */
 public record Verdict(Answer answer, Certainty certainty, double low, double high, long steps) {
@@ -17,7 +18,7 @@ public record Verdict(Answer answer, Certainty certainty, double low, double hig
         YES,
         /** They have none. */
         NO,
-        /** The budget was spent before it was known; the bracket is true all the same. */
+        /** The budget was spent before it was known; the bracket holds all the same. */
         UNDECIDED
     }
 }

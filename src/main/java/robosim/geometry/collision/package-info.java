@@ -1,7 +1,7 @@
 /**
- * Questions about two objects, or a ray and an object, outside any world: {@link
- * robosim.geometry.collision.CollisionDetection} answers yes or no and a distance, {@link
- * robosim.geometry.collision.ContactQuery} names the faces that meet and measures gaps, within a budget of work.
+ * Queries about two objects, or a ray and an object, without a world: {@link
+ * robosim.geometry.collision.CollisionDetection} answers whether objects collide and how far away they are along a ray;
+ * {@link robosim.geometry.collision.ContactQuery} names the faces that meet and measures gaps, within a budget of work.
  *
  * <pre>{@code
  * BoxObject table = new BoxObject(new Point(0, 0, 0), 2, 1, 1);

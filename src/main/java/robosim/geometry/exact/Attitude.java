@@ -1,25 +1,26 @@
 package robosim.geometry.exact;
 
 /**
- * How something is turned, in a flat column of {@link #STRIDE} doubles: the nine numbers of a rotation (row-major, its
- * columns are the own axes), then a heading in degrees as a sum and the rounding that it lost.
+ * The attitude of an object, stored in {@link #STRIDE} consecutive doubles of an array: the nine numbers of a rotation
+ * (row-major, its columns are the object's own axes), then a heading in degrees as a sum and its rounding error.
  *
- * <p>While the own Y is the world's, the rotation is made from the heading, from scratch, after every turn: the heading
- * kept is within {@link Degrees#ADDITION_ERROR} degree a turn of the exact sum (less than 1e-23 degree after 10<sup>6</sup>
- * turns), the one told is that to within half an ulp (1.5e-14 degree), and the rotation is as good after 10<sup>7</sup>
- * turns as after one. What is tipped is composed turn by turn and made orthonormal again each time: it stays a rotation to
- * {@link Rotations#ORTHONORMALITY} for ever, and its direction is off by at most {@link Rotations#TURN_ERROR} radian a turn
- * (4.5e-8 degree after 10<sup>6</sup>). Only quarter turns, which are exact, make what is tipped upright again.
+ * <p>While the object's own Y is the world's, the rotation is recomputed from the heading after every turn: the heading
+ * stored is within {@link Degrees#ADDITION_ERROR} degree per turn of the exact sum (less than 1e-23 degree after
+ * 10<sup>6</sup> turns), the one returned is that to within half an ulp (1.5e-14 degree), and the rotation is as
+ * accurate after 10<sup>7</sup> turns as after one. A tipped attitude is composed turn by turn and re-orthonormalized
+ * each time: it always remains a rotation to {@link Rotations#ORTHONORMALITY}, and its direction is off by at most
+ * {@link Rotations#TURN_ERROR} radian per turn (4.5e-8 degree after 10<sup>6</sup>). Only quarter turns, which are
+ * exact, can make a tipped attitude upright again.
  */
 public final class Attitude {
-    /** Doubles in a column's entry. */
+    /** Number of doubles that store one attitude. */
     public static final int STRIDE = 11;
 
     private static final int HEADING = 9;
 
     private Attitude() {}
 
-    /** A fresh entry: upright, facing +X. */
+    /** A new array with one attitude: upright, facing +X. */
     public static double[] identity() {
         double[] entry = new double[STRIDE];
         entry[0] = 1;
@@ -28,7 +29,7 @@ public final class Attitude {
         return entry;
     }
 
-    /** Whether the nine numbers from there on are a rotation: right-handed and orthonormal to 1e-9. */
+    /** Whether the nine numbers from {@code at} on are a rotation: right-handed and orthonormal to 1e-9. */
     public static boolean isRotation(double[] column, int at) {
         return Rotations.isOrthonormal(column, at);
     }
@@ -38,7 +39,7 @@ public final class Attitude {
         return Rotations.isOrthonormal(rotation, 0);
     }
 
-    /** Makes the entry upright with a heading of {@code hi + lo} degrees. */
+    /** Sets an upright attitude with a heading of {@code hi + lo} degrees. */
     public static void setHeading(double[] column, int at, double hi, double lo) {
         column[at + HEADING] = 0;
         column[at + HEADING + 1] = 0;
@@ -47,7 +48,7 @@ public final class Attitude {
         Rotations.yaw(column[at + HEADING], column[at + HEADING + 1], column, at);
     }
 
-    /** Takes a rotation as it is given. */
+    /** Sets the rotation, kept as given. */
     public static void orient(double[] column, int at, double[] rotation) {
         for (int k = 0; k < 9; k++) {
             column[at + k] = rotation[k] + 0.0; // no -0.0
@@ -69,7 +70,7 @@ public final class Attitude {
         return column[at + HEADING];
     }
 
-    /** Turns by some degrees about the world's vertical. */
+    /** Turns by a number of degrees about the world's vertical. */
     public static void turnVertically(double[] column, int at, double degrees) {
         if (isUpright(column, at)) {
             turn(column, at, 0, degrees);
@@ -79,7 +80,7 @@ public final class Attitude {
         }
     }
 
-    /** Turns by some degrees about the world's X. */
+    /** Turns by a number of degrees about the world's X. */
     public static void turnAboutX(double[] column, int at, double degrees) {
         if (degrees != 0) {
             Rotations.turnWorldX(column, at, degrees);

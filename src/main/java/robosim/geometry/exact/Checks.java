@@ -4,14 +4,14 @@ import java.time.Duration;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** The rules for what comes from outside; each message names the argument and its value. */
+/** Argument checks; each message names the argument and its value. */
 public final class Checks {
-    /** The largest coordinate or size: products of three still have room below the overflow. */
+    /** The largest coordinate or size; products of three such numbers are far from overflow. */
     public static final double LIMIT = 0x1p100;
 
     private Checks() {}
 
-    /** A value that is there. */
+    /** Returns a value unless it is null. */
     public static <T> T present(String argument, @Nullable T value) {
         if (value == null) {
             throw new IllegalArgumentException(argument + " must be given (got: null)");
@@ -19,18 +19,18 @@ public final class Checks {
         return value;
     }
 
-    /** A copy of a list that is there, as are all its elements. */
+    /** An immutable copy of a list, which must not be null or contain null. */
     public static <T> List<T> list(String argument, @Nullable List<? extends @Nullable T> values) {
         int k = 0;
         for (T value : present(argument, values)) {
             present(argument + "[" + k++ + "]", value);
         }
-        @SuppressWarnings("unchecked") // none of them is null
+        @SuppressWarnings("unchecked") // no element is null
         List<T> all = (List<T>) values;
         return List.copyOf(all);
     }
 
-    /** A coordinate, with -0.0 made +0.0. */
+    /** Returns a valid coordinate, with -0.0 changed to +0.0. */
     public static double coordinate(String argument, double value) {
         if (!(Math.abs(value) <= LIMIT)) {
             throw new IllegalArgumentException(
@@ -39,7 +39,7 @@ public final class Checks {
         return value + 0.0;
     }
 
-    /** A size: at least zero. */
+    /** Returns a valid size: at least zero. */
     public static double size(String argument, double value) {
         if (!(value >= 0 && value <= LIMIT)) { // written so that NaN fails it
             throw new IllegalArgumentException(argument + " must be a number from 0 to 2^100 (got: " + value + ")");
@@ -47,7 +47,7 @@ public final class Checks {
         return value + 0.0;
     }
 
-    /** An angle in degrees, of any size. */
+    /** Returns a valid angle in degrees: any finite number. */
     public static double angle(String argument, double degrees) {
         if (!Double.isFinite(degrees)) {
             throw new IllegalArgumentException(argument + " must be a finite angle in degrees (got: " + degrees + ")");
@@ -63,8 +63,8 @@ public final class Checks {
     }
 
     /**
-     * An immutable copy; a null list or item is refused by its place, and so is an item of another type, which a stream
-     * can put into a list of any.
+     * An immutable copy of a list. Null, a null item, and an item of another type are refused; a deserialized list can
+     * contain items of any type.
      */
     public static <T> List<T> copy(String argument, List<T> items, Class<T> type) {
         int k = 0;
@@ -102,7 +102,7 @@ public final class Checks {
         return value;
     }
 
-    /** A blind range and a range; only the latter may be infinite. */
+    /** Checks a blind range and a range; only the latter may be infinite. */
     public static void range(double min, double max) {
         if (!(min >= 0 && min <= LIMIT)) {
             throw new IllegalArgumentException("min must be from 0 to 2^100 (got: " + min + ")");
@@ -112,7 +112,7 @@ public final class Checks {
         }
     }
 
-    /** The opening angle of a beam. */
+    /** Returns a valid opening angle of a beam. */
     public static double width(double degrees) {
         if (!(degrees >= 0 && degrees < 180)) {
             throw new IllegalArgumentException(

@@ -1,10 +1,11 @@
 package robosim.geometry.exact;
 
 /**
- * Angles in degrees: sine and cosine that are exact at quarter turns, headings that do not drift, and the way from
- * radians.
+ * Angles in degrees: sine and cosine that are exact at quarter turns, headings that do not drift, and conversion from
+ * and to radians.
  *
- * <p>Everything rests on {@link Radians}, {@link StrictMath} and exact reductions, so the bits are the same on every JVM.
+ * <p>Everything is built on {@link Radians}, {@link StrictMath} and exact reductions, so results are the same to the
+ * bit on every JVM.
  */
 public final class Degrees {
     // pi / 180, 180 / pi and pi / 2 as unevaluated sums of doubles.
@@ -16,10 +17,10 @@ public final class Degrees {
     private static final double QUARTER_LO = 0x1.1a62633145c07p-54;
     private static final double ROOT_HALF = 0x1.6a09e667f3bcdp-1;
 
-    /** By how much, in degrees, one addition to a compensated heading may be off. */
+    /** The largest error of one addition to a compensated heading, degrees. */
     public static final double ADDITION_ERROR = 0x1p-97;
 
-    // From here on neighbouring doubles are more than a quarter turn apart.
+    // From this magnitude on, neighbouring doubles are more than a quarter turn apart.
     private static final double MOST_QUARTERS = 0x1p52;
 
     private Degrees() {}
@@ -28,7 +29,7 @@ public final class Degrees {
      * Sine of an angle, within 1.5 ulp (one of {@link Radians}, and the rounding of a correction); exact at multiples of 30
      * where it is 0, 0.5 or 1, and odd to the bit.
      *
-     * @param degrees finite, any size
+     * @param degrees any finite number
      */
     public static double sin(double degrees) {
         return sin(degrees, 0);
@@ -53,8 +54,8 @@ public final class Degrees {
         return quadrant((int) quarter + 1, full - 90 * quarter, lo);
     }
 
-    // What is left of an angle without the nearest number of whole turns, of two as near the even one. Exact: taking
-    // off one turn is (Sterbenz).
+    // The remainder of an angle after subtracting the nearest number of whole turns; a tie goes to the even number.
+    // Exact, since subtracting one turn is (Sterbenz).
     private static double remainder(double degrees) {
         double size = Math.abs(degrees);
         if (size <= 180) {
@@ -64,10 +65,10 @@ public final class Degrees {
     }
 
     /**
-     * Adds to a compensated heading {@code hiLo[at] + hiLo[at + 1]} and reduces it to {@code (-180, 180]}. One addition is
-     * off by less than {@link #ADDITION_ERROR} degree: what two angles of up to 180 lose in their sum is at most half an ulp
-     * of 360, 2<sup>-45</sup>, and half an ulp of 180 was lost before; only the sum of these two is rounded, by
-     * 2<sup>-98</sup>. Taking off a whole turn is exact (Sterbenz).
+     * Adds to a compensated heading {@code hiLo[at] + hiLo[at + 1]} and reduces it to {@code (-180, 180]}. One addition
+     * is off by less than {@link #ADDITION_ERROR} degree: the rounding error of a sum of two angles of up to 180 is at
+     * most half an ulp of 360, 2<sup>-45</sup>, and the error carried so far is at most half an ulp of 180; only the
+     * sum of these two errors is rounded, by 2<sup>-98</sup>. Subtracting a whole turn is exact (Sterbenz).
      */
     public static void add(double[] hiLo, int at, double degrees) {
         DoubleDouble.add(hiLo[at], hiLo[at + 1], remainder(degrees), 0, hiLo, at);
@@ -83,8 +84,8 @@ public final class Degrees {
     }
 
     /**
-     * Radians in degrees. The double nearest to {@code k * pi / 2} becomes exactly {@code 90 * k}, up to
-     * {@code |k| = 2^52}; every other angle is correctly rounded, save for ties nearer than {@code 2^-100}.
+     * Converts radians to degrees. The double nearest to {@code k * pi / 2} becomes exactly {@code 90 * k}, up to
+     * {@code |k| = 2^52}; every other angle is correctly rounded, except near ties, closer than {@code 2^-100}.
      */
     public static double toDegrees(double radians) {
         double k = Math.rint(radians / QUARTER_HI);
@@ -98,15 +99,18 @@ public final class Degrees {
         return product + (DoubleDouble.productTail(radians, DEGREES_HI, product) + radians * DEGREES_LO);
     }
 
-    /** Degrees in radians, the double nearest to {@code degrees * pi / 180} save for ties nearer than {@code 2^-100}. */
+    /**
+     * Converts degrees to radians: the double nearest to {@code degrees * pi / 180}, except near ties, closer than
+     * {@code 2^-100}.
+     */
     public static double toRadians(double degrees) {
         double product = degrees * RADIANS_HI;
         return product + (DoubleDouble.productTail(degrees, RADIANS_HI, product) + degrees * RADIANS_LO);
     }
 
     /**
-     * The heading, in {@code (-180, 180]}, of an own X axis that points to {@code (r00, ., r20)}: exact at multiples of 45
-     * degrees, 0 where the axis is vertical.
+     * The heading, in {@code (-180, 180]}, of an object whose own X axis is {@code (r00, ., r20)}: exact at multiples
+     * of 45 degrees, 0 if the axis is vertical.
      */
     public static double headingOf(double r00, double r20) {
         double x = r00 + 0.0;
@@ -126,7 +130,7 @@ public final class Degrees {
         return product + (DoubleDouble.productTail(k, QUARTER_HI, product) + k * QUARTER_LO);
     }
 
-    // sin(90 * quarter + within + lo); |within| <= 45, and taking 90 * quarter off was exact (Sterbenz).
+    // sin(90 * quarter + within + lo); |within| <= 45, and subtracting 90 * quarter was exact (Sterbenz).
     private static double quadrant(int quarter, double within, double lo) {
         double sum = within + lo;
         double rest = DoubleDouble.sumTail(within, lo, sum);

@@ -1,30 +1,31 @@
 package robosim.geometry.exact;
 
 /**
- * Arithmetic on numbers that are the unevaluated sum of two doubles, {@code hi + lo} with {@code |lo| <= ulp(hi) / 2}:
- * some 106 bits. A result is written to {@code out[at]} (hi) and {@code out[at + 1]} (lo); nothing is allocated.
+ * Arithmetic on double-doubles: numbers that are the unevaluated sum of two doubles, {@code hi + lo} with {@code |lo|
+ * <= ulp(hi) / 2}: some 106 bits. A result is written to {@code out[at]} (hi) and {@code out[at + 1]} (lo); nothing is
+ * allocated.
  *
- * <p>Not exact: {@code add} and {@code subtract} are off by at most {@code 2^-104} of the sum of the magnitudes that go
- * in, {@code multiply}, {@code divide} and {@code sqrt} by at most {@code 2^-100} of the result, as long as nothing overflows
- * and no intermediate product is below {@code 2^-960}.
+ * <p>Not exact: {@code add} and {@code subtract} are off by at most {@code 2^-104} of the sum of the operands'
+ * magnitudes, {@code multiply}, {@code divide} and {@code sqrt} by at most {@code 2^-100} of the result, as long as
+ * nothing overflows and no intermediate product is below {@code 2^-960}.
  */
 public final class DoubleDouble {
     private DoubleDouble() {}
 
-    /** What the rounded {@code sum = a + b} dropped: {@code a + b == sum + tail}, exact unless something overflows. */
+    /** The rounding error of {@code sum = a + b}: {@code a + b == sum + tail}, exact unless something overflows. */
     public static double sumTail(double a, double b, double sum) {
         double bVirtual = sum - a;
         double aVirtual = sum - bVirtual;
         return (a - aVirtual) + (b - bVirtual);
     }
 
-    /** What the rounded {@code difference = a - b} dropped. */
+    /** The rounding error of {@code difference = a - b}. */
     public static double differenceTail(double a, double b, double difference) {
         return sumTail(a, -b, difference);
     }
 
     /**
-     * What the rounded {@code product = a * b} dropped: exact unless it overflows or falls below {@code 2^-1074}.
+     * The rounding error of {@code product = a * b}: exact unless it overflows or falls below {@code 2^-1074}.
      */
     public static double productTail(double a, double b, double product) {
         return Math.fma(a, b, -product);
@@ -88,14 +89,14 @@ public final class DoubleDouble {
         settle(root, rest / (2 * root), out, at);
     }
 
-    /** {@code a * b - c * d}, within two ulp of the result however much cancels (Kahan; Jeannerod et al. 2013). */
+    /** {@code a * b - c * d}, within two ulp of the result even under cancellation (Kahan; Jeannerod et al. 2013). */
     public static double differenceOfProducts(double a, double b, double c, double d) {
         double cd = c * d;
         double tail = Math.fma(-c, d, cd);
         return Math.fma(a, b, -cd) + tail;
     }
 
-    /** {@code a * b + c * d}, within two ulp of the result however much cancels. */
+    /** {@code a * b + c * d}, within two ulp of the result even under cancellation. */
     public static double sumOfProducts(double a, double b, double c, double d) {
         return differenceOfProducts(a, b, -c, d);
     }

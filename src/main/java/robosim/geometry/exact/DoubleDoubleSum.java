@@ -1,18 +1,19 @@
 package robosim.geometry.exact;
 
 /**
- * A sum of products in pairs of doubles: {@link #hi} plus {@link #lo}, some 106 bits.
+ * A sum of products as a double-double: {@link #hi} plus {@link #lo}, some 106 bits.
  *
- * <p>A product is off by at most 2^-100 of itself, a sum by 2^-104 of the magnitudes (see {@link DoubleDouble}).
+ * <p>A product is off by at most 2^-100 of itself, a sum by 2^-104 of its operands' magnitudes (see {@link
+ * DoubleDouble}).
  */
 public final class DoubleDoubleSum {
-    /** Products below this may have lost their tails to underflow. */
+    /** The rounding error of a product below this may have been lost to underflow. */
     private static final double SMALL = 0x1p-900;
 
     public double hi;
     public double lo;
 
-    /** Whether nothing was rounded so far, so that the sum is {@link #hi} and nothing else. */
+    /** Whether nothing has been rounded so far, so that the sum is exactly {@link #hi}. */
     public boolean plain;
 
     public void clear() {
@@ -65,18 +66,18 @@ public final class DoubleDoubleSum {
         plain = other.plain;
     }
 
-    /** Whether this is below another. */
+    /** Whether this sum is less than another. */
     public boolean isBelow(DoubleDoubleSum other) {
         return hi < other.hi || (hi == other.hi && lo < other.lo);
     }
 
     /**
-     * The largest double that is not above {@code gap / closing}, both positive and off by at most these errors; NaN where
-     * the quotient is too close to a double to tell, or not known to some 2^-56 of itself.
+     * The largest double not above {@code gap / closing}, both of which are positive and off by at most the given
+     * errors; NaN if the quotient is too close to a double to decide, or is not known to some 2^-56 of itself.
      */
     public static double floorQuotient(
             DoubleDoubleSum gap, double gapError, DoubleDoubleSum closing, double closingError) {
-        // The division below is off by 2^-100 of itself; twice the sum covers the products of the errors.
+        // The division below is off by 2^-100 of its result; twice the sum covers the products of the errors.
         double share = 2 * (gapError / gap.hi + closingError / closing.hi) + 0x1p-98;
         if (!(share < 0x1p-58 && gap.hi > 0 && closing.hi > 0)) {
             return Double.NaN;
@@ -88,7 +89,7 @@ public final class DoubleDoubleSum {
             return Double.NaN;
         }
         if (gap.plain && closing.plain) {
-            // Near each other, so that their difference is exact.
+            // Close to each other, so their difference is exact.
             return product - gap.hi + tail > 0 ? Math.nextDown(q) : q;
         }
         double rest = (gap.hi - product - tail + gap.lo - q * closing.lo) / closing.hi;

@@ -1,8 +1,8 @@
 package robosim.geometry.exact;
 
 /**
- * Numbered numbers of twice a double's length, and the arithmetic of {@link DoubleDouble} on them. A vector is three
- * numbers in a row, named by its first.
+ * Numbered registers that hold double-doubles, and the arithmetic of {@link DoubleDouble} on them. A vector is three
+ * consecutive registers, given by the first.
  */
 public final class DoubleDoubles {
     private final double[] v;
@@ -15,7 +15,7 @@ public final class DoubleDoubles {
         return v[2 * i];
     }
 
-    /** What the double that {@link #get} answers leaves out. */
+    /** The low part of a register, which {@link #get} leaves out. */
     public double rest(int i) {
         return v[2 * i + 1];
     }
@@ -29,12 +29,12 @@ public final class DoubleDoubles {
         v[2 * i + 1] = lo;
     }
 
-    /** The difference of two doubles. */
+    /** Sets a register to the difference of two doubles. */
     public void difference(int i, double a, double b) {
         DoubleDouble.sum(a, -b, v, 2 * i);
     }
 
-    /** The product of two doubles. */
+    /** Sets a register to the product of two doubles. */
     public void product(int i, double a, double b) {
         DoubleDouble.product(a, b, v, 2 * i);
     }
@@ -63,12 +63,12 @@ public final class DoubleDoubles {
         set(i, -v[2 * i], -v[2 * i + 1]);
     }
 
-    /** The root of a number, taken as 0 where it is negative. */
+    /** Sets a register to the square root of another; a negative number counts as 0. */
     public void root(int i, int a) {
         DoubleDouble.sqrt(Math.max(0, v[2 * a]), v[2 * a] > 0 ? v[2 * a + 1] : 0, v, 2 * i);
     }
 
-    /** Uses the number {@code temporary} on the way. */
+    /** Sets a register to a dot product; overwrites the register {@code temporary}. */
     public void dot(int i, int a, int b, int temporary) {
         int from = i == a || i == b ? temporary : i;
         multiply(from, a, b);
@@ -78,7 +78,7 @@ public final class DoubleDoubles {
         add(i, from, temporary + 1);
     }
 
-    /** The cross product; {@code i} names a vector other than a and b. */
+    /** Sets a vector to a cross product; {@code i} must be a vector other than a and b. */
     public void cross(int i, int a, int b, int temporary) {
         for (int k = 0; k < 3; k++) {
             int l = (k + 1) % 3;
@@ -89,7 +89,7 @@ public final class DoubleDoubles {
         }
     }
 
-    /** The vector {@code a + f b}. */
+    /** Sets a vector to {@code a + f b}. */
     public void advance(int i, int a, int f, int b, int temporary) {
         for (int k = 0; k < 3; k++) {
             multiply(temporary, f, b + k);

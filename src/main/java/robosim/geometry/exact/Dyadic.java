@@ -6,8 +6,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * A number {@code mantissa * 2^exponent}, held exactly; immutable.
  *
- * <p>The slow and certain way to a sign: kernels come here only where a filter in plain doubles is in doubt. Every
- * finite double is such a number, and sums, differences and products stay exact at any magnitude.
+ * <p>The slow but certain way to decide a sign; kernels use it only when a filter in plain doubles is inconclusive.
+ * Every finite double is such a number, and sums, differences and products are exact at any magnitude.
  */
 public final class Dyadic implements Comparable<Dyadic> {
     public static final Dyadic ZERO = new Dyadic(BigInteger.ZERO, 0);
@@ -26,7 +26,7 @@ public final class Dyadic implements Comparable<Dyadic> {
     /**
      * The value of a double.
      *
-     * @throws IllegalArgumentException where it is NaN or infinite
+     * @throws IllegalArgumentException if it is NaN or infinite
      */
     public static Dyadic of(double value) {
         if (!Double.isFinite(value)) {
@@ -100,7 +100,7 @@ public final class Dyadic implements Comparable<Dyadic> {
         return compareTo(other) >= 0 ? this : other;
     }
 
-    /** The least power of two above this number's magnitude: {@code |this| < 2^n}, at least half of that unless it is 0. */
+    /** The smallest n with {@code |this| < 2^n}; unless this number is 0, its magnitude is at least half of that. */
     public int magnitude() {
         return exponent + mantissa.abs().bitLength();
     }
@@ -125,7 +125,7 @@ public final class Dyadic implements Comparable<Dyadic> {
         return at(common).compareTo(other.at(common));
     }
 
-    /** The nearest double, ties to even; infinite beyond the largest finite one. */
+    /** The nearest double, ties to even; infinite if beyond the largest finite one. */
     public double doubleValue() {
         int step = step();
         BigInteger magnitude = mantissa.abs();
@@ -144,7 +144,7 @@ public final class Dyadic implements Comparable<Dyadic> {
      * Sign of {@code a + b + c}, exact, without allocation in all ordinary cases.
      */
     public static int signOfSum(double a, double b, double c) {
-        // The exact sum of a and b is s + e; growing (e, s) by c gives three parts that do not overlap (Shewchuk 1997,
+        // The exact sum of a and b is s + e; adding c to (e, s) gives three parts that do not overlap (Shewchuk 1997,
         // 2.4).
         double s = a + b;
         double e = DoubleDouble.sumTail(a, b, s);
@@ -211,7 +211,7 @@ public final class Dyadic implements Comparable<Dyadic> {
         return left == 0 ? value : value.shiftLeft(left);
     }
 
-    // The exponent of the last bit that a double of this magnitude has.
+    // The exponent of the last bit of a double of this magnitude.
     private int step() {
         return Math.max(exponent + mantissa.abs().bitLength() - 53, LEAST_EXPONENT);
     }
@@ -220,7 +220,7 @@ public final class Dyadic implements Comparable<Dyadic> {
         if (whole == 0) {
             return 0;
         }
-        // Two factors, because 2^step itself may be no double.
+        // Two factors, because 2^step itself may not be a double.
         int half = Math.max(Math.min(step, 2 * Double.MAX_EXPONENT) / 2, LEAST_EXPONENT / 2);
         int rest = Math.max(Math.min(step, 2 * Double.MAX_EXPONENT) - half, LEAST_EXPONENT / 2);
         return StrictMath.scalb((double) whole, half) * StrictMath.scalb(1.0, rest);

@@ -1,10 +1,13 @@
 package robosim.geometry.exact;
 
-/** Quotients and roots of exact numbers, rounded to a known side. */
+/** Quotients and square roots of exact numbers, rounded in a known direction. */
 public final class ExactMath {
     private ExactMath() {}
 
-    /** The largest double not above {@code p / q}; p at least 0, q above 0, and the quotient no larger than a double. */
+    /**
+     * The largest double not above {@code p / q}; p must be at least 0, q above 0, and the quotient within the range of
+     * doubles.
+     */
     public static double floorQuotient(Dyadic p, Dyadic q) {
         if (p.signum() == 0) {
             return 0;
@@ -21,7 +24,7 @@ public final class ExactMath {
         return quotient;
     }
 
-    /** A number at least the square root of {@code square}, by at most a 2^-90th of it. */
+    /** An upper bound of the square root of {@code square}, larger than it by at most 2^-90 of it. */
     public static Dyadic sqrtUp(Dyadic square) {
         if (square.signum() <= 0) {
             return Dyadic.ZERO;
@@ -37,7 +40,7 @@ public final class ExactMath {
         return Dyadic.of(root).add(Dyadic.of(rest)).add(Dyadic.of(0x1p-95)).scale(power / 2);
     }
 
-    /** The sign of {@code p - q sqrt(square)}, for a square of at least 0. */
+    /** The sign of {@code p - q sqrt(square)}; {@code square} must be at least 0. */
     public static int compareToRoot(Dyadic p, Dyadic q, Dyadic square) {
         int right = q.signum() * square.signum();
         if (p.signum() != right) {
@@ -54,7 +57,7 @@ public final class ExactMath {
         return value > 0x1p-500 && value < 0x1p500;
     }
 
-    // So scaled that q becomes about 1.
+    // Scaled so that q becomes about 1.
     private static Dyadic unit(Dyadic value, Dyadic q) {
         return value.scale(-exponent(q));
     }

@@ -1,6 +1,6 @@
 package robosim.geometry.exact;
 
-/** An exact vector of three numbers, for the decisions that doubles could not make. */
+/** A vector of three exact numbers, for decisions that doubles leave open. */
 public record ExactVector(Dyadic x, Dyadic y, Dyadic z) {
     static final ExactVector ZERO = new ExactVector(Dyadic.ZERO, Dyadic.ZERO, Dyadic.ZERO);
 
@@ -8,17 +8,17 @@ public record ExactVector(Dyadic x, Dyadic y, Dyadic z) {
         return new ExactVector(Dyadic.of(x), Dyadic.of(y), Dyadic.of(z));
     }
 
-    /** Three numbers of a row, one after the other. */
+    /** A vector of three consecutive numbers of an array. */
     public static ExactVector at(double[] row, int at) {
         return of(row, at, 1);
     }
 
-    /** An own axis: a column of the rotation that begins at an index. */
+    /** An object's own axis: a column of the rotation matrix, given the index of the column's first number. */
     public static ExactVector column(double[] row, int at) {
         return of(row, at, 3);
     }
 
-    /** The three numbers from {@code at} on, each {@code step} apart. */
+    /** A vector of three numbers of an array, from {@code at} on, {@code step} apart. */
     public static ExactVector of(double[] row, int at, int step) {
         return of(row[at], row[at + step], row[at + 2 * step]);
     }

@@ -1,22 +1,23 @@
 package robosim.geometry.exact;
 
 /**
- * Exact arithmetic on sums of doubles that do not overlap, smallest first, in an array with a length beside it (Shewchuk
- * 1997, "Adaptive precision floating-point arithmetic and fast robust geometric predicates"). Zeros are left out; the
- * number zero has length 0.
+ * Exact arithmetic on expansions: sums of doubles that do not overlap, smallest first, in an array with a separate
+ * length (Shewchuk 1997, "Adaptive precision floating-point arithmetic and fast robust geometric predicates"). Zeros
+ * are left out; the number zero has length 0.
  *
- * <p>Exact only where nothing over- or underflows: who multiplies asks {@link #fits} for every double that goes in, and
- * takes {@link Dyadic} where it says no.
+ * <p>Exact only if nothing over- or underflows: before multiplying, check every input with {@link #fits}, and use
+ * {@link Dyadic} if it returns false.
  */
 public final class Expansion {
     private Expansion() {}
 
     /**
-     * Whether a double is harmless in polynomials of this degree in differences of such doubles.
+     * Whether a double is safe from over- and underflow in polynomials of a given degree in differences of such
+     * doubles.
      *
-     * <p>A double of magnitude {@code 2^-k} or more is a whole multiple of {@code 2^(-k - 52)}; a product of {@code degree} of
-     * them is one of {@code 2^(-degree * (k + 52))}, and so is every part of every expansion on the way. None is lost while
-     * that is at least {@code 2^-1074}, and none overflows below {@code 2^1000}.
+     * <p>A double of magnitude {@code 2^-k} or more is a whole multiple of {@code 2^(-k - 52)}; a product of {@code
+     * degree} of them is a multiple of {@code 2^(-degree * (k + 52))}, and so is every part of every intermediate
+     * expansion. None is lost while that is at least {@code 2^-1074}, and none overflows below {@code 2^1000}.
      */
     public static boolean fits(double value, int degree) {
         if (value == 0) {
@@ -26,13 +27,13 @@ public final class Expansion {
         return exponent >= 53 - 1074 / degree && exponent <= 1000 / degree - 4;
     }
 
-    /** Writes {@code a - b}; two places. */
+    /** Writes {@code a - b} to an array of at least 2 elements and returns the length. */
     public static int difference(double a, double b, double[] h) {
         double d = a - b;
         return pair(d, DoubleDouble.differenceTail(a, b, d), h);
     }
 
-    /** Adds a double to an expansion in place; one place more. */
+    /** Adds a double to an expansion in place and returns the new length, at most one more. */
     public static int grow(double[] e, int n, double b) {
         double q = b;
         int length = 0;
@@ -50,7 +51,7 @@ public final class Expansion {
         return length;
     }
 
-    /** Writes {@code e + f} to another array; {@code n + m} places. */
+    /** Writes {@code e + f} to another array of at least {@code n + m} elements and returns the length. */
     public static int sum(double[] e, int n, double[] f, int m, double[] h) {
         int i = 0;
         int j = 0;
@@ -72,7 +73,7 @@ public final class Expansion {
         return length;
     }
 
-    /** Writes {@code e * b} to another array; {@code 2 * n} places. */
+    /** Writes {@code e * b} to another array of at least {@code 2 * n} elements and returns the length. */
     public static int scale(double[] e, int n, double b, double[] h) {
         int length = 0;
         double q = 0;
@@ -96,7 +97,7 @@ public final class Expansion {
         return length;
     }
 
-    /** Writes {@code e * f} to another array; {@code 2 * n * m} places. */
+    /** Writes {@code e * f} to another array of at least {@code 2 * n * m} elements and returns the length. */
     public static int product(double[] e, int n, double[] f, int m, double[] h) {
         double[] part = new double[2 * n];
         double[] before = new double[2 * n * m];
@@ -116,7 +117,7 @@ public final class Expansion {
         }
     }
 
-    /** Sign of an expansion: that of its largest part. */
+    /** The sign of an expansion: that of its largest part. */
     public static int sign(double[] e, int n) {
         for (int i = n - 1; i >= 0; i--) {
             if (e[i] != 0) {

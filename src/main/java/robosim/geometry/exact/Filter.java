@@ -1,30 +1,30 @@
 package robosim.geometry.exact;
 
 /**
- * The one place through which every bound of a filter in front of an exact path passes: what a double's rounding may add
- * to a value of which only the sign is wanted.
+ * Every bound of a floating-point filter that stands before an exact path passes through this class. Such a bound is
+ * the largest rounding error of a value of which only the sign is needed.
  *
- * <p>Ordinarily a bound is what its kernel derives. For measurements and tests alone, the system property
- * {@value #PROPERTY}, read once, chooses something else for all of them:
+ * <p>Normally a bound is used as its kernel derives it. For measurements and tests only, the system property {@value
+ * #PROPERTY}, read once, changes all of them:
  *
  * <table>
  * <caption>The values of the property</caption>
  * <tr><th>value</th><th>meaning</th><th>answers</th></tr>
  * <tr><td>{@code on}</td><td>the bounds as derived; the default</td><td>right</td></tr>
- * <tr><td>{@code doubt}</td><td>infinite bounds: every filter doubts, so that the next stage decides</td>
+ * <tr><td>{@code doubt}</td><td>infinite bounds: every filter is inconclusive, so the next stage decides</td>
  *     <td>right</td></tr>
  * <tr><td>{@code off}</td><td>no filter and no expansion: big integers decide</td><td>right</td></tr>
- * <tr><td>{@code tenth}</td><td>a tenth of the bounds: a test that cannot tell is worth nothing</td>
- *     <td>some wrong</td></tr>
- * <tr><td>{@code alone}</td><td>bounds of zero: the sign of the plain double is believed; what exactness costs is what
- *     this saves</td><td>some wrong</td></tr>
+ * <tr><td>{@code tenth}</td><td>a tenth of the bounds: a test that still passes is worth nothing</td> <td>some
+ *     wrong</td></tr>
+ * <tr><td>{@code alone}</td><td>bounds of zero: the sign of the plain double is trusted; the time saved is the cost of
+ *     exactness</td><td>some wrong</td></tr>
  * </table>
  *
- * <p>Bounds are constants of their classes, so that the choice costs nothing once the code is compiled. Bounds of
- * certified answers, behind which no exact path stands, do not pass through here.
+ * <p>Bounds are static constants, so the choice costs nothing once the code is compiled. Bounds of certified answers,
+ * which have no exact path to fall back on, do not pass through here.
  */
 public final class Filter {
-    /** The system property that chooses. */
+    /** The name of the system property. */
     public static final String PROPERTY = "robosim.geometry.filter";
 
     private enum Mode {
@@ -74,23 +74,23 @@ public final class Filter {
     }
 
     /**
-     * The bound that a filter shall use.
+     * The bound that a filter must use.
      *
-     * @param derived a number or a factor above 0, as the kernel derives it
+     * @param derived the bound or factor, above 0, as the kernel derives it
      */
     public static double bound(double derived) {
         return derived * MODE.factor;
     }
 
     /**
-     * Whether every filter doubts. For filters that are no comparison with a bound; one that is needs not ask, as nothing
-     * is beyond an infinite bound, nor beyond the NaN that it leaves of a magnitude of zero.
+     * Whether every filter must be inconclusive. Only filters that do not compare with a bound need to ask; for the
+     * others nothing exceeds an infinite bound, or the NaN that it gives for a magnitude of zero.
      */
     public static boolean isDoubting() {
         return MODE == Mode.DOUBT || MODE == Mode.OFF;
     }
 
-    /** Whether expansions are left out too. */
+    /** Whether expansions are skipped too. */
     public static boolean isOff() {
         return MODE == Mode.OFF;
     }

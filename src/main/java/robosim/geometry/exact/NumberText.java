@@ -39,7 +39,7 @@ public final class NumberText {
                 : plain.toString().replace("E+", "e").replace('E', 'e');
     }
 
-    /** As in {@code 1 step} and {@code 3,000 steps}. */
+    /** A count with its noun, as in {@code 1 step} and {@code 3,000 steps}. */
     public static String count(long count, String one) {
         return String.format(Locale.ROOT, "%,d %s%s", count, one, count == 1 ? "" : "s");
     }

@@ -5,8 +5,8 @@ import java.util.Arrays;
 /**
  * Signs of determinants of points, exact for every finite input.
  *
- * <p>Three stages: plain doubles where a derived bound makes them certain, expansions where the exponents allow them,
- * big integers for the rest.
+ * <p>Three stages: plain doubles where a derived bound makes their sign certain, expansions where the exponents allow
+ * it, big integers otherwise.
  */
 public final class Orientation {
     // u = 2^-53; Shewchuk 1997, 4.2 and 4.3: the double determinant is off by at most this much of its permanent.
@@ -14,7 +14,7 @@ public final class Orientation {
     private static final double SIDE_FILTER = Filter.bound((3 + 16 * U) * U);
     private static final double VOLUME_FILTER = Filter.bound((7 + 56 * U) * U);
 
-    // A product that underflows is off by 2^-1075 more; there are at most six, and the bound itself rounds.
+    // A product that underflows is off by 2^-1075 more; there are at most six, and the bound itself is rounded.
     private static final double UNDERFLOW = 0x1p-1070;
 
     private static final Stages.Counter SIDE = Stages.counter("Orientation.side expanded");
@@ -25,8 +25,8 @@ public final class Orientation {
     private Orientation() {}
 
     /**
-     * Sign of {@code (bx - ax) * (pz - az) - (bz - az) * (px - ax)}, exact: on which side of the line a->b the point p is,
-     * 0 on it. With X to the right and Z up on the paper, +1 is left.
+     * Sign of {@code (bx - ax) * (pz - az) - (bz - az) * (px - ax)}, exact: the side of the line a->b on which the
+     * point p lies, 0 if on the line. With X drawn to the right and Z upwards, +1 is left.
      *
      * <p>{@code side(a, b, p) == side(b, p, a) == -side(b, a, p)}.
      */
@@ -36,8 +36,8 @@ public final class Orientation {
     }
 
     /**
-     * Sign of the determinant of {@code b - a}, {@code c - a}, {@code d - a}, exact: +1 where the three are right-handed, 0
-     * where the four points lie in a plane.
+     * Sign of the determinant of {@code b - a}, {@code c - a}, {@code d - a}, exact: +1 if the three vectors are
+     * right-handed, 0 if the four points lie in a plane.
      */
     public static int volume(
             double ax,
@@ -61,7 +61,7 @@ public final class Orientation {
         double left = a * b;
         double right = c * d;
         if (!Filter.isDoubting() && (left < right || left > right)) {
-            return left > right ? 1 : -1; // rounding never swaps two products
+            return left > right ? 1 : -1; // rounding never reverses the order of two products
         }
         boolean fits = !Filter.isOff()
                 && Expansion.fits(a, 2)
@@ -76,7 +76,7 @@ public final class Orientation {
         return Dyadic.product(a, b).compareTo(Dyadic.product(c, d));
     }
 
-    // The sign where plain doubles are certain of it, else 0.
+    // The sign if plain doubles are certain of it, else 0.
     static int quickSide(double ax, double az, double bx, double bz, double px, double pz) {
         double left = (bx - ax) * (pz - az);
         double right = (bz - az) * (px - ax);
@@ -228,7 +228,7 @@ public final class Orientation {
         return Expansion.grow(sum, grown, p);
     }
 
-    // ((a - b)(c - d) - (e - f)(g - h)) * (p - q), all of the array in use
+    // ((a - b)(c - d) - (e - f)(g - h)) * (p - q); uses the whole array
     private static double[] minorTimes(
             double a, double b, double c, double d, double e, double f, double g, double h, double p, double q) {
         double[] left = product(a, b, c, d);

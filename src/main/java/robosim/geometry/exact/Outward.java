@@ -13,7 +13,10 @@ public final class Outward {
         return up(sum, DoubleDouble.sumTail(a, b, sum));
     }
 
-    /** The next double above a number where its tail is above 0, without a branch: it would be guessed wrong half the time. */
+    /**
+     * The next double above a number if its tail is above 0; without a branch, which would be mispredicted half of the
+     * time.
+     */
     private static double up(double number, double tail) {
         long isUp = Double.doubleToLongBits(0.0 - tail) >> (Long.SIZE - 1);
         long from = Double.doubleToRawLongBits(number + 0.0);
@@ -27,7 +30,7 @@ public final class Outward {
         if (a == 0 || b == 0 || a == 1 || b == 1) {
             return product;
         }
-        // Below this the tail of the product may itself be rounded away.
+        // Below this the rounding error of the product may itself be rounded.
         return up(product, product < 0x1p-960 ? 1 : Math.fma(a, b, -product));
     }
 

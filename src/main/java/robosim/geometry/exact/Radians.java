@@ -1,16 +1,16 @@
 package robosim.geometry.exact;
 
 /**
- * Sine and cosine of radians: the bits of {@link StrictMath}, and nothing allocated. From JDK 21 on StrictMath makes an
- * array at each call.
+ * Sine and cosine of radians: the same bits as {@link StrictMath}, but without allocation. From JDK 21 on StrictMath
+ * allocates an array at each call.
  *
- * <p>The formulae are those of K. C. Ng's kernels for sine and cosine (1993), which the contract of StrictMath names: the
- * angle is brought to within an eighth of a turn as a sum of two doubles, {@code x + tail}, and an odd or even polynomial
- * follows.
+ * <p>The formulae are those of K. C. Ng's kernels for sine and cosine (1993), which the contract of StrictMath names:
+ * the angle is reduced to within an eighth of a turn as a sum of two doubles, {@code x + tail}, to which an odd or even
+ * polynomial is applied.
  */
 public final class Radians {
-    // The minimax polynomials on [-pi/4, pi/4]: sin x = x + x^3 (S3 + S5 x^2 + ..), off by less than 2^-58 of it, and
-    // cos x = 1 - x^2 / 2 + x^4 (C4 + C6 x^2 + ..), off by less than 2^-58.
+    // The minimax polynomials on [-pi/4, pi/4]: sin x = x + x^3 (S3 + S5 x^2 + ..), off by less than 2^-58 of its
+    // value, and cos x = 1 - x^2 / 2 + x^4 (C4 + C6 x^2 + ..), off by less than 2^-58.
     private static final double S3 = -0x1.5555555555549p-3;
     private static final double S5 = 0x1.111111110f8a6p-7;
     private static final double S7 = -0x1.a01a019c161d5p-13;
@@ -25,7 +25,7 @@ public final class Radians {
     private static final double C14 = -0x1.8fae9be8838d4p-37;
 
     // pi / 2 in pieces of 33 bits, whose products with a number of quarters below 2^20 are exact, and the double
-    // nearest to what each leaves.
+    // nearest to the remainder after each piece.
     private static final double QUARTER_1 = 0x1.921fb544p0;
     private static final double REST_1 = 0x1.0b4611a626331p-34;
     private static final double QUARTER_2 = 0x1.0b4611a6p-34;
@@ -36,13 +36,13 @@ public final class Radians {
 
     private static final long UPPER = 0xffffffff00000000L;
     private static final double EIGHTH = cut(Math.PI / 4);
-    // Up to here the pieces do; StrictMath's own limit.
+    // Up to this many quarter turns the pieces suffice; StrictMath has the same limit.
     private static final double MOST = cut(0x1p19 * Math.PI / 2);
     private static final double TINY = 0x1p-27;
 
     private Radians() {}
 
-    /** {@link StrictMath#sin}, within 1 ulp; only beyond 2<sup>19</sup> quarter turns it is asked itself. */
+    /** {@link StrictMath#sin}, within 1 ulp; StrictMath itself is called only beyond 2<sup>19</sup> quarter turns. */
     public static double sin(double radians) {
         double size = Math.abs(radians);
         if (cut(size) <= EIGHTH) {
@@ -55,7 +55,7 @@ public final class Radians {
         return radians < 0 ? -value : value;
     }
 
-    /** {@link StrictMath#cos}, within 1 ulp; only beyond 2<sup>19</sup> quarter turns it is asked itself. */
+    /** {@link StrictMath#cos}, within 1 ulp; StrictMath itself is called only beyond 2<sup>19</sup> quarter turns. */
     public static double cos(double radians) {
         double size = Math.abs(radians);
         if (cut(size) <= EIGHTH) {
@@ -64,14 +64,14 @@ public final class Radians {
         return cut(size) <= MOST ? turned(size, 1) : StrictMath.cos(radians);
     }
 
-    /** The sine of an angle, above an eighth of a turn, and so many quarters. */
+    /** The sine of an angle plus a number of quarter turns; the angle is above an eighth of a turn. */
     private static double turned(double size, int ahead) {
         double quarters = (int) (size * QUARTERS + 0.5);
         double left = size - quarters * QUARTER_1;
         double less = quarters * REST_1;
         double x = left - less;
-        // Where the two cancelled, the next piece tells more. Not by value alone: below 32 quarters StrictMath looks
-        // for it only where the upper halves of the words agree.
+        // If the two cancelled, the next piece is needed. As in StrictMath, the test does not depend on the value
+        // alone: below 32 quarter turns the cancellation is checked only if the upper halves of the words agree.
         boolean isNear = quarters >= 32 || cut(size) == cut(quarters * (Math.PI / 2));
         if (isNear && Math.getExponent(size) - Math.getExponent(x) > 16) {
             double before = left;
@@ -117,12 +117,13 @@ public final class Radians {
         if (size < 0x1.33333p-2) {
             return 1 - (0.5 * square - correction);
         }
-        // About a quarter of x, of few digits: it is taken from 1 and from x^2 / 2 without rounding.
+        // About a quarter of x, with few significant bits, so that it is subtracted from 1 and from x^2 / 2 without
+        // rounding.
         double part = size > 0x1.9p-1 ? 0.28125 : 0.25 * size;
         return (1 - part) - ((0.5 * square - part) - correction);
     }
 
-    /** The upper half of a word. */
+    /** The number with the lower half of its bits cleared. */
     private static double cut(double size) {
         return Double.longBitsToDouble(Double.doubleToRawLongBits(size) & UPPER);
     }

@@ -1,36 +1,39 @@
 package robosim.geometry.exact;
 
 /**
- * Rotation matrices as nine doubles in an array, row by row; the columns are an object's own axes in the world.
+ * Rotation matrices as nine doubles in an array, row-major; the columns are an object's own axes in the world.
  *
- * <p><b>Orthonormal for ever.</b> After a turn or a {@link #yaw}, whatever came before, each product of two columns is
- * within {@link #ORTHONORMALITY} of 0 or 1. With u = 2<sup>-53</sup>: a yaw's cosine and sine are off by 1.5 ulp, 3u of
- * themselves, so the sum of their squares by 6u; a composed turn is corrected by products that are off by at most 3u
- * (three products and two sums, and by Cauchy the magnitudes sum to 1), and the corrected numbers are rounded once more,
- * which costs 2u a product; the Newton step leaves of what the turn itself added, and of a given rotation's 1e-9, the square
- * only. Quarter turns permute columns and keep what there was.
+ * <p><b>Orthonormality does not degrade.</b> After a turn or a {@link #yaw}, whatever came before, each dot product of
+ * two columns is within {@link #ORTHONORMALITY} of 0 or 1. With u = 2<sup>-53</sup>: a yaw's cosine and sine are off by
+ * 1.5 ulp, 3u of themselves, so the sum of their squares by 6u; a composed turn is corrected by products that are off
+ * by at most 3u (three products and two sums, and by Cauchy the magnitudes sum to 1), and the corrected numbers are
+ * rounded once more, which costs 2u a product; the Newton step leaves only the square of the error that the turn itself
+ * added, and of a given rotation's 1e-9. Quarter turns permute columns and add no error.
  *
- * <p><b>The direction.</b> A composed turn is off by at most {@link #TURN_ERROR} radians: 3u for its cosine and sine, 2.5u
- * for its products and sums (3.5u in the Frobenius norm, of which an angle is the part that is skew, over the root of two),
- * and 1.25u for the rounding of the corrected numbers. So n composed turns are off by at most n times that, and by some
- * root of n times that where their errors are not alike. The symmetric correction turns nothing.
+ * <p><b>The direction.</b> A composed turn is off by at most {@link #TURN_ERROR} radians: 3u for its cosine and sine,
+ * 2.5u for its products and sums (3.5u in the Frobenius norm; the angle is the skew-symmetric part over the root of
+ * two), and 1.25u for the rounding of the corrected numbers. So n composed turns are off by at most n times that, and
+ * by about the square root of n times that if their errors are independent. The symmetric correction adds no rotation.
  */
 public final class Rotations {
-    /** How many numbers a rotation is. */
+    /** Number of doubles in a rotation. */
     public static final int SIZE = 9;
 
-    /** How far from 0 or 1 the product of two columns is after any number of turns: 8u, of which 6u are proven above. */
+    /**
+     * How far the dot product of two columns may be from 0 or 1 after any number of turns: 8u, of which 6u are derived
+     * above.
+     */
     public static final double ORTHONORMALITY = 0x1p-50;
 
-    /** By how much a composed turn may miss its angle, in radians: 7u. */
+    /** The largest angular error of a composed turn, in radians: 7u. */
     public static final double TURN_ERROR = 7 * 0x1p-53;
 
-    /** How far from orthonormal a given rotation may be, in each product of two of its columns. */
+    /** How far each dot product of two columns of a given rotation may be from 0 or 1. */
     private static final double ORTHONORMAL = 1e-9;
 
     private Rotations() {}
 
-    /** Writes the rotation that turns nothing. */
+    /** Writes the identity. */
     public static void identity(double[] r, int at) {
         upright(1, 0, r, at);
     }
@@ -40,7 +43,7 @@ public final class Rotations {
         upright(Degrees.cos(hi, lo), Degrees.sin(hi, lo), r, at);
     }
 
-    /** Writes the rotation about the vertical with this cosine and sine. */
+    /** Writes the rotation about the vertical by the angle with this cosine and sine. */
     public static void upright(double cos, double sin, double[] r, int at) {
         r[at] = cos;
         r[at + 1] = 0;
@@ -113,7 +116,7 @@ public final class Rotations {
         }
     }
 
-    /** Writes the product {@code a * b}, which may replace either factor. Not re-orthonormalised. */
+    /** Writes the product {@code a * b}, which may replace either factor. The product is not re-orthonormalized. */
     public static void multiply(double[] a, int i, double[] b, int j, double[] out, int at) {
         double b00 = b[j];
         double b01 = b[j + 1];
@@ -124,8 +127,8 @@ public final class Rotations {
         double b20 = b[j + 6];
         double b21 = b[j + 7];
         double b22 = b[j + 8];
-        // Row by row, and against the overlap: where out follows a inside one array, a row is read before it is
-        // written.
+        // Row by row, in the order that is safe if both overlap: if out follows a in the same array, each row is read
+        // before it is overwritten.
         for (int row = 0; row < SIZE; row += 3) {
             double x = a[i + row];
             double y = a[i + row + 1];
@@ -149,7 +152,7 @@ public final class Rotations {
         return determinant(r, at) > 0;
     }
 
-    /** Whether the own Y axis is exactly the world's, and the other two exactly level. */
+    /** Whether the object's own Y axis is exactly the world's, and the other two are exactly horizontal. */
     public static boolean isUpright(double[] r, int at) {
         return r[at + 1] == 0 && r[at + 3] == 0 && r[at + 4] == 1 && r[at + 5] == 0 && r[at + 7] == 0;
     }
@@ -161,8 +164,8 @@ public final class Rotations {
     }
 
     /**
-     * One Newton step towards the nearest orthonormal matrix, {@code R <- R (3I - R'R) / 2}: an error e becomes some e*e.
-     * Axes that are exactly along the world's stay there.
+     * One Newton step towards the nearest orthonormal matrix, {@code R <- R (3I - R'R) / 2}: an error e becomes about
+     * e*e. Axes that are exactly along the world's stay so.
      */
     public static void orthonormalise(double[] r, int at) {
         double xx = columns(r, at, 0, 0);
@@ -175,7 +178,7 @@ public final class Rotations {
             double x = r[row];
             double y = r[row + 1];
             double z = r[row + 2];
-            // As a small correction: the rounding of the factor 3 - xx then does not matter.
+            // Written as a small correction, so that the rounding of the factor 3 - xx does not matter.
             r[row] = x + 0.5 * (x * (1 - xx) - y * xy - z * xz);
             r[row + 1] = y + 0.5 * (y * (1 - yy) - x * xy - z * yz);
             r[row + 2] = z + 0.5 * (z * (1 - zz) - x * xz - y * yz);

@@ -7,38 +7,40 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * How often the filters left a question to a later stage, for all threads of this JVM. Only what is slow anyway counts;
- * who wants a share counts the questions.
+ * Counts how often the filters left a decision to a later stage, over all threads of this JVM. Only the slow later
+ * stages are counted; for a rate, count the calls separately.
  */
 public final class Stages {
     private static final Map<String, Counter> COUNTERS = new ConcurrentHashMap<>();
 
     private Stages() {}
 
-    /** The counter of this name, which begins with the class whose stage it is. */
+    /** The counter of a given name; a name begins with the class that the stage is in. */
     public static Counter counter(String name) {
         return COUNTERS.computeIfAbsent(name, n -> new Counter());
     }
 
-    /** All counts so far, those of classes in use, by name. A difference of two such maps tells of what lay between. */
+    /**
+     * All counts so far, by name, of classes loaded so far. The difference of two such maps is the count in between.
+     */
     public static SortedMap<String, Long> counts() {
         SortedMap<String, Long> counts = new TreeMap<>();
         COUNTERS.forEach((name, counter) -> counts.put(name, counter.total()));
         return counts;
     }
 
-    /** Questions that came to one stage. */
+    /** Counts the decisions that reached one stage. */
     public static final class Counter {
         private final AtomicLong total = new AtomicLong();
 
         private Counter() {}
 
-        /** One question more. */
+        /** Counts one decision. */
         public void count() {
             total.incrementAndGet();
         }
 
-        /** Questions so far. */
+        /** The number of decisions so far. */
         public long total() {
             return total.get();
         }

@@ -1,25 +1,28 @@
 package robosim.geometry.exact;
 
-/** Lengths and largest coordinates of plain vectors, the unit of rounding, and the step from a ray's parameter to a distance. */
+/**
+ * Lengths and largest coordinates of plain vectors, the unit roundoff, and the conversion between a ray's parameter and
+ * a distance.
+ */
 public final class VectorMath {
-    /** The unit of rounding: a double operation is off by at most this share of its result. */
+    /** The unit roundoff: the largest relative error of one double operation. */
     public static final double U = 0x1p-53;
 
     /**
-     * More than everything that underflow may add to a decision: fewer than 2^10 products are off by 2^-1075 each, and
-     * what multiplies them later is below 2^210.
+     * An upper bound of the errors that underflow may add to a decision: fewer than 2^10 products are off by 2^-1075
+     * each, and later factors are below 2^210.
      */
     public static final double UNDERFLOW = 0x1p-800;
 
-    /** Below this the squares of a distance's parts may vanish, and above it none does that matters. */
+    /** Below this the squares of a distance's components may underflow; above it no square that matters does. */
     public static final double TINY = 0x1p-450;
 
-    /** Makes what is tiny large enough to be squared; a power of two, so that nothing is rounded. */
+    /** The factor that makes tiny numbers large enough to be squared; a power of two, so that nothing is rounded. */
     public static final double ENLARGED = 0x1p500;
 
     private VectorMath() {}
 
-    /** The root of the sum of two squares of what is not negative, however small. */
+    /** The square root of the sum of two squares, for arguments of at least 0, however small. */
     public static double legs(double x, double z) {
         if (x + z < TINY) {
             double ex = x * ENLARGED;
@@ -29,13 +32,15 @@ public final class VectorMath {
         return Math.sqrt(x * x + z * z);
     }
 
-    /** A number, or its negative where the sign's is negative: without a branch that would be guessed wrong half of the time. */
+    /**
+     * A number, negated if {@code sign} is negative; without a branch, which would be mispredicted half of the time.
+     */
     public static double signed(double number, double sign) {
         return Double.longBitsToDouble(
                 Double.doubleToRawLongBits(number) ^ (Double.doubleToRawLongBits(sign) & Long.MIN_VALUE));
     }
 
-    /** The one where a number is positive, the other where it is negative; without a branch as well. */
+    /** {@code positive} or {@code negative}, by the sign of a number; also without a branch. */
     public static double pick(double number, double positive, double negative) {
         long isNegative = Double.doubleToRawLongBits(number) >> (Long.SIZE - 1);
         return Double.longBitsToDouble((Double.doubleToRawLongBits(positive) & ~isNegative)
@@ -51,8 +56,8 @@ public final class VectorMath {
     }
 
     /**
-     * World units to the parameter {@code t + tail} of a direction, rounded about once: the length of the direction and
-     * its product with t are taken to some 100 bits.
+     * The distance in world units at the parameter {@code t + tail} of a direction, with about one rounding: the length
+     * of the direction and its product with t are computed to some 100 bits.
      */
     public static double along(double t, double tail, double dx, double dy, double dz) {
         double xx = dx * dx;
@@ -73,8 +78,8 @@ public final class VectorMath {
     }
 
     /**
-     * Whether an error is small enough for a distance: at most 3 ulp of the largest of the distance and the coordinates,
-     * so that with the last rounding the distance is within 4 ulp of that.
+     * Whether an error is small enough for a distance: at most 3 ulp of the largest of the distance and the
+     * coordinates, so that after the last rounding the distance is within 4 ulp of that maximum.
      */
     public static boolean isFine(double error, double distance, double largestCoordinate) {
         return error <= 3 * Math.ulp(Math.max(distance, largestCoordinate));

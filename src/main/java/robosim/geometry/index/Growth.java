@@ -1,27 +1,29 @@
 package robosim.geometry.index;
 
-/** How columns grow that have a place for each object: few copies while they are small, little to spare when they are large. */
+/**
+ * How arrays with one element per object grow: few copies while they are small, little spare room when they are large.
+ */
 public final class Growth {
-    /** Room at first. */
+    /** The initial capacity. */
     public static final int FIRST = 32;
 
-    /** Fewer than these grow to four times as many. */
+    /** Arrays smaller than this grow to four times their size. */
     private static final int SMALL = 1 << 13;
 
-    /** Fewer than these grow by as many again. */
+    /** Arrays smaller than this are doubled. */
     private static final int MEDIUM = 1 << 15;
 
-    /** Room for so many more is not worth giving up. */
+    /** Spare room for this many is not worth giving up. */
     private static final int FEW = 1024;
 
     private Growth() {}
 
-    /** Whether an array with room for more than its size wastes a thing worth mentioning. */
+    /** Whether an array's spare room is worth giving up. */
     public static boolean isWasteful(int size, int capacity) {
         return capacity - size > FEW + (size >> 6);
     }
 
-    /** The next capacity of what is full with so many. */
+    /** The next capacity of a full array. */
     public static int of(int size) {
         return size < SMALL ? 4 * size + 2 : size < MEDIUM ? 2 * size + 2 : size + (size >> 2);
     }

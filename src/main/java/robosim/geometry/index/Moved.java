@@ -2,13 +2,13 @@ package robosim.geometry.index;
 
 import java.util.Arrays;
 
-/** Objects that have moved, and their boxes before that, six numbers each: the first box, however often they move. */
+/** The objects that have moved, each with its box before its first move, six numbers. */
 final class Moved {
     private int[] ids = new int[4];
     private double[] boxes = new double[6 * ids.length];
     private int count;
 
-    /** A bit for each id, set for those that are here. */
+    /** One bit per id, set for the objects recorded here. */
     private long[] present = new long[1];
 
     boolean isEmpty() {
@@ -28,7 +28,7 @@ final class Moved {
         System.arraycopy(boxes, 6 * k, box, 0, 6);
     }
 
-    /** Takes note of an object that is about to move from its box, if it is not here yet. */
+    /** Records an object that is about to move, with its box, unless it is recorded already. */
     void note(int id, double[] from) {
         int word = id >> 6;
         if (word >= present.length) {

@@ -12,20 +12,20 @@ import robosim.geometry.index.tiles.TileWalk;
 import robosim.geometry.index.tiles.Tiles;
 
 /**
- * One query at a time over the {@link QuadTree} it came from; reusable, nothing is allocated once its queue has grown. A change of
- * the tree ends the query: start again.
+ * Runs one query at a time over its {@link QuadTree}. It is reusable and allocates nothing once its queue has grown. A
+ * change of the tree invalidates the query, which must be started again.
  */
 public final class QuadCursor {
-    /** A box on so many tiles meets few objects twice. */
+    /** A box on at most this many tiles meets few objects twice. */
     private static final int FEW_TILES = 9;
 
-    /** The target wanted no more. */
+    /** The target needs no more objects. */
     public static final int ENOUGH = TileProbe.ENOUGH;
 
     /** The rectangle lies on too many regions. */
     public static final int TOO_MANY = TileProbe.TOO_MANY;
 
-    /** The target has met all. */
+    /** The target has seen all objects. */
     public static final int ALL = TileProbe.ALL;
 
     private final QuadTree tree;
@@ -38,13 +38,13 @@ public final class QuadCursor {
     private final TileGathering gathering = new TileGathering();
     private int layer;
 
-    /** Whether the ray is answered by the regions, in order. */
+    /** Whether the ray query runs over the regions, in order of distance. */
     private boolean isInOrder;
 
-    /** Whether a ray has layers still to come. */
+    /** Whether the ray query has layers left. */
     private boolean hasMore;
 
-    // The box, for the layers to come.
+    // The query's box, for the remaining layers.
     private double x0;
     private double z0;
     private double x1;
@@ -58,12 +58,12 @@ public final class QuadCursor {
         scan = new TileScan(none);
     }
 
-    /** How many regions this cursor has looked into since it was made. */
+    /** Number of regions that this cursor has examined since it was made. */
     public long visited() {
         return ordered.visited() + walk.visited() + scan.visited();
     }
 
-    /** Starts the query for all objects whose boxes meet this closed box; take them with {@link #next()}. */
+    /** Starts a query for all objects whose boxes meet this closed box; {@link #next()} returns them. */
     public void startBox(double minX, double minZ, double maxX, double maxZ) {
         tree.settle();
         x0 = minX;
@@ -74,7 +74,7 @@ public final class QuadCursor {
         scan.stop();
     }
 
-    /** The next object that meets the box, in no promised order, each once; -1 after the last. */
+    /** The next object that meets the box, each once, in an unspecified order; -1 after the last. */
     public int next() {
         while (true) {
             int id = scan.next(tree.boxes);
@@ -89,18 +89,22 @@ public final class QuadCursor {
         }
     }
 
-    /** Half of what lies between two numbers, rounded up: at least as far as either is from the middle, min / 2 + max / 2. */
+    /**
+     * Half of the distance between two numbers, rounded up, so that it is at least as large as the distance of either
+     * from the rounded middle, min / 2 + max / 2.
+     */
     public static double half(double min, double max) {
         double middle = min / 2 + max / 2;
         return Math.nextUp(Math.max(middle - min, max - middle));
     }
 
     /**
-     * Lets a target meet all objects that may meet a small rectangle about a place, until it wants no more. One that lies
-     * across regions may come again.
+     * Passes all objects that may meet a small rectangle around a point to a target, until it needs no more. An object
+     * that lies across regions may be passed more than once.
      *
      * @param halfX half its size, at least 0
-     * @return {@link #ENOUGH}, {@link #ALL}, or {@link #TOO_MANY} where it is not small: start a query that gives each once
+     * @return {@link #ENOUGH}, {@link #ALL}, or {@link #TOO_MANY} if the rectangle is not small; then start a box query
+     *     instead
      */
     public int near(double x, double z, double halfX, double halfZ, double[] outlines, NearTarget target) {
         tree.settle();
@@ -117,19 +121,19 @@ public final class QuadCursor {
     }
 
     /**
-     * Gathers all objects but one that may meet this closed box, and answers how many there are; take them with
-     * {@link #gathered}. One that lies across regions may be there again.
+     * Collects all objects that may meet this closed box, ignoring one, and returns their number; {@link #gathered}
+     * returns them. An object that lies across regions may be among them more than once.
      */
-    public int gather(double minX, double minZ, double maxX, double maxZ, int but, double[] outlines) {
+    public int gather(double minX, double minZ, double maxX, double maxZ, int ignored, double[] outlines) {
         NearGrid near = tree.near();
-        gathering.start(minX, minZ, maxX, maxZ, but);
+        gathering.start(minX, minZ, maxX, maxZ, ignored);
         if (near != null) {
             gathering.gather(near, tree.boxes);
             return gathering.count();
         }
         double halfX = maxX / 2 - minX / 2;
         double halfZ = maxZ / 2 - minZ / 2;
-        gathering.startAbout(minX / 2 + maxX / 2, minZ / 2 + maxZ / 2, halfX, halfZ, tree.most, but);
+        gathering.startAbout(minX / 2 + maxX / 2, minZ / 2 + maxZ / 2, halfX, halfZ, tree.most, ignored);
         for (int k = 0; k < layers.count(); k++) {
             if (!layers.get(k).isEmpty()) {
                 gathering.gather(layers.get(k), outlines);
@@ -138,7 +142,7 @@ public final class QuadCursor {
         return gathering.count();
     }
 
-    /** The k-th object that was gathered. */
+    /** The k-th object collected. */
     public int gathered(int k) {
         return gathering.id(k);
     }
@@ -152,7 +156,7 @@ public final class QuadCursor {
         return hasLayer() ? layers.get(layer++) : null;
     }
 
-    /** Turns to the next layer that is not empty, if there is one. */
+    /** Goes to the next layer that is not empty, if there is one. */
     private boolean hasLayer() {
         while (layer < layers.count() && layers.get(layer).isEmpty()) {
             layer++;
@@ -161,10 +165,10 @@ public final class QuadCursor {
     }
 
     /**
-     * Starts the query for all objects whose outlines a ray may meet; take them with {@link #nextOnRay}. A point of the ray is
-     * its start plus a parameter times the direction.
+     * Starts a query for all objects whose outlines a ray may meet; {@link #nextOnRay} returns them. A point of the ray
+     * is its start plus a parameter times the direction.
      *
-     * @throws IllegalArgumentException where the start is not finite, or the direction zero or not finite
+     * @throws IllegalArgumentException if the start is not finite, or the direction zero or not finite
      */
     public void startRay(double ox, double oz, double dx, double dz) {
         double sum = Math.abs(ox) + Math.abs(oz);
@@ -185,7 +189,10 @@ public final class QuadCursor {
         }
     }
 
-    /** Turns to the next layer, or to all objects in order where the ray is too far from it; false after the last layer. */
+    /**
+     * Goes to the next layer, or to all objects in order of distance if the ray is too far from that layer; false after
+     * the last layer.
+     */
     private boolean walkOn() {
         Tiles tiles = nextLayer();
         if (tiles == null) {
@@ -205,7 +212,8 @@ public final class QuadCursor {
     }
 
     /**
-     * The next object that the ray may meet at a parameter up to the limit, region by region, maybe again; -1 after the last.
+     * The next object that the ray may meet at a parameter up to the limit, region by region; -1 after the last. An
+     * object may be returned more than once.
      *
      * @param limit at least 0; may be infinite, and may shrink from call to call
      */
@@ -229,11 +237,11 @@ public final class QuadCursor {
     }
 
     /**
-     * Starts the query for all objects whose boxes are within a distance of a point, nearest first; take them with
-     * {@link #next(double)}.
+     * Starts a query for all objects whose boxes are within a distance of a point, nearest first; {@link #next(double)}
+     * returns them.
      *
      * @param limit at least 0; may be infinite
-     * @throws IllegalArgumentException where the point is not finite
+     * @throws IllegalArgumentException if the point is not finite
      */
     public void startPoint(double x, double z, double limit) {
         tree.growRegions();
@@ -241,10 +249,10 @@ public final class QuadCursor {
     }
 
     /**
-     * Starts the query for all objects whose boxes are within a distance of a point and not wholly beyond one of two
+     * Starts a query for all objects whose boxes are within a distance of a point and not wholly beyond either of two
      * lines through it, nearest first.
      *
-     * @param leftX  outward normal of one line, of length 1 at most; zero for none
+     * @param leftX  outward normal of one line, of length at most 1; zero for no line
      * @param rightX outward normal of the other line
      */
     public void startSector(
@@ -253,12 +261,12 @@ public final class QuadCursor {
         ordered.startSector(tree.regions, x, z, leftX, leftZ, rightX, rightZ, limit);
     }
 
-    /** The next object of a point query; -1 after the last within the limit, which may shrink from call to call. */
+    /** The next object of a point query within the limit, which may shrink from call to call; -1 after the last. */
     public int next(double limit) {
         return ordered.next(tree.regions, tree.boxes, limit);
     }
 
-    /** A lower bound, rounded down, of the distance at which the last object of a point query begins. */
+    /** A lower bound, rounded down, of the distance of the object last returned by a point query. */
     public double entry() {
         return ordered.entry();
     }

@@ -10,42 +10,42 @@ import robosim.geometry.index.tiles.TileLayers;
 import robosim.geometry.index.tiles.Tiles;
 
 /**
- * Objects by a small id of the caller's and a box in the XZ plane.
+ * An index of objects, each given by a small id that the caller chooses and a box in the XZ plane.
  *
- * <p>A region is cut in four at its centre, again and again. Where a ray or a box asks, all regions of one depth are taken
- * at once as {@link Tiles}, about as many as there are objects: a ray steps from tile to tile, front to back, until no
- * later tile can hold anything nearer than what it has met. Objects that are too large for the tiles stand on coarser ones.
- * Where a point asks for what is nearest, the regions are a tree that is descended nearest first. Who is near a small box
- * while objects are being added or move is asked of a {@link NearGrid}, and the tiles catch up when they are asked again.
- * Each is made when first asked, and laid out anew when the number of objects has outgrown it.
+ * <p>Regions are cut in four at their centres, recursively. Ray and box queries use all regions of one depth at once,
+ * as {@link Tiles}, about as many as there are objects: a ray steps from tile to tile, front to back, until no later
+ * tile can hold anything nearer than what it has hit. Objects too large for the tiles are listed on coarser ones.
+ * Queries for the nearest objects of a point descend the regions as a tree, nearest first. While objects are added or
+ * move, queries around a small box use a {@link NearGrid}, and the tiles are brought up to date when they are next
+ * used. Each structure is built on first use, and rebuilt when the number of objects has outgrown it.
  *
- * <p>Belongs to one thread at a time. Arrays have one place for every id up to the greatest.
+ * <p>May be used by one thread at a time. Arrays have one element for every id up to the greatest.
  */
 public final class QuadTree {
-    /** Greatest id: six numbers for each must fit one array. */
+    /** The greatest id: six numbers for each must fit into one array. */
     public static final int MAX_ID = (1 << 28) - 2;
 
-    /** Numbers of a box: its least x, y and z, then its greatest. Heights do not count here, but stand beside the others. */
+    /** Number of doubles in a box: its minimum x, y and z, then its maximum. Heights are stored but not used here. */
     public static final int BOX = 6;
 
     private static final RegionTree NO_REGIONS = new RegionTree(new Cells(0, 0, 0, 0));
 
     private final Cells cells;
 
-    // By id, of those in the tree and of others that its owner keeps here.
+    // By id, of objects in the tree and of others that its owner stores here.
     double[] boxes;
 
     /** By id, whether it is in the tree. */
     private boolean[] listed;
 
-    /** One more than the greatest id so far. */
+    /** The greatest id so far, plus one. */
     private int limit;
 
     private int size;
 
     private final Runnable laidOut;
 
-    /** No coordinate of a box was ever of a greater magnitude. */
+    /** The greatest magnitude of any coordinate of a box so far. */
     double most;
 
     private final double[] given = new double[BOX];
@@ -55,26 +55,30 @@ public final class QuadTree {
     RegionTree regions;
     private boolean hasRegions;
 
-    /** Who is near whom while tiles are out of date; none where it would not do. */
+    /** Answers queries around small boxes while the tiles are out of date; null if a grid is unsuitable. */
     private @Nullable NearGrid grid;
 
-    /** A grid is for so many objects at least. */
+    /** The number of objects from which on a grid is used. */
     private int leastForGrid;
 
     private boolean hasMoved;
 
-    /** What this is a view of, which makes the regions for all of its views; null where it is none. */
+    /**
+     * The frozen tree that this is a view of, which builds the regions for all its views; null if this is not a view.
+     */
     private final @Nullable QuadTree frozen;
 
-    /** Who has moved since the tiles were up to date. */
+    /** The objects that have moved since the tiles were last up to date. */
     private final Moved moved = new Moved();
 
-    /** An empty tree over a world of this extent. Objects may lie outside of it; the tree is merely coarser there. */
+    /** An empty tree over a world of this extent. Objects may lie outside it, where the tree is merely coarser. */
     public QuadTree(double minX, double minZ, double maxX, double maxZ) {
         this(minX, minZ, maxX, maxZ, () -> {});
     }
 
-    /** The same, with what to do whenever the tree has been laid out anew: its owner may do likewise. */
+    /**
+     * The same, with an action to run whenever the tree has been rebuilt, so that its owner can rebuild its own data.
+     */
     public QuadTree(double minX, double minZ, double maxX, double maxZ, Runnable whenLaidOut) {
         laidOut = whenLaidOut;
         cells = new Cells(minX, minZ, maxX, maxZ);
@@ -98,7 +102,10 @@ public final class QuadTree {
         frozen = of;
     }
 
-    /** Lays out what would be laid out when first asked: from now on nobody may change this tree, and many may ask its views. */
+    /**
+     * Builds everything that would be built on first use. From now on the tree must not be changed, and many threads
+     * may query its views.
+     */
     public void freeze() {
         grid = null;
         leastForGrid = Integer.MAX_VALUE;
@@ -106,12 +113,12 @@ public final class QuadTree {
         grid = null;
     }
 
-    /** The same objects as in a frozen tree, for one more thread to ask. */
+    /** A view of a frozen tree, for one thread to query. */
     public QuadTree view() {
         return new QuadTree(this);
     }
 
-    /** The regions of a frozen tree, made when the first of its views asks. */
+    /** The regions of a frozen tree, built when one of its views first needs them. */
     private synchronized RegionTree frozenRegions() {
         growRegions();
         return regions;
@@ -125,7 +132,7 @@ public final class QuadTree {
         return id >= 0 && id < listed.length && listed[id];
     }
 
-    /** A cursor over this tree; it sees the tree as it is when a query starts. */
+    /** A new cursor over this tree; a query sees the tree as it is when the query starts. */
     public QuadCursor cursor() {
         return new QuadCursor(this);
     }
@@ -133,8 +140,8 @@ public final class QuadTree {
     /**
      * Adds an object by its closed box.
      *
-     * @param id small, from 0 to {@link #MAX_ID}, and not in the tree
-     * @throws IllegalArgumentException where the id is taken or out of range, or the box is not finite or inside out
+     * @param id from 0 to {@link #MAX_ID}, not in the tree; should be small, as arrays are indexed by it
+     * @throws IllegalArgumentException if the id is taken or out of range, or the box is not finite or inverted
      */
     public void add(int id, double minX, double minZ, double maxX, double maxZ) {
         requireNew(id);
@@ -147,7 +154,7 @@ public final class QuadTree {
         list(id);
     }
 
-    /** Gives an id a box of {@link #BOX} numbers without adding it. */
+    /** Stores a box of {@link #BOX} numbers for an id without adding it to the tree. */
     public void keep(int id, double[] box) {
         if (id >= listed.length) {
             resize(Math.min(MAX_ID + 1, Growth.of(id)));
@@ -157,9 +164,9 @@ public final class QuadTree {
     }
 
     /**
-     * Adds an object that has its box here.
+     * Adds an object whose box is stored here.
      *
-     * @throws IllegalArgumentException where it is in the tree or its box is not finite or inside out
+     * @throws IllegalArgumentException if it is in the tree or its box is not finite or inverted
      */
     public void list(int id) {
         requireNew(id);
@@ -209,12 +216,15 @@ public final class QuadTree {
         listed = Arrays.copyOf(listed, capacity);
     }
 
-    /** The boxes by id, {@link #BOX} numbers each: of those in the tree and of others that were kept. Valid until the next is. */
+    /**
+     * The boxes by id, {@link #BOX} numbers each: of objects in the tree and of others stored here. Valid until the
+     * next box is stored.
+     */
     public double[] boxes() {
         return boxes;
     }
 
-    /** Takes an object out; false where it is not in the tree. */
+    /** Removes an object; returns false if it is not in the tree. */
     public boolean remove(int id) {
         if (!contains(id)) {
             return false;
@@ -233,10 +243,10 @@ public final class QuadTree {
     }
 
     /**
-     * Gives an object of the tree another box, which must be one that could be added.
+     * Changes the box of an object of the tree; the same rules hold as for adding it.
      *
      * @param to {@link #BOX} numbers
-     * @throws IllegalArgumentException where the id is not in the tree
+     * @throws IllegalArgumentException if the id is not in the tree
      */
     public void move(int id, double[] to) {
         if (!contains(id)) {
@@ -277,13 +287,13 @@ public final class QuadTree {
             tiles.layOut(boxes, listed, size);
             trim();
             laidOut.run();
-            if (!hasMoved) { // a world that stands still needs nothing more
+            if (!hasMoved) { // nothing to do in a world at rest
                 grid = null;
             }
         }
     }
 
-    /** Gives up room that there is for more. */
+    /** Gives up spare room. */
     private void trim() {
         if (Growth.isWasteful(limit, listed.length)) {
             resize(limit);
@@ -299,7 +309,7 @@ public final class QuadTree {
         moved.clear();
     }
 
-    /** The grid, or null where the tiles are to be asked, which are up to date then. */
+    /** The grid, or null if the tiles are to be used, which are then up to date. */
     @Nullable
     NearGrid near() {
         NearGrid near = grid;
@@ -334,13 +344,13 @@ public final class QuadTree {
         }
     }
 
-    /** The regions as a tree. */
+    /** The regions as a tree, built if necessary. */
     Regions grown() {
         growRegions();
         return regions.regions;
     }
 
-    /** How many regions the tree has, cut and uncut. */
+    /** The number of regions of the tree, cut and uncut. */
     public int regions() {
         return grown().count();
     }

@@ -2,7 +2,7 @@ package robosim.geometry.junit;
 
 import robosim.geometry.model.GeometryObject;
 
-/** A robot on its way to a goal. */
+/** An assertion that a robot reaches a goal. */
 public final class Arrival {
     private final RobotWorld world;
     private final Robot robot;
@@ -15,10 +15,10 @@ public final class Arrival {
     }
 
     /**
-     * Lets the clock go on until the robot is there; fails where it is not after so many steps.
+     * Advances the clock until the robot is there; fails if it is not after the given number of steps.
      *
-     * @throws IllegalStateException where nothing would happen in a step, for no robot {@linkplain Robot#follows follows}
-     *     anything
+     * @throws IllegalStateException if nothing would happen in a step, because no robot {@linkplain Robot#follows
+     *     follows} a behaviour
      */
     public Robot within(int steps) {
         if (steps < 0) {

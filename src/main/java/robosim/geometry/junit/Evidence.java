@@ -13,7 +13,7 @@ import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.world.AtomicFileWriter;
 
-/** What a failed test leaves in its folder. */
+/** The files that a failed test leaves in its folder. */
 final class Evidence {
     private static final String REPLAY = "replay" + ScenarioReader.ENDING;
     private static final String PICTURE = "last-moments.svg";
@@ -25,7 +25,7 @@ final class Evidence {
         this.folder = folder;
     }
 
-    /** Takes away what an earlier run left, and its folder unless somebody else has put something into it. */
+    /** Deletes the files of an earlier run, and the folder unless it contains other files. */
     void clear() throws IOException {
         Files.deleteIfExists(folder.resolve(REPLAY));
         Files.deleteIfExists(folder.resolve(PICTURE));
@@ -39,7 +39,7 @@ final class Evidence {
             try {
                 Files.deleteIfExists(folder);
             } catch (DirectoryNotEmptyException e) {
-                // It is not ours alone.
+                // It contains other files too.
             }
         }
     }
@@ -52,7 +52,10 @@ final class Evidence {
         return folder.resolve("connection-" + connection + ".svg");
     }
 
-    /** Leaves all there is and answers the lines of the message that name it. Nothing is thrown: the failure goes first. */
+    /**
+     * Writes all evidence and returns the lines of the failure message that name it. Throws nothing, so that the
+     * failure itself is reported.
+     */
     String leave(String failure, long seed, @Nullable RobotWorld world, Talks talks, String title) {
         String lines = "\n  seed:   " + seed + " (as @Seed(" + seed + "L) or -Drobosim.seed=" + seed + ")";
         if (world != null) {
@@ -92,27 +95,27 @@ final class Evidence {
     private String replay(Scenario scenario) throws IOException {
         Path file = folder.resolve(REPLAY);
         Files.createDirectories(folder);
-        AtomicFileWriter.write(file, scenario::write); // nothing is left of one that cannot be written
+        AtomicFileWriter.write(file, scenario::write); // if it cannot be written, no file remains
         return file.toString();
     }
 
-    /** The robots at the end, with their last ways, what they sensed, what refused them and where they were to come. */
+    /** Draws the robots at the end, with their last paths, what they sensed, what blocked them and their goals. */
     private String picture(Scenario scenario, List<GeometryObject> goals, Path file) throws IOException {
         Files.createDirectories(folder);
         Pictures.lastMoments(scenario, goals, file);
         return file.toString();
     }
 
-    /** Something that is left for people to look at. */
+    /** Writes one piece of evidence. */
     @FunctionalInterface
     private interface Leaving {
-        /** Answers its name. */
+        /** Returns its name. */
         String leave() throws IOException;
     }
 
     /**
-     * Leaves it, or answers why it is not there. An optional module that is missing, or a world too deep to be written, is
-     * an error in Java's sense; neither may take the place of the failure that is told here.
+     * Writes a piece of evidence, or returns why it could not be written. A missing optional module or a world too deep
+     * to be written throws an {@code Error}, which must not replace the failure to be reported.
      */
     private static String unlessItFails(String done, Leaving leaving) {
         try {

@@ -10,7 +10,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.protocol.Text;
 
-/** Where a robot is to come. */
+/** A place that a robot is to reach. */
 public final class Goal {
     private final String words;
     private final ToDoubleFunction<Robot> missing;
@@ -25,7 +25,7 @@ public final class Goal {
     /**
      * A disc on the floor.
      *
-     * @param radius how near to the point the robot's centre must come, seen from above
+     * @param radius how close the robot's centre must come to the point, seen from above
      */
     public static Goal at(double x, double z, double radius) {
         Robot.check("radius", radius);
@@ -42,9 +42,9 @@ public final class Goal {
     }
 
     /**
-     * Beside an object.
+     * A place near an object.
      *
-     * @param distance how near the robot's surface must come to the object's
+     * @param distance how close the robot's surface must come to the object's
      */
     public static Goal near(String object, double distance) {
         Checks.present("object", object);
@@ -55,12 +55,12 @@ public final class Goal {
                 world -> world.hasObject(object) ? List.of(world.getObject(object)) : List.of());
     }
 
-    /** How far the robot still is from it; 0 where it is there. */
+    /** How far the robot still is from it; 0 if it is there. */
     double missing(Robot robot) {
         return missing.applyAsDouble(robot);
     }
 
-    /** To be drawn: what covers of the floor where the goal is. */
+    /** Objects that mark the goal in a picture. */
     List<GeometryObject> objects(Geometry world) {
         return objects.apply(world);
     }

@@ -4,8 +4,8 @@ import robosim.geometry.collision.Verdict;
 import robosim.geometry.protocol.Text;
 
 /**
- * How far a robot and another object are apart: their surfaces, to within the last bits. A sentence about it fails where
- * that is certain.
+ * The distance between the surfaces of a robot and another object, to within the last bits. An assertion about it fails
+ * only if it is certainly false.
  */
 public final class Range {
     private final Robot robot;
@@ -23,7 +23,7 @@ public final class Range {
         return verdict.low();
     }
 
-    /** Fails where they are nearer. */
+    /** Fails if they are nearer. */
     public Robot isAtLeast(double distance) {
         Robot.check("distance", distance);
         if (verdict.high() < distance) {
@@ -32,7 +32,7 @@ public final class Range {
         return robot;
     }
 
-    /** Fails where they are farther apart. */
+    /** Fails if they are farther apart. */
     public Robot isAtMost(double distance) {
         Robot.check("distance", distance);
         if (verdict.low() > distance) {

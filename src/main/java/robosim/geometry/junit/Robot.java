@@ -11,8 +11,9 @@ import robosim.geometry.model.Point;
 import robosim.geometry.protocol.Text;
 
 /**
- * A robot of a {@link RobotWorld}, for sentences about what it does: each either holds or fails the test with what is in
- * its way, and where. Distances are world units; directions are degrees, counter-clockwise from its forward.
+ * A robot of a {@link RobotWorld}, with commands and assertions that read like sentences. Each either succeeds or fails
+ * the test with a message that says what is in the way, and where. Distances are in world units; directions in degrees,
+ * counter-clockwise from its forward direction.
  */
 public final class Robot {
     private final RobotWorld world;
@@ -28,32 +29,32 @@ public final class Robot {
         return name;
     }
 
-    /** As it is now. */
+    /** The robot's object at its present place. */
     public GeometryObject object() {
         return world.known(name);
     }
 
-    /** Where it is. */
+    /** The centre. */
     public Point center() {
         return object().center();
     }
 
-    /** Where it looks, degrees from the world's X. */
+    /** The heading, degrees from the world's X. */
     public double heading() {
         return object().heading();
     }
 
-    /** Goes straight ahead, or back; fails where anything blocks the way. */
+    /** Moves straight ahead, or back if negative; fails if anything blocks the way. */
     public Robot drives(double distance) {
         return moves(new Move(distance, 0, 0, 0, 0));
     }
 
-    /** Turns in place about the vertical; fails where anything blocks it. */
+    /** Turns in place about the vertical; fails if anything blocks it. */
     public Robot turns(double degrees) {
         return moves(new Move(0, 0, 0, 0, degrees));
     }
 
-    /** Moves along its own axes; fails where anything blocks it. */
+    /** Moves along its own axes; fails if anything blocks it. */
     public Robot moves(Move move) {
         Checks.present("move", move);
         MoveResult result = world.move(name, move);
@@ -64,23 +65,26 @@ public final class Robot {
         return this;
     }
 
-    /** Goes ahead if nothing blocks the way, as a robot does that explores; to be refused is no failure. */
+    /**
+     * Moves straight ahead unless something blocks the way, as an exploring robot does; a refused move is not a
+     * failure.
+     */
     public boolean triesToDrive(double distance) {
         return tries(new Move(distance, 0, 0, 0, 0));
     }
 
-    /** Turns if nothing blocks it; to be refused is no failure. */
+    /** Turns unless something blocks it; a refused turn is not a failure. */
     public boolean triesToTurn(double degrees) {
         return tries(new Move(0, 0, 0, 0, degrees));
     }
 
-    /** Makes a move if nothing blocks it; to be refused is no failure. */
+    /** Makes a move unless something blocks it; a refused move is not a failure. */
     public boolean tries(Move move) {
         Checks.present("move", move);
         return world.move(name, move).allowed();
     }
 
-    /** Fails where it can go so far; the way must be blocked by that object. It stays where it is. */
+    /** Asserts that driving the given distance is blocked by the given object. The robot stays where it is. */
     public Robot isBlockedBy(String obstacle, double distance) {
         Checks.present("obstacle", obstacle);
         world.known(obstacle);
@@ -98,12 +102,12 @@ public final class Robot {
         return this;
     }
 
-    /** How far it is from its centre to the next surface in a direction; {@code +Infinity} where there is none. */
+    /** The distance from its centre to the nearest surface in a direction; {@code +Infinity} if there is none. */
     public double range(double direction) {
         return world.measure(name, direction);
     }
 
-    /** Fails where nothing echoes in a direction within a range. */
+    /** Fails if nothing echoes in a direction within a range. */
     public Robot senses(double direction, double range) {
         check("range", range);
         double distance = range(direction);
@@ -114,7 +118,7 @@ public final class Robot {
         return this;
     }
 
-    /** Fails where something echoes in a direction within a range. */
+    /** Fails if something echoes in a direction within a range. */
     public Robot sensesNothing(double direction, double range) {
         check("range", range);
         double distance = range(direction);
@@ -147,8 +151,8 @@ public final class Robot {
     }
 
     /**
-     * Fails where it touches an object now, has run into it, or it into the robot, and from now on when that happens in this
-     * test. As nothing moves into anything, to run into it is to be stopped by it.
+     * Fails if the robot touches an object now, or if either has run into the other so far, and from now on whenever
+     * that happens in this test. Since no move goes into another object, running into it means being stopped by it.
      */
     public Robot neverTouches(String other) {
         Checks.present("other", other);
@@ -156,20 +160,20 @@ public final class Robot {
         return this;
     }
 
-    /** The distance between its surface and another object's, for a sentence about it. */
+    /** The distance between its surface and another object's, for an assertion. */
     public Range rangeTo(String other) {
         Checks.present("other", other);
         return new Range(this, other, world.distance(name, other));
     }
 
-    /** What it does in each step of the clock. */
+    /** Sets what it does in each step of the clock. */
     public Robot follows(Consumer<Robot> behaviour) {
         Checks.present("behaviour", behaviour);
         world.clock().each(() -> behaviour.accept(this));
         return this;
     }
 
-    /** A sentence about where it comes to, which the steps end that are granted. */
+    /** Begins an assertion that it reaches a goal; completed by {@link Arrival#within}. */
     public Arrival reaches(Goal goal) {
         Checks.present("goal", goal);
         return new Arrival(world, this, goal);

@@ -22,8 +22,8 @@ import robosim.geometry.protocol.Text;
 import robosim.geometry.scenario.Scenario;
 
 /**
- * A world with robots that can be told by name what they do, and a clock. What they do is written down, so that a failed
- * test can leave a scenario that replays it. It belongs to one thread at a time.
+ * A world with robots that are addressed by name, and a clock. What the robots do is recorded, so that a failed test
+ * can leave a scenario that replays it. May be used by one thread at a time.
  *
  * <pre>{@code
  * RobotWorld world = RobotWorld.of(WorldReader.read(Path.of("worlds/rooms.xml")).toGeometry());
@@ -31,8 +31,8 @@ import robosim.geometry.scenario.Scenario;
  * world.robots().size(); // 8
  * }</pre>
  *
- * <p>Angles are degrees, counter-clockwise seen from above. A turn is carried out as a peer's request would be, which comes
- * in radians: quarter turns are exact, any other angle is to within its last bits.
+ * <p>Angles are degrees, counter-clockwise seen from above. A turn is carried out like a peer's request, which is in
+ * radians: quarter turns are exact, other angles are accurate to the last bits.
  */
 public final class RobotWorld {
     private final Geometry geometry;
@@ -51,7 +51,7 @@ public final class RobotWorld {
         }
     }
 
-    /** Two that must not touch. */
+    /** A robot and an object that must not touch. */
     private record Watch(String robot, String other) {}
 
     RobotWorld(Geometry geometry, VirtualClock clock) {
@@ -67,7 +67,7 @@ public final class RobotWorld {
         return new RobotWorld(geometry, new VirtualClock(Duration.ofMillis(100)));
     }
 
-    /** The world itself; what is changed there the robots see. */
+    /** The world itself; changes to it affect the robots. */
     public Geometry geometry() {
         return geometry;
     }
@@ -80,7 +80,7 @@ public final class RobotWorld {
     /**
      * A robot.
      *
-     * @throws IllegalArgumentException where there is no moveable object of that name; it tells which there are
+     * @throws IllegalArgumentException if there is no moveable object of that name; the message lists those that exist
      */
     public Robot robot(String name) {
         Checks.present("name", name);
@@ -103,7 +103,7 @@ public final class RobotWorld {
         return all;
     }
 
-    /** What was done so far, as a scenario that ends with the world as it is. */
+    /** What was done so far, as a scenario that ends with the present world. */
     public Scenario scenario(String title) {
         Checks.present("title", title);
         return transcript.scenario(title);
@@ -124,7 +124,7 @@ public final class RobotWorld {
         return geometry.getObject(name);
     }
 
-    /** The least distance of two objects, as a bracket. */
+    /** The distance of two objects, as a bracket. */
     Verdict distance(String name, String other) {
         return ContactQuery.distance(known(name), known(other), geometry.dimension(), Budget.UNLIMITED);
     }
@@ -163,12 +163,11 @@ public final class RobotWorld {
         return distance;
     }
 
-    /** From now on, and looking back. */
+    /** Watches that two objects never touch, from now on and in what happened so far. */
     void watch(String robot, String other) {
         known(other);
         if (robot.equals(other)) {
-            throw new IllegalArgumentException(
-                    "other must be another than the robot itself (got: " + Text.quoted(other) + ")");
+            throw new IllegalArgumentException("other must not be the robot itself (got: " + Text.quoted(other) + ")");
         }
         Watch watch = new Watch(robot, other);
         check(watch);
@@ -198,17 +197,17 @@ public final class RobotWorld {
         return "";
     }
 
-    /** From now on some robot is to reach it, until it has; null for none. */
+    /** Sets the goal that a robot is to reach; null for none. */
     void seek(@Nullable Goal goal) {
         sought = goal;
     }
 
-    /** The goal that is not reached yet, as an object at its place; empty where there is none. */
+    /** The goal that is not reached yet, as objects at its place; empty if there is none. */
     List<GeometryObject> goals() {
         return sought == null ? List.of() : sought.objects(geometry);
     }
 
-    /** When it is, for a message; empty before the first step. */
+    /** The present step of the clock, for a message; empty before the first step. */
     String moment() {
         return clock.steps() == 0 ? "" : " in step " + clock.steps();
     }

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.extension.ExtensionContext;
 import org.junit.platform.commons.support.AnnotationSupport;
 import robosim.geometry.Geometry;
 
-/** What one test is given. A world is made when it is first asked for. */
+/** The objects that are injected into one test. A world is made when it is first asked for. */
 final class Run {
     private static final Pattern INVOCATION = Pattern.compile("#(\\d+)]");
 
@@ -26,7 +26,7 @@ final class Run {
     private final Talks talks = new Talks();
     private @Nullable RobotWorld world;
 
-    /** Which of several worlds and seeds; null where there is nothing to choose. */
+    /** Which of several worlds and seeds to use; null if there is nothing to choose. */
     record Choice(@Nullable String world, @Nullable Long seed) {
         static final Choice NONE = new Choice(null, null);
     }
@@ -40,7 +40,7 @@ final class Run {
         this.random = new Random(seed);
     }
 
-    /** The nearest: on the method, its class, or those around it. */
+    /** The nearest annotation: on the method, its class, or an enclosing class. */
     static <A extends java.lang.annotation.Annotation> Optional<A> find(ExtensionContext context, Class<A> type) {
         Optional<ExtensionContext> at = Optional.of(context);
         while (at.isPresent()) {
@@ -74,7 +74,7 @@ final class Run {
         long[] values = seeds.get().value();
         if (values.length != 1) {
             throw new ExtensionConfigurationException(
-                    "@Seed must have one value but for a @ScenarioTest (got: " + values.length + ")");
+                    "@Seed must have one value except on a @ScenarioTest (got: " + values.length + ")");
         }
         return values[0];
     }
@@ -102,7 +102,7 @@ final class Run {
         String chosen = choice.world();
         if (chosen == null && files.length > 1) {
             throw new ExtensionConfigurationException(
-                    "@World must name one file but for a @ScenarioTest (got: " + files.length + ")");
+                    "@World must name one file except on a @ScenarioTest (got: " + files.length + ")");
         }
         return WorldFile.read(chosen == null ? files[0] : chosen, test);
     }
@@ -124,12 +124,12 @@ final class Run {
         return talks;
     }
 
-    /** The lines that name what was left. */
+    /** Writes the evidence of a failure and returns the lines that name it. */
     String leave(String failure) {
         return evidence(context).leave(failure, seed, world, talks, name(context) + ", seed " + seed);
     }
 
-    /** Class, method and number of the invocation, as a folder may be called. */
+    /** Class, method and number of the invocation, as a valid folder name. */
     private static String name(ExtensionContext context) {
         StringBuilder name =
                 new StringBuilder(context.getRequiredTestClass().getName().replace('$', '.')

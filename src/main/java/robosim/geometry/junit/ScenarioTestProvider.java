@@ -12,9 +12,9 @@ import org.junit.jupiter.api.extension.ExtensionContext;
 import org.junit.jupiter.api.extension.TestTemplateInvocationContext;
 import org.junit.jupiter.api.extension.TestTemplateInvocationContextProvider;
 
-/** Carries a test out for each world with each seed. Comes with {@link ScenarioTest}. */
+/** Runs a test for each world with each seed. Registered by {@link ScenarioTest}. */
 public final class ScenarioTestProvider implements TestTemplateInvocationContextProvider {
-    /** For JUnit. */
+    /** Called by JUnit. */
     public ScenarioTestProvider() {}
 
     @Override

@@ -18,7 +18,7 @@ import robosim.geometry.scenario.ScenarioException;
 import robosim.geometry.scenario.ScenarioReader;
 
 /**
- * A folder of scenario files as tests: each is replayed, and fails where an answer is another than the file expects.
+ * Makes tests of a folder of scenario files: each is replayed, and fails if an answer differs from the expected one.
  *
  * <!-- java: compiled -->
  * <pre>{@code
@@ -34,13 +34,14 @@ public final class Scenarios {
     private Scenarios() {}
 
     /**
-     * A test for each file of a folder and the folders below whose name ends in {@link ScenarioReader#ENDING}, in their
-     * order, named by its path there and its title. A file that is no scenario is a test that fails.
+     * A test for each file whose name ends in {@link ScenarioReader#ENDING} in a folder and its subfolders, in order,
+     * named by its path within the folder and its title. A file that is not a valid scenario gives a test that fails.
      *
-     * <p>The worlds that they name are looked for beside them, and not above the folder that the folder is in.
+     * <p>Worlds that they name are looked up relative to each file's folder, and must be within the parent of the given
+     * folder.
      *
-     * @throws IllegalArgumentException where there are none
-     * @throws UncheckedIOException     where the folder cannot be read
+     * @throws IllegalArgumentException if there are none
+     * @throws UncheckedIOException if the folder cannot be read
      */
     public static Stream<DynamicTest> in(Path folder) {
         Checks.present("folder", folder);
@@ -49,9 +50,9 @@ public final class Scenarios {
     }
 
     /**
-     * A test for each file, as {@link #in(Path)} has it.
+     * A test for each file, as in {@link #in(Path)}.
      *
-     * @param root the folder outside of which no world is read that a file names
+     * @param root worlds that the files name are read from within this folder only
      */
     public static Stream<DynamicTest> in(Path folder, Path root) {
         Checks.present("folder", folder);
@@ -77,7 +78,7 @@ public final class Scenarios {
         try (ScenarioReader reader = ScenarioReader.open(file, root)) {
             return ": " + Text.line(reader.header().title());
         } catch (IOException e) {
-            return ""; // told by the test itself
+            return ""; // reported by the test itself
         }
     }
 
@@ -86,7 +87,7 @@ public final class Scenarios {
         try (ScenarioReader reader = ScenarioReader.open(file, root)) {
             Replay replay = Replay.of(reader, found::add);
             if (reader.torn() > 0) {
-                throw new AssertionFailedError(file + ":" + reader.torn() + ": the last line breaks off");
+                throw new AssertionFailedError(file + ":" + reader.torn() + ": the last line is incomplete");
             }
             if (replay.steps() == 0) {
                 throw new AssertionFailedError(file + ": a scenario must have a step (got: none)");
@@ -101,7 +102,7 @@ public final class Scenarios {
                     .collect(Collectors.joining(
                             "",
                             file + ": " + found.size() + (found.size() == 1 ? " step is" : " steps are")
-                                    + " answered otherwise",
+                                    + " answered differently",
                             found.size() > MOST_TOLD ? "\n  and " + (found.size() - MOST_TOLD) + " more" : "")));
         }
     }

@@ -9,9 +9,9 @@ import java.lang.annotation.Target;
 import org.junit.jupiter.api.extension.ExtendWith;
 
 /**
- * The seed of a test's random source. Without it each test has one of its own, always the same, that comes from the names
- * of its class and method. JUnit's configuration parameter {@code robosim.seed} stands before both, as in
- * {@code -Drobosim.seed=42}. A failure tells which it was.
+ * The seed of a test's random source. Without this annotation each test has its own constant seed, derived from the
+ * names of its class and method. JUnit's configuration parameter {@code robosim.seed} overrides both, as in {@code
+ * -Drobosim.seed=42}. A failure message names the seed.
  */
 @Target({ElementType.TYPE, ElementType.METHOD})
 @Retention(RetentionPolicy.RUNTIME)
@@ -19,6 +19,6 @@ import org.junit.jupiter.api.extension.ExtendWith;
 @Documented
 @ExtendWith(WorldExtension.class)
 public @interface Seed {
-    /** The seed. More than one is for a {@link ScenarioTest}. */
+    /** The seed; only a {@link ScenarioTest} may have more than one. */
     long[] value();
 }

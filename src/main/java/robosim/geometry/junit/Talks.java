@@ -13,12 +13,12 @@ import robosim.geometry.scenario.Recorder;
 import robosim.geometry.scenario.ScenarioHeader;
 import robosim.geometry.scenario.ScenarioWriter;
 
-/** The server of one test, and what each of its connections said. */
+/** The server of one test, and the recordings of its connections. */
 final class Talks {
     private final List<ByteArrayOutputStream> recordings = new ArrayList<>();
     private @Nullable GeometryServer server;
 
-    /** Listens from when it is first asked for. */
+    /** The server, which starts to listen at the first call. */
     GeometryServer server() {
         if (server == null) {
             NetOptions options = NetOptions.defaults().withListeners(this::record);
@@ -27,7 +27,7 @@ final class Talks {
         return server;
     }
 
-    /** On a connection's own thread. */
+    /** Called on a connection's own thread. */
     private SessionListener record(String connection) {
         ByteArrayOutputStream recording = new ByteArrayOutputStream();
         synchronized (recordings) {
@@ -37,7 +37,7 @@ final class Talks {
         return new Recorder(connection, () -> new ScenarioWriter(recording, header), null);
     }
 
-    /** What was said so far, in the order of the connections; empty where one has said nothing. */
+    /** The recordings so far, in the order of the connections; empty for a connection without requests. */
     List<byte[]> recorded() {
         synchronized (recordings) {
             return recordings.stream().map(ByteArrayOutputStream::toByteArray).toList();

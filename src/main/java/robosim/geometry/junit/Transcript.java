@@ -22,8 +22,8 @@ import robosim.geometry.scenario.ScenarioHeader;
 import robosim.geometry.scenario.Step;
 
 /**
- * What was asked of a world, as the conversation that would have asked it. Where the world has been changed otherwise in
- * between, it is told anew.
+ * Records what was done in a world as an equivalent conversation. If the world has been changed by other means in
+ * between, a new world is recorded.
  */
 final class Transcript {
     private final Geometry geometry;
@@ -34,7 +34,7 @@ final class Transcript {
         this.geometry = geometry;
     }
 
-    /** To be called before the next request is carried out. */
+    /** Called before the next request is carried out. */
     void catchUp() {
         List<GeometryObject> present = geometry.objects();
         if (!present.equals(known)) {
@@ -46,7 +46,7 @@ final class Transcript {
         }
     }
 
-    /** After a move was carried out. */
+    /** Called after a move was carried out. */
     void moved(MoveRequest request, @Nullable String refusal, long clock) {
         Reply reply = refusal == null
                 ? new Reply(new MoveBundle(List.of(request)))
@@ -55,7 +55,7 @@ final class Transcript {
         known = geometry.objects();
     }
 
-    /** After a distance was measured. */
+    /** Called after a distance was measured. */
     void measured(String name, double x, double z, double distance, long clock) {
         add(
                 new SonarRequestBundle(List.of(new SonarRequest(name, x, z, Beam.LINE))),
@@ -68,7 +68,7 @@ final class Transcript {
         steps.add(new Step(0, notes, request, reply, null));
     }
 
-    /** All of it, up to the world as it is. */
+    /** The whole conversation, up to the present world. */
     Scenario scenario(String title) {
         catchUp();
         return new Scenario(new ScenarioHeader(title, SessionOptions.ROBOSIM), steps);

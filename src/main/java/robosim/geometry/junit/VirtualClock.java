@@ -9,8 +9,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Time that goes on in steps of a set length when it is told to, and at no other moment. It begins at the epoch, and is a
- * {@link Clock} for programs that take one.
+ * A clock that advances in steps of a fixed length, and only when told to. It begins at the epoch, and is a {@link
+ * Clock} for programs that take one.
  */
 public final class VirtualClock extends Clock {
     private final Duration step;
@@ -24,22 +24,25 @@ public final class VirtualClock extends Clock {
         this.step = step;
     }
 
-    /** How long a step is. */
+    /** The length of a step. */
     public Duration step() {
         return step;
     }
 
-    /** How many steps there were. */
+    /** The number of steps so far. */
     public long steps() {
         return steps;
     }
 
-    /** How long it has been running. */
+    /** The time since it began. */
     public Duration elapsed() {
         return step.multipliedBy(steps);
     }
 
-    /** A step: the time goes on, then each {@linkplain Robot#follows behaviour} acts once, in the order of their robots. */
+    /**
+     * Makes a step: advances the time, then runs each {@linkplain Robot#follows behaviour} once, in the order of the
+     * robots.
+     */
     public void advance() {
         steps++;
         for (Runnable behaviour : List.copyOf(behaviours)) {
@@ -47,7 +50,7 @@ public final class VirtualClock extends Clock {
         }
     }
 
-    /** So many steps. */
+    /** Makes a number of steps. */
     public void advance(int count) {
         if (count < 0) {
             throw new IllegalArgumentException("count must be at least 0 (got: " + count + ")");
@@ -75,7 +78,7 @@ public final class VirtualClock extends Clock {
         return ZoneOffset.UTC;
     }
 
-    /** A view of this clock, which goes on with it. */
+    /** A view of this clock in another time zone. */
     @Override
     public Clock withZone(ZoneId zone) {
         VirtualClock time = this;

@@ -11,26 +11,26 @@ import robosim.geometry.model.Point;
 import robosim.geometry.protocol.Text;
 
 /**
- * Numbers, places and refusals as a failure tells them: without the noise of rounding, and so that no two numbers that a
- * sentence compares look the same.
+ * Formats numbers, places and refusals for failure messages: without rounding noise, and so that two numbers that a
+ * message compares never look the same.
  */
 final class Words {
-    /** Of what was found out. */
+    /** The precision of measured numbers. */
     private static final MathContext FOUND = new MathContext(9);
 
-    /** Of what somebody wrote down: no literal that a person writes is longer, and 0.1 + 0.2 is 0.3. */
+    /** The precision of numbers given in a test: longer than any literal that a person writes, and 0.1 + 0.2 is 0.3. */
     private static final MathContext ASKED = new MathContext(12);
 
     private static final MathContext DIFFERENCE = new MathContext(2);
 
     private Words() {}
 
-    /** A number that was asked for. */
+    /** A number given in a test. */
     static String number(double value) {
         return NumberText.digits(value, ASKED.getPrecision());
     }
 
-    /** A number that was found. */
+    /** A measured number. */
     static String found(double value) {
         return NumberText.digits(value, FOUND.getPrecision());
     }
@@ -39,7 +39,7 @@ final class Words {
         return new BigDecimal(value);
     }
 
-    /** A number that was found beside the one that was asked for: on the same side of it as it is told, and not equal. */
+    /** A measured number next to a given one: the text is on the same side of it as the number, and not equal. */
     static String apart(double found, double asked) {
         if (found == asked || !Double.isFinite(found) || !Double.isFinite(asked)) {
             return found(found);
@@ -52,7 +52,7 @@ final class Words {
         return (found < asked ? "just under " : "just over ") + number(asked) + " (by " + NumberText.of(off) + ")";
     }
 
-    /** A part of something whole; what is not all of it is not told as all of it, nor what is something as nothing. */
+    /** A part of a whole; anything less than the whole is not shown as the whole, nor anything above zero as zero. */
     private static String share(double share, double whole) {
         if (share == 0) {
             return "0";
@@ -68,7 +68,7 @@ final class Words {
     /**
      * A place.
      *
-     * @param size of what is there: a billionth of it is nothing, as it is of the largest coordinate
+     * @param size the size of the object there: a billionth of it, or of the largest coordinate, is rounded away
      */
     static String point(Point point, double size) {
         BigDecimal scale = exactly(Math.max(largest(point), size));
@@ -90,7 +90,7 @@ final class Words {
         return Math.max(Math.max(Math.abs(point.x()), Math.abs(point.y())), Math.abs(point.z()));
     }
 
-    /** As in {@code box "wall 3" at (4, 0, 0)}; null is the border. */
+    /** As in {@code box "wall 3" at (4, 0, 0)}; null stands for the world's bounds. */
     static String object(@Nullable GeometryObject object) {
         if (object == null) {
             return "the border of the world";
@@ -118,7 +118,7 @@ final class Words {
         return way + (turns ? " and " + turn : "");
     }
 
-    /** What blocks a move, and after how much of it. */
+    /** What blocks a move, and after which part of it. */
     static String blocked(Move move, MoveResult result) {
         double length = Math.sqrt(move.x() * move.x() + move.y() * move.y() + move.z() * move.z());
         String after = result.fraction() < 1

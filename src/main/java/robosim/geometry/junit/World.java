@@ -9,12 +9,13 @@ import java.lang.annotation.Target;
 import org.junit.jupiter.api.extension.ExtendWith;
 
 /**
- * The world that a test is about, read or built anew for each test. On a method it stands before that of the class.
+ * The world of a test, read or built anew for each test. On a method it overrides that of the class.
  *
- * <p>The test and its {@code BeforeEach} and {@code AfterEach} methods may ask for a {@link RobotWorld}, its {@link
- * robosim.geometry.Geometry}, a {@link VirtualClock} and a seeded {@link java.util.random.RandomGenerator}, {@link
- * java.util.SplittableRandom} or {@link java.util.Random}; and for a client under test for a {@link
- * robosim.geometry.net.GeometryServer} that listens on a free port of the loopback address until the test has ended.
+ * <p>The test and its {@code BeforeEach} and {@code AfterEach} methods may have parameters of type {@link RobotWorld},
+ * its {@link robosim.geometry.Geometry}, a {@link VirtualClock} and a seeded {@link java.util.random.RandomGenerator},
+ * {@link java.util.SplittableRandom} or {@link java.util.Random}; to test a client, also {@link
+ * robosim.geometry.net.GeometryServer}, a server that listens on a free port of the loopback address until the test has
+ * ended.
  */
 @Target({ElementType.TYPE, ElementType.METHOD})
 @Retention(RetentionPolicy.RUNTIME)
@@ -23,9 +24,9 @@ import org.junit.jupiter.api.extension.ExtendWith;
 @ExtendWith(WorldExtension.class)
 public @interface World {
     /**
-     * World files of any format that {@link robosim.geometry.world.WorldImport#read} knows: paths from the working
-     * directory, or else resources of the class path, from its root or beside the test class. More than one is for a
-     * {@link ScenarioTest}.
+     * World files in any format that {@link robosim.geometry.world.WorldImport#read} supports: paths relative to the
+     * working directory, or else resources of the class path, relative to its root or the test class. Only a {@link
+     * ScenarioTest} may have more than one.
      */
     String[] value() default {};
 
@@ -35,6 +36,6 @@ public @interface World {
      */
     String method() default "";
 
-    /** How long a step of the virtual clock is. */
+    /** The length of a step of the virtual clock, milliseconds. */
     long stepMillis() default 100;
 }

@@ -19,7 +19,10 @@ import org.opentest4j.IncompleteExecutionException;
 import robosim.geometry.Geometry;
 import robosim.geometry.net.GeometryServer;
 
-/** Gives tests what they ask for, and tells on failure how to see it again. Comes with {@link World} and {@link Seed}. */
+/**
+ * Resolves the parameters of tests, and says on failure how to reproduce it. Registered by {@link World} and {@link
+ * Seed}.
+ */
 public final class WorldExtension
         implements BeforeEachCallback,
                 AfterEachCallback,
@@ -38,10 +41,10 @@ public final class WorldExtension
             SplittableRandom.class,
             Random.class);
 
-    /** For JUnit. */
+    /** Called by JUnit. */
     public WorldExtension() {}
 
-    /** Before anything of a test is asked for. */
+    /** Chooses world and seed, before any parameter of a test is resolved. */
     static void choose(ExtensionContext context, Run.Choice choice) {
         context.getStore(NAMESPACE).put(Run.Choice.class, choice);
     }
@@ -110,7 +113,10 @@ public final class WorldExtension
         throw told(context, thrown);
     }
 
-    /** The same failure with the evidence in its message; what is no failure, or a broken JVM, as it is. */
+    /**
+     * The same failure with the evidence in its message; anything but a failure, or a broken JVM, is returned
+     * unchanged.
+     */
     private static Throwable told(ExtensionContext context, Throwable thrown) {
         if (thrown instanceof IncompleteExecutionException || thrown instanceof VirtualMachineError) {
             return thrown;
@@ -119,7 +125,7 @@ public final class WorldExtension
         String evidence;
         try {
             evidence = run(context).leave(words);
-        } catch (ExtensionConfigurationException | LinkageError e) { // no seed, and so no run; or a class is missing
+        } catch (ExtensionConfigurationException | LinkageError e) { // no seed and therefore no run, or a missing class
             thrown.addSuppressed(e);
             return thrown;
         }

@@ -14,7 +14,7 @@ import org.junit.platform.commons.support.ReflectionSupport;
 import robosim.geometry.Geometry;
 import robosim.geometry.world.WorldReader;
 
-/** Makes the world that an annotation names. */
+/** Creates the world that an annotation names. */
 final class WorldFile {
     private WorldFile() {}
 
@@ -32,7 +32,7 @@ final class WorldFile {
                                 + " (got: " + name
                                 + ")");
             }
-            if (resource.getProtocol().equals("file")) { // so that its meshes are found beside it
+            if (resource.getProtocol().equals("file")) { // so that its meshes are found relative to it
                 return WorldReader.read(Path.of(resource.toURI())).toGeometry();
             }
             try (InputStream in = resource.openStream()) {

@@ -1,7 +1,7 @@
 /**
- * Tests for people who write robots, on JUnit Jupiter 5 or 6: a world from a file, robots by name, a clock that only steps
- * move, a random source whose seed a failure tells, and on failure a scenario file that replays what happened and a picture of its
- * last moments.
+ * Support for testing robot programs, with JUnit Jupiter 5 or 6: a world from a file, robots by name, a clock that
+ * advances in steps, a random source whose seed a failure reports, and on failure a scenario file that replays what
+ * happened and a picture of its last moments.
  *
  * <pre>{@code
  * @World("worlds/rooms.xml")
@@ -13,8 +13,8 @@
  * }
  * }</pre>
  *
- * <p>{@code docs/scenario-tests.md} is the guide. Needs JUnit Jupiter's API beside the module, and Jackson's core where
- * scenarios are read or written. Nothing here sleeps or reads the time of day.
+ * <p>{@code docs/scenario-tests.md} is the guide. Requires JUnit Jupiter's API, and Jackson's core if scenarios are
+ * read or written. Nothing here sleeps or reads the time of day.
  */
 @NullMarked
 package robosim.geometry.junit;

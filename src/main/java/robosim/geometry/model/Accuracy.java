@@ -1,17 +1,17 @@
 package robosim.geometry.model;
 
 /**
- * What stands for an object in a query. A level below {@link #EXACT} replaces each object by an enclosure: it may add
- * collisions and shorten distances, and never misses one.
+ * What stands for an object in a query. Any accuracy other than {@link #EXACT} replaces each object by an enclosure: it
+ * may add collisions and shorten distances, but never misses a collision.
  */
 public enum Accuracy {
-    /** A sphere about the object. */
+    /** A sphere around the object. */
     SPHERE,
-    /** The box about the object along the world's axes. */
+    /** The box around the object along the world's axes. */
     AABB,
-    /** A box about the object along the object's own axes. */
+    /** A box around the object along the object's own axes. */
     OBB,
-    /** An upright octagonal prism about the object: bounded along x, z, x + z, x - z and y. */
+    /** An upright octagonal prism around the object: bounded along x, z, x + z, x - z and y. */
     DOP,
     /** The object itself. */
     EXACT

@@ -18,7 +18,7 @@ public final class BoxObject implements GeometryObject {
     private final transient double length;
 
     /**
-     * An upright box that faces +X.
+     * An upright box facing +X.
      *
      * @param center the middle of the box
      * @param width  extent along X in world units; at least 0
@@ -37,7 +37,7 @@ public final class BoxObject implements GeometryObject {
         this.length = Checks.size("length", length);
     }
 
-    /** The same shape under another tag and pose. */
+    /** The same shape with another tag and pose. */
     BoxObject with(Tag newTag, Pose newPose) {
         return new BoxObject(newTag, newPose, width, height, length);
     }

@@ -34,7 +34,7 @@ public final class CylinderObject implements GeometryObject {
         this.height = Checks.size("height", height);
     }
 
-    /** The same shape under another tag and pose. */
+    /** The same shape with another tag and pose. */
     CylinderObject with(Tag newTag, Pose newPose) {
         return new CylinderObject(newTag, newPose, radius, height);
     }

@@ -1,6 +1,6 @@
 package robosim.geometry.model;
 
-/** How much of space a world compares. */
+/** Whether a world compares objects in the plane or in space. */
 public enum Dimension {
     /** Only the projections on the XZ plane count; rays and beams are projected and measured there. */
     PLANAR,

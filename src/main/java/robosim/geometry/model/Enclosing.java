@@ -3,9 +3,9 @@ package robosim.geometry.model;
 import robosim.geometry.exact.Rotations;
 
 /**
- * Whether a bounding volume encloses its object. Judged by how far each part reaches along the volume's own axes, or
- * from its centre or axis; a turned cylinder inside a cylinder is judged by its enclosing box. What is not seen to be
- * enclosed is refused.
+ * Checks that a bounding volume encloses its object. It compares how far each part extends along the volume's own axes,
+ * or from its centre or axis; a turned cylinder inside a cylinder is represented by its enclosing box. What cannot be
+ * shown to be enclosed is refused.
  */
 final class Enclosing {
     private Enclosing() {}
@@ -32,7 +32,10 @@ final class Enclosing {
                 "boundingVolume must be a box, a cylinder or a sphere (got: " + volume + ")");
     }
 
-    /** The object stands at its pose in a frame, which has a rotation and an origin in the frame of the volume. */
+    /**
+     * Checks an object whose pose is relative to a frame; {@code frame} is that frame's rotation and {@code origin} its
+     * origin in the frame of the volume.
+     */
     private static void check(GeometryObject volume, GeometryObject object, double[] frame, double[] origin) {
         double[] rotation = new double[9];
         Rotations.multiply(frame, 0, object.rotation(), 0, rotation, 0);
@@ -79,7 +82,7 @@ final class Enclosing {
     }
 
     /**
-     * Refuses unless the volume holds a part: a point (radius and half height 0), a sphere (half height -1) or a
+     * Refuses a volume that does not enclose a part: a point (radius and half height 0), a sphere (half height -1) or a
      * cylinder about the own Y of a rotation.
      */
     private static void require(
@@ -124,7 +127,7 @@ final class Enclosing {
         }
     }
 
-    /** How far the farthest point of a cylinder's rims is from the origin of d. */
+    /** The distance of the farthest point of a cylinder's rims from the origin of d. */
     private static double rim(double dx, double dy, double dz, double radius, double halfHeight, double[] rotation) {
         double axial = Math.abs(dx * rotation[1] + dy * rotation[4] + dz * rotation[7]);
         double squared = dx * dx + dy * dy + dz * dz;

@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
  * An object of a world: an immutable value. The world, not the value, holds where a moveable object is now.
  *
  * <p>Values compare by name, place, attitude and shape. Serialization goes through small records, so that no object can
- * come into being that its constructor would refuse.
+ * be created that its constructor would refuse.
  */
 public sealed interface GeometryObject extends Serializable
         permits BoxObject, CylinderObject, SphereObject, CapsuleObject, MeshObject, ObjectGroup {
@@ -46,7 +46,10 @@ public sealed interface GeometryObject extends Serializable
         return pose().center();
     }
 
-    /** The attitude: nine numbers, row-major, whose columns are the object's own axes in the world; a fresh array. */
+    /**
+     * The attitude: a 3 x 3 rotation matrix, row-major, whose columns are the object's own axes in the world; a fresh
+     * array.
+     */
     default double[] rotation() {
         return pose().rotation();
     }
@@ -61,13 +64,13 @@ public sealed interface GeometryObject extends Serializable
         return Bounds.of(this);
     }
 
-    /** This object under a name; it stays moveable or static as it is. */
+    /** This object with a name; whether it is moveable does not change. */
     GeometryObject named(String name);
 
-    /** This object as one that a world may move, under a name. */
+    /** This object with a name, as one that a world may move. */
     GeometryObject moveable(String name);
 
-    /** This object with its centre there and its attitude kept. */
+    /** This object with another centre and the same attitude. */
     GeometryObject movedTo(Point center);
 
     /**
@@ -83,7 +86,7 @@ public sealed interface GeometryObject extends Serializable
      *
      * @param rotation nine numbers, row-major, whose columns are the object's axes: right-handed, orthonormal to 1e-9,
      *     kept as given
-     * @throws IllegalArgumentException where it is no rotation
+     * @throws IllegalArgumentException if it is not a rotation
      */
     GeometryObject oriented(double[] rotation);
 

@@ -11,10 +11,12 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 
 /**
- * A surface of triangles and quads; a quad is its two triangles on the diagonal 0-2, flat or not.
+ * A surface of triangles and quads; a quad is always the two triangles on its diagonal 0-2, even if its corners are not
+ * in one plane.
  *
- * <p>Vertices are given in the mesh's own frame, whose origin is its centre: (0, 0, 0) until it is moved. All placements
- * of one mesh share its triangles and their tree. Degenerate faces are legal: each is the segment or point that it is.
+ * <p>Vertices are given in the mesh's own frame, whose origin is its centre: (0, 0, 0) until it is moved. All
+ * placements of one mesh share its triangles and their tree. Degenerate faces are legal: each counts as the segment or
+ * point that it degenerates to.
  *
  * <pre>{@code
  * List<Point> corners = List.of(new Point(0, 0, 0), new Point(2, 0, 0), new Point(0, 2, 0), new Point(0, 0, 2));
@@ -38,7 +40,7 @@ public final class MeshObject implements GeometryObject {
     /**
      * A surface, bounded by the box of its vertices.
      *
-     * @param vertices corners in the own frame
+     * @param vertices corners in the mesh's own frame
      * @param faces    3 or 4 indices of vertices each; at least one face
      */
     public MeshObject(List<Point> vertices, int[][] faces) {
@@ -46,10 +48,10 @@ public final class MeshObject implements GeometryObject {
     }
 
     /**
-     * A surface with a bounding volume, which is tried first and only ever rejects.
+     * A surface with a bounding volume, which is tested first and can only rule out contact.
      *
      * @param boundingVolume a box, cylinder or sphere in the own frame that encloses every face
-     * @throws IllegalArgumentException where it does not: it would lose collisions
+     * @throws IllegalArgumentException if it does not, since collisions would be missed
      */
     public MeshObject(List<Point> vertices, int[][] faces, GeometryObject boundingVolume) {
         this(
@@ -89,7 +91,7 @@ public final class MeshObject implements GeometryObject {
                 .toArray(int[][]::new);
     }
 
-    /** This mesh with a bounding volume in its own frame, or without one of its own. */
+    /** This mesh with a bounding volume in its own frame, or with the default if null. */
     MeshObject bounded(@Nullable GeometryObject volume) {
         MeshObject bounded = new MeshObject(tag, pose, triangles, solid, volume);
         if (volume != null) {
@@ -98,16 +100,16 @@ public final class MeshObject implements GeometryObject {
         return bounded;
     }
 
-    /** The same shape under another tag and pose. */
+    /** The same shape with another tag and pose. */
     MeshObject with(Tag newTag, Pose newPose) {
         return new MeshObject(newTag, newPose, triangles, solid, boundingVolume);
     }
 
     /**
-     * This mesh with its inside: a point counts where a ray from it crosses the surface an odd number of times.
+     * This mesh as a solid: a point is inside if a ray from it crosses the surface an odd number of times.
      *
-     * @throws IllegalArgumentException where the surface is not closed, that is, where an edge is used by an odd number
-     *     of triangles after equal corners are joined
+     * @throws IllegalArgumentException if the surface is not closed, that is, if an edge is used by an odd number of
+     *     triangles after equal corners are joined
      */
     public MeshObject solid() {
         String open = triangles.openEdge();
@@ -192,7 +194,10 @@ public final class MeshObject implements GeometryObject {
         return triangles;
     }
 
-    /** The bounding volume that was given, in the own frame; null where the default, the vertices' box, is used. */
+    /**
+     * The bounding volume that was given, in the mesh's own frame; null if the default, the box of the vertices, is
+     * used.
+     */
     public @Nullable GeometryObject boundingVolume() {
         return boundingVolume;
     }

@@ -11,13 +11,13 @@ import robosim.geometry.exact.Checks;
 /**
  * The union of its members, which are given in the group's own frame; groups may hold groups.
  *
- * <p>The frame's origin is the group's centre: (0, 0, 0) until it is moved. What the members are called and whether they
- * are moveable has no meaning inside a group.
+ * <p>The frame's origin is the group's centre: (0, 0, 0) until it is moved. Inside a group, the names of the members
+ * and whether they are moveable have no meaning.
  */
 public final class ObjectGroup implements GeometryObject {
     /**
-     * Most groups within each other. The deepest tried in earnest is a shelf in a row in a hall, 3; every question goes
-     * down by calls.
+     * Maximum nesting depth of groups; queries recurse into members. The deepest realistic case tried is a shelf in a
+     * row in a hall, 3.
      */
     public static final int MAX_DEPTH = 100;
 
@@ -28,24 +28,24 @@ public final class ObjectGroup implements GeometryObject {
     private final transient List<GeometryObject> members;
     private final transient @Nullable GeometryObject boundingVolume;
 
-    /** Groups within each other, this one included. */
+    /** Nesting depth, this group included. */
     private final transient int depth;
 
     /**
      * A union.
      *
-     * @param members objects in the own frame; at least one, and groups among them at most {@link #MAX_DEPTH} deep with
-     *     this one
+     * @param members objects in the group's own frame; at least one, with groups nested at most {@link #MAX_DEPTH}
+     *     deep, this one included
      */
     public ObjectGroup(List<GeometryObject> members) {
         this(members, null);
     }
 
     /**
-     * A union with a bounding volume, which is tried first and only ever rejects.
+     * A union with a bounding volume, which is tested first and can only rule out contact.
      *
      * @param boundingVolume a box, cylinder or sphere in the own frame that encloses every member; null for a default
-     * @throws IllegalArgumentException where it does not enclose them: it would lose collisions
+     * @throws IllegalArgumentException if it does not enclose them, since collisions would be missed
      */
     public ObjectGroup(List<GeometryObject> members, @Nullable GeometryObject boundingVolume) {
         this(Tag.NONE, Pose.ORIGIN, copy(members), boundingVolume);
@@ -82,7 +82,7 @@ public final class ObjectGroup implements GeometryObject {
         return List.copyOf(members);
     }
 
-    /** The same shape under another tag and pose. */
+    /** The same shape with another tag and pose. */
     ObjectGroup with(Tag newTag, Pose newPose) {
         return new ObjectGroup(newTag, newPose, members, boundingVolume);
     }
@@ -137,12 +137,12 @@ public final class ObjectGroup implements GeometryObject {
         return Kind.GROUP;
     }
 
-    /** The members, in the own frame. */
+    /** The members, in the group's own frame. */
     public List<GeometryObject> members() {
         return members;
     }
 
-    /** The bounding volume that was given, in the own frame; null where a default is used. */
+    /** The bounding volume that was given, in the group's own frame; null if a default is used. */
     public @Nullable GeometryObject boundingVolume() {
         return boundingVolume;
     }

@@ -11,16 +11,17 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 
 /**
- * Many objects as columns of plain values, for a stream: sizes, names and places to the last bit, with what a centre has
- * lost. What placements of one mesh or group share is written once, and shared again by those that are read.
+ * Many objects as columns of plain values, for serialization: sizes, names and places to the last bit, with the
+ * rounding errors of centres. Data that placements of one mesh or group share is written once, and shared again after
+ * reading.
  *
- * <p>Made for the module itself. Nothing is believed: {@link #objects()} makes each object through its constructor.
+ * <p>For internal use. Nothing read is trusted: {@link #objects()} creates each object through its constructor.
  *
  * @param kinds    by object: which constructor makes it
  * @param sizes    by object: three numbers of a box, two of a cylinder or capsule, one of a sphere
  * @param shapes   the meshes and groups, each once
- * @param shapeOf  by object: its place among those; unused for others
- * @param names    by object: null where it has none
+ * @param shapeOf  by object: the index of its shape in {@code shapes}; unused for other kinds
+ * @param names    by object: null if it has none
  * @param moveable by object
  * @param places   by object: the {@link Pose#PLACE} numbers of its place
  */
@@ -70,7 +71,7 @@ public record ObjectRows(
         }
     }
 
-    /** The rows of some objects. */
+    /** The columns of given objects. */
     public static ObjectRows of(List<GeometryObject> objects) {
         int count = objects.size();
         byte[] kinds = new byte[count];
@@ -153,7 +154,7 @@ public record ObjectRows(
     /**
      * The objects.
      *
-     * @throws IllegalArgumentException where a column is missing or too short, or an object's numbers are none
+     * @throws IllegalArgumentException if a column is missing or too short, or an object's numbers are invalid
      */
     public List<GeometryObject> objects() {
         int count = Checks.present("kinds", kinds).length;
@@ -197,7 +198,7 @@ public record ObjectRows(
         return Checks.present("shapes[" + of + "]", shapes[of]);
     }
 
-    /** For people. */
+    /** A short text for logs and debugging. */
     @Override
     public String toString() {
         return kinds.length + " objects, shapes " + Arrays.toString(shapes);

@@ -5,23 +5,29 @@ import robosim.geometry.exact.Attitude;
 import robosim.geometry.exact.Checks;
 
 /**
- * Where an object stands and how it is turned: a centre and a rotation.
+ * The position and attitude of an object: a centre and a rotation.
  *
- * <p>The heading of an upright pose is kept as a compensated angle (a sum and the rounding that it lost), so that many
- * small turns do not drift; its rotation is made from that angle, from scratch. The centre of an object that has moved
- * in a world remembers in the same way what its coordinates have lost; no question sees it, and it does not travel. Equal
- * are poses of equal centre and rotation.
+ * <p>The heading of an upright pose is kept as a compensated angle (a sum and its rounding error), so that many small
+ * turns do not drift; its rotation is computed afresh from that angle. The centre of an object that has moved in a
+ * world keeps the rounding errors of its coordinates in the same way; no query sees them, and they are not sent over
+ * the network. Poses are equal if their centres and rotations are.
  */
 public final class Pose {
-    /** Where in a place of {@link #PLACE} doubles the roundings begin that its centre has lost, one a coordinate. */
+    /**
+     * Within the {@link #PLACE} doubles of a stored pose, the index of the centre's three rounding errors, one per
+     * coordinate.
+     */
     public static final int LOST = 3 + Attitude.STRIDE;
 
-    /** Doubles in which a world keeps a place: the centre, the attitude, and what the centre has lost. */
+    /**
+     * Number of doubles in which a world stores a pose: the centre, the attitude, and the rounding errors of the
+     * centre.
+     */
     public static final int PLACE = LOST + 3;
 
     private static final double[] NOTHING_LOST = new double[3];
 
-    /** Facing +X, for all that do; never written to. */
+    /** The attitude facing +X, shared by all poses that have it; never written to. */
     private static final double[] FORWARD = forward();
 
     /** At the origin, facing +X. */
@@ -50,7 +56,7 @@ public final class Pose {
         return attitude;
     }
 
-    /** Upright at a place with a heading in degrees. */
+    /** An upright pose at a point, with a heading in degrees. */
     public static Pose of(Point center, double heading) {
         if (Double.doubleToRawLongBits(heading) == 0) {
             return new Pose(Checks.present("center", center), FORWARD);
@@ -61,9 +67,9 @@ public final class Pose {
     }
 
     /**
-     * From the numbers of {@link Attitude}; copied.
+     * A pose from the numbers of an {@link Attitude}, which are copied.
      *
-     * @throws IllegalArgumentException where they are no rotation
+     * @throws IllegalArgumentException if they are not a rotation
      */
     public static Pose of(Point center, double[] attitude, int at) {
         checkAttitude("attitude", attitude, at, Attitude.STRIDE, at);
@@ -87,9 +93,9 @@ public final class Pose {
     }
 
     /**
-     * From the {@link #PLACE} numbers of a place as a world keeps it; copied.
+     * A pose from the {@link #PLACE} numbers that a world stores, which are copied.
      *
-     * @throws IllegalArgumentException where they hold no place or no rotation
+     * @throws IllegalArgumentException if they are not a valid place and rotation
      */
     public static Pose of(double[] places, int at) {
         checkAttitude("places", places, at, PLACE, at + 3);
@@ -100,8 +106,8 @@ public final class Pose {
     }
 
     /**
-     * As a stream tells it: a rotation, kept as given, and the heading with the rounding that it lost, in degrees, which
-     * count where they make that very rotation.
+     * A pose from serialized values: a rotation, kept as given, and the heading with its rounding error, in degrees.
+     * The heading is used only if it gives exactly that rotation.
      */
     public static Pose of(Point center, double[] rotation, double heading, double rest) {
         Pose given = of(center, 0).oriented(rotation);
@@ -117,9 +123,9 @@ public final class Pose {
     }
 
     /**
-     * From the {@link #PLACE} numbers of a place that comes from outside.
+     * A pose from {@link #PLACE} numbers that come from outside and are not trusted.
      *
-     * @throws IllegalArgumentException where no pose has these numbers
+     * @throws IllegalArgumentException if no pose has these numbers
      */
     static Pose checked(double[] places, int at) {
         Pose pose = of(places, at);
@@ -155,7 +161,7 @@ public final class Pose {
         return plain;
     }
 
-    /** The rounding that the heading has lost, in degrees: {@code heading() + lostHeading()} is the angle that is kept. */
+    /** The rounding error of the heading, in degrees: {@code heading() + lostHeading()} is the angle that is kept. */
     public double lostHeading() {
         return attitude[Attitude.STRIDE - 1];
     }
@@ -165,7 +171,9 @@ public final class Pose {
         return center;
     }
 
-    /** Nine numbers, row-major; the columns are the own axes in the world. A fresh array. */
+    /**
+     * The rotation matrix, nine numbers row-major; its columns are the object's own axes in the world. A fresh array.
+     */
     public double[] rotation() {
         return Arrays.copyOf(attitude, 9);
     }
@@ -193,12 +201,12 @@ public final class Pose {
         return attitude == FORWARD || Attitude.isUpright(attitude, 0);
     }
 
-    /** The numbers of {@link Attitude} behind this pose, written into a column. */
+    /** Writes the {@link Attitude} of this pose into an array. */
     public void attitude(double[] column, int at) {
         System.arraycopy(attitude, 0, column, at, Attitude.STRIDE);
     }
 
-    /** Writes the {@link #PLACE} numbers of this place into a column. */
+    /** Writes the {@link #PLACE} numbers of this pose into an array. */
     public void place(double[] column, int at) {
         column[at] = center.x();
         column[at + 1] = center.y();
@@ -207,19 +215,19 @@ public final class Pose {
         System.arraycopy(lost, 0, column, at + LOST, 3);
     }
 
-    /** The same attitude elsewhere. */
+    /** The same attitude at another point. */
     public Pose movedTo(Point place) {
         return new Pose(Checks.present("center", place), attitude);
     }
 
-    /** Turned in place by {@code ry} degrees about the own Y, then by {@code rx} about the own X. */
+    /** This pose turned in place by {@code ry} degrees about its own Y, then by {@code rx} about its own X. */
     public Pose turned(double rx, double ry) {
         double[] turned = attitude.clone();
         Attitude.turn(turned, 0, Checks.angle("rx", rx), Checks.angle("ry", ry));
         return new Pose(center, turned, lost);
     }
 
-    /** In place with a given rotation, kept as given. */
+    /** This centre with another rotation, which is kept as given. */
     public Pose oriented(double[] rotation) {
         Checks.present("rotation", rotation);
         if (rotation.length != 9 || !Attitude.isRotation(rotation)) {

@@ -7,7 +7,7 @@ import robosim.geometry.exact.Checks;
  * A half line.
  *
  * @param start     where it begins, a point of the ray
- * @param direction where it goes; of any length but zero, which has no influence on distances
+ * @param direction where it goes; of any length except zero; the length has no effect on distances
  */
 public record Ray(Point start, Point direction) implements Serializable {
     private static final long serialVersionUID = 1;

@@ -9,14 +9,14 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 
 /**
- * What objects are on the wire: records that make the object again through its constructor, so that none can come into
- * being that the constructor would refuse.
+ * The serialized forms of objects: records from which the object is created through its constructor, so that no object
+ * can be created that the constructor would refuse.
  */
 @SuppressWarnings("ArrayRecordComponent") // never compared, and the numbers are checked and copied on the way in
 public final class SerialForms {
     private SerialForms() {}
 
-    /** Every class of this package that a serialized object may hold, for an allow-list. */
+    /** All classes of this package that a serialized object may contain, for an allow-list. */
     public static Set<Class<?>> classes() {
         return Set.of(
                 Point.class,
@@ -37,7 +37,7 @@ public final class SerialForms {
         return new InvalidObjectException("an object must come as its serial form (got: its own class)");
     }
 
-    /** Name, mobility and pose; the heading travels with its lost rounding. */
+    /** Name, mobility and pose; the heading is sent with its rounding error. */
     record Place(@Nullable String name, boolean moveable, Point center, double[] rotation, double heading, double rest)
             implements Serializable {
         @Serial

@@ -7,7 +7,7 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 
-/** A solid sphere, placed by its centre. It has an attitude too, which says where forward is. */
+/** A solid sphere, placed by its centre. It has an attitude too, which defines its forward direction. */
 public final class SphereObject implements GeometryObject {
     private static final long serialVersionUID = 1;
 
@@ -16,7 +16,7 @@ public final class SphereObject implements GeometryObject {
     private final transient double radius;
 
     /**
-     * A sphere that faces +X.
+     * A sphere facing +X.
      *
      * @param center the middle of the sphere
      * @param radius world units; at least 0
@@ -31,7 +31,7 @@ public final class SphereObject implements GeometryObject {
         this.radius = Checks.size("radius", radius);
     }
 
-    /** The same shape under another tag and pose. */
+    /** The same shape with another tag and pose. */
     SphereObject with(Tag newTag, Pose newPose) {
         return new SphereObject(newTag, newPose, radius);
     }

@@ -3,7 +3,7 @@ package robosim.geometry.model;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 
-/** What an object is called, and whether a world may move it; what is moveable has a name. */
+/** An object's name, and whether a world may move it; a moveable object always has a name. */
 record Tag(@Nullable String name, boolean moveable) {
     static final Tag NONE = new Tag(null, false);
 
@@ -24,7 +24,7 @@ record Tag(@Nullable String name, boolean moveable) {
         return new Tag(Checks.name(newName), moveable);
     }
 
-    /** For people: the name, if any, and the place. */
+    /** The name, if any, and the place, as text for people. */
     String text(Pose pose) {
         return (name == null ? "" : " \"" + name + "\"") + " at " + pose;
     }

@@ -10,26 +10,26 @@ import robosim.geometry.index.boxes.BoxTree;
 /**
  * The triangles of a mesh in its own frame and their tree, shared by all placements of the mesh.
  *
- * <p>Made for the module itself: what a user sees of it is {@link MeshObject}.
+ * <p>For internal use; users work with {@link MeshObject}.
  */
 public final class TriangleMesh {
     private final double[] coordinates;
     private final int[][] faces;
 
-    /** Three indices of vertices a triangle; a quad gives the two on its diagonal 0-2, beside each other. */
+    /** Three vertex indices per triangle; a quad gives two consecutive triangles, on its diagonal 0-2. */
     private final int[] corners;
 
-    /** The face that a triangle is of. */
+    /** By triangle, the index of its face. */
     private final int[] faceOf;
 
     private volatile @Nullable BoxTree tree;
 
-    /** Nine coordinates a triangle, in the order of the tree's leaves; made with the tree. */
+    /** Nine coordinates per triangle, in the order of the tree's leaves; filled in when the tree is built. */
     private double[] leafCorners = {};
 
     private int @Nullable [] seeds;
 
-    /** Takes both arrays as its own. */
+    /** Keeps both arrays without copying them. */
     TriangleMesh(double[] coordinates, int[][] faces) {
         Checks.present("vertices", coordinates);
         Checks.present("faces", faces);
@@ -76,12 +76,12 @@ public final class TriangleMesh {
         }
     }
 
-    /** How many triangles there are. */
+    /** The number of triangles. */
     public int size() {
         return faceOf.length;
     }
 
-    /** The face, in the order given, that a triangle is of. */
+    /** The index of a triangle's face, in the order given. */
     public int face(int triangle) {
         return faceOf[triangle];
     }
@@ -91,31 +91,31 @@ public final class TriangleMesh {
         return corners[3 * triangle + corner];
     }
 
-    /** How many vertices were given. */
+    /** The number of vertices given. */
     public int vertices() {
         return coordinates.length / 3;
     }
 
-    /** One coordinate (0 to 2) of a vertex, in the own frame. */
+    /** One coordinate (0 to 2) of a vertex, in the mesh's own frame. */
     public double coordinate(int vertex, int axis) {
         return coordinates[3 * vertex + axis];
     }
 
-    /** All coordinates, a fresh array. */
+    /** All coordinates, as a fresh array. */
     double[] coordinates() {
         return coordinates.clone();
     }
 
-    /** The faces as given, a deep copy. */
+    /** The faces as given, as a deep copy. */
     int[][] faces() {
         return Arrays.stream(faces).map(int[]::clone).toArray(int[][]::new);
     }
 
     /**
-     * One coordinate of a vertex under a placement: R p + centre, evaluated in this one order everywhere, so that shared
+     * One coordinate of a vertex of a placed mesh: R p + centre, always evaluated in the same order, so that shared
      * vertices stay shared.
      *
-     * @param place a centre at 0-2 and a rotation at 6-14 of a row that begins at {@code at}
+     * @param place an array with the centre at 0-2 and the rotation at 6-14, counted from {@code at}
      */
     public double placed(int vertex, int axis, double[] place, int at) {
         int row = at + 6 + 3 * axis;
@@ -126,7 +126,7 @@ public final class TriangleMesh {
                 + place[at + axis];
     }
 
-    /** The tree over the triangles' boxes in the own frame, built when first asked. */
+    /** The tree over the triangles' boxes in the mesh's own frame, built on first use. */
     public BoxTree tree() {
         BoxTree built = tree;
         if (built == null) {
@@ -143,15 +143,15 @@ public final class TriangleMesh {
     }
 
     /**
-     * The corners of all triangles in the own frame, nine coordinates each, beside each other in the order of the leaves
-     * of {@link #tree()}, which has to be asked before. The mesh's own array: read only.
+     * The corners of all triangles in the mesh's own frame, nine coordinates each, in the order of the leaves of {@link
+     * #tree()}, which must have been called before. This is the internal array: read only.
      */
     public double[] leafCorners() {
         return leafCorners;
     }
 
     /**
-     * Writes the corners of the triangle at a place of the leaves' order under a placement: the numbers of {@link
+     * Writes the corners of a placed triangle, given its index in the order of the leaves: the same numbers as {@link
      * #placed}.
      */
     public void placedAt(int leafPlace, double[] place, int at, double[] out, int to) {
@@ -190,7 +190,7 @@ public final class TriangleMesh {
         return boxes;
     }
 
-    /** One vertex of each connected part of the surface, by ascending index. */
+    /** One vertex of each connected part of the surface, in ascending order. */
     public synchronized int[] seeds() {
         if (seeds == null) {
             seeds = findSeeds();
@@ -226,7 +226,10 @@ public final class TriangleMesh {
         return r;
     }
 
-    /** For each vertex the first one at the same place. By sorting: no choice of coordinates makes that slow. */
+    /**
+     * For each vertex the first one at the same point. Found by sorting, so that no choice of coordinates makes it
+     * slow.
+     */
     private int[] joinEqual() {
         Integer[] sorted = new Integer[vertices()];
         Arrays.setAll(sorted, v -> v);
@@ -253,7 +256,7 @@ public final class TriangleMesh {
         return 0;
     }
 
-    /** An edge that an odd number of triangles use, as a text for people; null where the surface is closed. */
+    /** An edge that an odd number of triangles use, as text for people; null if the surface is closed. */
     @Nullable
     String openEdge() {
         int[] joined = joinEqual();

@@ -1,5 +1,5 @@
 /**
- * The values that users hold: objects, rays, moves and the two choices of what to model.
+ * The values that users work with: objects, rays, moves, and the two enums that choose dimension and accuracy.
  *
  * <h2>Space</h2>
  *
@@ -11,7 +11,7 @@
  *
  * Every object is a closed set. Boxes, cylinders and spheres are solid, a mesh is a surface unless it was made
  * {@linkplain robosim.geometry.model.MeshObject#solid() solid}, and a group is the union of its members. Sizes of zero
- * and degenerate faces are legal: they are the flat set, segment or point that they are.
+ * and degenerate faces are legal: such a shape counts as the flat set, segment or point that it degenerates to.
  *
  * <pre>{@code
  * CylinderObject robot = new CylinderObject(new Point(1, 0, 0), 0.3, 1).moveable("robot");
@@ -25,8 +25,9 @@
  *
  * <h2>Values</h2>
  *
- * All types here are immutable, compare by value and may be shared between threads. Coordinates and sizes reach up to
- * 2<sup>100</sup> in magnitude; what is larger, infinite or NaN is refused by name. A coordinate of -0.0 is +0.0.
+ * All types here are immutable, compare by value and may be shared between threads. Coordinates and sizes are at most
+ * 2<sup>100</sup> in magnitude; larger, infinite and NaN values are refused with a message that names the argument. A
+ * coordinate of -0.0 becomes +0.0.
  */
 @NullMarked
 package robosim.geometry.model;

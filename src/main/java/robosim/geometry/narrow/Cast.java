@@ -18,8 +18,8 @@ import robosim.geometry.narrow.ray.RayRectangle;
 import robosim.geometry.narrow.ray.SpatialRay;
 
 /**
- * A line or a cone of sight against one placed leaf, meshes included: the one switch for beams. An instance holds the
- * beam; it belongs to one owner of queries.
+ * Casts a line or a cone against one placed leaf, meshes included: the only switch over leaf kinds for beams. An
+ * instance holds the beam and belongs to one owner of queries.
  */
 public final class Cast {
     private final Scratch s;
@@ -39,10 +39,10 @@ public final class Cast {
     private double halfSin;
     private boolean cone;
 
-    /** Whether the start alone is too large for anything to be taken up, see {@link UnderflowScaling}. */
+    /** Whether the start is already too far from the origin for any scaling, see {@link UnderflowScaling}. */
     private boolean isFarFromOrigin;
 
-    /** The place, in the order of the tree's leaves, of the triangle that gave the last answer of a mesh, else -1. */
+    /** The triangle of a mesh that gave the last answer, as its position in the order of the tree's leaves; else -1. */
     private int triangle;
 
     private double nearest;
@@ -53,11 +53,10 @@ public final class Cast {
     }
 
     /**
-     * Sets a line of sight. In PLANAR its projection counts, which must not be a point.
+     * Sets a line. In PLANAR its projection is used, which must not be a point.
      *
-     * @param x  where it starts
-     * @param ax where it goes; of any length but zero. What is hit is decided for the line of these numbers, not of
-     *     its unit vector's
+     * @param x  start
+     * @param ax direction, of any length except zero. Hits are decided for these numbers, not for the unit vector
      */
     public void line(Dimension inDimension, double x, double y, double z, double ax, double ay, double az) {
         dimension = inDimension;
@@ -66,8 +65,8 @@ public final class Cast {
         oz = z;
         double level = dimension == Dimension.PLANAR ? 0 : ay;
         double sum = Math.abs(ax) + Math.abs(level) + Math.abs(az);
-        // A power of two near the greatest takes away what could overflow; where nothing could, a coordinate that is
-        // all but zero keeps its bits.
+        // Scaling by a power of two near the greatest prevents overflow; if none is possible, the numbers stay, so that
+        // a coordinate near zero keeps its bits.
         double scale = sum >= 0x1p-98 && sum <= 0x1p100 ? 1 : scale(VectorMath.largest(ax, level, az));
         dx = ax * scale;
         dy = level * scale;
@@ -83,7 +82,7 @@ public final class Cast {
         return greatest >= 0x1p-100 && greatest <= 0x1p100 ? 1 : Math.scalb(1.0, -Math.getExponent(greatest));
     }
 
-    /** A coordinate (0 to 2) of where the line goes; in PLANAR of its projection. */
+    /** A coordinate (0 to 2) of the line's direction; in PLANAR of its projection. */
     public double way(int axis) {
         return axis == 0 ? dx : axis == 1 ? dy : dz;
     }
@@ -93,7 +92,7 @@ public final class Cast {
         return Math.sqrt(dx * dx + dy * dy + dz * dz);
     }
 
-    /** One over the {@link #length}, or a little more. */
+    /** The reciprocal of the {@link #length}, or slightly more. */
     public double inverseLength() {
         double square = dx * dx + dy * dy + dz * dz;
         return Math.abs(square - 1) < 0x1p-40 ? 1 + 0x1p-40 : 1 / Math.sqrt(square);
@@ -104,7 +103,7 @@ public final class Cast {
         return way(axis) / length();
     }
 
-    /** Takes the unit direction, which lines that meet no mesh do without. */
+    /** Computes the unit direction, which is needed for meshes only. */
     private void takeUnit() {
         if (!hasUnit) {
             ux = unit(0);
@@ -122,7 +121,7 @@ public final class Cast {
         takeUnit();
     }
 
-    /** Distance from the start to the leaf; +Infinity where it is missed; what is beyond the limit may be too. */
+    /** Distance from the start to the leaf; +Infinity if it is missed, and possibly if it is beyond the limit. */
     public double distance(LeafColumn column, int leaf, double limit) {
         triangle = -1;
         LeafKind kind = column.kind(leaf);
@@ -152,8 +151,8 @@ public final class Cast {
     }
 
     /**
-     * Distance from the start of a line in PLANAR to an upright object by its number, +Infinity where it is missed; NaN
-     * where it is no such object or doubles cannot tell.
+     * Distance in PLANAR from the start of a line to an upright object, given by its number; +Infinity if it is missed;
+     * NaN if it is not such an object or doubles cannot decide.
      */
     public double upright(double[] outlines, int id) {
         int at = Outline.at(id);
@@ -209,12 +208,12 @@ public final class Cast {
                 : SpatialRay.distance(x, y, z, dx, dy, dz, kind, row, at, s);
     }
 
-    /** The triangle that gave the last answer of a mesh; -1 where none did. */
+    /** The triangle of a mesh that gave the last answer; -1 if none did. */
     public int triangle() {
         return triangle < 0 ? -1 : s.outer.triangle(triangle);
     }
 
-    /** The unit normal of the leaf where the line of sight meets it at a distance, into three numbers. */
+    /** Writes the unit normal, three numbers, of the leaf where the line hits it at a distance. */
     public void normal(LeafColumn column, int leaf, double distance, double[] out) {
         takeUnit();
         double px = ox + distance * ux;

@@ -11,19 +11,23 @@ import robosim.geometry.narrow.leaf.UnderflowScaling;
 import robosim.geometry.narrow.mesh.Inside;
 
 /**
- * The least distance of two placed leaves, meshes included, and where they are nearest: the one switch for distances.
- * An instance belongs to one owner of queries.
+ * The distance of two placed leaves, meshes included, and their nearest points: the only switch over leaf kinds for
+ * distances. An instance belongs to one owner of queries.
  */
 public final class Distance {
     /**
-     * No distance of two convex leaves is answered so far below the truth, as a share of itself and of their sizes. Bounds
-     * are finer: what they leave out must be farther by as much, or an answer would depend on what was found before.
+     * More than the error of any distance of two convex leaves, relative to the distance and their sizes; it is always
+     * downward. Bounds are more accurate, so they may rule out only what is farther by this margin; otherwise an answer
+     * would depend on what was found before.
      */
     private static final double SHORT = 0x1p-40;
 
     private final Scratch s;
 
-    /** The places, in the order of the leaves, of the triangles that gave the last answer; -1 where a leaf is no mesh or is met in its inside. */
+    /**
+     * The triangles that gave the last answer, as positions in the order of the leaves; -1 if a leaf is not a mesh or
+     * contains the other one.
+     */
     private int triangleA;
 
     private int triangleB;
@@ -33,9 +37,9 @@ public final class Distance {
     }
 
     /**
-     * Least distance, 0 in contact; how far off it may be is said with the kernels. Up to the limit it does not depend on it.
+     * The distance, 0 in contact; the kernels state its error. Results up to the limit do not depend on the limit.
      *
-     * @param limit what is farther may be answered as +Infinity, or as more than that
+     * @param limit a larger distance may be returned as +Infinity or as any number above the limit
      */
     public double between(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, double limit) {
         triangleA = -1;
@@ -94,12 +98,14 @@ public final class Distance {
         return best;
     }
 
-    /** How far bounds have to reach for all that may be answered as no farther than a distance. */
+    /**
+     * How far a search by bounds must reach to include every leaf whose computed distance may be at most a given one.
+     */
     public static double reach(double distance, double sizes) {
         return distance + SHORT * (distance + sizes);
     }
 
-    /** At least the size of what is in a box. */
+    /** An upper bound of the size of the contents of a box. */
     public static double sides(double[] box) {
         return (box[3] - box[0]) + (box[4] - box[1]) + (box[5] - box[2]);
     }
@@ -146,7 +152,7 @@ public final class Distance {
         return best;
     }
 
-    /** In PLANAR, gives the box the heights of the mesh, so that they do not count. */
+    /** In PLANAR, extends the box over the heights of the mesh, so that heights do not matter. */
     private void overMesh(Dimension dimension, LeafColumn mesh, int leaf, double[] box) {
         if (dimension == Dimension.PLANAR) {
             mesh.bounds(leaf, s.meshBox);
@@ -156,7 +162,7 @@ public final class Distance {
     }
 
     /**
-     * Where two leaves touch or are nearest: a point of contact and the unit normal from b towards a.
+     * Finds where two leaves touch or are nearest: a contact point and the unit normal from b towards a.
      *
      * @param out six numbers: point, normal
      */
@@ -191,7 +197,7 @@ public final class Distance {
         ConvexContact.between(dimension, kindA, rowA, atA, kindB, rowB, atB, out, s);
     }
 
-    /** One leaf wholly inside the other: no surface is near; the contact is where the first one stands. */
+    /** The contact if one leaf is wholly inside the other and no surfaces are near: a point of the first one. */
     private static void inside(double[] row, int at, double[] out) {
         System.arraycopy(row, at, out, 0, 3);
         out[3] = 0;

@@ -12,7 +12,7 @@ import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.planar.DiscDisc;
 import robosim.geometry.narrow.planar.DiscRectangle;
 
-/** Whether two placed leaves have a point in common, meshes included: the one switch for overlaps. */
+/** Whether two placed leaves have a point in common, meshes included: the only switch over leaf kinds for overlaps. */
 public final class Overlap {
     private Overlap() {}
 
@@ -34,15 +34,17 @@ public final class Overlap {
         return ConvexOverlap.test(dimension, kindA, a.rows(i), a.at(i), kindB, b.rows(j), b.at(j), s);
     }
 
-    /** A disc, as seen from above, and a leaf of half a row: without a whole one where doubles can tell. */
+    /**
+     * Tests a disc, seen from above, against a half-row leaf; expands it to a full row only if doubles cannot decide.
+     */
     private static boolean disc(LeafKind kindA, double[] a, int i, LeafKind kindB, LeafColumn b, int j, Scratch s) {
         int sure = sure(a[i], a[i + 2], a[i + Leaf.SIZE], b.uprightRows(), LeafColumn.uprightAt(j));
         return sure == 0 ? PlanarOverlap.test(kindA, a, i, kindB, b.rows(j), b.at(j), s) : sure < 0;
     }
 
     /**
-     * Whether a disc touches an object of half a row, as seen from above: below 0 where it does, above where it does not, 0
-     * where doubles cannot tell or the object's leaves are others.
+     * Whether a disc touches an object with a half-row leaf, seen from above: below 0 if it does, above 0 if it does
+     * not, 0 if doubles cannot decide or the object has other leaves.
      */
     public static int sure(double x, double z, double r, LeafColumn b, int id) {
         return b.isUprightObject(id)
@@ -95,7 +97,9 @@ public final class Overlap {
         }
     }
 
-    /** Whether two leaves, neither of them a mesh, certainly overlap by more than rounding; false where that is not told. */
+    /**
+     * Whether two leaves, neither of them a mesh, certainly overlap by more than rounding; false if that is not known.
+     */
     public static boolean isDeep(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, Scratch s) {
         return !a.kind(i).isMesh()
                 && !b.kind(j).isMesh()

@@ -5,16 +5,16 @@ import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
 
-/** The pairs of convex pieces of two leaves that may touch: a mesh's triangles are pieces of their own. */
+/** Visits the pairs of convex pieces of two leaves that may touch; each triangle of a mesh is a piece. */
 final class PiecePairs {
-    /** What is done with a pair. */
+    /** Receives the pairs. */
     interface Visitor {
         /**
-         * Looks at a pair; their rows are good until it returns.
+         * Visits a pair; the rows are valid until this method returns.
          *
-         * @param t the place, in the order of the leaves, of the first mesh's triangle; -1 where it is no mesh
-         * @param u the same of the second
-         * @return whether that was enough
+         * @param t triangle of the first mesh, as a position in the order of the leaves; -1 if it is not a mesh
+         * @param u the same for the second
+         * @return true to stop
          */
         boolean visit(LeafKind kindA, double[] a, int i, int t, LeafKind kindB, double[] b, int j, int u);
     }
@@ -27,7 +27,7 @@ final class PiecePairs {
         s = scratch;
     }
 
-    /** Visits pairs until one is enough; answers whether one was. */
+    /** Visits pairs until the visitor stops; returns whether it did. */
     boolean any(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, Visitor visitor) {
         LeafKind kindA = a.kind(i);
         if (!kindA.isMesh()) {

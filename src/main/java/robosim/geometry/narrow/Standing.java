@@ -12,17 +12,17 @@ import robosim.geometry.narrow.overlap.Levels;
 import robosim.geometry.narrow.sat.ExactFeatures;
 
 /**
- * What a mover stands on or leans against at the start of a motion: where such a contact has a plane between mover and piece,
- * and the motion does not cross it, nothing that lies wholly behind that plane blocks.
+ * The contacts of a mover at the start of a motion, such as a floor that it stands on: if a plane separates the mover
+ * from a piece in contact, and the motion does not cross the plane, nothing that lies wholly behind the plane blocks.
  *
- * <p>A piece q does not block a piece k of the mover where some piece i of the mover touches some piece p at the start and a
- * plane has p and q on its one side and, at the start, at the end as stored and in between, i and k on its other, both sides
- * closed. That is decided on the stored numbers without rounding. Whether there is such a plane is found for whatever has
- * corners, of all planes; for what is round, of those that touch it in a line or in a point that is not on a rim, and of
- * those of caps, faces and edges ({@link ExactFeatures#normalsWith}). A turn stays on its side of a plane where it is about
- * the plane's normal or does not change the set that turns.
+ * <p>A piece q does not block a piece k of the mover if some piece i of the mover touches some piece p at the start,
+ * and there is a plane with p and q on one side and, at the start, at the end as stored and in between, i and k on the
+ * other; both sides are closed. This is decided on the stored numbers without rounding. For pieces with corners all
+ * planes are considered; for round ones, those that touch it in a line or in a point that is not on a rim, and those of
+ * caps, faces and edges ({@link ExactFeatures#normalsWith}). A turn stays on its side of a plane if it is about the
+ * plane's normal or does not change the set that turns.
  *
- * <p>Level planes under or over what is upright need sums of two doubles only, and nothing is allocated.
+ * <p>Horizontal planes below or above upright pieces need only sums of two doubles, and nothing is allocated.
  */
 public final class Standing {
     private static final int ROWS = 3 * Leaf.STRIDE;
@@ -40,14 +40,14 @@ public final class Standing {
     private LeafColumn end;
     private int leaf;
 
-    /** For each contact: the mover's piece at the start and at the end, the other's piece; and their kinds. */
+    /** For each contact: the mover's piece at the start and at the end, the other piece, and their kinds. */
     private double[] rows = new double[4 * ROWS];
 
     private LeafKind[] kinds = new LeafKind[4 * 3];
     private StandingPlanes[] planes = new StandingPlanes[4];
     private int count;
 
-    /** Levels that contacts stand on, each a sum of two. */
+    /** The heights of horizontal contact planes, each a sum of two doubles. */
     private double[] levels = new double[8];
 
     private int[] sides = new int[4];
@@ -63,7 +63,7 @@ public final class Standing {
         pairs = new PiecePairs(scratch);
     }
 
-    /** Forgets all contacts; from now on it is about a motion from a start to an end, which is read where there are some. */
+    /** Clears all contacts and begins a motion from a start to an end, which are read only if contacts are added. */
     public void begin(Dimension inDimension, Sweep sweep, LeafColumn atStart, LeafColumn atEnd) {
         dimension = inDimension;
         motion = sweep;
@@ -73,12 +73,12 @@ public final class Standing {
         levelCount = 0;
     }
 
-    /** Whether nothing that was added is touched at the start, but what is overlapped so deeply that no plane is between. */
+    /** Whether there are no contacts at the start, except overlaps so deep that no plane separates the two. */
     public boolean isEmpty() {
         return count == 0;
     }
 
-    /** Takes in what the mover touches at the start of a leaf. */
+    /** Adds the pieces of a leaf that the mover touches at the start. */
     public void add(LeafColumn b, int j) {
         for (int i = 0; i < start.size(); i++) {
             leaf = i;
@@ -88,7 +88,7 @@ public final class Standing {
 
     private boolean gather(LeafKind kindA, double[] a, int i, int t, LeafKind kindB, double[] b, int j, int u) {
         if (!touch(kindA, a, i, kindB, b, j) || ConvexOverlap.isDeep(dimension, kindA, a, i, kindB, b, j, s)) {
-            return false; // no plane is between what overlaps deeply
+            return false; // no plane separates a deep overlap
         }
         if (count == planes.length) {
             planes = Arrays.copyOf(planes, 2 * count);
@@ -124,7 +124,10 @@ public final class Standing {
         System.arraycopy(row, at, rows, to, Leaf.STRIDE);
     }
 
-    /** Notes the level that parts a contact, if one does and the mover keeps to its side; what lies in it is on both. */
+    /**
+     * Records the horizontal plane that separates a contact, if there is one and the mover stays on its side; points in
+     * it are on both sides.
+     */
     private void noteLevel(int at, LeafKind kindA, LeafKind kindEnd, LeafKind kindB) {
         if (dimension == Dimension.PLANAR
                 || !kindA.hasLevels()
@@ -160,9 +163,9 @@ public final class Standing {
     }
 
     /**
-     * Whether a piece does not block a piece of the mover, because it is behind a plane of a contact.
+     * Whether a piece does not block a piece of the mover because it is behind the plane of a contact.
      *
-     * @param kindTo the mover's piece where it goes to, which is the end or a place before it
+     * @param kindTo the mover's piece at its destination, which is the end or a place before it
      */
     boolean isBehind(
             LeafKind kind,
@@ -186,7 +189,7 @@ public final class Standing {
         hulls.above(kindTo, to, atTo);
         hulls.below(kindB, b, j);
         if (hulls.areDeep()) {
-            return false; // what is gone into: nearly all that blocks
+            return false; // the motion goes into it, as for nearly everything that blocks
         }
         for (int k = 0; k < count; k++) {
             int row = k * ROWS;
@@ -236,7 +239,10 @@ public final class Standing {
         return false;
     }
 
-    /** Whether it is behind a level that is stood on: what needs no exact numbers of {@link #isBehind}, and answers most. */
+    /**
+     * Whether it is behind a horizontal contact plane: the part of {@link #isBehind} that needs no exact numbers and
+     * decides most cases.
+     */
     boolean isBehindLevel(int i, LeafKind kind, double[] from, int at, int t, LeafKind kindB, double[] b, int j) {
         if (levelCount == 0) {
             return false;
@@ -249,7 +255,7 @@ public final class Standing {
         return isBehindLevel(kind, from, at, kind, there, 0, kindB, b, j);
     }
 
-    /** The same for a leaf of the mover, or the triangle of a mesh at a place, on its way to the end. */
+    /** The same for a leaf of the mover, or a triangle of its mesh, moving to the end. */
     boolean isBehind(int i, LeafKind kind, double[] from, int at, int t, LeafKind kindB, double[] b, int j) {
         if (t < 0) {
             return isBehind(kind, from, at, end.kind(i), end.rows(i), end.at(i), kindB, b, j);
@@ -259,19 +265,22 @@ public final class Standing {
         return isBehind(kind, from, at, kind, there, 0, kindB, b, j);
     }
 
-    /** The mover's triangle of the last {@link #touchesAnew}, a place in the order of the leaves; -1 where it is no mesh. */
+    /**
+     * The mover's triangle in the last {@link #touchesAnew}, as a position in the order of the leaves; -1 if it is not
+     * a mesh.
+     */
     public int ownPiece() {
         return ownPiece;
     }
 
-    /** The same of the triangle that it touches. */
+    /** The same for the triangle that it touches. */
     public int otherPiece() {
         return otherPiece;
     }
 
     /**
-     * Whether leaf i of the mover, at a place on its way, touches or overlaps a piece of leaf j that it does not at the
-     * start, and that is not behind a plane of a contact that was added.
+     * Whether leaf i of the mover, at a place on its way, touches or overlaps a piece of leaf j that it did not touch
+     * at the start and that is not behind the plane of a contact.
      */
     public boolean touchesAnew(LeafColumn at, int i, LeafColumn b, int j) {
         if (!Overlap.test(dimension, at, i, b, j, s)) {
@@ -284,7 +293,7 @@ public final class Standing {
         if (pairs.any(dimension, at, i, b, j, anew)) {
             return true;
         }
-        // Within a solid, and no face met.
+        // Inside a solid, without touching a face.
         return !isMet && !Overlap.test(dimension, start, i, b, j, s);
     }
 

@@ -15,9 +15,9 @@ import robosim.geometry.narrow.sat.ExactBetween;
 import robosim.geometry.narrow.sat.ExactExtent;
 import robosim.geometry.narrow.sat.ExactFeatures;
 
-/** The planes between two pieces that touch: found when first asked for. See {@link Standing}. */
+/** The planes between two pieces that touch, computed on first use. See {@link Standing}. */
 final class StandingPlanes {
-    /** A direction from the other piece to the mover's, and how far the one reaches and the other begins. */
+    /** A plane normal from the other piece to the mover's, with the extents of both along it. */
     private record Plane(ExactVector normal, ExactExtent below, ExactExtent above, boolean isKept) {}
 
     private @Nullable List<Plane> planes;
@@ -28,9 +28,10 @@ final class StandingPlanes {
     }
 
     /**
-     * Whether one of the planes has a piece of the mover, at two places, on its one side, and another piece on its other.
+     * Whether one of the planes separates a piece of the mover, at two places, from another piece.
      *
-     * @param rows  the mover's piece that is in contact at its start and end, and what it touches, from {@code at} on
+     * @param rows  from {@code at} on: the mover's piece in contact, at its start and end, and the piece that it
+     *     touches
      */
     boolean part(
             Dimension dimension,
@@ -96,7 +97,7 @@ final class StandingPlanes {
         return ExactBetween.exists(first, lower, flat, pivot);
     }
 
-    /** A corner that lies in all planes, and so in all that are between these; -1 where there is none. */
+    /** A corner that lies in all planes, and so in all planes between them; -1 if there is none. */
     private int pivot(List<ExactVector> corners) {
         if (planes != null && isSpanned && !planes.isEmpty()) {
             for (int k = 0; k < corners.size(); k++) {
@@ -112,7 +113,7 @@ final class StandingPlanes {
         return -1;
     }
 
-    /** Whether a corner of the mover ends behind all planes, and so behind all that are between these. */
+    /** Whether a corner of the mover ends behind all planes, and so behind all planes between them. */
     private boolean isCrossing(List<ExactVector> corners) {
         if (planes == null || !isSpanned || planes.isEmpty()) {
             return false;
@@ -129,7 +130,7 @@ final class StandingPlanes {
         return false;
     }
 
-    /** Whether a level plane is certainly the only one. */
+    /** Whether the horizontal plane is certainly the only one. */
     private static boolean hasOnlyLevel(
             Dimension dimension, double[] rows, int at, LeafKind[] kinds, int kindAt, Scratch s) {
         LeafKind kindA = kinds[kindAt];
@@ -138,7 +139,8 @@ final class StandingPlanes {
         if (dimension == Dimension.PLANAR || Levels.side(kindA, rows, at, kindB, rows, rest) == 0) {
             return false;
         }
-        // A ball has but one plane where it touches; what has an inside within the level, none other.
+        // A sphere has only one plane at a contact; so have pieces whose contact has interior points within the
+        // horizontal plane.
         if ((kindA == LeafKind.SPHERE && rows[at + Leaf.SIZE] > 0)
                 || (kindB == LeafKind.SPHERE && rows[rest + Leaf.SIZE] > 0)) {
             return true;
@@ -151,7 +153,7 @@ final class StandingPlanes {
         return ways.proven() > 0;
     }
 
-    /** Whether a corner is beyond all planes, and so beyond all that are between these. */
+    /** Whether a corner is beyond all planes, and so beyond all planes between them. */
     private boolean isBeyondAll(List<ExactVector> corners) {
         if (planes == null || !isSpanned || planes.isEmpty()) {
             return false;
@@ -168,7 +170,7 @@ final class StandingPlanes {
         return false;
     }
 
-    /** Whether every plane between the two is one of those found or between these. */
+    /** Whether every plane between the two pieces is one of those found or between them. */
     private boolean isSpanned;
 
     private List<Plane> find(boolean flat, Sweep motion, double[] rows, int at, LeafKind[] kinds, int kindAt) {

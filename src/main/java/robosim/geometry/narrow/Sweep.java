@@ -19,11 +19,11 @@ import robosim.geometry.narrow.turn.SpatialTurnSweep;
 import robosim.geometry.narrow.turn.SweptBounds;
 
 /**
- * A motion of one placed leaf against another at rest, meshes included: the one switch for sweeps. An instance holds the
- * motion; it belongs to one owner of queries.
+ * Sweeps one placed leaf against another at rest, meshes included: the only switch over leaf kinds for sweeps. An
+ * instance holds the motion and belongs to one owner of queries.
  */
 public final class Sweep {
-    /** A mesh of no more triangles is bounded by each of them, and a larger one by its box. */
+    /** A mesh with at most this many triangles is bounded triangle by triangle, a larger one by its box. */
     private static final int FEW = 64;
 
     private final Scratch s;
@@ -42,7 +42,10 @@ public final class Sweep {
     private double wz;
     private double degrees;
 
-    /** What the mover stands on, if that is asked about; the leaf and the triangle that move, and what is met first. */
+    /**
+     * The mover's contacts at the start, if they are to be considered; the moving leaf and triangle, and what is hit
+     * first.
+     */
     private @Nullable Standing standing;
 
     private @Nullable Stop stop;
@@ -59,7 +62,7 @@ public final class Sweep {
         return turns;
     }
 
-    /** Whether a leaf that starts on one side of a plane stays there if it ends there: exact. */
+    /** Whether a leaf that starts and ends on one side of a plane stays there in between; exact. */
     boolean keeps(ExactVector normal, LeafKind kind, double[] row, int at) {
         if (!turns) {
             return true;
@@ -67,7 +70,7 @@ public final class Sweep {
         return normal.cross(ExactVector.of(wx, wy, wz)).isZero() || isTurnedIntoItself(kind, row, at);
     }
 
-    /** The same of a level plane. */
+    /** The same for a horizontal plane. */
     boolean keepsLevel(LeafKind kind, double[] row, int at) {
         return !turns || (wx == 0 && wz == 0) || isTurnedIntoItself(kind, row, at);
     }
@@ -119,7 +122,7 @@ public final class Sweep {
         degrees = byDegrees;
     }
 
-    /** The outward bounds of all places of a leaf during the motion. */
+    /** Bounds, rounded outward, of all places of a leaf during the motion. */
     public void bounds(LeafColumn column, int leaf, double[] out) {
         LeafKind kind = column.kind(leaf);
         if (!kind.isMesh()) {
@@ -128,12 +131,12 @@ public final class Sweep {
         }
         double[] box = s.meshBox;
         column.bounds(leaf, box);
-        double[] row = s.triangleB; // the mesh's bounds, as a box that moves
+        double[] row = s.triangleB; // the mesh's bounds, as a moving box
         boxRow(box, row);
         bounds(LeafKind.UPRIGHT_BOX, row, 0, out);
     }
 
-    /** The same by each triangle of a mesh for itself, where the bounds that move with it would reach too far. */
+    /** The same, but with each triangle of a mesh on its own, if the moving bounds of the mesh would be too large. */
     public void tightBounds(LeafColumn column, int leaf, double[] out) {
         if (!column.kind(leaf).isMesh()) {
             bounds(column, leaf, out);
@@ -154,8 +157,8 @@ public final class Sweep {
     }
 
     /**
-     * Widens the bounds of x + z (two numbers) and of x - z (two more), which hold the leaf and whatever it is a part of
-     * at the start, to hold it anywhere on a turn.
+     * Extends the bounds of x + z (two numbers) and of x - z (two more), which hold at the start, to hold for the leaf
+     * anywhere on a turn.
      */
     public void turnDiagonals(LeafColumn column, int leaf, double[] out4) {
         LeafKind kind = column.kind(leaf);
@@ -201,33 +204,35 @@ public final class Sweep {
         }
     }
 
-    /** The place, in the order of the leaves, of the mover's triangle that met something first; -1 where it is no mesh. */
+    /**
+     * The mover's triangle that hit something first, as a position in the order of the leaves; -1 if it is not a mesh.
+     */
     public int ownPiece() {
         return ownPiece;
     }
 
-    /** The same of the triangle that was met. */
+    /** The same for the triangle that was hit. */
     public int otherPiece() {
         return otherPiece;
     }
 
-    /** What a share before contact with a piece becomes. */
+    /** Decides at which fraction to stop before contact with a piece. */
     public interface Stop {
         /**
-         * The share at which to stop.
+         * The fraction at which to stop.
          *
-         * @param t     the mover's triangle, a place in the order of the leaves, or -1
-         * @param u     the same of the triangle that is met
-         * @param share where it is met
-         * @param least above which an answer does not matter
+         * @param t     the mover's triangle, as a position in the order of the leaves, or -1
+         * @param u     the same for the triangle that is hit
+         * @param share the fraction at which it is hit
+         * @param least a result above this does not matter
          */
         double share(int t, int u, double share, double least);
     }
 
     /**
-     * As {@link #free(LeafColumn, int, LeafColumn, int)}, but what is behind a plane that the mover stands on does not block.
+     * As {@link #free(LeafColumn, int, LeafColumn, int)}, but pieces behind a contact plane of the mover do not block.
      *
-     * @param at where to stop before each piece that is met; null for where it is met
+     * @param at decides where to stop before each piece that is hit; null to stop where it is hit
      */
     public double free(LeafColumn a, int i, LeafColumn b, int j, Standing on, @Nullable Stop at) {
         standing = on;
@@ -239,8 +244,8 @@ public final class Sweep {
     }
 
     /**
-     * The share of the motion that leaf i of a is free of leaf j of b: +Infinity where nothing is met, else from 0 to 1,
-     * rounded down. What is met at the start blocks only what goes deeper.
+     * The fraction of the motion during which leaf i of a does not touch leaf j of b: +Infinity if it never does, else
+     * from 0 to 1, rounded down. A contact at the start blocks only motion deeper into it.
      */
     public double free(LeafColumn a, int i, LeafColumn b, int j) {
         leaf = i;
@@ -257,7 +262,7 @@ public final class Sweep {
         }
         double least = Double.POSITIVE_INFINITY;
         obstacleBounds(b, j);
-        // A mesh that moves: each triangle whose way may meet the obstacle.
+        // A moving mesh: each triangle whose path may hit the obstacle.
         s.outer.startBox(a, i, reach(a, i));
         for (int t = s.outer.next(0); t >= 0; t = s.outer.next(0)) {
             s.outer.corners(t, s.triangleA, 0);
@@ -281,7 +286,10 @@ public final class Sweep {
         return least;
     }
 
-    /** The places from which a translation reaches the obstacle's bounds; for a turn all of the mesh. */
+    /**
+     * The bounds of the points from which a translation reaches the obstacle's bounds; for a turn, those of the whole
+     * mesh.
+     */
     private double[] reach(LeafColumn a, int i) {
         double[] box = s.box;
         if (turns) {
@@ -349,10 +357,10 @@ public final class Sweep {
     }
 
     /**
-     * Two pieces: +Infinity too where the other one is behind a plane that is stood on.
+     * The fraction for two pieces; also +Infinity if the other one is behind a contact plane.
      *
      * @param u      the other's triangle, or -1
-     * @param before the share above which the answer does not matter
+     * @param before a result above this fraction does not matter
      */
     private double piece(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, int u, double before) {
         if (standing != null && standing.isBehindLevel(leaf, kindA, a, i, own, kindB, b, j)) {
@@ -378,7 +386,7 @@ public final class Sweep {
                 : convex(x, y, z, kindA, a, i, kindB, b, j);
     }
 
-    /** Whether heights do not count: only what tilts in the plane brings them in. */
+    /** Whether the motion is horizontal. */
     private boolean isLevel() {
         return dimension == Dimension.PLANAR && !(turns && (wx != 0 || wz != 0));
     }
@@ -394,7 +402,7 @@ public final class Sweep {
         return convex(m.up(x), m.up(y), m.up(z), kindA, m.a, 0, kindB, m.b, 0);
     }
 
-    /** With the pivot of a turn, or the displacement of a translation. */
+    /** The fraction for two convex pieces, with the pivot of a turn or the displacement of a translation. */
     private double convex(
             double x, double y, double z, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         if (dimension == Dimension.PLANAR) {

@@ -1,6 +1,7 @@
 /**
- * The narrow phase: one switch for each question about two placed leaves, which descends meshes and hands pairs of convex
- * leaves to the kernels in the rooms below; and what a mover stands on.
+ * The narrow phase: one switch over leaf kinds for each kind of query about two placed leaves, which descends into
+ * meshes and passes pairs of convex leaves to the kernels in the packages below; and the contacts of a mover at its
+ * start.
  */
 @NullMarked
 package robosim.geometry.narrow;

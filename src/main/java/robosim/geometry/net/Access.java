@@ -4,31 +4,31 @@ import java.net.InetAddress;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Who gets in. Off the loopback address a server wants at least one of the two.
+ * Who may connect. On any address but loopback, a server requires TLS, a secret, or both.
  *
- * @param tls    with it every connection is TLS, and both ends show a certificate that the other trusts; null without
- * @param secret with it a peer that speaks JSON must show it in its hello, and one that speaks Java serialization, which
- *               has no place for it, is served over TLS alone; null without
+ * @param tls    if not null, every connection uses TLS, and each end presents a certificate that the other trusts
+ * @param secret if not null, a peer that speaks JSON must present it in its hello; a peer that speaks Java
+ *               serialization, which has no place for it, is then served over TLS only
  */
 public record Access(@Nullable Tls tls, @Nullable Secret secret) {
-    /** Nobody is asked who he is: for the loopback address. */
+    /** No authentication, for the loopback address. */
     public static final Access ANYBODY = new Access(null, null);
 
     /**
-     * Refuses to listen where strangers can dial and nothing would keep them out.
+     * Refuses an address that other machines can reach unless something keeps strangers out.
      *
-     * @throws IllegalArgumentException saying what would
+     * @throws IllegalArgumentException with a message that says what is required
      */
     void check(InetAddress address) {
         if (tls == null && secret == null && !address.isLoopbackAddress()) {
             throw new IllegalArgumentException(
-                    "a server off the loopback address must know who dials in: give it TLS with"
+                    "a server on any address but loopback must authenticate its peers: give it TLS with"
                             + " the certificates that it trusts, or a secret for peers that speak JSON; or let a GeometryClient"
                             + " dial the environment (got: " + address.getHostAddress() + " with neither)");
         }
     }
 
-    /** Whether a peer that speaks JSON and shows that secret, or null for none, may go on. */
+    /** Whether a peer that speaks JSON and presents this secret, null for none, is admitted. */
     boolean admitsJson(@Nullable String offered) {
         return secret == null || secret.matches(offered);
     }

@@ -5,7 +5,7 @@ import robosim.geometry.net.pace.PacedInput;
 import robosim.geometry.protocol.Gate;
 import robosim.geometry.protocol.channel.MessageChannel;
 
-/** Lets a peer in by what it speaks and what it knows; who is not in yet may not dawdle. */
+/** Admits a peer by its encoding and its secret; until it is admitted, shorter timeouts hold. */
 final class Authenticator implements Gate {
     private final Access access;
     private final PacedInput in;
@@ -21,7 +21,7 @@ final class Authenticator implements Gate {
         }
     }
 
-    /** The channel whose peer it is asked about. */
+    /** Sets the channel of the peer to authenticate. */
     void watch(MessageChannel made) {
         channel = made;
     }

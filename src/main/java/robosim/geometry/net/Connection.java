@@ -20,20 +20,22 @@ import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.Text;
 import robosim.geometry.protocol.channel.MessageChannel;
 
-/** One socket and its session, whoever dialled. Whatever comes over it ends here. */
+/**
+ * One socket and its session, whichever end dialled. Nothing that a peer sends can cause a failure beyond this class.
+ */
 final class Connection implements Runnable {
     private static final System.Logger LOG = System.getLogger(Connection.class.getPackageName());
 
-    /** How long, and how far, a peer is listened to that has erred. */
+    /** How long, and for how many bytes, a peer that made an error is still read. */
     private static final long PARTING_NANOS = 500_000_000;
 
     private static final int PARTING_BYTES = 1 << 20;
 
-    /** A world from a message of so many bytes has more objects than can be put into an index within a turn. */
+    /** A world from a message of at least this many bytes has more objects than can be indexed within one turn. */
     private static final int HEAVY_BYTES = 1 << 20;
 
     private static final String NO_MEMORY =
-            "the module has not enough memory for this request; ask for less at a time, or"
+            "the module does not have enough memory for this request; ask for less at a time, or"
                     + " give it more (-Xmx); a new connection may go on";
 
     private final Socket socket;
@@ -46,23 +48,23 @@ final class Connection implements Runnable {
     private final Room.Share room;
     private final Worlds.Plot plot;
 
-    /** The message that is being read or carried out, from 1. */
+    /** The number of the message that is being read or processed, from 1. */
     private long message;
 
     private long answers;
     private volatile boolean stopping;
 
-    /** Whether what it does was cut off because the module is ending. */
+    /** Whether the current request was cut off because the module is shutting down. */
     private volatile boolean ending;
 
-    /** Puts TLS over a connected socket. */
+    /** Layers TLS over a connected socket. */
     @FunctionalInterface
     interface Cipher {
         SSLSocket over(Socket plain) throws IOException;
     }
 
     /**
-     * Over that socket.
+     * A connection over a socket.
      *
      * @param cipher null for none
      */
@@ -78,7 +80,10 @@ final class Connection implements Runnable {
         this.plot = around.worlds().plot();
     }
 
-    /** Answers until the peer ends, errs or is told to stop; then the socket is closed. Nothing is thrown. */
+    /**
+     * Answers requests until the peer ends the connection, makes an error, or this connection is told to stop; then
+     * closes the socket. Throws nothing.
+     */
     @Override
     public void run() {
         around.figures().opened();
@@ -94,7 +99,7 @@ final class Connection implements Runnable {
         } catch (IOException e) {
             closed("the answer could not be sent: " + e.getMessage(), e);
         } catch (OutOfMemoryError e) {
-            plot.free(); // and the world with it: the session is no more
+            plot.free(); // and the world, as the session is over
             closed(NO_MEMORY + " (got: " + e + ")", e);
             partGently();
         } catch (RuntimeException | Error e) {
@@ -126,7 +131,7 @@ final class Connection implements Runnable {
         SSLSocket secured = shakeHands(cipher);
         converse(secured);
         guard.begin(System.nanoTime() + options.timeouts().stall().toNanos());
-        secured.close(); // says so to the peer, and may wait for him
+        secured.close(); // tells the peer, and may wait for it
         guard.end();
     }
 
@@ -197,22 +202,22 @@ final class Connection implements Runnable {
         try {
             Reply reply = session.reply(request);
             if (request instanceof InitBundle && channel.messageBytes() >= HEAVY_BYTES) {
-                turn.heavy(); // the first questions about it make its indexes
+                turn.heavy(); // the first queries build its indexes
             }
             return reply;
         } catch (Turn.CutOff e) {
-            channel.refuse("the module is ending: message " + message + " was cut off, and has no answer");
+            channel.refuse("the module is shutting down: message " + message + " was cut off, and has no answer");
             throw e;
         } catch (OutOfMemoryError e) {
             channel.refuse(NO_MEMORY);
             throw e;
         } catch (RuntimeException | Error e) {
-            channel.refuse("an error of the module itself, which its log tells; a new connection may go on");
+            channel.refuse("an internal error of the module, described in its log; you may connect again");
             throw e;
         }
     }
 
-    /** Why this cannot be asked here; null where it can. */
+    /** Why a request is not allowed; null if it is allowed. */
     private @Nullable String refusal(Bundle request, int messageBytes) {
         Quotas quotas = options.quotas();
         if (request instanceof InitBundle init) {
@@ -235,7 +240,8 @@ final class Connection implements Runnable {
 
     private void closed(String reason, Throwable e) {
         if (ending) {
-            warn("closed at message " + message + ", which was cut off and has no answer, as the module is ending");
+            warn("closed at message " + message
+                    + ", which was cut off and has no answer, as the module is shutting down");
         } else if (!stopping || guard.isBroken()) {
             around.figures().failed();
             warn("closed at message " + message + ", " + Text.line(reason));
@@ -247,7 +253,7 @@ final class Connection implements Runnable {
         around.log().log(LOG, System.Logger.Level.WARNING, name + ": " + words);
     }
 
-    /** Lets answers arrive that are on their way: closing a socket that has unread bytes takes them back. */
+    /** Lets answers under way arrive: closing a socket that has unread bytes would discard them. */
     private void partGently() {
         turn.give();
         byte[] rest = new byte[1 << 13];
@@ -264,12 +270,12 @@ final class Connection implements Runnable {
         }
     }
 
-    /** Whether any request was answered. */
+    /** Whether any request has been answered. */
     boolean hasAnswered() {
         return answers > 0;
     }
 
-    /** No more is read; what has been read is still answered. */
+    /** Stops reading; requests already read are still answered. */
     void stop() {
         stopping = true;
         try {
@@ -279,7 +285,7 @@ final class Connection implements Runnable {
         }
     }
 
-    /** What has not been answered by now is not answered any more; the peer is told. */
+    /** Drops requests that are not answered yet, and tells the peer. */
     void cutOff() {
         ending = true;
         stopping = true;
@@ -287,7 +293,7 @@ final class Connection implements Runnable {
         room.close();
     }
 
-    /** Ends at once. */
+    /** Ends the connection at once. */
     void abort() {
         stopping = true;
         guard.close();

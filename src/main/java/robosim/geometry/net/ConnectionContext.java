@@ -6,7 +6,7 @@ import robosim.geometry.net.pace.Watchdog;
 import robosim.geometry.net.pace.Worlds;
 import robosim.geometry.net.session.LogBudget;
 
-/** What the connections of one end share. */
+/** What all connections of one server or client share. */
 record ConnectionContext(
         NetOptions options, Figures figures, Watchdog watchdog, Turns turns, Room room, Worlds worlds, LogBudget log) {
     ConnectionContext(NetOptions options, Figures figures, Watchdog watchdog) {

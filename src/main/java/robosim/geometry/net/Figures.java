@@ -9,7 +9,7 @@ import robosim.geometry.protocol.MoveBundle;
 import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequestBundle;
 
-/** Counts what the connections of one end do. */
+/** Counts what the connections of one server or client do. */
 final class Figures implements FiguresMXBean {
     private final AtomicInteger open = new AtomicInteger();
     private final LongAdder opened = new LongAdder();
@@ -37,7 +37,7 @@ final class Figures implements FiguresMXBean {
         errors.increment();
     }
 
-    /** A request was carried out. */
+    /** Counts a request that was carried out. */
     void carriedOut(Bundle request, @Nullable Reply reply) {
         bundles.increment();
         if (request instanceof MoveBundle moves) {
@@ -50,7 +50,7 @@ final class Figures implements FiguresMXBean {
         }
     }
 
-    /** An answer went out, so long after its request had come. */
+    /** Counts an answer that was sent, with the time since its request came. */
     void answered(long nanos) {
         times.add(nanos);
     }

@@ -1,20 +1,20 @@
 package robosim.geometry.net;
 
 /**
- * What an operator sees of a server or a client, from its beginning on. Where the JDK's module {@code java.management} is
- * present, each end registers itself with the platform's bean server under {@code robosim.geometry}.
+ * Figures about a server or a client since it started, for operators. If the JDK's module {@code java.management} is
+ * present, each server and client registers itself with the platform's MBean server under {@code robosim.geometry}.
  */
 public interface FiguresMXBean {
-    /** Connections that there are now. */
+    /** Connections that are open now. */
     int getOpenConnections();
 
-    /** Connections that there were or are. */
+    /** Connections so far, open ones included. */
     long getConnections();
 
     /** Connections refused because there were too many. */
     long getRefusedConnections();
 
-    /** Messages carried out, worlds among them. */
+    /** Messages processed, including those that make a world. */
     long getBundles();
 
     /** Moves and sonar requests carried out. */
@@ -23,15 +23,15 @@ public interface FiguresMXBean {
     /** Moves that were not made. */
     long getRefusedMoves();
 
-    /** Connections closed because of what their peer did or did not do, and because of errors of the module itself. */
+    /** Connections closed because of an error or a timeout of the peer, or an internal error of the module. */
     long getErrors();
 
-    /** Half of all answers took at most so long, from the request, when it has been read, to the last byte of the answer. */
+    /** The median time of an answer, from when its request has been read to the last byte sent, microseconds. */
     double getAnswerMicrosecondsP50();
 
-    /** 99 of 100 answers took at most so long. */
+    /** The time within which 99 of 100 answers were sent, microseconds. */
     double getAnswerMicrosecondsP99();
 
-    /** All of it as a line of a log. */
+    /** All figures as one log line. */
     String line();
 }

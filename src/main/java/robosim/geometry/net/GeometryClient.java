@@ -14,8 +14,8 @@ import robosim.geometry.exact.Checks;
 import robosim.geometry.net.pace.Watchdog;
 
 /**
- * Dials RoboSim's environment module and answers it until it ends the connection; with {@link Redial} again and again,
- * until it is closed. Every connection begins without a world.
+ * Dials RoboSim's environment module and answers its requests until it ends the connection; with {@link Redial} it
+ * dials again and again, until it is closed. Every connection begins without a world.
  *
  * <!-- java: compiled -->
  * <pre>{@code
@@ -38,10 +38,10 @@ public final class GeometryClient implements Runnable, AutoCloseable {
     private @Nullable Thread runner;
     private @Nullable Connection connection;
 
-    /** Waits before a client dials again. */
+    /** How a client waits before it dials again. */
     @FunctionalInterface
     interface Pause {
-        /** Returns early where the latch opens. */
+        /** Waits; returns early if the latch opens. */
         void await(CountDownLatch closing, Duration time) throws InterruptedException;
     }
 
@@ -74,23 +74,23 @@ public final class GeometryClient implements Runnable, AutoCloseable {
         this.pause = pause;
     }
 
-    /** What it has done so far; goes on counting. */
+    /** What it has done so far; a live view. */
     public FiguresMXBean figures() {
         return figures;
     }
 
     /**
-     * Dials and answers until the environment or {@link #close} ends it; once, or where the options redial until
-     * {@link #close} ends it. What goes wrong on a connection is logged.
+     * Dials and answers requests until the environment or {@link #close} ends the connection; if the options say so,
+     * dials again until {@link #close}. Errors of a connection are logged.
      *
-     * @throws UncheckedIOException  where the environment cannot be reached and the options do not redial
-     * @throws IllegalStateException where it was run before
+     * @throws UncheckedIOException if the environment cannot be reached and the options do not redial
+     * @throws IllegalStateException if it was run before
      */
     @Override
     public void run() {
         synchronized (lock) {
             if (runner != null) {
-                throw new IllegalStateException("a client runs once; make another");
+                throw new IllegalStateException("a client can run only once; create another");
             }
             runner = Thread.currentThread();
         }
@@ -151,7 +151,7 @@ public final class GeometryClient implements Runnable, AutoCloseable {
      * Dials and answers until the connection ends.
      *
      * @return whether any request was answered
-     * @throws IOException where nobody answers the call
+     * @throws IOException if the environment cannot be reached
      */
     private boolean converse(ConnectionContext around, String name) throws IOException {
         Socket socket = new Socket();
@@ -174,7 +174,7 @@ public final class GeometryClient implements Runnable, AutoCloseable {
         }
     }
 
-    /** Whether it may go on; not where it was closed meanwhile. */
+    /** Connects; returns false if this client was closed meanwhile. */
     private boolean dial(Socket socket) throws IOException {
         try {
             socket.connect(new InetSocketAddress(host, port), (int)
@@ -197,9 +197,10 @@ public final class GeometryClient implements Runnable, AutoCloseable {
     }
 
     /**
-     * Ends the connection within 2 seconds: what has been read is answered for a second and a half, then it is cut off, with
-     * a line in the log; a peer that speaks JSON is told. When this returns, {@link #run} has ended, or will when it is done
-     * with a single long question; a listener that closes its own client does not wait for that. Does nothing the second time.
+     * Ends the connection within 2 seconds: requests already read are answered for a second and a half, then cut off,
+     * with a line in the log; a peer that speaks JSON is told. When this method returns, {@link #run} has ended, or
+     * will end after a single long query; if a listener closes its own client, this method does not wait for {@code
+     * run}. A second call does nothing.
      */
     @Override
     public void close() {
@@ -238,7 +239,7 @@ public final class GeometryClient implements Runnable, AutoCloseable {
      * Dials an environment and serves it to its end.
      *
      * @param args host and port
-     * @throws IllegalArgumentException where they are not
+     * @throws IllegalArgumentException if the arguments are anything else
      */
     public static void main(String[] args) {
         if (args.length != 2 || !args[1].matches("\\d{1,5}")) {

@@ -15,10 +15,10 @@ import robosim.geometry.net.pace.Watchdog;
 import robosim.geometry.protocol.channel.MessageChannel;
 
 /**
- * Waits for environments that dial in, and holds a session of its own with each, on a thread of its own.
+ * Serves environments that dial in, each with its own session on its own thread.
  *
- * <p>It listens from the moment that it is made until it is closed; its threads keep the process alive. On the
- * loopback address nobody is asked who he is; elsewhere it wants {@link Access}.
+ * <p>It listens from its construction until it is closed; its threads keep the process alive. On the loopback address
+ * no authentication is needed; on any other it requires {@link Access}.
  *
  * <pre>{@code
  * NetOptions options = NetOptions.defaults().withConnections(4);
@@ -38,17 +38,17 @@ public final class GeometryServer implements AutoCloseable {
     private final Management management;
     private final Map<Connection, Thread> connections = new ConcurrentHashMap<>();
 
-    /** Threads whose connection is no more, in their last steps. */
+    /** Threads whose connection is over but that have not ended yet. */
     private final Set<Thread> ending = ConcurrentHashMap.newKeySet();
 
     private final Thread acceptor;
     private volatile boolean closed;
 
     /**
-     * Listens on the loopback address.
+     * Starts to listen on the loopback address.
      *
-     * @param port 1 to 65535, or 0 for any that is free
-     * @throws UncheckedIOException where it cannot listen there
+     * @param port 1 to 65535, or 0 for any free port
+     * @throws UncheckedIOException if it cannot listen there
      */
     public GeometryServer(int port) {
         this(InetAddress.getLoopbackAddress(), port, NetOptions.defaults());
@@ -57,11 +57,12 @@ public final class GeometryServer implements AutoCloseable {
     /**
      * Listens.
      *
-     * @param address where; the wildcard address for everywhere
-     * @param port    1 to 65535, or 0 for any that is free
+     * @param address the address to listen on; the wildcard address for all
+     * @param port    1 to 65535, or 0 for any free port
      * @param options how to treat connections
-     * @throws UncheckedIOException     where it cannot listen there
-     * @throws IllegalArgumentException where strangers could dial in, and the options know neither TLS nor a secret
+     * @throws UncheckedIOException     if it cannot listen there
+     * @throws IllegalArgumentException if other machines can reach the address, and the options have neither TLS nor a
+     *     secret
      */
     public GeometryServer(InetAddress address, int port, NetOptions options) {
         Checks.present("address", address);
@@ -95,12 +96,12 @@ public final class GeometryServer implements AutoCloseable {
         return (InetSocketAddress) listening.getLocalSocketAddress();
     }
 
-    /** How many connections there are. */
+    /** The number of open connections. */
     public int connections() {
         return connections.size();
     }
 
-    /** What it has done so far; goes on counting. */
+    /** What it has done so far; a live view. */
     public FiguresMXBean figures() {
         return figures;
     }
@@ -113,7 +114,7 @@ public final class GeometryServer implements AutoCloseable {
                 boolean refused = connections.size() >= options.quotas().connections();
                 if (refused) {
                     figures.refused();
-                    // Said before it is done: who sees the connection end finds the reason in the log.
+                    // Logged first, so that the reason is in the log by the time the peer sees the connection end.
                     if (!full) {
                         LOG.log(
                                 System.Logger.Level.WARNING,
@@ -124,7 +125,7 @@ public final class GeometryServer implements AutoCloseable {
                     serve(socket);
                 }
                 full = refused;
-            } catch (IOException | OutOfMemoryError e) { // no more files or threads, for the moment
+            } catch (IOException | OutOfMemoryError e) { // out of files or threads for the moment
                 if (!closed) {
                     LOG.log(System.Logger.Level.WARNING, "server " + port() + ": cannot accept: " + e.getMessage());
                     pause();
@@ -133,7 +134,10 @@ public final class GeometryServer implements AutoCloseable {
         }
     }
 
-    /** Nothing here waits: a new socket has room for a line, and only what has come is read, as unread bytes take it back. */
+    /**
+     * Nothing here blocks: a new socket has room for a line. What has arrived is read, since closing with unread bytes
+     * would discard the line.
+     */
     private void turnAway(Socket socket) {
         try (socket) {
             if (options.access().tls() == null) {
@@ -183,10 +187,10 @@ public final class GeometryServer implements AutoCloseable {
     }
 
     /**
-     * Accepts no more, answers what has been read, and closes every connection, all within 2 seconds. What has no answer
-     * after a second and a half is cut off with a line in the log; a peer that speaks JSON is told. When it returns no
-     * socket is left, and no thread but one that is within a single long question, which it ends after that. Does nothing
-     * the second time.
+     * Stops accepting connections, answers the requests already read, and closes every connection, all within 2
+     * seconds. Requests without an answer after a second and a half are cut off with a line in the log; a peer that
+     * speaks JSON is told. When this method returns no socket is open, and the only threads left are in the middle of a
+     * single long query and end after it. A second call does nothing.
      */
     @Override
     public void close() {

@@ -3,8 +3,8 @@ package robosim.geometry.net;
 import java.util.concurrent.atomic.AtomicLongArray;
 
 /**
- * How often which time was taken: 16 classes for each doubling, so that a quantile is told within a 16th, however long
- * the times. Counting allocates nothing and waits for nobody.
+ * A histogram of durations with 16 classes per doubling, so that quantiles are accurate to a 16th, however long the
+ * durations. Counting allocates nothing and does not block.
  */
 final class Histogram {
     private static final int BITS = 4;
@@ -12,7 +12,7 @@ final class Histogram {
 
     private final AtomicLongArray counts = new AtomicLongArray((Long.SIZE - BITS) * STEPS);
 
-    /** Counts a time. */
+    /** Counts a duration. */
     void add(long nanos) {
         counts.incrementAndGet(index(Math.max(0, nanos)));
     }
@@ -25,7 +25,7 @@ final class Histogram {
         return (shift << BITS) + (int) (nanos >>> shift);
     }
 
-    /** The greatest time of a class. */
+    /** The greatest duration of a class. */
     private static long most(int index) {
         if (index < STEPS) {
             return index;
@@ -35,7 +35,10 @@ final class Histogram {
         return (next << shift) - 1;
     }
 
-    /** A time that a share of all times does not exceed, at most a 16th above the least such; 0 where there was none. */
+    /**
+     * A quantile: a duration that the given fraction of all durations does not exceed, at most a 16th above the
+     * smallest such; 0 if there is none.
+     */
     long quantile(double share) {
         long total = 0;
         for (int k = 0; k < counts.length(); k++) {

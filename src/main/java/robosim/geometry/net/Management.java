@@ -6,7 +6,7 @@ import java.util.Map;
 import javax.management.JMException;
 import javax.management.ObjectName;
 
-/** Shows figures where jconsole looks for them. Who embeds the module without {@code java.management} misses that alone. */
+/** Registers figures as MBeans, for tools such as jconsole. Without {@code java.management} only this is missing. */
 final class Management implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(Management.class.getPackageName());
 
@@ -17,10 +17,10 @@ final class Management implements AutoCloseable {
     }
 
     /**
-     * Shows them until it is closed.
+     * Registers figures until the result is closed.
      *
      * @param type {@code GeometryServer} or {@code GeometryClient}
-     * @param name which of them
+     * @param name the name that tells it from others of its type
      */
     static Management show(FiguresMXBean figures, String type, String name) {
         try {

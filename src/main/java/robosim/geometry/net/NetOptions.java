@@ -7,14 +7,14 @@ import robosim.geometry.exact.Checks;
 import robosim.geometry.protocol.MessageTranslator;
 
 /**
- * How the two ends treat their connections.
+ * Options of servers and clients for their connections.
  *
- * @param session    what requests leave open
- * @param listeners  makes the listener of a connection, whose name it is given
- * @param translator between bundles and what the peer speaks
- * @param timeouts   how long a peer is waited for
- * @param quotas  how much peers may ask for
- * @param access     who gets in
+ * @param session    defaults for what requests leave out
+ * @param listeners  creates the listener of a connection, given the connection's name
+ * @param translator translates between bundles and the peer's own classes
+ * @param timeouts   how long to wait for a peer
+ * @param quotas  how much peers may request
+ * @param access     who may connect
  * @param redial     how a client dials again; null for a client that dials once
  */
 public record NetOptions(
@@ -25,7 +25,7 @@ public record NetOptions(
         Quotas quotas,
         Access access,
         @Nullable Redial redial) {
-    /** Refuses null, but for {@code redial}. */
+    /** Refuses null, except for {@code redial}. */
     public NetOptions {
         Checks.present("session", session);
         Checks.present("listeners", listeners);
@@ -36,8 +36,8 @@ public record NetOptions(
     }
 
     /**
-     * RoboSim's session without a listener, the {@linkplain MessageTranslator#installed() installed} translator, the
-     * defaults of timeouts and quotas, anybody on the loopback address, and a client that dials once.
+     * RoboSim's session options, no listener, the {@linkplain MessageTranslator#installed() installed} translator,
+     * default timeouts and quotas, no authentication, and a client that dials once.
      */
     public static NetOptions defaults() {
         return new NetOptions(
@@ -65,22 +65,22 @@ public record NetOptions(
         return new NetOptions(session, listeners, other, timeouts, quotas, access, redial);
     }
 
-    /** These options with another timeouts. */
+    /** These options with other timeouts. */
     public NetOptions withTimeouts(Timeouts other) {
         return new NetOptions(session, listeners, translator, other, quotas, access, redial);
     }
 
-    /** These options with other times for a message that has begun. */
+    /** These options with other timeouts within a message. */
     public NetOptions withTimes(Duration stall, Duration message) {
         return withTimeouts(new Timeouts(stall, message, timeouts.idle()));
     }
 
-    /** These options with another quotas. */
+    /** These options with other quotas. */
     public NetOptions withQuotas(Quotas other) {
         return new NetOptions(session, listeners, translator, timeouts, other, access, redial);
     }
 
-    /** These options with another limit of connections. */
+    /** These options with another maximum number of connections. */
     public NetOptions withConnections(int most) {
         return withQuotas(new Quotas(most, quotas.objects(), quotas.requests()));
     }

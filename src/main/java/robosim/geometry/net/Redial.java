@@ -5,15 +5,15 @@ import java.util.random.RandomGenerator;
 import robosim.geometry.exact.Checks;
 
 /**
- * How a client that has lost its environment, or has not found it, dials again: the pause doubles with every attempt that
- * led to no answered request, and of each pause a random share of up to a half is left out, so that many clients of one
- * environment do not come back all at once.
+ * How a client dials again after it has lost its environment or could not reach it. The pause doubles with every
+ * attempt in which no request was answered. Each pause is shortened by a random part of up to a half, so that many
+ * clients of one environment do not return all at once.
  *
  * @param first   the pause before the second attempt, at least a millisecond
- * @param longest where the doubling ends, from {@code first} to a day
+ * @param longest the largest pause before it is shortened, from {@code first} to a day
  */
 public record Redial(Duration first, Duration longest) {
-    /** From half a second to half a minute. */
+    /** Pauses from half a second to half a minute. */
     public static final Redial DEFAULT = new Redial(Duration.ofMillis(500), Duration.ofSeconds(30));
 
     /** Refuses null and times out of range. */
@@ -25,7 +25,7 @@ public record Redial(Duration first, Duration longest) {
         }
     }
 
-    /** The pause after so many attempts in a row that came to nothing. */
+    /** The pause after a number of consecutive failed attempts. */
     Duration pause(int failures, RandomGenerator random) {
         long most = longest.toNanos();
         int doublings = Math.min(failures, Long.SIZE - 2);

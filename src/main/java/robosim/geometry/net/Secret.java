@@ -7,9 +7,9 @@ import java.security.NoSuchAlgorithmException;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 
-/** A secret that peers must know. Only its digest is kept, and nothing of it is ever printed. */
+/** A secret that peers must know. Only its digest is kept, and it is never printed. */
 public final class Secret {
-    /** Fewer letters than this can be tried out. */
+    /** A shorter secret could be found by trial. */
     private static final int SHORTEST = 16;
 
     private final byte[] digest;
@@ -19,7 +19,7 @@ public final class Secret {
     }
 
     /**
-     * Keeps the secret's digest.
+     * Makes a secret; keeps only its digest.
      *
      * @param letters at least 16; the caller may overwrite them afterwards
      */
@@ -32,7 +32,7 @@ public final class Secret {
         return new Secret(digest(CharBuffer.wrap(letters)));
     }
 
-    /** Whether this is the secret; takes the same time wherever the two differ. */
+    /** Whether this is the secret; takes the same time wherever the two first differ. */
     boolean matches(@Nullable String offered) {
         return MessageDigest.isEqual(digest, digest(CharBuffer.wrap(offered == null ? "" : offered)));
     }

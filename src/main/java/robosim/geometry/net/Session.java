@@ -31,23 +31,23 @@ import robosim.geometry.protocol.Text;
 import robosim.geometry.protocol.WorldSettings;
 
 /**
- * A conversation about one world at a time: a request bundle in, an answer bundle or nothing out. It knows no bytes and
- * no sockets, and belongs to one thread at a time.
+ * A conversation about one world at a time: takes a request bundle and returns an answer bundle or nothing. It is
+ * independent of encodings and sockets, and may be used by one thread at a time.
  *
  * <ul>
- *   <li>An {@link InitBundle} makes a new world, which replaces the one before when it is whole; where it cannot be made
- *       at all, the one before stays. Objects are added unchecked and may overlap. One that cannot be added, because its
- *       name is taken or it leaves the world, is left out and logged by name.
- *   <li>A {@link MoveBundle} is answered by the moves that were made, in order, each tried in the world that the earlier
- *       ones left. The answer holds the very requests, with their own bits.
+ *   <li>An {@link InitBundle} makes a new world, which replaces the previous one once it is complete; if it cannot be
+ *       made, the previous one stays. Objects are added unchecked and may overlap. An object that cannot be added,
+ *       because its name is taken or it would leave the world, is left out and logged by name.
+ *   <li>A {@link MoveBundle} is answered by the moves that were made, in order, each tried in the world as the earlier
+ *       ones left it. The answer contains the requests themselves, unchanged to the bit.
  *   <li>A {@link SonarRequestBundle} is answered by one distance for each request, in order.
- *   <li>A name that is unknown, static or left out, and a request that its world refuses (in a planar world, a sonar that
- *       looks straight up), is logged: the move is left out of the answer, the distance is NaN. Before the first
- *       InitBundle every name is unknown. The session goes on.
+ *   <li>A request with a name that is unknown, missing or of a static object, or that its world refuses (in a planar
+ *       world, a sonar pointing straight up), is logged: a move is left out of the answer, a distance is NaN. Before
+ *       the first InitBundle every name is unknown. The session goes on.
  * </ul>
  *
- * <p>Angles come in radians and are converted here: the double nearest to k pi / 2 becomes exactly 90 k degrees. A warning
- * is logged once for a world.
+ * <p>Angles come in radians and are converted here: the double nearest to k pi / 2 becomes exactly 90 k degrees. Each
+ * warning is logged once per world.
  */
 public final class Session {
     private static final System.Logger LOG = System.getLogger(Session.class.getPackageName());
@@ -57,7 +57,7 @@ public final class Session {
     private final World.Maker maker;
     private final WarningLog complaints;
 
-    /** Between two parts of the work. */
+    /** Runs between two parts of the work. */
     private Runnable breath = () -> {};
 
     private @Nullable World world;
@@ -65,22 +65,22 @@ public final class Session {
     private double radians;
     private double degrees;
 
-    /** With RoboSim's options. */
+    /** A session with RoboSim's options. */
     public Session() {
         this(SessionOptions.ROBOSIM, SessionListener.NONE, "session");
     }
 
     /**
-     * With options of its own.
+     * A session with given options.
      *
-     * @param name what its log lines begin with
+     * @param name the beginning of its log lines
      */
     public Session(SessionOptions options, SessionListener listener, String name) {
         this(options, listener, name, LOG, World::of);
     }
 
     /**
-     * With a log of its own.
+     * A session with a given log.
      *
      * @param log takes the session's warnings
      */
@@ -89,9 +89,9 @@ public final class Session {
     }
 
     /**
-     * In a world that is there already, until an {@link InitBundle} comes.
+     * A session that begins with an existing world.
      *
-     * @param world the session's own from now on
+     * @param world belongs to the session from now on
      * @param log   takes the session's warnings
      */
     public Session(Geometry world, SessionOptions options, SessionListener listener, String name, System.Logger log) {
@@ -120,9 +120,9 @@ public final class Session {
     }
 
     /**
-     * This session, which from now on pauses between two parts of its work: objects, moves, distances.
+     * Makes this session call {@code between} between two parts of its work: objects, moves, distances.
      *
-     * @param between may throw: then the request is broken off, and the session of no use any more
+     * @param between may throw, which aborts the request and makes the session unusable
      */
     Session pausing(Runnable between, LogBudget budget) {
         breath = between;
@@ -131,10 +131,10 @@ public final class Session {
     }
 
     /**
-     * Carries a request out; the short form of {@link #reply}.
+     * Carries out a request; the short form of {@link #reply}.
      *
      * @return the answer; null after an {@link InitBundle}
-     * @throws IllegalArgumentException where it is a {@link DistanceBundle}, which is an answer and no request
+     * @throws IllegalArgumentException if it is a {@link DistanceBundle}, which is an answer and no request
      */
     public @Nullable Bundle answer(Bundle request) {
         Reply reply = reply(request);
@@ -142,11 +142,11 @@ public final class Session {
     }
 
     /**
-     * Carries a request out, and tells what was refused and why.
+     * Carries out a request, and reports what was refused and why.
      *
      * @return the answer, with a problem for each move that is left out and each distance that is NaN; null after an
      *     {@link InitBundle}
-     * @throws IllegalArgumentException where it is a {@link DistanceBundle}, which is an answer and no request
+     * @throws IllegalArgumentException if it is a {@link DistanceBundle}, which is an answer and no request
      */
     public @Nullable Reply reply(Bundle request) {
         if (request == null || request instanceof DistanceBundle) {
@@ -163,8 +163,8 @@ public final class Session {
     }
 
     /**
-     * The world as it is, for who looks on; null before the first {@link InitBundle}. It belongs to the session's thread,
-     * and what is changed in it the session sees.
+     * The current world, for observers; null before the first {@link InitBundle}. It may be used on the session's
+     * thread only, and changes to it affect the session.
      */
     public @Nullable Geometry world() {
         return world == null ? null : world.geometry();
@@ -184,7 +184,7 @@ public final class Session {
         try {
             made = maker.make(settings(init));
         } catch (IllegalArgumentException e) {
-            complaints.warn("this world cannot be, the one before stays: " + reason(e));
+            complaints.warn("this world cannot be made, the previous one stays: " + reason(e));
             return;
         }
         Set<String> names = new HashSet<>();
@@ -246,7 +246,7 @@ public final class Session {
         return new Reply(new MoveBundle(made), problems);
     }
 
-    /** Null where the move was made. */
+    /** Makes a move; returns null if it was made. */
     private @Nullable Problem move(MoveRequest request, int index) {
         String name = request.objectName();
         if (world == null || !moveable.contains(name)) {
@@ -293,7 +293,7 @@ public final class Session {
         }
     }
 
-    /** How wide a beam is: most often as wide as the last. */
+    /** The width of a beam in degrees; cached, since most beams are as wide as the last. */
     private double degrees(Beam beam) {
         if (beam.width() != radians) {
             radians = beam.width();
@@ -302,12 +302,12 @@ public final class Session {
         return degrees;
     }
 
-    /** Logged, and told to who asks. */
+    /** A problem that is logged and part of the reply. */
     private Problem unknown(String name, int index, String consequence) {
         String rest = world == null ? ", there is no world yet" : "";
         Supplier<String> words = () -> "no moveable object " + Text.quoted(name) + rest;
         complaints.warn(words.get() + ": " + consequence);
-        return Problem.of(index, words); // a bundle's words may exceed its bytes many times, and are not kept
+        return Problem.of(index, words); // reasons may be much larger than the bundle, so their text is not kept
     }
 
     private static String reason(IllegalArgumentException e) {

@@ -7,29 +7,29 @@ import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.Reply;
 
 /**
- * Sees what a session does, on the thread that does it, before the answer is sent. What a listener throws ends the
- * session's connection.
+ * Observes what a session does, on the session's thread, before the answer is sent. An exception from a listener ends
+ * the session's connection.
  */
 public interface SessionListener {
-    /** Sees nothing. */
+    /** A listener that does nothing. */
     SessionListener NONE = new SessionListener() {};
 
     /**
-     * The session begins. Its world may be asked from the other methods, on their thread.
+     * Called when the session begins. Its world may be queried in the other methods, on their thread.
      */
     default void opened(Session session) {}
 
-    /** A request came and is about to be carried out. */
+    /** Called when a request has come, before it is carried out. */
     default void asked(Bundle request) {}
 
-    /** A move of a moveable object was tried; {@code result} tells what blocked it. */
+    /** Called when a move of a moveable object has been tried; {@code result} says what blocked it, if anything. */
     default void tried(MoveRequest request, MoveResult result) {}
 
     /**
      * A request was carried out.
      *
-     * @param request     what came
-     * @param answer      what will be sent; null after an InitBundle
+     * @param request     the request
+     * @param answer      the answer that will be sent; null after an InitBundle
      * @param nanoseconds the time between, without reading and writing
      */
     default void answered(Bundle request, @Nullable Bundle answer, long nanoseconds) {}
@@ -37,18 +37,18 @@ public interface SessionListener {
     /**
      * A request was carried out; tells {@link #answered} unless it is overridden.
      *
-     * @param request     what came
-     * @param reply       what will be sent, with what was refused and why; null after an InitBundle
+     * @param request     the request
+     * @param reply       the answer that will be sent, with what was refused and why; null after an InitBundle
      * @param nanoseconds the time between, without reading and writing
      */
     default void replied(Bundle request, @Nullable Reply reply, long nanoseconds) {
         answered(request, reply == null ? null : reply.bundle(), nanoseconds);
     }
 
-    /** The connection is over; nothing more will be told. */
+    /** Called when the connection is over; no further calls follow. */
     default void ended() {}
 
-    /** This listener and then another one. */
+    /** A listener that calls this one and then another. */
     default SessionListener and(SessionListener other) {
         return new TwoListeners(this, other);
     }

@@ -6,14 +6,14 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.protocol.Beam;
 
 /**
- * What a session takes where a request leaves it open.
+ * A session's defaults for what a request leaves out.
  *
  * @param dimension of a world that comes without settings
  * @param accuracy  of a world that comes without settings
  * @param beam      of a sonar request that comes without one; its width in radians
  */
 public record SessionOptions(Dimension dimension, Accuracy accuracy, Beam beam) {
-    /** RoboSim's own: a planar world, compared exactly, and a line without an end. */
+    /** RoboSim's options: a planar world at exact accuracy, and a beam without width or end. */
     public static final SessionOptions ROBOSIM = new SessionOptions(Dimension.PLANAR, Accuracy.EXACT, Beam.LINE);
 
     /** Refuses null. */

@@ -13,7 +13,7 @@ import javax.net.ssl.TrustManagerFactory;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 
-/** TLS 1.3 or 1.2 in which both ends show a certificate. */
+/** TLS 1.3 or 1.2 in which both ends present a certificate. */
 public final class Tls {
     private static final String[] VERSIONS = {"TLSv1.3", "TLSv1.2"};
 
@@ -23,19 +23,19 @@ public final class Tls {
         this.context = context;
     }
 
-    /** With keys and trust of its maker's own. */
+    /** TLS with the keys and trust of a given context. */
     public static Tls of(SSLContext context) {
         return new Tls(Checks.present("context", context));
     }
 
     /**
-     * With a key and a certificate of one store and the trust in another; PKCS #12 or JKS. The caller may overwrite the
-     * passwords afterwards.
+     * TLS with the key and certificate of one store and the trusted certificates of another; PKCS #12 or JKS. The
+     * caller may overwrite the passwords afterwards.
      *
-     * @param keyStore      holds the own key with its certificate
-     * @param trustStore    holds the certificates of the peers, or of who signs them, and no others
+     * @param keyStore      contains this end's key with its certificate
+     * @param trustStore    contains the certificates of the peers, or of their issuers, and no others
      * @param trustPassword null to trust a store whose integrity is not checked
-     * @throws IllegalArgumentException where a store cannot be read with its password
+     * @throws IllegalArgumentException if a store cannot be read with its password
      */
     public static Tls load(Path keyStore, char[] keyPassword, Path trustStore, char @Nullable [] trustPassword) {
         Checks.present("keyStore", keyStore);
@@ -66,7 +66,7 @@ public final class Tls {
         }
     }
 
-    /** The listening end's half, over a connected socket. */
+    /** The server's side of TLS, over a connected socket. */
     SSLSocket accept(Socket plain) throws IOException {
         SSLSocket socket = (SSLSocket) context.getSocketFactory().createSocket(plain, null, true);
         SSLParameters parameters = parameters();
@@ -76,7 +76,7 @@ public final class Tls {
         return socket;
     }
 
-    /** The dialling end's half, which expects a certificate for that very host. */
+    /** The client's side of TLS, which requires a certificate for the given host. */
     SSLSocket dial(Socket plain, String host, int port) throws IOException {
         SSLSocket socket = (SSLSocket) context.getSocketFactory().createSocket(plain, host, port, true);
         SSLParameters parameters = parameters();

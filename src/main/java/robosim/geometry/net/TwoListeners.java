@@ -7,7 +7,7 @@ import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.Reply;
 
-/** One after the other. */
+/** Calls two listeners, one after the other. */
 record TwoListeners(SessionListener first, SessionListener second) implements SessionListener {
     TwoListeners {
         Checks.present("first", first);

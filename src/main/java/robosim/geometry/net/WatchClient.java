@@ -8,7 +8,7 @@ import java.net.Socket;
 import java.net.SocketTimeoutException;
 import robosim.geometry.exact.Checks;
 
-/** Dials a {@link WatchServer} and reads what it tells. Nothing is ever sent. */
+/** Dials a {@link WatchServer} and reads what it reports. Sends nothing. */
 public final class WatchClient {
     private static final int TIMEOUT_MILLIS = 10_000;
 
@@ -17,8 +17,8 @@ public final class WatchClient {
     /**
      * Dials.
      *
-     * @return the lines; closing them hangs up. A server that is silent for 10 seconds is gone: reading then throws
-     * @throws IOException where nobody listens there
+     * @return the lines; closing the stream hangs up. If the server is silent for 10 seconds, reading throws
+     * @throws IOException if the server cannot be reached
      */
     public static InputStream dial(String host, int port) throws IOException {
         Checks.present("host", host);
@@ -38,7 +38,7 @@ public final class WatchClient {
         }
     }
 
-    /** A socket's input that says in words when the other end is silent. */
+    /** A socket's input whose exception says that the other end is silent. */
     private static final class Hearing extends FilterInputStream {
         private final Socket socket;
 

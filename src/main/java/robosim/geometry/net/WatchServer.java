@@ -17,14 +17,15 @@ import robosim.geometry.net.pace.SocketSettings;
 import robosim.geometry.net.pace.Watchdog;
 
 /**
- * A second port of a server, on the loopback address, on which whoever dials is told what happens. Nothing is ever read
- * from a watcher, so that it can do nothing but watch.
+ * A second port of a server, on the loopback address, that reports what happens to anyone who dials it. Nothing is read
+ * from a watcher, so it can only watch.
  *
- * <p>A watcher that reads nothing for 10 seconds, or for whom too much waits, is closed with a line in the log; the
- * sessions never wait for one. What is idle is told so every 2 seconds by an empty line, which also finds out who is gone.
+ * <p>A watcher that reads nothing for 10 seconds, or falls too far behind, is disconnected with a line in the log;
+ * sessions never wait for a watcher. An idle watcher gets an empty line every 2 seconds, which also detects watchers
+ * that are gone.
  */
 public final class WatchServer implements AutoCloseable {
-    /** Most watchers at a time; each has a thread and a queue. */
+    /** Maximum number of watchers at a time; each has a thread and a queue. */
     public static final int MOST_WATCHERS = 16;
 
     private static final System.Logger LOG = System.getLogger(WatchServer.class.getPackageName());
@@ -40,28 +41,28 @@ public final class WatchServer implements AutoCloseable {
     private final Map<Socket, Thread> watchers = new ConcurrentHashMap<>();
     private volatile boolean closed;
 
-    /** What there is to be watched. */
+    /** What can be watched. */
     @FunctionalInterface
     public interface Source {
         /**
-         * Somebody wants to watch.
+         * Adds a watcher.
          *
-         * @param breakOff to be called from any thread when that watcher gets no more; it does not wait
+         * @param breakOff to be called, from any thread, when the watcher gets no more; it does not block
          */
         Lines join(Runnable breakOff);
     }
 
-    /** What one watcher is told. */
+    /** The lines that one watcher gets. */
     public interface Lines extends AutoCloseable {
         /**
-         * Waits for the next whole lines.
+         * Waits for the next complete lines.
          *
-         * @return empty where none came in that time
-         * @throws IOException where this watcher gets no more
+         * @return the lines; empty if none came in that time
+         * @throws IOException if this watcher gets no more
          */
         byte[] next(long millis) throws IOException, InterruptedException;
 
-        /** Why this watcher gets no more; null where that is its own wish. */
+        /** Why this watcher gets no more; null if it ended by itself. */
         @Nullable
         String problem();
 
@@ -70,10 +71,10 @@ public final class WatchServer implements AutoCloseable {
     }
 
     /**
-     * Listens on the loopback address from now on.
+     * Starts to listen on the loopback address.
      *
-     * @param port 1 to 65535, or 0 for any that is free
-     * @throws UncheckedIOException where it cannot listen there
+     * @param port 1 to 65535, or 0 for any free port
+     * @throws UncheckedIOException if it cannot listen there
      */
     public WatchServer(int port, Source source) {
         Checks.port(port, 0);
@@ -100,7 +101,7 @@ public final class WatchServer implements AutoCloseable {
         return (InetSocketAddress) listening.getLocalSocketAddress();
     }
 
-    /** How many watchers there are. */
+    /** The number of watchers. */
     public int watchers() {
         return watchers.size();
     }
@@ -112,7 +113,7 @@ public final class WatchServer implements AutoCloseable {
                 Socket socket = listening.accept();
                 boolean refused = watchers.size() >= MOST_WATCHERS;
                 if (refused) {
-                    // Said before it is done: who sees the connection end finds the reason in the log.
+                    // Logged first, so that the reason is in the log by the time the watcher sees the connection end.
                     if (!full) {
                         warn("watchers are refused, there are " + MOST_WATCHERS);
                     }
@@ -121,7 +122,7 @@ public final class WatchServer implements AutoCloseable {
                     serve(socket);
                 }
                 full = refused;
-            } catch (IOException | OutOfMemoryError e) { // no more files or threads, for the moment
+            } catch (IOException | OutOfMemoryError e) { // out of files or threads for the moment
                 if (!closed) {
                     warn("cannot accept: " + e.getMessage());
                     pause();
@@ -157,7 +158,7 @@ public final class WatchServer implements AutoCloseable {
         Watchdog.Guard guard = watchdog.guard(() -> abort(socket));
         try (socket) {
             SocketSettings.apply(socket);
-            socket.shutdownInput(); // whatever a watcher sends is thrown away
+            socket.shutdownInput(); // anything that a watcher sends is discarded
             lines = source.join(() -> abort(socket));
             OutputStream out = socket.getOutputStream();
             while (!closed) {
@@ -199,7 +200,7 @@ public final class WatchServer implements AutoCloseable {
         }
     }
 
-    /** Accepts no more and tells nobody anything more. When it returns, no thread and no socket is left. */
+    /** Stops accepting watchers and disconnects all. When this method returns, no thread and no socket is left. */
     @Override
     public void close() {
         closed = true;

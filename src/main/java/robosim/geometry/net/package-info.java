@@ -1,9 +1,9 @@
 /**
- * The module as a party of a RoboSim simulation: {@link robosim.geometry.net.GeometryClient} dials the environment,
- * {@link robosim.geometry.net.GeometryServer} waits for environments that dial in, and both hold the same
- * {@link robosim.geometry.net.Session}. Sockets live here.
+ * The module as part of a RoboSim simulation: {@link robosim.geometry.net.GeometryClient} dials the environment, {@link
+ * robosim.geometry.net.GeometryServer} serves environments that dial in, and both use the same {@link
+ * robosim.geometry.net.Session}. All code that uses sockets is in this package.
  *
- * <p>Requests carry radians; this is the one place that turns them into the module's degrees.
+ * <p>Requests carry angles in radians; this package is the only place where they are converted to the module's degrees.
  *
  * <pre>{@code
  * try (GeometryServer server = new GeometryServer(0);
@@ -18,7 +18,7 @@
  * }
  * }</pre>
  *
- * <p>{@code docs/guide-robosim.md} is the guide, {@code docs/server.md} tells how to operate a server for days.
+ * <p>{@code docs/guide-robosim.md} is the guide; {@code docs/server.md} says how to operate a server for days.
  */
 @NullMarked
 package robosim.geometry.net;

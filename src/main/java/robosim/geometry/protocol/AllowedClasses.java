@@ -6,17 +6,22 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.SerialForms;
 import robosim.geometry.model.SphereObject;
 
-/** The list of a message's classes: those that a stream may name, and those that these turn into while they are read. */
+/**
+ * The allow-list of a message's classes: those that a stream may name, and those that they turn into while they are
+ * read.
+ */
 final class AllowedClasses {
-    /** What {@link List#of} and its kin are on the wire; package-private in the JDK, but named in its documentation. */
+    /**
+     * The serialized form of {@link List#of} and the like; package-private in the JDK, but named in its documentation.
+     */
     private static final Class<?> LIST_FORM = listForm();
 
     private static final Set<Class<?>> BUNDLES = Set.of(
@@ -29,7 +34,7 @@ final class AllowedClasses {
             Beam.class,
             DistanceBundle.class);
 
-    /** {@code Number} and {@code Enum} are described beside their subclasses. */
+    /** {@code Number} and {@code Enum} are described in the stream along with their subclasses. */
     private static final Set<Class<?>> VALUES =
             Set.of(Double.class, Number.class, Enum.class, double[].class, int[].class, int[][].class, LIST_FORM);
 

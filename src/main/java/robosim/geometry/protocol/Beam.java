@@ -15,10 +15,10 @@ public record Beam(double min, double max, double width) implements Serializable
     @Serial
     private static final long serialVersionUID = 1;
 
-    /** RoboSim's own: a line without an end. */
+    /** RoboSim's beam: a line without an end. */
     public static final Beam LINE = new Beam(0, Double.POSITIVE_INFINITY, 0);
 
-    /** Refuses what is NaN or out of range. */
+    /** Refuses values that are NaN or out of range. */
     public Beam {
         Checks.size("min", min);
         if (!(max >= min)) {

@@ -2,6 +2,6 @@ package robosim.geometry.protocol;
 
 import java.io.Serializable;
 
-/** One message, whole. */
+/** One message. */
 public sealed interface Bundle extends Serializable
         permits InitBundle, MoveBundle, SonarRequestBundle, DistanceBundle {}

@@ -13,14 +13,14 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.ObjectGroup;
 
 /**
- * An object stream that believes nothing: classes come from a list by their exact names, and depth, references, lengths
- * and what the objects will cost are judged before and while they are made.
+ * An object stream that trusts nothing: classes are taken from a list by their exact names, and depth, references,
+ * lengths and the memory of objects are checked before and while they are created.
  */
 final class BundleInputStream extends ObjectInputStream {
     private final MessageInput input;
     private final AllowedClasses allowed;
 
-    /** Parts of the groups that the sender may still refer to. */
+    /** The number of parts of groups that the sender may still refer to. */
     private final IdentityHashMap<ObjectGroup, Long> groups = new IdentityHashMap<>();
 
     private long parts;
@@ -37,7 +37,7 @@ final class BundleInputStream extends ObjectInputStream {
         enableResolveObject(true);
     }
 
-    /** The next message; why it was refused is in {@link #refusal()}. */
+    /** Reads the next message; if it is refused, {@link #refusal()} says why. */
     Object readMessage() throws IOException, ClassNotFoundException {
         claimedBytes = 0;
         parts = 0;
@@ -48,7 +48,7 @@ final class BundleInputStream extends ObjectInputStream {
         return readObject();
     }
 
-    /** What the filter found, which the stream's own exception does not say. */
+    /** The filter's reason for a refusal, which the stream's own exception does not contain. */
     @Nullable
     String refusal() {
         return refusal;
@@ -72,7 +72,10 @@ final class BundleInputStream extends ObjectInputStream {
                 : ObjectInputFilter.Status.ALLOWED;
     }
 
-    /** An array is allocated before its items have come: what it claims must fit into what the message may still have. */
+    /**
+     * An array is allocated before its items have come: its claimed length must fit into the rest of what the message
+     * may contain.
+     */
     private ObjectInputFilter.Status judgeArray(Class<?> type, long length) {
         Class<?> item = type.getComponentType();
         boolean numbers = item != null && item.isPrimitive();
@@ -95,7 +98,7 @@ final class BundleInputStream extends ObjectInputStream {
         return ObjectInputFilter.Status.REJECTED;
     }
 
-    /** No class is looked up by a name that a peer sent. */
+    /** Never loads a class by a name that a peer sent. */
     @Override
     protected Class<?> resolveClass(ObjectStreamClass description) throws IOException {
         Class<?> type = allowed.byName(description.getName());
@@ -111,7 +114,10 @@ final class BundleInputStream extends ObjectInputStream {
         throw new InvalidClassException("a proxy class is not on the list of a message's classes");
     }
 
-    /** Sees each object when it is made, before the object around it is: what grows level by level is stopped on its way. */
+    /**
+     * Sees each object when it is created, before the object that contains it: exponentially growing structures are
+     * stopped early.
+     */
     @Override
     protected Object resolveObject(Object made) throws IOException {
         if (made instanceof List<?> items && !items.isEmpty() && items.get(0) instanceof GeometryObject) {

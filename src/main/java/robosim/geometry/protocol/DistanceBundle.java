@@ -7,8 +7,8 @@ import robosim.geometry.exact.Checks;
 /**
  * The answer to a {@link SonarRequestBundle}.
  *
- * @param distances world units, one for each request, in order; {@code +Infinity} where nothing echoes, NaN where the
- *                  request names no moveable object
+ * @param distances world units, one for each request, in order; {@code +Infinity} if nothing echoes, NaN if the request
+ *                  names no moveable object
  */
 public record DistanceBundle(List<Double> distances) implements Bundle {
     @Serial

@@ -2,16 +2,16 @@ package robosim.geometry.protocol;
 
 import org.jspecify.annotations.Nullable;
 
-/** Decides who may speak. Of a peer that it does not admit nothing is read but its hello. */
+/** Decides which peers are admitted. From a peer that is not, only the hello is read. */
 @FunctionalInterface
 public interface Gate {
-    /** Admits everybody. */
+    /** Admits every peer. */
     Gate OPEN = secret -> true;
 
     /**
-     * Whether the peer may go on. Called once for a connection; takes the same time for every wrong secret.
+     * Whether the peer is admitted. Called once per connection; must take the same time for every wrong secret.
      *
-     * @param secret what the peer's hello told; null where it told none, as a peer that speaks Java serialization
+     * @param secret the secret in the peer's hello; null if there is none, as always in Java serialization
      */
     boolean admits(@Nullable String secret);
 }

@@ -7,10 +7,10 @@ import robosim.geometry.exact.Checks;
 import robosim.geometry.model.GeometryObject;
 
 /**
- * A new world, which replaces the one before. It is not answered.
+ * A new world, which replaces the previous one. It gets no answer.
  *
- * @param objects  what stands in it, in the order of addition
- * @param settings its size and kind; null for the session's own, with room for all objects
+ * @param objects  its objects, in the order of addition
+ * @param settings its size, dimension and accuracy; null for the session's defaults, with a size that holds all objects
  */
 public record InitBundle(
         List<GeometryObject> objects, @Nullable WorldSettings settings) implements Bundle {
@@ -22,7 +22,7 @@ public record InitBundle(
         objects = Checks.copy("objects", objects, GeometryObject.class);
     }
 
-    /** A world as the session's options have it. */
+    /** A world with the session's default settings. */
     public InitBundle(List<GeometryObject> objects) {
         this(objects, null);
     }

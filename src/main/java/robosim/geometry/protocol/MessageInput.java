@@ -6,8 +6,8 @@ import java.io.ObjectStreamConstants;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The bytes under an object stream: buffered, and counted from the beginning of each message, because the object stream's
- * own count runs over its whole life.
+ * The bytes below an object stream: buffered, and counted per message, because the object stream only counts over its
+ * whole life.
  */
 final class MessageInput extends InputStream {
     private static final int NONE = -1;
@@ -19,7 +19,7 @@ final class MessageInput extends InputStream {
     private int end;
     private int count;
 
-    /** A reset that was taken off the stream while it was idle and is handed on with the message that follows it. */
+    /** Whether a reset code was read while the stream was idle, to be passed on with the next message. */
     private boolean resetFirst;
 
     private boolean afterReset;
@@ -34,14 +34,14 @@ final class MessageInput extends InputStream {
     /**
      * Waits for the next message.
      *
-     * @return its first byte, which is still to be read, or -1 at the end of the stream
+     * @return its first byte, which is not consumed, or -1 at the end of the stream
      */
     int awaitMessage() throws IOException {
         pace.idle();
         inside = false;
         int first = peek();
         while (first == ObjectStreamConstants.TC_RESET) {
-            resetFirst = true; // what a sender writes after a message; the next one may come much later
+            resetFirst = true; // a sender writes it after a message; the next one may come much later
             next++;
             first = peek();
         }
@@ -54,13 +54,13 @@ final class MessageInput extends InputStream {
         return first;
     }
 
-    /** How the stream itself failed; null where it did not. */
+    /** The failure of the stream itself; null if there was none. */
     @Nullable
     IOException failure() {
         return failure;
     }
 
-    /** Whether the sender reset its stream before this message, which then refers to no earlier one. */
+    /** Whether the sender reset its stream before this message, which then does not refer to earlier ones. */
     boolean afterReset() {
         return afterReset;
     }
@@ -70,7 +70,7 @@ final class MessageInput extends InputStream {
         return inside;
     }
 
-    /** Bytes of the message so far. */
+    /** The number of bytes of the message so far. */
     int count() {
         return count;
     }
@@ -92,7 +92,7 @@ final class MessageInput extends InputStream {
         return got > 0;
     }
 
-    /** An object stream reads the code of what follows alone, and a text's or an array's bytes never. */
+    /** An object stream reads single type codes this way, but never the bytes of a string or an array. */
     @Override
     public int read() throws IOException {
         if (resetFirst) {

@@ -1,8 +1,8 @@
 package robosim.geometry.protocol;
 
-/** Told by a reader whether a pause of its stream would be one between two messages or one inside a message. */
+/** Is told by a reader whether a pause of its stream would be between two messages or inside a message. */
 public interface MessagePace {
-    /** For a stream without a clock. */
+    /** Does nothing: for a stream without timeouts. */
     MessagePace NONE = new MessagePace() {
         @Override
         public void idle() {}
@@ -11,16 +11,16 @@ public interface MessagePace {
         public void begun() {}
     };
 
-    /** The next byte, whenever it comes, begins a message. */
+    /** The next byte begins a message and may come at any time. */
     void idle();
 
-    /** A message has begun: its other bytes are due. */
+    /** A message has begun: the rest of it is due. */
     void begun();
 
     /**
-     * The first byte of a connection is awaited. A stream with a clock ends this wait once, when it has taken too long
-     * for a peer that may itself be waiting for our stream header, by an {@link java.io.InterruptedIOException}, after
-     * which it can be read on; {@link #idle} follows.
+     * The first byte of a connection is awaited. If the peer may itself be waiting for our stream header, a stream with
+     * timeouts ends this wait once, by an {@link java.io.InterruptedIOException}, after which reading may continue;
+     * {@link #idle} follows.
      */
     default void opening() {
         idle();

@@ -10,11 +10,12 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 
 /**
- * Reads bundles from a stream, bounded by {@link Limits} and by a list of exact classes. It reads ahead; after an
+ * Reads bundles from a stream, within the {@link Limits} and from an allow-list of classes. It reads ahead; after an
  * exception nothing more can be read.
  *
- * <p>The first byte of the stream tells the encoding; {@code AC} (of {@code AC ED 00 05}) is Java serialization, the one
- * that there is. Nothing is read before {@link #read}, so that both ends may write their stream headers first.
+ * <p>The first byte of the stream identifies the encoding; {@code AC} (of {@code AC ED 00 05}) is Java serialization,
+ * the only one supported here. Nothing is read before {@link #read}, so that both ends may write their stream headers
+ * first.
  */
 public final class MessageReader {
     private static final int JAVA = ObjectStreamConstants.STREAM_MAGIC >> 8 & 0xff;
@@ -28,7 +29,7 @@ public final class MessageReader {
         this(in, MessageTranslator.RECORDS, MessagePace.NONE);
     }
 
-    /** Reads what a translator understands, and tells when a message begins. */
+    /** Reads messages that a translator understands, and reports when a message begins. */
     public MessageReader(InputStream in, MessageTranslator translator, MessagePace pace) {
         this.input = new MessageInput(Checks.present("in", in), Checks.present("pace", pace));
         this.translator = Checks.present("translator", translator);
@@ -37,8 +38,8 @@ public final class MessageReader {
     /**
      * Waits for the next bundle.
      *
-     * @return null where the stream ends, between two messages
-     * @throws ProtocolException where bytes are no message, or the stream fails or ends inside of one
+     * @return null if the stream ends between two messages
+     * @throws ProtocolException if the bytes are not a message, or the stream fails or ends inside one
      */
     public @Nullable Bundle read() throws ProtocolException {
         try {
@@ -51,7 +52,7 @@ public final class MessageReader {
                 | RuntimeException
                 | StackOverflowError
                 | OutOfMemoryError
-                | InternalError e) { // the last is what the JDK makes of a map with an odd number of keys and values
+                | InternalError e) { // InternalError: the JDK read a map with a key but no value
             throw e instanceof OutOfMemoryError ? ProtocolException.noMemory(e) : new ProtocolException(reason(e), e);
         }
     }
@@ -77,7 +78,7 @@ public final class MessageReader {
         return Objects.requireNonNull(translator.decode(message), "the translator gave no bundle");
     }
 
-    /** Bytes of the message that was read last, without a reset before it. */
+    /** The size of the message that was read last, bytes, without a reset before it. */
     public int messageBytes() {
         return input.count();
     }
@@ -94,7 +95,7 @@ public final class MessageReader {
             return "a message stalled after " + input.count() + " bytes of it";
         }
         IOException broken = input.failure();
-        if (broken != null) { // as where the peer is killed
+        if (broken != null) { // as when the peer is killed
             return "the connection failed "
                     + (input.isInside() ? "after " + input.count() + " bytes of a message: " : "between two messages: ")
                     + Text.line(String.valueOf(broken.getMessage()));

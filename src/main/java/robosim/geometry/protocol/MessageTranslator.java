@@ -4,17 +4,16 @@ import java.util.ServiceLoader;
 import java.util.Set;
 
 /**
- * The place where who has RoboSim's original classes plugs them in: it turns what an environment sends into bundles, and
- * bundles into what the environment expects.
+ * Translates between an environment's own message classes, such as RoboSim's original ones, and bundles.
  *
- * <p>It is given to both ends through {@code robosim.geometry.net.NetOptions}, or found by {@link ServiceLoader}. One
- * translator serves all connections, on several threads at a time.
+ * <p>It is passed to servers and clients through {@code robosim.geometry.net.NetOptions}, or found by {@link
+ * ServiceLoader}. One translator serves all connections, on several threads at a time.
  *
- * <p>The limits hold for a translator's classes too. What its classes do while they are read is its own affair: a class
- * with a {@code readObject} that trusts its numbers opens a door that the module's own records keep shut.
+ * <p>The limits hold for a translator's classes too. But what these classes do while they are deserialized is up to
+ * them: a class whose {@code readObject} trusts its input opens a hole that the module's own records do not have.
  */
 public interface MessageTranslator {
-    /** The module's own records, as they are. */
+    /** Passes the module's own records unchanged. */
     MessageTranslator RECORDS = new MessageTranslator() {
         @Override
         public Set<Class<?>> classes() {
@@ -36,24 +35,25 @@ public interface MessageTranslator {
         }
     };
 
-    /** The translator that {@link ServiceLoader} finds first; {@link #RECORDS} where there is none. */
+    /** The translator that {@link ServiceLoader} finds first; {@link #RECORDS} if there is none. */
     static MessageTranslator installed() {
         return ServiceLoader.load(MessageTranslator.class).findFirst().orElse(RECORDS);
     }
 
     /**
-     * Every class that a message may hold beside the module's own: serializable superclasses, enums and collections with
-     * the classes behind them too. Only these classes are ever looked up, by their exact names.
+     * All classes that a message may contain in addition to the module's own, including serializable superclasses,
+     * enums, and collections with the classes that implement them. Only these classes are ever looked up, by their
+     * exact names.
      */
     Set<Class<?>> classes();
 
     /**
-     * The bundle that a message means.
+     * The bundle that corresponds to a message.
      *
-     * @throws IllegalArgumentException where it means none: the message is refused and its connection closed
+     * @throws IllegalArgumentException if there is none: the message is refused and its connection closed
      */
     Bundle decode(Object message);
 
-    /** What is written for a bundle. */
+    /** The object that is written for a bundle. */
     Object encode(Bundle bundle);
 }

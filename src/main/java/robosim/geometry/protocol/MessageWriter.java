@@ -7,10 +7,10 @@ import java.io.OutputStream;
 import robosim.geometry.exact.Checks;
 
 /**
- * Writes bundles to a stream, each forgotten when it is written, so that neither end keeps what has passed.
+ * Writes bundles to a stream and resets it after each, so that neither end keeps past messages.
  *
- * <p>The stream's header is written and flushed at once: two ends that first wait for each other's header wait for ever,
- * so make the writer before the reader.
+ * <p>The stream's header is written and flushed at once: two ends that first wait for each other's header wait forever,
+ * so create the writer before the reader.
  */
 public final class MessageWriter {
     private final MessageTranslator translator;
@@ -21,14 +21,14 @@ public final class MessageWriter {
         this(out, MessageTranslator.RECORDS);
     }
 
-    /** Writes what a translator makes of the bundles. */
+    /** Writes the objects that a translator makes of the bundles. */
     public MessageWriter(OutputStream out, MessageTranslator translator) throws IOException {
         this.translator = Checks.present("translator", translator);
         this.objects = new ObjectOutputStream(new BufferedOutputStream(Checks.present("out", out), 8192));
         objects.flush();
     }
 
-    /** Writes one message, whole, and flushes it. */
+    /** Writes one complete message and flushes it. */
     public void write(Bundle bundle) throws IOException {
         objects.writeObject(translator.encode(Checks.present("bundle", bundle)));
         objects.reset();

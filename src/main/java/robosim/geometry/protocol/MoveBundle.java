@@ -5,9 +5,9 @@ import java.util.List;
 import robosim.geometry.exact.Checks;
 
 /**
- * Moves to make, in their order; and as the answer the moves that were made, in the same order.
+ * As a request, moves to make, in order; as an answer, the moves that were made, in the same order.
  *
- * @param moves the moves, each carried out in the world that the earlier ones left
+ * @param moves the moves, each carried out in the world as the earlier ones left it
  */
 public record MoveBundle(List<MoveRequest> moves) implements Bundle {
     @Serial

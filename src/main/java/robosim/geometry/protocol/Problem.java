@@ -5,8 +5,8 @@ import java.util.function.Supplier;
 import robosim.geometry.exact.Checks;
 
 /**
- * Why one request of a bundle was refused, in words for people. The words are made when they are asked for: an encoding
- * that does not show them does not pay for them.
+ * Why one request of a bundle was refused, as text for people. The text is created on demand, so an encoding that does
+ * not show it does not pay for it.
  */
 public final class Problem {
     private final int index;
@@ -20,23 +20,23 @@ public final class Problem {
         this.words = words;
     }
 
-    /** With its words. */
+    /** A problem with a given text. */
     public static Problem of(int index, String reason) {
         Checks.present("reason", reason);
         return new Problem(index, () -> reason);
     }
 
     /**
-     * With words to come.
+     * A problem whose text is created on demand.
      *
-     * @param index  of the request in its bundle
-     * @param reason the same each time, on any thread
+     * @param index  index of the request in its bundle
+     * @param reason must give the same text each time, on any thread
      */
     public static Problem of(int index, Supplier<String> reason) {
         return new Problem(index, Checks.present("reason", reason));
     }
 
-    /** Which request of the bundle was refused, from 0. */
+    /** The index of the refused request in its bundle, from 0. */
     public int index() {
         return index;
     }

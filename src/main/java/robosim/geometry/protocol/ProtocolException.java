@@ -4,22 +4,25 @@ import java.io.IOException;
 import java.io.Serial;
 import org.jspecify.annotations.Nullable;
 
-/** Bytes that are no message, or no longer one: what is wrong, in one line. The connection that they came by is lost. */
+/**
+ * The bytes received are not a valid message, or the stream failed within one; the message says why, in one line. The
+ * connection cannot be used any more.
+ */
 public final class ProtocolException extends IOException {
     @Serial
     private static final long serialVersionUID = 1;
 
-    /** With a reason for people. */
+    /** An exception with a reason for people. */
     public ProtocolException(String reason) {
         super(reason);
     }
 
-    /** With a reason for people and what led to it. */
+    /** An exception with a reason for people and a cause. */
     public ProtocolException(String reason, @Nullable Throwable cause) {
         super(reason, cause);
     }
 
-    /** A message for which there is no memory: no fault of the module, nor of the message's form. */
+    /** A message for which there is not enough memory, although it may be valid. */
     public static ProtocolException noMemory(Throwable cause) {
         return new ProtocolException(
                 "a message must fit into the memory that the module has left (got: " + cause

@@ -4,14 +4,14 @@ import java.util.List;
 import robosim.geometry.exact.Checks;
 
 /**
- * What a session answers: the bundle, and what it does not tell. Java serialization sends the bundle alone, JSON lines
+ * A session's answer: the bundle, and the reasons of refusals. Java serialization sends the bundle alone, JSON lines
  * both.
  *
  * @param bundle   a {@link MoveBundle} of the moves that were made or a {@link DistanceBundle}
- * @param problems why requests were refused, in their order: the moves that are left out, the distances that are NaN
+ * @param problems why requests were refused, in order: those of moves left out, or of distances that are NaN
  */
 public record Reply(Bundle bundle, List<Problem> problems) {
-    /** Refuses null, and a bundle that is no answer. */
+    /** Refuses null, and a bundle that is not an answer. */
     public Reply {
         if (!(bundle instanceof MoveBundle || bundle instanceof DistanceBundle)) {
             throw new IllegalArgumentException("bundle must be a MoveBundle or a DistanceBundle (got: "
@@ -20,7 +20,7 @@ public record Reply(Bundle bundle, List<Problem> problems) {
         problems = Checks.copy("problems", problems, Problem.class);
     }
 
-    /** Without a word about problems. */
+    /** A reply without problems. */
     public Reply(Bundle bundle) {
         this(bundle, List.of());
     }

@@ -6,13 +6,13 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Checks;
 
 /**
- * A distance from the centre of an object towards {@code (xOffset, 0, zOffset)} in its own frame; the object itself does
- * not echo.
+ * A request for the distance from the centre of an object in direction {@code (xOffset, 0, zOffset)} of its own frame;
+ * the object itself does not echo.
  *
  * @param objectName the name of a moveable object
- * @param xOffset    forward part of the direction, of any length
- * @param zOffset    part to the right of forward; not zero together with {@code xOffset}
- * @param beam       range and width; null for the session's own
+ * @param xOffset    forward component of the direction, which may have any length
+ * @param zOffset    component to the right of forward; not zero together with {@code xOffset}
+ * @param beam       range and width; null for the session's default
  */
 public record SonarRequest(
         String objectName,
@@ -33,7 +33,7 @@ public record SonarRequest(
         }
     }
 
-    /** With the session's own beam. */
+    /** A request with the session's default beam. */
     public SonarRequest(String objectName, double xOffset, double zOffset) {
         this(objectName, xOffset, zOffset, null);
     }

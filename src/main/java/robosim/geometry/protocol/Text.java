@@ -13,14 +13,14 @@ public final class Text {
 
     private Text() {}
 
-    /** A name in quotes, on one line, of bearable length. */
+    /** A name in quotes, on one line, shortened if necessary. */
     public static String quoted(String name) {
         return '"'
                 + plain(Checks.present("name", name).replace("\\", "\\\\").replace("\"", "\\\""), LONGEST_QUOTE)
                 + '"';
     }
 
-    /** A sentence that may hold what a peer sent, on one line, of bearable length. */
+    /** A sentence that may contain text from a peer, on one line, shortened if necessary. */
     public static String line(String sentence) {
         return plain(Checks.present("sentence", sentence), LONGEST_LINE);
     }
@@ -68,7 +68,7 @@ public final class Text {
         return plain.append(text.length() > longest ? "..." : "").toString();
     }
 
-    // A control, a direction mark or half of a pair could forge or garble a line.
+    // Control characters, direction marks and unpaired surrogates could forge or garble a line.
     private static boolean isPlain(char c) {
         return switch (Character.getType(c)) {
             case Character.CONTROL,

@@ -7,20 +7,20 @@ import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 
 /**
- * The size and kind of a world, a box that is centred at the origin.
+ * The size, dimension and accuracy of a world, a box centred at the origin.
  *
  * @param width     extent along X, world units
  * @param height    extent along Y
  * @param length    extent along Z
  * @param dimension whether heights count
- * @param accuracy  how closely objects are compared
+ * @param accuracy  what stands for an object in queries that name no accuracy
  */
 public record WorldSettings(double width, double height, double length, Dimension dimension, Accuracy accuracy)
         implements Serializable {
     @Serial
     private static final long serialVersionUID = 1;
 
-    /** Refuses what is null and a size that is not above 0 and at most 2<sup>101</sup>. */
+    /** Refuses null, and sizes that are not above 0 and at most 2<sup>101</sup>. */
     public WorldSettings {
         Checks.worldSize("width", width);
         Checks.worldSize("height", height);

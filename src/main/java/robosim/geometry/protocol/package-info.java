@@ -1,10 +1,13 @@
 /**
- * What goes over the wire: the bundles under the report's names, their encoding and how much a peer may ask. No sockets.
+ * The protocol: the bundles, under the names of RoboSim's report, their encodings, and limits on what a peer may send.
+ * Without sockets.
  *
- * <p>Lengths are world units. <b>Angles are radians here</b>, as RoboSim speaks them, while the rest of the module's API
- * is in degrees; {@code robosim.geometry.net.Session} converts, in one place. Objects carry rotations, not angles.
+ * <p>Lengths are world units. <b>Angles are in radians here</b>, as in RoboSim, while the rest of the module's API uses
+ * degrees; {@code robosim.geometry.net.Session} is the one place that converts them. Objects carry rotations, not
+ * angles.
  *
- * <p>The bundles are immutable records: none can exist that its constructor would refuse, however it was made.
+ * <p>The bundles are immutable records, and none can be created, not even by deserialization, that its constructor
+ * would refuse.
  *
  * <pre>{@code
  * ByteArrayOutputStream wire = new ByteArrayOutputStream();
@@ -13,7 +16,7 @@
  * new MessageReader(new ByteArrayInputStream(wire.toByteArray())).read().equals(asked); // true
  * }</pre>
  *
- * <p>{@code docs/protocol.md} tells what they mean, byte by byte, and how they look in JSON.
+ * <p>{@code docs/protocol.md} describes them byte by byte, and in JSON.
  */
 @NullMarked
 package robosim.geometry.protocol;

@@ -10,7 +10,7 @@ import java.nio.charset.StandardCharsets;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.protocol.Limits;
 
-/** The lines of a file, one in memory at a time; blank ones are passed over. A last line that breaks off is no line. */
+/** Reads the lines of a file, one in memory at a time; blank lines and an incomplete last line are skipped. */
 final class Lines implements Closeable {
     private static final int BUFFER = 1 << 16;
 
@@ -52,7 +52,7 @@ final class Lines implements Closeable {
         }
     }
 
-    /** Whether a line feed came. */
+    /** Reads up to the next line feed; returns whether there was one. */
     private boolean fill() throws ScenarioException {
         line.reset();
         try {
@@ -84,7 +84,7 @@ final class Lines implements Closeable {
         }
     }
 
-    /** Whether an object begins and does not end: what is left of a line whose writer was killed, and of no other. */
+    /** Whether an object begins but does not end, as in a line whose writer was killed and in no other. */
     private static boolean breaksOff(byte[] bytes) {
         int depth = 0;
         boolean quoted = false;
@@ -115,17 +115,17 @@ final class Lines implements Closeable {
         }
     }
 
-    /** What is wrong with the line that was read last. */
+    /** An exception about the line that was read last. */
     ScenarioException refused(String problem, @Nullable Throwable cause) {
         return new ScenarioException(source, number, problem, cause);
     }
 
-    /** Of the line that was read last, from 1. */
+    /** The number of the line that was read last, from 1. */
     long number() {
         return number;
     }
 
-    /** The number of the last line where that breaks off; 0 otherwise. */
+    /** The number of the last line if it is incomplete; 0 otherwise. */
     long torn() {
         return torn;
     }

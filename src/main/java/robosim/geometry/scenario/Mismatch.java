@@ -16,17 +16,17 @@ import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.Text;
 
 /**
- * A step whose answer is another than the one expected. Answers are the same where the same moves were made, in the same
- * order, and each distance has the same bits; NaN is NaN. Of equal moves, the same ones: where an answer tells which were
- * refused, they are compared. Words that say why something was refused do not count.
+ * A step whose answer differs from the expected one. Answers are the same if the same moves were made, in the same
+ * order, and each distance has the same bits; NaN equals NaN. If an answer says which moves were refused, these are
+ * compared too, which tells equal moves apart. The words that say why something was refused are not compared.
  *
- * @param step     of the conversation, from 1
- * @param line     of its request in its file, from 1; 0 where there is none
- * @param index    of the first request in the step that is answered otherwise, from 0; -1 where it is the whole step
- * @param request  what was asked there, for people
- * @param expected for people
- * @param got      for people
- * @param others   how many more requests of the step are answered otherwise
+ * @param step     number of the step in the conversation, from 1
+ * @param line     line of its request in the file, from 1; 0 if there is none
+ * @param index    index of the first request in the step whose answer differs, from 0; -1 for the whole step
+ * @param request  that request, as text for people
+ * @param expected the expected answer, as text for people
+ * @param got      the actual answer, as text for people
+ * @param others   number of further requests of the step whose answers differ
  */
 public record Mismatch(long step, long line, int index, String request, String expected, String got, int others) {
     /** Refuses null. */
@@ -36,7 +36,7 @@ public record Mismatch(long step, long line, int index, String request, String e
         Checks.present("got", got);
     }
 
-    /** Compares an answer with what its step expects; null where they are the same, or nothing is expected. */
+    /** Compares an answer with what its step expects; returns null if they are the same, or nothing is expected. */
     static @Nullable Mismatch of(long number, Step step, @Nullable Reply got) {
         Reply expected = step.expected();
         if (expected == null) {
@@ -45,7 +45,7 @@ public record Mismatch(long step, long line, int index, String request, String e
         if (got == null) {
             return whole(number, step, "an answer", "none");
         }
-        if (got.bundle().equals(expected.bundle())) { // its doubles are equal where their bits are, or both are NaN
+        if (got.bundle().equals(expected.bundle())) { // doubles are equal if their bits are, or both are NaN
             return step.request() instanceof MoveBundle asked
                     ? refusals(number, step, asked.moves(), expected, got)
                     : null;
@@ -128,7 +128,10 @@ public record Mismatch(long step, long line, int index, String request, String e
                 others);
     }
 
-    /** The same moves were made; null where the same were refused too, or nothing is known of those, as from Java's bytes. */
+    /**
+     * Compares the refused moves when the moves made are the same; returns null if the refused are the same too, or are
+     * unknown, as in Java serialization.
+     */
     private static @Nullable Mismatch refusals(
             long number, Step step, List<MoveRequest> asked, Reply expected, Reply got) {
         BitSet wanted = refused(expected);

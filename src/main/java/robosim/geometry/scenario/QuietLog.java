@@ -3,7 +3,7 @@ package robosim.geometry.scenario;
 import java.util.ResourceBundle;
 import org.jspecify.annotations.Nullable;
 
-/** A replay's warnings, which were given when it was recorded, as messages for who looks for the cause of something. */
+/** Logs the warnings of a replay at a low level, since they were given when it was recorded. */
 final class QuietLog implements System.Logger {
     private final System.Logger log = System.getLogger(QuietLog.class.getPackageName());
 

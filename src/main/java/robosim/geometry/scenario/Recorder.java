@@ -10,11 +10,12 @@ import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.Text;
 
 /**
- * Writes down a session as it goes: each request before it is carried out, so that one that the module does not survive
- * stands in the file, and each answer before it is sent. Whoever kills the process loses at most the message under way.
+ * Records a session as it happens: each request before it is carried out, so that even a request that crashes the
+ * module is in the file, and each answer before it is sent. If the process is killed, at most the message being written
+ * is lost.
  *
- * <p>Recording never harms the session: where it cannot go on, for want of room or any other reason, it stops with a line
- * in the log, and what has been written stays. It belongs to one thread at a time.
+ * <p>Recording never disturbs the session: if it cannot go on, because the disk is full or for any other reason, it
+ * stops with a line in the log, and what has been written stays. It may be used by one thread at a time.
  */
 public final class Recorder implements SessionListener, AutoCloseable {
     private static final System.Logger LOG = System.getLogger(Recorder.class.getPackageName());
@@ -28,18 +29,18 @@ public final class Recorder implements SessionListener, AutoCloseable {
     private long askedAt;
     private boolean stopped;
 
-    /** Opens what is recorded into, when the first request comes. */
+    /** Opens the recording when the first request comes. */
     @FunctionalInterface
     public interface Opening {
-        /** Once; the recorder closes it. */
+        /** Called once; the recorder closes the result. */
         ScenarioWriter open() throws IOException;
     }
 
     /**
-     * Nothing is opened yet.
+     * A recorder that has not opened its recording yet.
      *
-     * @param name      of the session, in the log
-     * @param nanoClock tells nanoseconds that only go on, as {@link System#nanoTime} does; null for a recording without
+     * @param name      the session's name in the log
+     * @param nanoClock a monotonic clock in nanoseconds, like {@link System#nanoTime}; null for a recording without
      *                  times
      */
     public Recorder(String name, Opening opening, @Nullable LongSupplier nanoClock) {
@@ -69,13 +70,13 @@ public final class Recorder implements SessionListener, AutoCloseable {
                 Math.max(0, Math.min(Timing.MOST, askedAt - beginning)), Math.max(0, Math.min(Timing.MOST, took)));
     }
 
-    /** A note for people, before the next request. */
+    /** Writes a note for people before the next request. */
     public void note(String text) {
         Checks.present("text", text);
         record(to -> to.note(text));
     }
 
-    /** Writes something. */
+    /** Something that is written. */
     @FunctionalInterface
     private interface Writing {
         void write(ScenarioWriter to) throws IOException;
@@ -93,7 +94,7 @@ public final class Recorder implements SessionListener, AutoCloseable {
         } catch (IOException | RuntimeException | LinkageError | VirtualMachineError e) {
             LOG.log(
                     System.Logger.Level.WARNING,
-                    name + ": is no longer recorded, after " + bytes() + " bytes: " + Text.line(String.valueOf(e)));
+                    name + ": recording stopped after " + bytes() + " bytes: " + Text.line(String.valueOf(e)));
             giveUp(Text.line(e.getMessage() == null ? e.toString() : e.getMessage()));
             close();
         }
@@ -109,12 +110,12 @@ public final class Recorder implements SessionListener, AutoCloseable {
         }
     }
 
-    /** Whether it still records, or will when there is something. */
+    /** Whether it is recording, or will when the first request comes. */
     public boolean isRecording() {
         return !stopped;
     }
 
-    /** How many bytes have been written. */
+    /** The number of bytes written. */
     public long bytes() {
         return writer == null ? 0 : writer.bytes();
     }
@@ -124,7 +125,7 @@ public final class Recorder implements SessionListener, AutoCloseable {
         close();
     }
 
-    /** Records no more. Nothing is thrown. */
+    /** Stops recording. Throws nothing. */
     @Override
     public void close() {
         if (stopped) {

@@ -7,11 +7,11 @@ import java.nio.channels.FileChannel;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 
-/** A new file that can be cut back to the last whole line, where the disk was full in the midst of another. */
+/** A new file that can be truncated to the last complete line if the disk becomes full within another. */
 class RecordingFile extends OutputStream {
     private final FileChannel file;
 
-    /** Makes it; it must not be there. */
+    /** Creates the file, which must not exist. */
     RecordingFile(Path place) throws IOException {
         file = FileChannel.open(place, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
     }
@@ -29,7 +29,7 @@ class RecordingFile extends OutputStream {
         }
     }
 
-    /** Only so many bytes stay. */
+    /** Truncates the file to a number of bytes. */
     void cutTo(long bytes) throws IOException {
         file.truncate(bytes);
     }

@@ -14,8 +14,8 @@ import robosim.geometry.net.SessionListener;
 import robosim.geometry.net.SessionOptions;
 
 /**
- * Records the sessions of a server or a client, one file for each, which is made when its first request comes. A file that
- * is there is never written over.
+ * Records the sessions of a server or a client, each in a file that is created when its first request comes. Existing
+ * files are never overwritten.
  *
  * <!-- java: compiled -->
  * <pre>{@code
@@ -24,7 +24,7 @@ import robosim.geometry.net.SessionOptions;
  * }</pre>
  */
 public final class Recordings implements Function<String, SessionListener> {
-    /** Most bytes of one file unless told otherwise: 1 GiB, some 500,000 bundles of 16 sonar requests with their answers. */
+    /** Default maximum size of a file in bytes: 1 GiB, some 500,000 bundles of 16 sonar requests with their answers. */
     public static final long DEFAULT_BYTES = 1L << 30;
 
     private static final DateTimeFormatter TIME =
@@ -37,7 +37,7 @@ public final class Recordings implements Function<String, SessionListener> {
     private final Clock clock;
     private final Maker maker;
 
-    /** Makes a file that must not be there. */
+    /** Creates a file that must not exist. */
     @FunctionalInterface
     interface Maker {
         OutputStream make(Path place) throws IOException;
@@ -52,7 +52,7 @@ public final class Recordings implements Function<String, SessionListener> {
     }
 
     /**
-     * Files in a folder, named by the time of their first request and the connection.
+     * Recordings in a folder, each named by the time of its first request and the connection.
      *
      * @param session the options of the sessions
      */
@@ -62,13 +62,16 @@ public final class Recordings implements Function<String, SessionListener> {
         return new Recordings(name -> folder.resolve(name), session, DEFAULT_BYTES, clock, RecordingFile::new);
     }
 
-    /** A file of that name for the first session, and for each that follows one of that name with a number. */
+    /**
+     * Recordings in a file of the given name for the first session, and files of that name with a number for later
+     * ones.
+     */
     public static Recordings inFile(Path file, SessionOptions session) {
         Checks.present("file", file);
         return new Recordings(name -> file, session, DEFAULT_BYTES, Clock.systemUTC(), RecordingFile::new);
     }
 
-    /** These recordings with another limit of bytes for each file, at which recording stops and the session goes on. */
+    /** These recordings with another maximum size of each file, at which recording stops and the session goes on. */
     public Recordings atMost(long bytes) {
         if (bytes < 1) {
             throw new IllegalArgumentException("bytes must be at least 1 (got: " + bytes + ")");
@@ -76,12 +79,12 @@ public final class Recordings implements Function<String, SessionListener> {
         return new Recordings(files, session, bytes, clock, maker);
     }
 
-    /** These recordings with names and titles by another clock. */
+    /** These recordings with another clock for names and titles. */
     public Recordings by(Clock other) {
         return new Recordings(files, session, mostBytes, other, maker);
     }
 
-    /** These recordings into files of another making. */
+    /** These recordings with files created by another maker. */
     Recordings into(Maker other) {
         return new Recordings(files, session, mostBytes, clock, other);
     }

@@ -15,8 +15,8 @@ import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequestBundle;
 
 /**
- * Carries out a conversation anew, without sockets, and compares the answers bit for bit. Whoever plays, watches or varies
- * a scenario does it step by step; {@link #of} does it at once.
+ * Replays a conversation without sockets and compares the answers bit for bit. Players, watchers and sweeps do it step
+ * by step; {@link #of} does it at once.
  */
 public final class Replay {
     private final Session session;
@@ -25,26 +25,26 @@ public final class Replay {
     private long compared;
     private long mismatches;
 
-    /** With the options that a scenario's header tells. */
+    /** A replay with the options of a scenario's header. */
     public Replay(SessionOptions options) {
         this(options, SessionListener.NONE);
     }
 
-    /** With somebody who sees what the session does, such as a {@link Recorder}. */
+    /** A replay with a listener, such as a {@link Recorder}. */
     public Replay(SessionOptions options, SessionListener listener) {
         this.session = new Session(options, listener, "replay", new QuietLog());
     }
 
     /**
-     * In a world that is there already, until an init comes.
+     * A replay that begins with an existing world.
      *
-     * @param world the replay's own from now on
+     * @param world belongs to the replay from now on
      */
     public Replay(Geometry world, SessionOptions options, SessionListener listener) {
         this.session = new Session(world, options, listener, "replay", new QuietLog());
     }
 
-    /** Replays a scenario and answers what is other than it expects; empty is good. */
+    /** Replays a scenario and returns what differs from its expected answers; empty if nothing does. */
     public static List<Mismatch> of(Scenario scenario) {
         Replay replay = new Replay(Checks.present("scenario", scenario).header().options());
         List<Mismatch> found = new ArrayList<>();
@@ -58,11 +58,11 @@ public final class Replay {
     }
 
     /**
-     * Replays what is left of a scenario, reading as it goes.
+     * Replays the remaining steps of a scenario while reading them.
      *
-     * @param found told each mismatch
+     * @param found called with each mismatch
      * @return the replay at its end
-     * @throws ScenarioException where the file turns out to be no scenario; it has been replayed up to there
+     * @throws ScenarioException if the file turns out not to be a scenario; it has been replayed up to there
      */
     public static Replay of(ScenarioReader scenario, Consumer<Mismatch> found) throws ScenarioException {
         Checks.present("found", found);
@@ -79,8 +79,8 @@ public final class Replay {
     /**
      * Carries out the next step.
      *
-     * @return null where the answer is the one expected, or none is expected. A request that the module fails at is a
-     *     mismatch in any case
+     * @return null if the answer is as expected, or none is expected. A request in which the module itself fails is
+     *     always a mismatch
      */
     public @Nullable Mismatch step(Step step) {
         Checks.present("step", step);
@@ -98,7 +98,7 @@ public final class Replay {
         return mismatch;
     }
 
-    /** How many questions a request asks. */
+    /** The number of moves or distances in a request. */
     private static long requests(Bundle request) {
         if (request instanceof MoveBundle moves) {
             return moves.moves().size();
@@ -106,22 +106,22 @@ public final class Replay {
         return request instanceof SonarRequestBundle sonars ? sonars.requests().size() : 0;
     }
 
-    /** The answer to the last step; null where it has none. */
+    /** The answer to the last step; null if it has none. */
     public @Nullable Reply reply() {
         return reply;
     }
 
-    /** Steps that were carried out. */
+    /** The number of steps carried out. */
     public long steps() {
         return steps;
     }
 
-    /** Moves and distances that were compared with what was expected. */
+    /** The number of moves and distances that were compared with expected ones. */
     public long compared() {
         return compared;
     }
 
-    /** Steps that were answered otherwise. */
+    /** The number of steps whose answers differed. */
     public long mismatches() {
         return mismatches;
     }

@@ -8,11 +8,11 @@ import java.util.List;
 import robosim.geometry.exact.Checks;
 
 /**
- * A world, a conversation and the answers, whole in memory. A long recording is better read by a {@link ScenarioReader}.
+ * A world, a conversation and the answers, all in memory. For long recordings use a {@link ScenarioReader}.
  *
- * @param header what it begins with
+ * @param header the header
  * @param steps  the requests with their answers, in order
- * @param torn   the number of the file's last line where that broke off and was passed over; 0 otherwise
+ * @param torn   the number of the file's last line if it was incomplete and skipped; 0 otherwise
  */
 public record Scenario(ScenarioHeader header, List<Step> steps, long torn) {
     /** Refuses null. */
@@ -21,7 +21,7 @@ public record Scenario(ScenarioHeader header, List<Step> steps, long torn) {
         steps = Checks.list("steps", steps);
     }
 
-    /** All of it. */
+    /** A complete scenario. */
     public Scenario(ScenarioHeader header, List<Step> steps) {
         this(header, steps, 0);
     }
@@ -29,7 +29,7 @@ public record Scenario(ScenarioHeader header, List<Step> steps, long torn) {
     /**
      * Reads a file, as {@link ScenarioReader#open(Path)} does.
      *
-     * @throws ScenarioException naming file and line, where it cannot be read or is no scenario
+     * @throws ScenarioException if it cannot be read or is not a scenario; names file and line
      */
     public static Scenario read(Path file) throws IOException {
         try (ScenarioReader reader = ScenarioReader.open(file)) {
@@ -40,8 +40,8 @@ public record Scenario(ScenarioHeader header, List<Step> steps, long torn) {
     /**
      * Reads a file, as {@link ScenarioReader#open(Path, Path)} does.
      *
-     * @param root the folder outside of which no world is read that the file names
-     * @throws ScenarioException naming file and line, where it cannot be read or is no scenario
+     * @param root worlds that the file names are read from within this folder only
+     * @throws ScenarioException if it cannot be read or is not a scenario; names file and line
      */
     public static Scenario read(Path file, Path root) throws IOException {
         try (ScenarioReader reader = ScenarioReader.open(file, root)) {
@@ -57,7 +57,7 @@ public record Scenario(ScenarioHeader header, List<Step> steps, long torn) {
         return new Scenario(reader.header(), steps, reader.torn());
     }
 
-    /** Writes it; worlds that its file named are written out. The stream is left open. */
+    /** Writes it; worlds that its file referred to by name are written in full. The stream is left open. */
     public void write(OutputStream out) throws IOException {
         ScenarioWriter writer = new ScenarioWriter(Checks.present("out", out), header);
         for (Step step : steps) {

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.Serial;
 import org.jspecify.annotations.Nullable;
 
-/** Says why a scenario could not be read: the file, the line, and what is wrong there. */
+/** A scenario could not be read; names the file, the line, and what is wrong there. */
 public final class ScenarioException extends IOException {
     @Serial
     private static final long serialVersionUID = 1;
@@ -18,12 +18,12 @@ public final class ScenarioException extends IOException {
         this.line = line;
     }
 
-    /** The file, or whatever name the reader was given for it. */
+    /** The file, or the name that the reader was given for it. */
     public String source() {
         return source;
     }
 
-    /** The line, counted from 1; 0 where the problem has none. */
+    /** The line, from 1; 0 if the problem concerns no line. */
     public long line() {
         return line;
     }

@@ -12,14 +12,14 @@ import robosim.geometry.protocol.json.JsonLines;
 import robosim.geometry.protocol.json.JsonRecord;
 
 /**
- * What a scenario begins with.
+ * The header of a scenario.
  *
- * @param title   for people
- * @param madeBy  what wrote it, for people; empty where that is not told
- * @param options what its requests leave open
+ * @param title   a title for people
+ * @param madeBy  the program that wrote it, for people; empty if unknown
+ * @param options defaults for what its requests leave out
  */
 public record ScenarioHeader(String title, String madeBy, SessionOptions options) {
-    /** Of the format, as a header tells it. */
+    /** The version of the format, as given in headers. */
     public static final int VERSION = 1;
 
     /** Refuses null. */
@@ -29,7 +29,7 @@ public record ScenarioHeader(String title, String madeBy, SessionOptions options
         }
     }
 
-    /** Made by this module. */
+    /** A header written by this module. */
     public ScenarioHeader(String title, SessionOptions options) {
         this(title, JsonLines.MODULE, options);
     }

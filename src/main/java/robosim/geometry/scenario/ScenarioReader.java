@@ -16,24 +16,24 @@ import robosim.geometry.protocol.json.JsonLines;
 import robosim.geometry.protocol.json.JsonRecord;
 
 /**
- * Reads a scenario step by step, so that a day's recording takes no more memory than its longest lines. Reading is strict;
- * every exception names file and line. Only a last line that breaks off, as a killed writer leaves it, is passed over, and
- * {@link #torn()} tells it.
+ * Reads a scenario step by step, so that a day's recording takes no more memory than its longest lines. Reading is
+ * strict; every exception names file and line. Only an incomplete last line, as a killed writer leaves it, is skipped,
+ * and {@link #torn()} reports it.
  */
 public final class ScenarioReader implements StepReader {
-    /** How the name of a scenario's file ends. */
+    /** The ending of the names of scenario files. */
     public static final String ENDING = ".scenario.jsonl";
 
     private final Lines lines;
     private final WorldFiles worlds;
     private final ScenarioHeader header;
 
-    /** The next line that is no note and its type; both null where it has not been read, or there is none. */
+    /** The next line that is not a note, and its type; both null if it has not been read, or there is none. */
     private @Nullable String ahead;
 
     private String type = "";
 
-    /** Those before it. */
+    /** The notes before it. */
     private final List<String> notes = new ArrayList<>();
 
     private ScenarioReader(InputStream in, String source, WorldFiles worlds) throws ScenarioException {
@@ -43,9 +43,10 @@ public final class ScenarioReader implements StepReader {
     }
 
     /**
-     * Opens a file. The worlds that it names are looked for beside it, and not above the folder that its own folder is in.
+     * Opens a file. The worlds that it names are looked up relative to its folder, and must be within that folder's
+     * parent.
      *
-     * @throws ScenarioException where it cannot be opened, or does not begin as a scenario
+     * @throws ScenarioException if it cannot be opened, or does not begin as a scenario
      */
     public static ScenarioReader open(Path file) throws IOException {
         Path folder = Checks.present("file", file).toAbsolutePath().normalize().getParent();
@@ -56,8 +57,8 @@ public final class ScenarioReader implements StepReader {
     /**
      * Opens a file.
      *
-     * @param root the folder outside of which no world is read that the file names
-     * @throws ScenarioException where it cannot be opened, or does not begin as a scenario
+     * @param root worlds that the file names are read from within this folder only
+     * @throws ScenarioException if it cannot be opened, or does not begin as a scenario
      */
     public static ScenarioReader open(Path file, Path root) throws IOException {
         Checks.present("root", root);
@@ -78,10 +79,10 @@ public final class ScenarioReader implements StepReader {
     }
 
     /**
-     * Reads from a stream, which can name no world file.
+     * Reads from a stream, which cannot refer to world files.
      *
-     * @param source what messages call the stream
-     * @throws ScenarioException where it does not begin as a scenario
+     * @param source the name of the stream in messages
+     * @throws ScenarioException if it does not begin as a scenario
      */
     public static ScenarioReader of(InputStream in, String source) throws ScenarioException {
         return new ScenarioReader(Checks.present("in", in), Checks.present("source", source), WorldFiles.none());
@@ -96,7 +97,7 @@ public final class ScenarioReader implements StepReader {
      * Reads the next step.
      *
      * @return null at the end
-     * @throws ScenarioException where the file fails or is no scenario; then nothing more can be read
+     * @throws ScenarioException if reading fails or the file is not a scenario; then nothing more can be read
      */
     @Override
     public @Nullable Step next() throws ScenarioException {
@@ -114,12 +115,12 @@ public final class ScenarioReader implements StepReader {
         return new Step(number, before, request, expected, timing);
     }
 
-    /** The number of the last line where that breaks off and was passed over; 0 otherwise. Known at the end. */
+    /** The number of the last line if it was incomplete and skipped; 0 otherwise. Known at the end. */
     public long torn() {
         return lines.torn();
     }
 
-    /** What was noted after the last step. Known at the end. */
+    /** The notes after the last step. Known at the end. */
     List<String> lastNotes() {
         return List.copyOf(notes);
     }
@@ -171,7 +172,7 @@ public final class ScenarioReader implements StepReader {
         }
     }
 
-    /** The answer that follows a request; null where there is none. */
+    /** The answer that follows a request; null if there is none. */
     private @Nullable Reply answer(Bundle request) throws ScenarioException {
         String line = peek();
         if (line == null || !guarded(() -> JsonLines.isReply(line))) {
@@ -199,13 +200,13 @@ public final class ScenarioReader implements StepReader {
         return timing;
     }
 
-    /** Reads something. */
+    /** An operation that reads. */
     @FunctionalInterface
     private interface Reading<T> {
         T read() throws IOException;
     }
 
-    /** Whatever is wrong with a line is told with its place. */
+    /** Reads, and reports any error with its file and line. */
     private <T> T guarded(Reading<T> reading) throws ScenarioException {
         try {
             return reading.read();

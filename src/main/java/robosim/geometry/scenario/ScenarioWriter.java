@@ -19,15 +19,15 @@ import robosim.geometry.protocol.json.JsonLines;
 import robosim.geometry.protocol.json.JsonRecord;
 
 /**
- * Writes a scenario as it happens: each call writes whole lines with one write to the stream and flushes it. What has been
- * written can be read again; what could not be is refused.
+ * Writes a scenario as it happens: each call writes whole lines with one write to the stream and flushes it. Everything
+ * written can be read again; anything that could not be is refused.
  */
 public final class ScenarioWriter implements Closeable {
     private final OutputStream out;
     private final long mostBytes;
     private long bytes;
 
-    /** Whether the last line breaks off. */
+    /** Whether the last line is incomplete. */
     private boolean torn;
 
     /** Writes the header. */
@@ -38,7 +38,7 @@ public final class ScenarioWriter implements Closeable {
     /**
      * Writes the header.
      *
-     * @param mostBytes of the file; a call that would write beyond that throws an IOException and writes nothing
+     * @param mostBytes maximum size of the file; a call that would exceed it throws an IOException and writes nothing
      */
     public ScenarioWriter(OutputStream out, ScenarioHeader header, long mostBytes) throws IOException {
         this.out = Checks.present("out", out);
@@ -48,7 +48,7 @@ public final class ScenarioWriter implements Closeable {
         put(line);
     }
 
-    /** Something for people; reads as a note before the next request. */
+    /** Writes a note for people, which belongs to the next request. */
     public void note(String text) throws IOException {
         Map<String, String> note = new LinkedHashMap<>();
         note.put("type", "note");
@@ -58,7 +58,7 @@ public final class ScenarioWriter implements Closeable {
         put(line);
     }
 
-    /** A request; its answer, where it has one, comes next. */
+    /** Writes a request; its answer, if it has one, must be written next. */
     public void request(Bundle request) throws IOException {
         String line = JsonLines.write(request);
         if (request instanceof InitBundle || isOdd(line)) {
@@ -67,7 +67,7 @@ public final class ScenarioWriter implements Closeable {
         put(line);
     }
 
-    /** What was answered to the last request, null after an init; and when, null where that is not told. */
+    /** Writes the answer to the last request, null after an init, and its timing, null if not recorded. */
     public void answer(@Nullable Reply reply, @Nullable Timing timing) throws IOException {
         List<String> lines = new ArrayList<>();
         if (reply != null) {
@@ -89,12 +89,15 @@ public final class ScenarioWriter implements Closeable {
         }
     }
 
-    /** A request in Java serialization may have names that JSON lines refuse: with half a surrogate pair, escaped here. */
+    /**
+     * Whether a line contains an unpaired surrogate, escaped: names in Java serialization may, but JSON lines refuse
+     * them.
+     */
     private static boolean isOdd(String line) {
         return line.contains("\\ud");
     }
 
-    /** A step with its notes. */
+    /** Writes a step with its notes. */
     public void write(Step step) throws IOException {
         for (String note : Checks.present("step", step).notes()) {
             note(note);
@@ -103,7 +106,7 @@ public final class ScenarioWriter implements Closeable {
         answer(step.expected(), step.timing());
     }
 
-    /** How many bytes have been written. */
+    /** The number of bytes written. */
     public long bytes() {
         return bytes;
     }
@@ -132,7 +135,7 @@ public final class ScenarioWriter implements Closeable {
         bytes += text.size();
     }
 
-    /** What is left of lines that could not be written whole is taken back, where that is possible. */
+    /** Removes the remains of lines that could not be written completely, if possible. */
     private boolean cutBack(IOException cause) {
         if (out instanceof RecordingFile file) {
             try {
@@ -145,7 +148,7 @@ public final class ScenarioWriter implements Closeable {
         return false;
     }
 
-    /** Says, as the last thing, why nothing more is written; where there is room for that, and no line breaks off. */
+    /** Writes a last note on why nothing more is written, if there is room and no line is incomplete. */
     void giveUp(String reason) throws IOException {
         if (!torn) {
             note("recorded no further: " + reason);

@@ -13,11 +13,11 @@ import robosim.geometry.protocol.SonarRequestBundle;
 /**
  * One request of a conversation, and its answer.
  *
- * @param line     where the request stands in its file, from 1; 0 where there is none
- * @param notes    what people are told before it
+ * @param line     the line of the request in its file, from 1; 0 if there is none
+ * @param notes    notes for people before it
  * @param request  an {@link InitBundle}, a {@link MoveBundle} or a {@link SonarRequestBundle}
- * @param expected what was answered, or should be; null after an InitBundle, and where nothing is known of it
- * @param timing   null where it was not recorded
+ * @param expected the recorded or expected answer; null for an InitBundle, and if unknown
+ * @param timing   the timing; null if it was not recorded
  */
 public record Step(
         long line,
@@ -26,7 +26,7 @@ public record Step(
         @Nullable Reply expected,
         @Nullable Timing timing) {
 
-    /** Refuses an answer that is none to such a request. */
+    /** Refuses an answer that does not fit the request. */
     public Step {
         notes = Checks.list("notes", notes);
         if (request == null || request instanceof DistanceBundle) {
@@ -38,12 +38,12 @@ public record Step(
         }
     }
 
-    /** A request without anything about it. */
+    /** A step without line, notes and timing. */
     public Step(Bundle request, @Nullable Reply expected) {
         this(0, List.of(), request, expected, null);
     }
 
-    /** Refuses an answer that no such request can have. */
+    /** Refuses an answer that does not fit a request. */
     static void checkAnswer(Bundle request, Bundle answer) {
         if (request instanceof InitBundle) {
             throw new IllegalArgumentException("an init must have no answer (got: one)");

@@ -12,14 +12,17 @@ import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 
-/** How much of memory a step takes, in units of some 60 bytes: the most that one object, move or distance takes. */
+/** Estimates the memory of a step in units of some 60 bytes, the most that one object, move or distance takes. */
 final class StepWeight {
-    /** Characters of a name that take as much. */
+    /** The number of characters of a name that take one unit. */
     private static final int CHARACTERS = 32;
 
     private StepWeight() {}
 
-    /** One, and all that is in it: objects with their members, vertices and triangles, moves, distances, names, words. */
+    /**
+     * One unit, plus those of its contents: objects with their members, vertices and triangles, moves, distances,
+     * names, reasons.
+     */
     static long of(Step step) {
         long weight = 1;
         for (String note : step.notes()) {

@@ -1,13 +1,13 @@
 package robosim.geometry.scenario;
 
 /**
- * When a request was carried out; of interest to people and viewers, never compared.
+ * When a request was carried out; for people and viewers, never compared.
  *
- * @param at   nanoseconds from the beginning of the recording
+ * @param at   nanoseconds since the beginning of the recording
  * @param took nanoseconds of work, without reading and writing
  */
 public record Timing(long at, long took) {
-    /** The longest time, some 104 days: what a double can hold to the nanosecond. */
+    /** The longest time, some 104 days: the largest that a double can hold to the nanosecond. */
     public static final long MOST = 1L << 53;
 
     /** Refuses times below 0 or above {@link #MOST}. */

@@ -12,10 +12,10 @@ import robosim.geometry.net.WatchClient;
 import robosim.geometry.net.WatchServer;
 
 /**
- * Reads a session as it is held, from a {@link robosim.geometry.net.WatchServer}, to which nothing is ever sent. When the
- * server is gone, or has let this reader go because it was too slow, it is dialled again after a second, until this is
- * closed; it then begins with the world as it stands by then, and with a header of its own. A server that hangs up again
- * and again without telling a step is dialled after twice as long each time, up to a minute.
+ * Reads a live session from a {@link robosim.geometry.net.WatchServer}, to which it sends nothing. If the server is
+ * gone, or has disconnected this reader because it was too slow, the reader dials again after a second, until it is
+ * closed; the conversation then goes on with a new header and the world as it is by then. If the server repeatedly
+ * hangs up without sending a step, the pause doubles each time, up to a minute.
  */
 public final class WatchReader implements StepReader {
     private static final long PAUSE_MILLIS = 1000;
@@ -28,7 +28,7 @@ public final class WatchReader implements StepReader {
     private volatile ScenarioReader reader;
     private volatile String state = "";
 
-    /** Before dialling next. */
+    /** The pause before dialling next, milliseconds. */
     private long pause = PAUSE_MILLIS;
 
     private WatchReader(String host, int port, ScenarioReader reader) {
@@ -40,7 +40,7 @@ public final class WatchReader implements StepReader {
     /**
      * Dials.
      *
-     * @throws IOException where nobody listens there, or what is told there is no scenario
+     * @throws IOException if the server cannot be reached, or does not send a scenario
      */
     public static WatchReader dial(String host, int port) throws IOException {
         return new WatchReader(Checks.present("host", host), port, connect(host, port));
@@ -50,14 +50,14 @@ public final class WatchReader implements StepReader {
         return begin(WatchClient.dial(host, port), host + ":" + port);
     }
 
-    /** Hangs up where that is no scenario. */
+    /** Reads the beginning of a scenario; hangs up if it is not one. */
     static ScenarioReader begin(InputStream dialled, String source) throws IOException {
         try {
             PushbackInputStream in = new PushbackInputStream(dialled);
             int first = in.read();
             if (first < 0) {
                 throw new IOException(source + " hung up at once; perhaps " + WatchServer.MOST_WATCHERS
-                        + " watch already, which is the most, or it is ending");
+                        + " are watching already, which is the maximum, or it is shutting down");
             }
             in.unread(first);
             return ScenarioReader.of(in, source);
@@ -67,18 +67,18 @@ public final class WatchReader implements StepReader {
         }
     }
 
-    /** That of the server that was dialled last; another one may come with another server, before its first step. */
+    /** The header of the server that was dialled last; after a reconnection it may change before the next step. */
     @Override
     public ScenarioHeader header() {
         return reader.header();
     }
 
-    /** What is wrong with the connection, for people; empty where nothing is. */
+    /** What is wrong with the connection, as text for people; empty if nothing is. */
     public String state() {
         return state;
     }
 
-    /** Waits for the next step; null when this is closed. */
+    /** Waits for the next step; returns null when this is closed. */
     @Override
     public @Nullable Step next() {
         while (closed.getCount() > 0) {
@@ -100,20 +100,20 @@ public final class WatchReader implements StepReader {
         return null;
     }
 
-    /** Dials until somebody is there or this is closed. */
+    /** Dials until a server answers or this is closed. */
     private void again(String problem) {
         String why = problem;
         while (!rest(why)) {
             long longer = Math.min(LONGEST_PAUSE_MILLIS, 2 * pause);
             try {
                 reader.close();
-                pause = PAUSE_MILLIS; // where nobody listens
+                pause = PAUSE_MILLIS; // if there is no server
                 InputStream dialled = WatchClient.dial(host, port);
-                pause = longer; // where somebody does, and tells no step
+                pause = longer; // if there is one, but it sends no step
                 reader = begin(dialled, host + ":" + port);
                 state = "";
                 if (closed.getCount() == 0) {
-                    reader.close(); // it was closed meanwhile
+                    reader.close(); // this was closed meanwhile
                 }
                 return;
             } catch (IOException e) {
@@ -122,7 +122,7 @@ public final class WatchReader implements StepReader {
         }
     }
 
-    /** Waits before dialling; answers whether this is closed. */
+    /** Waits before dialling; returns whether this is closed. */
     private boolean rest(String why) {
         state = why + "; dialling again" + (pause > PAUSE_MILLIS ? " in " + pause / 1000 + " s" : "");
         try {

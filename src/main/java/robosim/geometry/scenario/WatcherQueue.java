@@ -10,14 +10,14 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.net.WatchServer;
 
 /**
- * Steps that wait to be told to one watcher. They are handed over as they are, and written as lines by the watcher's own
+ * The steps waiting to be sent to one watcher. They are queued as objects and written as lines by the watcher's own
  * thread.
  */
 abstract class WatcherQueue implements WatchServer.Lines {
-    /** Most steps that wait: at 1,000 steps a second, ten seconds. */
+    /** Maximum number of waiting steps: ten seconds at 1,000 steps a second. */
     static final int MOST_STEPS = 10_000;
 
-    /** Most weight in them, some 60 MB; a single step may have more. */
+    /** Maximum total weight of them, some 60 MB; a single step may have more. */
     static final long MOST_WEIGHT = 1_000_000;
 
     private final Runnable breakOff;
@@ -33,7 +33,7 @@ abstract class WatcherQueue implements WatchServer.Lines {
         this.breakOff = breakOff;
     }
 
-    /** Hands a step over; where too much waits already, the watcher is told no more. Waits for nobody. */
+    /** Queues a step; if too much is waiting already, the watcher gets no more. Does not block. */
     final void offer(Step step) {
         if (problem != null) {
             return;
@@ -64,7 +64,7 @@ abstract class WatcherQueue implements WatchServer.Lines {
         return buffer.take();
     }
 
-    /** Where that is not possible, the watcher is told why instead, as the last thing. */
+    /** Writes a step; if that is not possible, tells the watcher why instead and ends. */
     private void write(ScenarioWriter to, Step step) throws IOException {
         try {
             to.write(step);
@@ -80,7 +80,7 @@ abstract class WatcherQueue implements WatchServer.Lines {
         return problem;
     }
 
-    /** Lines on their way out. What a large step needed is not kept for the small ones after it. */
+    /** A buffer for lines. Its size shrinks again after a large step. */
     static final class Buffer extends ByteArrayOutputStream {
         private static final int KEPT = 1 << 16;
 

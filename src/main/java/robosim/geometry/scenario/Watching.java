@@ -24,12 +24,12 @@ import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.WorldSettings;
 
 /**
- * Lets the sessions of a server or a client be watched: whoever joins is told a scenario, line by line. It begins with the
- * world as it stands now, and goes on with each step as it happens. A watcher stays with its session until that is over;
- * then it is told the newest of the others, or the next that begins.
+ * Lets the sessions of a server or a client be watched: each watcher gets a scenario, line by line, that begins with
+ * the present world and goes on with each step as it happens. A watcher stays with its session until that is over; then
+ * it gets the newest of the others, or the next that begins.
  *
- * <p>A session only hands over what it has in hand anyway, and waits for nobody: a watcher for whom too much waits is told
- * no more.
+ * <p>A session only hands over objects that it has anyway and never waits: a watcher that falls too far behind is
+ * disconnected.
  *
  * <!-- java: given InetAddress address -->
  * <pre>{@code
@@ -43,18 +43,18 @@ public final class Watching implements Function<String, SessionListener>, WatchS
     private final ScenarioHeader header;
     private final long beginning = System.nanoTime();
 
-    /** Those that are held, the newest last. Everything below is guarded by this. */
+    /** The open sessions, newest last. Everything below is guarded by this object's lock. */
     private final Set<Watched> sessions = new LinkedHashSet<>();
 
     private final Set<Watcher> watchers = new HashSet<>();
 
     /**
-     * Nobody watches yet.
+     * Without watchers at first.
      *
      * @param session the options of the sessions
      */
     public Watching(SessionOptions session) {
-        this.header = new ScenarioHeader("a session as it is held", session);
+        this.header = new ScenarioHeader("a live session", session);
     }
 
     @Override
@@ -76,7 +76,7 @@ public final class Watching implements Function<String, SessionListener>, WatchS
         watchers.remove(watcher);
     }
 
-    /** The newest session that has a world; null where none has. */
+    /** The newest session that has a world; null if none has. */
     private @Nullable Watched newest() {
         Watched newest = null;
         for (Watched each : sessions) {
@@ -96,22 +96,22 @@ public final class Watching implements Function<String, SessionListener>, WatchS
         return new Timing(Math.max(0, Math.min(Timing.MOST, at - beginning)), Math.max(0, Math.min(Timing.MOST, took)));
     }
 
-    /** One session. What it does is told on its thread, one thing at a time. */
+    /** One session; its methods are called on its own thread. */
     private final class Watched implements SessionListener {
         private final String name;
         private @Nullable Session session;
         private long askedAt;
         private long steps;
 
-        /** Whether it has a world; known on its own thread. */
+        /** Whether it has a world; used on its own thread only. */
         private boolean begun;
 
-        /** The world as it began, of what the session has of it; null before there is one. */
+        /** The objects with which the present world began; null before there is one. */
         private @Nullable List<GeometryObject> objects;
 
         private @Nullable WorldSettings settings;
 
-        /** Objects that have moved since, where they are. */
+        /** The objects that have moved since, at their present places. */
         private final Map<String, GeometryObject> moved = new HashMap<>();
 
         Watched(String name) {
@@ -126,7 +126,7 @@ public final class Watching implements Function<String, SessionListener>, WatchS
             }
         }
 
-        /** A session over a world that was there before it begins with that world; it has it only after it was opened. */
+        /** If the session began with an existing world, it has that world only after {@code opened}. */
         @Override
         public void asked(Bundle request) {
             askedAt = System.nanoTime();
@@ -162,7 +162,7 @@ public final class Watching implements Function<String, SessionListener>, WatchS
             }
         }
 
-        /** Those who watch this are told the step, where there is one; those who wait for a world, the world. */
+        /** Sends a step, if there is one, to the watchers of this session, and the world to those that wait for one. */
         private void tell(@Nullable Step step) {
             for (Watcher watcher : watchers) {
                 if (watcher.session == null) {
@@ -180,7 +180,7 @@ public final class Watching implements Function<String, SessionListener>, WatchS
             moved.clear();
         }
 
-        /** Notes where the objects are that an answer says were moved. */
+        /** Records the places of the objects that an answer says were moved. */
         private void follow(Geometry world, @Nullable Reply reply) {
             if (reply != null && reply.bundle() instanceof MoveBundle made) {
                 for (MoveRequest move : made.moves()) {
@@ -189,14 +189,14 @@ public final class Watching implements Function<String, SessionListener>, WatchS
             }
         }
 
-        /** The world as it stands now, as the step that makes it. */
+        /** The present world, as a step that creates it. */
         private Step now() {
             List<GeometryObject> present = new ArrayList<>();
             for (GeometryObject object : objects == null ? List.<GeometryObject>of() : objects) {
                 String own = object.name();
                 present.add(own == null ? object : moved.getOrDefault(own, object));
             }
-            List<String> notes = List.of(name + ", as it stands after " + steps + (steps == 1 ? " step" : " steps"));
+            List<String> notes = List.of(name + ", as it is after " + steps + (steps == 1 ? " step" : " steps"));
             return new Step(0, notes, new InitBundle(present, settings), null, timing(System.nanoTime(), 0));
         }
 
@@ -213,9 +213,9 @@ public final class Watching implements Function<String, SessionListener>, WatchS
         }
     }
 
-    /** One who watches. */
+    /** One watcher. */
     private final class Watcher extends WatcherQueue {
-        /** Null where there is none to be told of. */
+        /** The session that it watches; null if there is none. */
         private @Nullable Watched session;
 
         Watcher(Runnable breakOff) {

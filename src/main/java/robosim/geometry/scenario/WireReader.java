@@ -15,8 +15,8 @@ import robosim.geometry.protocol.MessageReader;
 import robosim.geometry.protocol.Reply;
 
 /**
- * Reads a conversation from what went over a wire: a file of the bytes to the module and one of those from it, as the
- * demonstration's environment writes them.
+ * Reads a conversation from its bytes: a file of the bytes sent to the module and one of those it sent, as the demo's
+ * environment writes them.
  */
 public final class WireReader implements StepReader {
     private final Path toModule;
@@ -36,7 +36,7 @@ public final class WireReader implements StepReader {
         this.header = new ScenarioHeader(String.valueOf(toModule.getFileName()), "", SessionOptions.ROBOSIM);
     }
 
-    /** Opens the two files of a conversation, which must be there. */
+    /** Opens the two files of a conversation, which must exist. */
     public static WireReader open(Path toModule, Path fromModule) throws IOException {
         Checks.present("fromModule", fromModule);
         InputStream asked = new BufferedInputStream(Files.newInputStream(Checks.present("toModule", toModule)));

@@ -11,7 +11,7 @@ import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 import robosim.geometry.world.WorldReader;
 
-/** The worlds that a scenario's file names, each beside it and none outside of a root. */
+/** Reads the worlds that a scenario's file names, relative to its folder and only from within a root. */
 final class WorldFiles {
     private final @Nullable Path folder;
     private final @Nullable Path root;
@@ -21,12 +21,12 @@ final class WorldFiles {
         this.root = root;
     }
 
-    /** None can be named. */
+    /** Refuses every name. */
     static WorldFiles none() {
         return new WorldFiles(null, null);
     }
 
-    /** Beside that scenario. */
+    /** Looks up names relative to a scenario's folder. */
     static WorldFiles beside(Path scenario, Path root) {
         return new WorldFiles(scenario.toAbsolutePath().getParent(), root);
     }
@@ -34,7 +34,7 @@ final class WorldFiles {
     /**
      * Reads a world file as a request for its world.
      *
-     * @throws IOException with the reason, where it cannot be had
+     * @throws IOException with the reason, if it cannot be read
      */
     InitBundle read(String name) throws IOException {
         if (folder == null || root == null) {

@@ -1,7 +1,8 @@
 /**
- * Scenarios: a world, a conversation and the answers, in one file of text that {@code docs/scenario-format.md} describes.
- * A server {@linkplain robosim.geometry.scenario.Recordings records} one, a {@linkplain robosim.geometry.scenario.Replay
- * replay} carries it out without sockets and compares the answers bit for bit, and people write them by hand.
+ * Scenarios: a world, a conversation and the answers, in one text file in the format of {@code
+ * docs/scenario-format.md}. A server {@linkplain robosim.geometry.scenario.Recordings records} them, a {@linkplain
+ * robosim.geometry.scenario.Replay replay} runs them without sockets and compares the answers bit for bit, and people
+ * can write them by hand.
  *
  * <pre>{@code
  * Scenario scenario = Scenario.read(Path.of("worlds/scenarios/by-hand.scenario.jsonl"));
@@ -10,7 +11,7 @@
  * mismatches.size();                             // 0: every answer is as it was, bit for bit
  * }</pre>
  *
- * <p>Needs Jackson's core beside the module, as JSON lines do.
+ * <p>Requires Jackson's core, as JSON lines do.
  */
 @NullMarked
 package robosim.geometry.scenario;

@@ -11,15 +11,15 @@ import robosim.geometry.protocol.json.JsonRecord;
 import robosim.geometry.sweep.lines.ChecksummedLine;
 
 /**
- * What became of one replicate.
+ * The outcome of one replicate.
  *
- * @param index      of the replicate in its sweep
- * @param world      by name
+ * @param index      index of the replicate in its sweep
+ * @param world      the world's name
  * @param parameters the values, by name
- * @param replicate  which of its cell, from 0
- * @param seed       of its own chance
- * @param values     what it found out; empty where it failed
- * @param error      why it failed, the first 2,000 characters; null where it did not
+ * @param replicate  number of the replicate in its cell, from 0
+ * @param seed       seed of its own random stream
+ * @param values     its results; empty if it failed
+ * @param error      why it failed, the first 2,000 characters; null if it did not fail
  */
 public record Outcome(
         long index,
@@ -31,7 +31,10 @@ public record Outcome(
         @Nullable String error) {
     private static final long MOST = 1L << 53;
 
-    /** Of a failure's text, in characters; stored as at most 6 bytes each it is far below what a line's text may have. */
+    /**
+     * Maximum length of an error in characters; at up to 6 bytes each it is far below the maximum of a string in a
+     * line.
+     */
     private static final int MOST_OF_AN_ERROR = 2_000;
 
     static Outcome of(
@@ -49,7 +52,7 @@ public record Outcome(
         return new Outcome(index, world, parameters, replicate, seed, Map.of(), text(cause));
     }
 
-    /** What a failure says of itself, as a line can hold it: not too long, and no half of a surrogate pair. */
+    /** The text of a failure, shortened and without unpaired surrogates, so that a line can hold it. */
     private static String text(Throwable cause) {
         String text;
         try {
@@ -70,7 +73,7 @@ public record Outcome(
         return error != null;
     }
 
-    /** All of it as a line of JSON, without a check sum. */
+    /** The outcome as a line of JSON, without a checksum. */
     public String line() {
         Map<String, @Nullable Object> fields = new LinkedHashMap<>();
         fields.put("type", isFailed() ? "failure" : "result");
@@ -87,15 +90,15 @@ public record Outcome(
         return JsonRecord.write(fields);
     }
 
-    /** The line of a file, with its check sum. */
+    /** The line of a file, with its checksum. */
     public String sealed() {
         return ChecksummedLine.seal(line());
     }
 
     /**
-     * Reads a line that has no check sum.
+     * Reads a line without a checksum.
      *
-     * @throws ProtocolException where it is none
+     * @throws ProtocolException if it is not an outcome
      */
     public static Outcome of(String line) throws ProtocolException {
         Checks.present("line", line);

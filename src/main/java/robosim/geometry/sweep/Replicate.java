@@ -4,7 +4,7 @@ import java.util.Collections;
 import java.util.SortedMap;
 import robosim.geometry.Geometry;
 
-/** One replicate as a scenario sees it: a world of its own, chance of its own, and the parameters' values. */
+/** One replicate as a scenario sees it: its own world, its own random stream, and the parameters' values. */
 public final class Replicate {
     private final Geometry world;
     private final String worldName;
@@ -30,30 +30,30 @@ public final class Replicate {
         this.pairedRandom = new SeededRandom(pairedSeed);
     }
 
-    /** The world, as its snapshot has it; the replicate's own to change. */
+    /** The world, in the state of its snapshot; the replicate may change it. */
     public Geometry world() {
         return world;
     }
 
-    /** What the world is called. */
+    /** The world's name. */
     public String worldName() {
         return worldName;
     }
 
-    /** Chance of this replicate alone. */
+    /** The random stream of this replicate alone. */
     public SeededRandom random() {
         return random;
     }
 
     /**
-     * Chance that replicates of this number have in common, in all worlds and for all values of parameters: who compares
-     * values by the same draws needs fewer of them.
+     * A random stream shared by all replicates of this number, in all worlds and for all values of parameters (common
+     * random numbers): comparisons based on the same draws need fewer replicates.
      */
     public SeededRandom pairedRandom() {
         return pairedRandom;
     }
 
-    /** Which replicate of its world and parameters this is, from 0. */
+    /** The number of this replicate for its world and parameters, from 0. */
     public long number() {
         return number;
     }
@@ -76,7 +76,7 @@ public final class Replicate {
     /**
      * A parameter's value.
      *
-     * @throws IllegalArgumentException where it has none
+     * @throws IllegalArgumentException if it has none
      */
     public String text(String parameter) {
         String value = parameters.get(parameter);
@@ -90,7 +90,7 @@ public final class Replicate {
     /**
      * A parameter's value as a number.
      *
-     * @throws IllegalArgumentException where it has none, or it is no number
+     * @throws IllegalArgumentException if it has none, or it is not a number
      */
     public double number(String parameter) {
         String value = text(parameter);
@@ -101,7 +101,7 @@ public final class Replicate {
         }
     }
 
-    /** A parameter's value as a number, or another number where it has none. */
+    /** A parameter's value as a number, or {@code otherwise} if it has none. */
     public double number(String parameter, double otherwise) {
         return has(parameter) ? number(parameter) : otherwise;
     }

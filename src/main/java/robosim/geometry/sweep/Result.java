@@ -6,8 +6,8 @@ import java.util.Map;
 import robosim.geometry.sweep.lines.Names;
 
 /**
- * What a replicate found out: numbers by name, in their order. A name may end in a unit, as in
- * {@code "nearest [world units]"}; tables and plots show it.
+ * The result of a replicate: numbers by name, in order. A name may end in a unit, as in {@code "nearest [world
+ * units]"}; tables and plots show it.
  */
 public final class Result {
     private final Map<String, Double> values;
@@ -17,7 +17,7 @@ public final class Result {
     }
 
     /**
-     * One number.
+     * A result with one number.
      *
      * @param value finite, or {@code +Infinity} where there is none, as for a beam without an echo
      */
@@ -25,7 +25,7 @@ public final class Result {
         return new Result(Map.of()).and(name, value);
     }
 
-    /** One more number behind these. */
+    /** This result with one more number. */
     public Result and(String name, double value) {
         if (name == null || name.isBlank()) {
             throw new IllegalArgumentException("name must have a visible character (got: " + name + ")");

@@ -30,31 +30,33 @@ import robosim.geometry.sweep.lines.Names;
 import robosim.geometry.sweep.lines.ScenarioPrint;
 
 /**
- * A recorded conversation, carried out anew with chance in it: robots that start elsewhere, moves that slip, beams that are
- * held askew, distances with noise. How much of each is a parameter, 0 where it is not given. All draws come from
- * {@link Replicate#pairedRandom()}: replicates of one number differ by their parameters alone.
+ * Replays a recorded conversation with random disturbances: robots that start elsewhere, moves that slip, misaligned
+ * beams, noisy distances. The amount of each is a parameter, 0 by default. All draws come from {@link
+ * Replicate#pairedRandom()}, so replicates of the same number differ only by their parameters.
  */
 public final class ScenarioSweep implements SweepScenario {
-    /** World units: every moveable object starts anywhere in a disc of this radius about its place, where it is free. */
+    /**
+     * Radius in world units: every moveable object starts at a free point in a disc of this radius around its place.
+     */
     public static final String PLACE = "place";
 
-    /** Degrees: and is turned by up to as much to either side. */
+    /** Degrees by which its heading is turned at most, to either side. */
     public static final String HEADING = "heading";
 
-    /** Standard deviation of the length of a move and of its turn, as a share of it. */
+    /** Standard deviation of the length of a move and of its turn, as a fraction of each. */
     public static final String SLIP = "slip";
 
-    /** Degrees: standard deviation of a beam's direction about the vertical. */
+    /** Standard deviation of a beam's direction about the vertical, degrees. */
     public static final String AIM = "aim";
 
-    /** World units: standard deviation of what is added to a distance. */
+    /** Standard deviation of the error added to a distance, world units. */
     public static final String RANGE = "range";
 
     private static final List<String> PARAMETERS = List.of(PLACE, HEADING, SLIP, AIM, RANGE);
 
     private static final long serialVersionUID = 1;
 
-    /** So often a free place is looked for, before an object stays where it is. */
+    /** Number of attempts to find a free place before an object stays where it is. */
     private static final int TRIES = 100;
 
     private final String name;
@@ -64,10 +66,10 @@ public final class ScenarioSweep implements SweepScenario {
     private final InitBundle init;
     private String print = "";
 
-    /** What is asked after the world is there. */
+    /** The requests after the world is made. */
     private final ArrayList<Bundle> requests = new ArrayList<>();
 
-    /** What was answered; null where that is not known. */
+    /** The recorded answers; null if unknown. */
     private final ArrayList<@Nullable Bundle> answers = new ArrayList<>();
 
     private ScenarioSweep(String name, SessionOptions options, InitBundle init) {
@@ -79,9 +81,9 @@ public final class ScenarioSweep implements SweepScenario {
     }
 
     /**
-     * Reads a scenario, which is called as its file without the ending.
+     * Reads a scenario; its name is that of its file without the ending.
      *
-     * @throws ScenarioException where it cannot be read, or has not one world, at its beginning
+     * @throws ScenarioException if it cannot be read, or does not have exactly one world, at its beginning
      */
     public static ScenarioSweep read(Path file) throws IOException {
         Checks.present("file", file);
@@ -147,9 +149,10 @@ public final class ScenarioSweep implements SweepScenario {
     }
 
     /**
-     * Another world for the conversation: all that is in it, and those moveable objects of the conversation that it has not.
+     * Another world for the conversation: its own objects, plus those moveable objects of the conversation that it
+     * lacks.
      *
-     * @throws IllegalArgumentException where one of these would leave it
+     * @throws IllegalArgumentException if one of these would be outside it
      */
     public SweepWorld in(SweepWorld other) {
         Checks.present("world", other);
@@ -195,12 +198,12 @@ public final class ScenarioSweep implements SweepScenario {
     }
 
     private static double amount(Replicate replicate, String parameter) {
-        return replicate.number(parameter, 0); // which the sweep has had checked
+        return replicate.number(parameter, 0); // which the sweep has checked
     }
 
     /**
-     * Puts all upright moveable objects elsewhere nearby, one after the other; answers how many found no free place. Each
-     * has draws of its own, by its name: how often one tries changes none of the next one's.
+     * Moves all upright moveable objects to random places nearby, one after the other; returns how many found no free
+     * place. Each has its own random stream, by its name, so the number of attempts of one does not affect the next.
      */
     private static int scatter(Geometry world, long seed, double radius, double turn) {
         int stuck = 0;
@@ -233,7 +236,7 @@ public final class ScenarioSweep implements SweepScenario {
         return false;
     }
 
-    /** What goes wrong with a request. */
+    /** The random errors of requests. */
     static final class Noise {
         private final SeededRandom random;
         private final double slip;
@@ -278,7 +281,7 @@ public final class ScenarioSweep implements SweepScenario {
             return new SonarRequestBundle(askew);
         }
 
-        /** What a sensor tells of a distance: not below its blind range. */
+        /** A distance as the noisy sensor reports it; not below its blind range. */
         double read(SonarRequest sonar, double distance) {
             double off = range * random.nextGaussian();
             Beam own = sonar.beam() == null ? beam : sonar.beam();

@@ -13,7 +13,7 @@ import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 
-/** What came of a conversation, in numbers. */
+/** Collects the results of a conversation. */
 final class ScenarioTally {
     private int made;
     private int refused;
@@ -25,7 +25,7 @@ final class ScenarioTally {
     private double sum;
     private int changed;
 
-    /** Takes a step in: what was asked when it was recorded, what was asked now, and what came of both. */
+    /** Adds a step: the recorded request, the request made now, and the outcomes of both. */
     void take(Bundle recorded, Bundle request, Reply reply, @Nullable Bundle answer, ScenarioSweep.Noise noise) {
         if (request instanceof MoveBundle moves) {
             takeMoves(((MoveBundle) recorded).moves(), moves.moves(), reply, (MoveBundle) answer);
@@ -74,7 +74,7 @@ final class ScenarioTally {
         }
     }
 
-    /** All of it; {@code stuck} objects found no free place to start from. */
+    /** The result; {@code stuck} is the number of objects that found no free start. */
     Result result(int stuck) {
         return Result.of("moves made", made)
                 .and("moves refused", refused)

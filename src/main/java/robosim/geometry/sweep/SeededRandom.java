@@ -3,8 +3,9 @@ package robosim.geometry.sweep;
 import java.util.random.RandomGenerator;
 
 /**
- * A stream of chance that is the same bits on every JVM for a seed: SplitMix64 (Steele, Lea and Flood 2014). The methods
- * written out here are fixed for good; what else {@link RandomGenerator} offers is the JDK's and may change with it.
+ * A random generator that gives the same bits on every JVM for a seed: SplitMix64 (Steele, Lea and Flood 2014). The
+ * methods implemented here will never change; the others of {@link RandomGenerator} are the JDK's and may change with
+ * it.
  */
 public final class SeededRandom implements RandomGenerator {
     private static final long GOLDEN = 0x9E3779B97F4A7C15L;
@@ -13,7 +14,7 @@ public final class SeededRandom implements RandomGenerator {
     private double spare;
     private boolean hasSpare;
 
-    /** A stream from its beginning. */
+    /** A generator at the beginning of its stream. */
     public SeededRandom(long seed) {
         state = seed;
     }
@@ -29,13 +30,13 @@ public final class SeededRandom implements RandomGenerator {
         return (int) (nextLong() >>> 32);
     }
 
-    /** A whole number from 0 up to, not including, a bound above 0; even. */
+    /** A uniformly distributed whole number from 0 up to, not including, a bound above 0. */
     @Override
     public int nextInt(int bound) {
         if (bound <= 0) {
             throw new IllegalArgumentException("bound must be above 0 (got: " + bound + ")");
         }
-        // 31 bits of chance are cut to a multiple of the bound, so that none comes more often.
+        // 31 random bits are restricted to a multiple of the bound, so that all results are equally likely.
         int most = Integer.MAX_VALUE - (int) ((Integer.MAX_VALUE - bound + 1L) % bound);
         int drawn = (int) (nextLong() >>> 33);
         while (drawn > most) {

@@ -5,13 +5,13 @@ import java.util.SortedMap;
 import robosim.geometry.exact.Checks;
 
 /**
- * How the seed of a replicate is made: from the root seed, the scenario's name, the world's name, the parameters and the
- * number of the replicate, and from nothing else. So a replicate has its seed on whatever thread, shard or machine it is
- * carried out, and keeps it where worlds, values or replicates are added to a sweep.
+ * Derives the seed of a replicate from the root seed, the scenario's name, the world's name, the parameters and the
+ * number of the replicate, and from nothing else. So a replicate has the same seed on any thread, shard or machine, and
+ * keeps it when worlds, values or replicates are added to a sweep.
  *
- * <p>The words are taken in one after the other by {@code h = mix(h ^ word)}, where {@code mix} is the step of SplitMix64
- * (Steele, Lea and Flood 2014, with Stafford's constants): the root seed; each text as its UTF-16 units and then the word
- * 0x10000, which is no unit; the number of the replicate.
+ * <p>The words are mixed in one after the other by {@code h = mix(h ^ word)}, where {@code mix} is the step of
+ * SplitMix64 (Steele, Lea and Flood 2014, with Stafford's constants): the root seed; each string as its UTF-16 code
+ * units followed by the word 0x10000, which is not a code unit; the number of the replicate.
  */
 public final class Seeds {
     private static final long GOLDEN = 0x9E3779B97F4A7C15L;
@@ -32,7 +32,7 @@ public final class Seeds {
         return take(h, replicate);
     }
 
-    /** The seed that replicates of one number have in common in all worlds and for all parameters. */
+    /** The seed shared by replicates of one number in all worlds and for all parameters. */
     public static long paired(long root, String scenario, long replicate) {
         Checks.present("scenario", scenario);
         return take(take(take(0, root), scenario), replicate);
@@ -55,7 +55,7 @@ public final class Seeds {
         return mix((h ^ word) + GOLDEN);
     }
 
-    /** Scatters all 64 bits; one to one. */
+    /** A bijective mix of all 64 bits. */
     static long mix(long number) {
         long z = (number ^ (number >>> 30)) * 0xBF58476D1CE4E5B9L;
         z = (z ^ (z >>> 27)) * 0x94D049BB133111EBL;

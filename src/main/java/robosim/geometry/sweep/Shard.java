@@ -6,17 +6,17 @@ import java.util.regex.Pattern;
 import robosim.geometry.exact.Checks;
 
 /**
- * A part of a sweep that one machine carries out: the shards of one count have no replicate in common and together have all.
- * Every shard has replicates of every world and parameter, so none is left with the long ones.
+ * A part of a sweep that one machine runs: the shards of one count are disjoint and together contain all replicates.
+ * Every shard has replicates of every world and parameter, so that the long ones are spread evenly.
  *
- * @param number which, from 0
- * @param count  of how many
+ * @param number number of the shard, from 0
+ * @param count  number of shards
  */
 public record Shard(int number, int count) implements Serializable {
     private static final long serialVersionUID = 1;
     private static final Pattern FORM = Pattern.compile("(\\d{1,9})/(\\d{1,9})");
 
-    /** Everything. */
+    /** The whole sweep. */
     public static final Shard ALL = new Shard(0, 1);
 
     /** Refuses a number that is not below the count. */

@@ -20,18 +20,19 @@ import robosim.geometry.sweep.lines.Fingerprint;
 import robosim.geometry.sweep.lines.Names;
 
 /**
- * A scenario over worlds, parameters and seeds: every world with every combination of values is a cell, and every cell is
- * carried out so many times. A replicate is known by its index, and its outcome depends on nothing else. A value: each
- * method answers another sweep.
+ * A scenario over worlds, parameters and seeds: every world with every combination of values is a cell, and every cell
+ * has the same number of replicates. A replicate is identified by its index, and its outcome depends on nothing else.
+ * Immutable: each method returns another sweep.
  *
- * <p>Safe to use from many threads at once, and serializable where its scenario is; the worlds' static objects are shared by
- * all replicates. The parameters {@link #ACCURACY} and {@link #DIMENSION} set the world's own; all others are the scenario's.
+ * <p>Safe to use from many threads at once, and serializable if its scenario is; the worlds' static objects are shared
+ * by all replicates. The parameters {@link #ACCURACY} and {@link #DIMENSION} set the world's own; all others are the
+ * scenario's.
  */
 public final class Sweep implements Serializable {
-    /** The parameter whose value is an {@link Accuracy}, and is the world's. */
+    /** The parameter that sets the world's {@link Accuracy}. */
     public static final String ACCURACY = "accuracy";
 
-    /** The parameter whose value is a {@link Dimension}, and is the world's. */
+    /** The parameter that sets the world's {@link Dimension}. */
     public static final String DIMENSION = "dimension";
 
     private static final long serialVersionUID = 1;
@@ -64,19 +65,19 @@ public final class Sweep implements Serializable {
         this.seed = seed;
     }
 
-    /** A scenario, over no worlds yet; one replicate of each cell, root seed 0. */
+    /** A sweep over no worlds yet, with one replicate of each cell and root seed 0. */
     public static Sweep of(SweepScenario scenario) {
         Checks.present("scenario", scenario);
         return of(scenario.name(), scenario);
     }
 
-    /** The same under a name of one's own, for a lambda that has none. */
+    /** The same with a given name, for a lambda, which has none. */
     public static Sweep of(String name, SweepScenario scenario) {
         Checks.present("scenario", scenario);
         return new Sweep(name, scenario, List.of(), Map.of(), 1, 0);
     }
 
-    /** Over one world more. */
+    /** This sweep over one more world. */
     public Sweep over(SweepWorld world) {
         Checks.present("world", world);
         if (worlds.stream().anyMatch(each -> each.name().equals(world.name()))) {
@@ -88,9 +89,9 @@ public final class Sweep implements Serializable {
     }
 
     /**
-     * Over the values of a parameter, in this order; they take the place of earlier ones.
+     * This sweep over the values of a parameter, in this order; they replace earlier ones.
      *
-     * @throws IllegalArgumentException where a value is none of the parameter, or the scenario {@linkplain
+     * @throws IllegalArgumentException if a value is not valid for the parameter, or the scenario {@linkplain
      *                                  SweepScenario#check refuses} it
      */
     public Sweep vary(String parameter, String... values) {
@@ -125,7 +126,7 @@ public final class Sweep implements Serializable {
         }
     }
 
-    /** With so many replicates of each cell, at least 1. */
+    /** This sweep with another number of replicates of each cell, at least 1. */
     public Sweep replicates(long number) {
         if (number < 1 || number > Integer.MAX_VALUE) {
             throw new IllegalArgumentException(
@@ -134,12 +135,12 @@ public final class Sweep implements Serializable {
         return new Sweep(name, scenario, worlds, parameters, number, seed);
     }
 
-    /** With another root seed. */
+    /** This sweep with another root seed. */
     public Sweep seed(long root) {
         return new Sweep(name, scenario, worlds, parameters, replicates, root);
     }
 
-    /** What its results are filed under, and what makes it this sweep. */
+    /** The header of its results, which identifies the sweep. */
     public SweepHeader header() {
         Map<String, String> prints = new LinkedHashMap<>();
         worlds.forEach(world -> prints.put(world.name(), Fingerprint.of(world.snapshot())));
@@ -149,9 +150,9 @@ public final class Sweep implements Serializable {
     }
 
     /**
-     * How many worlds with how many combinations of values there are.
+     * The number of cells: worlds times combinations of values.
      *
-     * @throws IllegalStateException where there is no world yet, and so nothing that could be carried out
+     * @throws IllegalStateException if there is no world yet
      */
     public long cells() {
         long cells = worlds.size();
@@ -165,9 +166,9 @@ public final class Sweep implements Serializable {
     }
 
     /**
-     * How many replicates there are in all.
+     * The total number of replicates.
      *
-     * @throws IllegalStateException where there is no world yet
+     * @throws IllegalStateException if there is no world yet
      */
     public long size() {
         return times(cells(), replicates);
@@ -180,7 +181,7 @@ public final class Sweep implements Serializable {
         return count * by;
     }
 
-    /** Whether a replicate is of a shard. */
+    /** Whether a replicate belongs to a shard. */
     public boolean isOf(Shard shard, long index) {
         Checks.present("shard", shard);
         return shard.has(index % cells(), index / cells());
@@ -199,7 +200,7 @@ public final class Sweep implements Serializable {
     }
 
     /**
-     * Carries out one replicate. Safe to call from many threads at once.
+     * Runs one replicate. Safe to call from many threads at once.
      *
      * @param index from 0 up to, not including, {@link #size()}
      */
@@ -222,7 +223,7 @@ public final class Sweep implements Serializable {
         } catch (StackOverflowError e) {
             return Outcome.failed(index, world.name(), values, number, own, e);
         } catch (VirtualMachineError e) {
-            throw e; // the machine has no memory left, or is broken: the next replicate would fare no better
+            throw e; // out of memory or a broken JVM: the next replicate would fail too
         } catch (Throwable e) {
             return Outcome.failed(index, world.name(), values, number, own, e);
         }

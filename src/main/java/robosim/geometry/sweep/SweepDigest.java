@@ -6,14 +6,14 @@ import robosim.geometry.exact.Checks;
 import robosim.geometry.sweep.lines.Fingerprint;
 
 /**
- * A digest of a whole sweep's results: the same wherever and in whatever parts they were found. It takes in the header and
+ * A digest of a sweep's results: the same on any machine and for any division into shards. It covers the header and
  * each outcome in the order of their indices, numbers by their bits.
  */
 public final class SweepDigest {
     private final Fingerprint print = new Fingerprint();
     private long last = -1;
 
-    /** Of a sweep's header, and no outcome yet. */
+    /** A digest of a sweep's header, without outcomes yet. */
     public SweepDigest(SweepHeader header) {
         Checks.present("header", header);
         print.add(header.scenario()).add(header.print()).add(header.seed()).add(header.replicates());
@@ -26,7 +26,7 @@ public final class SweepDigest {
         texts.forEach((name, text) -> print.add(name).add(text));
     }
 
-    /** Takes in the next outcome. */
+    /** Adds the next outcome. */
     public void add(Outcome outcome) {
         Checks.present("outcome", outcome);
         if (outcome.index() <= last) {
@@ -43,7 +43,7 @@ public final class SweepDigest {
         print.add(error == null ? "" : error);
     }
 
-    /** The digest, 64 hexadecimal digits; ends the taking in. */
+    /** The digest, 64 hexadecimal digits; nothing can be added after that. */
     public String hex() {
         return print.hex();
     }

@@ -5,7 +5,7 @@ import java.nio.file.FileSystemException;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 
-/** A file of results that cannot be used, with its name, the number of the line and why. */
+/** A file of results cannot be used; names the file, the line and the reason. */
 public final class SweepException extends IOException {
     private static final long serialVersionUID = 1;
 
@@ -17,7 +17,7 @@ public final class SweepException extends IOException {
         super(message, cause);
     }
 
-    /** A failure that names its file: what a full disk says does not. */
+    /** A failure with the file's name, which the message of a full disk lacks. */
     static IOException on(Path file, IOException failure) {
         return failure instanceof SweepException || failure instanceof FileSystemException
                 ? failure

@@ -14,11 +14,12 @@ import robosim.geometry.protocol.json.JsonRecord;
 import robosim.geometry.sweep.lines.ChecksummedLine;
 
 /**
- * Reads a file of results once, line by line. A last line that broke off, as a killed writer leaves it, is passed over: one
- * without a line feed, and the first one only where it is how such a file begins. All else is refused, and so kept.
+ * Reads a file of results once, line by line. An incomplete last line, as a killed writer leaves it, is skipped: one
+ * without a line feed, and if it is the first line, only if such a file begins like it. Anything else is refused, and
+ * the file left as it is.
  */
 final class SweepFile {
-    /** A line longer than this is no outcome. */
+    /** Maximum length of an outcome's line, bytes. */
     private static final int MOST_BYTES = 1 << 24;
 
     private static final String HEADER = "{\"type\":\"sweep\",";
@@ -29,7 +30,7 @@ final class SweepFile {
     private long end;
     private long torn;
 
-    /** Sees an outcome and where its line stands. */
+    /** Receives an outcome and the position of its line. */
     @FunctionalInterface
     interface Reader {
         void read(Outcome outcome, long offset, int length) throws IOException;
@@ -40,12 +41,12 @@ final class SweepFile {
         this.beginning = beginning;
     }
 
-    /** Reads all of a file of results of any sweep. */
+    /** Reads a file of results of any sweep. */
     static SweepFile read(Path file, Reader reader) throws IOException {
         return read(file, HEADER, reader);
     }
 
-    /** Reads all of a file that a run of a sweep is to go on with. */
+    /** Reads a file that a run of a sweep is to continue. */
     static SweepFile read(Path file, SweepHeader own, Reader reader) throws IOException {
         return read(file, own.sealed(), reader);
     }
@@ -60,18 +61,18 @@ final class SweepFile {
         return read;
     }
 
-    /** Which sweep the results are of; null where nothing but a torn line is here. */
+    /** The header of the results; null if the file has only an incomplete line. */
     @Nullable
     SweepHeader header() {
         return header;
     }
 
-    /** Where the last whole line ends. */
+    /** The position at which the last complete line ends. */
     long end() {
         return end;
     }
 
-    /** The number of the last line where that breaks off; 0 otherwise. */
+    /** The number of the last line if it is incomplete; 0 otherwise. */
     long torn() {
         return torn;
     }
@@ -113,14 +114,14 @@ final class SweepFile {
         if (line[line.length - 1] == '\n') {
             return false;
         }
-        // A byte a character: it may have broken off within one.
+        // One char per byte, since the line may end within a character.
         String text = new String(line, StandardCharsets.ISO_8859_1);
         String whole = new String(beginning.getBytes(StandardCharsets.UTF_8), StandardCharsets.ISO_8859_1);
-        // Where it is not known which sweep's it is, it may go on behind what all headers have in common.
+        // If the sweep is not known, the line may continue after what all headers have in common.
         return number > 1 || whole.startsWith(text) || (beginning.equals(HEADER) && text.startsWith(HEADER));
     }
 
-    /** The first line, or one that another run began with that goes on with more replicates. */
+    /** Reads the first line, or the header that a continuing run with more replicates began with. */
     private static SweepHeader header(String line, @Nullable SweepHeader before) throws ProtocolException {
         JsonRecord record = JsonRecord.read(line);
         if (!record.has("type") || !record.text("type").equals("sweep")) {
@@ -134,7 +135,7 @@ final class SweepFile {
         return before == null || header.replicates() > before.replicates() ? header : before;
     }
 
-    /** The next line with its line feed, without one where it breaks off; null at the end. */
+    /** The next line with its line feed, or without one if it is incomplete; null at the end. */
     private byte @Nullable [] line(InputStream in) throws IOException {
         ByteArrayOutputStream line = new ByteArrayOutputStream(512);
         for (int next = in.read(); next >= 0; next = in.read()) {

@@ -13,13 +13,14 @@ import robosim.geometry.protocol.json.JsonRecord;
 import robosim.geometry.sweep.lines.ChecksummedLine;
 
 /**
- * What a file of results begins with: which sweep they are of.
+ * The header of a file of results, which identifies the sweep.
  *
- * @param scenario   its name
- * @param print      what tells it from another of that name; empty where nothing does, see {@link SweepScenario#fingerprint()}
+ * @param scenario   the scenario's name
+ * @param print      the scenario's fingerprint, which tells it from another of that name; may be empty, see {@link
+ *     SweepScenario#fingerprint()}
  * @param seed       the root seed
- * @param replicates of each cell
- * @param worlds     by name, what tells one world from another: a digest of its objects
+ * @param replicates number of replicates of each cell
+ * @param worlds     by name, a digest of each world's objects
  * @param parameters by name, the values with commas between them
  */
 public record SweepHeader(
@@ -29,12 +30,12 @@ public record SweepHeader(
         long replicates,
         Map<String, String> worlds,
         Map<String, String> parameters) {
-    /** Of the format. */
+    /** The version of the format. */
     public static final int VERSION = 1;
 
     private static final long MOST = 1L << 53;
 
-    /** How many replicates the whole sweep has. */
+    /** The number of replicates of the whole sweep. */
     public long size() {
         long cells = worlds.size();
         for (String values : parameters.values()) {
@@ -43,13 +44,13 @@ public record SweepHeader(
         return cells * replicates;
     }
 
-    /** Whether another sweep is the same but for how many replicates there are of each cell. */
+    /** Whether another sweep is the same except for the number of replicates of each cell. */
     public boolean isOfSame(SweepHeader other) {
         Checks.present("other", other);
         return line(0).equals(other.line(0));
     }
 
-    /** In what another sweep is not the same, in words that can follow "it has". */
+    /** How another sweep differs, in words that can follow "it has". */
     String differences(SweepHeader other) {
         List<String> differences = new ArrayList<>();
         differ(differences, "scenario", scenario, other.scenario);
@@ -76,7 +77,7 @@ public record SweepHeader(
         }
     }
 
-    /** Refuses an outcome of which index, world, values, replicate and seed do not belong together in this sweep. */
+    /** Refuses an outcome whose index, world, values, replicate and seed do not belong together in this sweep. */
     void check(Outcome outcome) {
         long cells = size() / replicates;
         if (cells < 1) {
@@ -107,12 +108,14 @@ public record SweepHeader(
         }
     }
 
-    /** The line that a file of results begins with, with its check sum. */
+    /** The first line of a file of results, with its checksum. */
     public String sealed() {
         return ChecksummedLine.seal(line());
     }
 
-    /** Refuses what could be written and not read again: the values of a parameter together may be too long. */
+    /**
+     * Refuses a header that could be written but not read again: the values of a parameter may be too long together.
+     */
     void check() {
         try {
             if (equals(of(JsonRecord.read(line())))) {
@@ -126,7 +129,7 @@ public record SweepHeader(
                 "the header of a file of results must be readable again (got: " + this + ")");
     }
 
-    /** The line of a file, without its check sum. */
+    /** The line of a file, without its checksum. */
     String line() {
         return line(replicates);
     }

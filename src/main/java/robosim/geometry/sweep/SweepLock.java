@@ -11,15 +11,15 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * Keeps a second run away from a file of results, in this process and in any other. What is locked is a file of its own
- * beside it, {@code FILE.lock}: the results themselves are opened to be read and replaced at the end, and where any channel
- * of a file is closed, POSIX drops all locks that the process has on it. It is never removed: a run that had opened it just
- * before would lock a file that nobody else finds any more.
+ * Prevents two runs from writing to the same file of results, in this process or any other. The lock is held on a
+ * separate file next to it, {@code FILE.lock}, because the results themselves are opened for reading and replaced at
+ * the end, and when any channel of a file is closed, POSIX drops all locks of the process on that file. The lock file
+ * is never removed: a run that had opened it just before would hold a lock on a file that no other run finds any more.
  */
 final class SweepLock implements AutoCloseable {
     static final String ENDING = ".lock";
 
-    /** Those of this process: to open and close a second channel would drop the first one's lock. */
+    /** The locks of this process: opening and closing a second channel would drop the first one's lock. */
     private static final Set<Path> HELD = ConcurrentHashMap.newKeySet();
 
     private final Path path;
@@ -33,9 +33,9 @@ final class SweepLock implements AutoCloseable {
     }
 
     /**
-     * Locks what is beside a file of results, which may not be there yet.
+     * Locks a file of results, which need not exist yet.
      *
-     * @throws SweepException where another run has it
+     * @throws SweepException if another run has it
      */
     static SweepLock of(Path file) throws IOException {
         Path path = path(file);
@@ -66,7 +66,7 @@ final class SweepLock implements AutoCloseable {
         }
     }
 
-    /** The same whatever way leads to the file. */
+    /** The same path for all aliases of the file. */
     private static Path path(Path file) throws IOException {
         Path real;
         if (Files.exists(file)) {
@@ -82,7 +82,7 @@ final class SweepLock implements AutoCloseable {
         return real.resolveSibling(real.getFileName() + ENDING);
     }
 
-    /** Whether it holds yet. */
+    /** Whether the lock is still held. */
     boolean isValid() {
         return lock.isValid();
     }

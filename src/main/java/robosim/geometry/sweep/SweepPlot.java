@@ -45,14 +45,14 @@ public final class SweepPlot {
         }
     }
 
-    /** The picture. */
+    /** The plot as SVG. */
     public static String svg(SweepHeader header, SweepSummary summary) {
         Checks.present("header", header);
         Checks.present("summary", summary);
         return new SweepPlot(header, summary).figure().svg();
     }
 
-    /** The parameter with the most values, all numbers; null where none has two. */
+    /** The parameter with the most values, all of them numbers; null if none has two. */
     private static @Nullable String longest(SweepHeader header) {
         String best = null;
         int most = 1;
@@ -128,7 +128,7 @@ public final class SweepPlot {
         return all;
     }
 
-    /** Whether a number is the same in all replicates, or there is none in any. */
+    /** Whether a number is the same in all replicates, or absent in all. */
     private boolean isOne(String number) {
         double first = all(number).get(0).min();
         return all(number).stream()
@@ -151,7 +151,7 @@ public final class SweepPlot {
         List<Series> series = new ArrayList<>();
         for (Map.Entry<String, Map<String, Map<String, SweepSummary.Spread>>> line : lines.entrySet()) {
             int row = series.size();
-            // Side by side where lines meet.
+            // Shifted sideways so that error bars do not overlap.
             double aside = ASIDE * apart * (row - (lines.size() - 1) / 2.0);
             List<Series.Dot> dots = new ArrayList<>();
             for (int k = 0; k < places.size(); k++) {

@@ -19,8 +19,8 @@ import robosim.geometry.exact.Checks;
 import robosim.geometry.sweep.lines.ChecksummedLine;
 
 /**
- * The results of one sweep, in one file or in those of its shards; read from there whenever they are asked for, in the order
- * of their indices.
+ * The results of one sweep, in one file or in those of its shards; read from the files on demand, in the order of their
+ * indices.
  */
 public final class SweepResults {
     private final List<Path> files;
@@ -28,7 +28,7 @@ public final class SweepResults {
     private final List<Entry> entries;
     private long torn;
 
-    /** Where the line of an outcome stands. */
+    /** The position of an outcome's line. */
     private record Entry(long index, int file, long offset, int length) {}
 
     private SweepResults(List<Path> files, SweepHeader header, List<Entry> entries) {
@@ -38,9 +38,10 @@ public final class SweepResults {
     }
 
     /**
-     * Reads files of results. Where two have the same replicate, both must say the same of it.
+     * Reads files of results. If two contain the same replicate, their outcomes must be equal.
      *
-     * @throws SweepException naming file and line, where one is none, is damaged, or is of another sweep
+     * @throws SweepException if a file is not one of results, is damaged, or belongs to another sweep; names file and
+     *     line
      */
     public static SweepResults read(List<Path> files) throws IOException {
         Checks.list("files", files);
@@ -55,7 +56,7 @@ public final class SweepResults {
             torn += file.torn() > 0 ? 1 : 0;
             SweepHeader own = file.header();
             if (own == null) {
-                continue; // it was killed before it had written anything
+                continue; // its run was killed before it had written anything
             }
             if (header != null && !own.isOfSame(header)) {
                 throw new SweepException(files.get(k) + ": it must be of the same sweep as the others; it has "
@@ -93,22 +94,22 @@ public final class SweepResults {
         }
     }
 
-    /** Which sweep they are of. */
+    /** The header of the sweep. */
     public SweepHeader header() {
         return header;
     }
 
-    /** How many there are. */
+    /** The number of results. */
     public long size() {
         return entries.size();
     }
 
-    /** How many files end in a line that broke off, which was passed over. */
+    /** The number of files that end in an incomplete line, which was skipped. */
     public long torn() {
         return torn;
     }
 
-    /** Shows all outcomes by ascending index. */
+    /** Passes all outcomes to a consumer, by ascending index. */
     public void forEach(Consumer<Outcome> consumer) throws IOException {
         Checks.present("consumer", consumer);
         try (Lines lines = new Lines()) {
@@ -129,7 +130,7 @@ public final class SweepResults {
         return digest.hex();
     }
 
-    /** Writes all of them into one file by ascending index, which is there when it is whole. */
+    /** Writes all of them to one file by ascending index; the file appears only when it is complete. */
     public void write(Path file) throws IOException {
         write(file, header);
     }
@@ -150,11 +151,11 @@ public final class SweepResults {
         Files.move(half, absolute, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
     }
 
-    /** The files, few of them open at a time: who merges thousands of shards has no room for all. */
+    /** The files, of which only a few are open at a time, since there may be thousands of shards. */
     private final class Lines implements AutoCloseable {
         private static final int MOST_OPEN = 64;
 
-        /** The one that was read longest ago comes first. */
+        /** The least recently read file comes first. */
         private final Map<Integer, RandomAccessFile> open = new LinkedHashMap<>(16, 0.75f, true);
 
         String line(Entry entry) throws IOException {

@@ -19,10 +19,11 @@ import robosim.geometry.exact.Checks;
 import robosim.geometry.sweep.lines.SweepLines;
 
 /**
- * Carries out a sweep, or a shard of it, on some threads, into a file. Each outcome is appended when it is there, as a line
- * with a check sum: who is killed loses what was under way, one replicate a thread. At the end the file is written anew in
- * the order of the indices: its bytes then do not tell how many threads there were, or how often it was killed. All the
- * while an empty file beside it, {@code FILE.lock}, which stays, keeps other runs away.
+ * Runs a sweep, or a shard of it, on a number of threads and writes the results to a file. Each outcome is appended
+ * when it is known, as a line with a checksum; if the process is killed, only the replicates under way are lost, one
+ * per thread. At the end the file is rewritten in the order of the indices, so that its bytes do not depend on the
+ * number of threads or on interruptions. Meanwhile an empty file next to it, {@code FILE.lock}, which remains, keeps
+ * other runs from writing to it.
  */
 public final class SweepRun {
     private final Sweep sweep;
@@ -37,21 +38,21 @@ public final class SweepRun {
         this.file = file;
     }
 
-    /** A sweep into a new file; all of it, on one thread. */
+    /** A run of the whole sweep into a new file, on one thread. */
     public static SweepRun of(Sweep sweep, Path file) {
         Checks.present("sweep", sweep);
         Checks.present("file", file);
         return new SweepRun(sweep, file);
     }
 
-    /** Only this part of it. */
+    /** A run of only this part of the sweep. */
     public SweepRun shard(Shard part) {
         Checks.present("shard", part);
         shard = part;
         return this;
     }
 
-    /** On so many threads, at least 1. */
+    /** A run on a number of threads, at least 1. */
     public SweepRun threads(int count) {
         if (count < 1) {
             throw new IllegalArgumentException("threads must be at least 1 (got: " + count + ")");
@@ -61,15 +62,15 @@ public final class SweepRun {
     }
 
     /**
-     * Goes on where the file ends, if there is one: of the same sweep, maybe with fewer replicates of each cell. What is
-     * there is not carried out again.
+     * A run that continues an existing file, if there is one, of the same sweep, possibly with fewer replicates of each
+     * cell. Replicates in the file are not run again.
      */
     public SweepRun resume() {
         isResumed = true;
         return this;
     }
 
-    /** Told, from any of the threads, how many replicates of the shard are done. */
+    /** A run with a listener that is called, on any of the threads, with the number of replicates done. */
     public SweepRun progress(LongConsumer listener) {
         Checks.present("progress", listener);
         progress = listener;
@@ -77,9 +78,9 @@ public final class SweepRun {
     }
 
     /**
-     * How many replicates the shard has.
+     * The number of replicates of the shard.
      *
-     * @throws IllegalArgumentException where the sweep has more than {@link #run()} can carry out
+     * @throws IllegalArgumentException if the sweep has more than {@link #run()} supports
      */
     public long size() {
         checkSize();
@@ -93,9 +94,9 @@ public final class SweepRun {
     /**
      * Carries it out.
      *
-     * @return the results, also of earlier runs
-     * @throws SweepException where the file is there already, or is of another sweep, or cannot be written
-     * @throws IllegalArgumentException where the sweep has too many replicates, or what its file begins with is too long
+     * @return the results, those of earlier runs included
+     * @throws SweepException if the file already exists, belongs to another sweep, or cannot be written
+     * @throws IllegalArgumentException if the sweep has too many replicates, or its header is too long
      */
     public SweepResults run() throws IOException, InterruptedException {
         SweepHeader header = checked();
@@ -117,7 +118,7 @@ public final class SweepRun {
         }
     }
 
-    /** Its header, where all of the sweep can be carried out and read again. */
+    /** The header, after checking that the sweep can be run and its results read again. */
     private SweepHeader checked() {
         checkSize();
         SweepHeader header = sweep.header();
@@ -136,7 +137,7 @@ public final class SweepRun {
         return new SweepException(file + ": it must be a new file, or resume it (got: one that is there)", cause);
     }
 
-    /** Finds what is done already, drops a line that broke off, and appends what is missing. */
+    /** Finds the replicates already done, drops an incomplete last line, and appends the missing results. */
     private void append(SweepHeader header) throws IOException, InterruptedException {
         BitSet done = new BitSet();
         BitSet beyond = new BitSet();
@@ -161,7 +162,7 @@ public final class SweepRun {
                 whole.truncate(before.end());
             }
         }
-        // No channel: that would be closed by a scenario that leaves its thread interrupted.
+        // Not a channel, which would be closed if a scenario left its thread interrupted.
         try (FileOutputStream out = new FileOutputStream(file.toFile(), true)) {
             SweepLines lines = new SweepLines(out);
             if (old == null || old.replicates() != header.replicates()) {
@@ -190,7 +191,7 @@ public final class SweepRun {
                         index = next.getAndIncrement()) {
                     if (sweep.isOf(shard, index) && !done.get((int) index)) {
                         String line = sweep.run(index).sealed();
-                        Thread.interrupted(); // of the scenario's doing: nobody else knows this thread
+                        Thread.interrupted(); // set by the scenario: no other code knows this thread
                         if (!lines.append(line)) {
                             return;
                         }

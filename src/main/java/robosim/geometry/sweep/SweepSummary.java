@@ -9,23 +9,26 @@ import java.util.function.Consumer;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.NumberText;
 
-/** What the replicates of each cell found out, on average: to be shown all outcomes by ascending index. */
+/** Averages over the replicates of each cell. Must be given all outcomes by ascending index. */
 public final class SweepSummary implements Consumer<Outcome> {
     private final Map<Cell, Map<String, Spread>> cells = new LinkedHashMap<>();
     private final Map<Cell, Integer> failed = new LinkedHashMap<>();
 
-    /** Of no outcome yet. */
+    /** A summary without outcomes yet. */
     public SweepSummary() {}
 
     /**
      * A world with one combination of values.
      *
-     * @param world      by name
+     * @param world      the world's name
      * @param parameters the values, by name
      */
     public record Cell(String world, Map<String, String> parameters) {}
 
-    /** One number over the replicates of a cell; what has no value, a beam without an echo, is counted for itself. */
+    /**
+     * Statistics of one number over the replicates of a cell; replicates without a value, as for a beam without an
+     * echo, are counted separately.
+     */
     public static final class Spread {
         private long count;
         private long none;
@@ -41,7 +44,7 @@ public final class SweepSummary implements Consumer<Outcome> {
                 none++;
                 return;
             }
-            // Welford 1962: no sum of squares to take another from.
+            // Welford 1962: avoids the cancellation in a difference of sums of squares.
             count++;
             double off = value - mean;
             mean += off / count;
@@ -50,37 +53,37 @@ public final class SweepSummary implements Consumer<Outcome> {
             max = Math.max(max, value);
         }
 
-        /** How many values there are. */
+        /** The number of values. */
         public long count() {
             return count;
         }
 
-        /** In how many replicates there was none. */
+        /** The number of replicates without a value. */
         public long none() {
             return none;
         }
 
-        /** Their mean; NaN where there is none. */
+        /** The mean; NaN if there are no values. */
         public double mean() {
             return count == 0 ? Double.NaN : mean;
         }
 
-        /** Their standard deviation, of a sample; 0 for a single one. */
+        /** The sample standard deviation; 0 for a single value. */
         public double deviation() {
             return count < 2 ? 0 : Math.sqrt(squares / (count - 1));
         }
 
-        /** Half the width of the interval that holds the true mean 95 times of 100, where there are many. */
+        /** Half the width of the 95 % confidence interval of the mean, for many values. */
         public double margin() {
             return count < 2 ? 0 : 1.96 * deviation() / Math.sqrt((double) count);
         }
 
-        /** The least, {@code +Infinity} where there is none. */
+        /** The minimum; {@code +Infinity} if there are no values. */
         public double min() {
             return min;
         }
 
-        /** The greatest. */
+        /** The maximum. */
         public double max() {
             return max;
         }
@@ -97,12 +100,12 @@ public final class SweepSummary implements Consumer<Outcome> {
                         spreads.computeIfAbsent(name, n -> new Spread()).add(value));
     }
 
-    /** By cell and number, in the order in which they came first. */
+    /** The statistics by cell and number, in order of first appearance. */
     public Map<Cell, Map<String, Spread>> cells() {
         return Collections.unmodifiableMap(cells);
     }
 
-    /** How many replicates failed. */
+    /** The number of replicates that failed. */
     public long failures() {
         return failed.values().stream().mapToLong(Integer::longValue).sum();
     }
@@ -149,7 +152,7 @@ public final class SweepSummary implements Consumer<Outcome> {
         return row;
     }
 
-    /** Five digits, without needless zeros. */
+    /** A number to five digits, without trailing zeros. */
     static String number(double number) {
         if (number == Math.rint(number) && Math.abs(number) < 1e9) {
             return String.valueOf((long) number);

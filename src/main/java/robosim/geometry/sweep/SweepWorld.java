@@ -16,15 +16,16 @@ import robosim.geometry.sweep.lines.Names;
 import robosim.geometry.world.WorldReader;
 
 /**
- * A world of a sweep under a name.
+ * A world of a sweep, with a name.
  *
- * @param name     what results are filed under, without the characters {@code /}, {@code ,} and blanks; seeds are made from it
- * @param snapshot the world as every replicate finds it
+ * @param name     the name in the results, without the characters {@code /}, {@code ,} and blanks; seeds are derived
+ *     from it
+ * @param snapshot the world with which every replicate begins
  */
 public record SweepWorld(String name, Snapshot snapshot) implements Serializable {
     private static final long serialVersionUID = 1;
 
-    /** Refuses a name that could not be told from two. */
+    /** Refuses a name with characters that separate names. */
     public SweepWorld {
         Checks.present("snapshot", snapshot);
         Names.check("name of a world", name);
@@ -32,9 +33,9 @@ public record SweepWorld(String name, Snapshot snapshot) implements Serializable
     }
 
     /**
-     * Reads a world file; the world is called as the file without its ending.
+     * Reads a world file; the world's name is that of the file without its ending.
      *
-     * @throws IOException where it cannot be read or is no world
+     * @throws IOException if it cannot be read or is not a world
      */
     public static SweepWorld read(Path file) throws IOException {
         Checks.present("file", file);
@@ -42,11 +43,11 @@ public record SweepWorld(String name, Snapshot snapshot) implements Serializable
                 Names.of(file), WorldReader.read(file).toGeometry().snapshot());
     }
 
-    /** This world in the dimension and accuracy that parameters ask for, built once for all threads. */
+    /** This world in the dimensions and accuracies that parameters ask for, each built once for all threads. */
     static final class Views {
         private record View(int world, Dimension dimension, Accuracy accuracy) {}
 
-        /** A world, or why there is none: it is not tried again for each replicate. */
+        /** A world, or why it could not be made, so that it is not tried again for each replicate. */
         private record Made(
                 @Nullable Snapshot snapshot, @Nullable RuntimeException failure) {}
 

@@ -1,6 +1,6 @@
 /**
- * A scenario carried out over worlds, parameters and seeds, on any number of threads and machines, with the same results to
- * the bit. {@code docs/sweep.md} tells the formats and how seeds are made.
+ * Runs a scenario over worlds, parameters and seeds, on any number of threads and machines, with results that are the
+ * same to the bit. {@code docs/sweep.md} describes the formats and how seeds are derived.
  *
  * <!-- java: given SweepScenario wayOut -->
  * <pre>{@code
@@ -12,7 +12,7 @@
  * SweepRun.of(sweep, Path.of("way-out.jsonl")).threads(4).run();
  * }</pre>
  *
- * <p>Needs Jackson's core beside the module, as JSON lines do.
+ * <p>Requires Jackson's core, as JSON lines do.
  */
 @NullMarked
 package robosim.geometry.sweep;

@@ -16,22 +16,22 @@ import java.nio.file.attribute.PosixFileAttributeView;
 import java.util.concurrent.ThreadLocalRandom;
 import robosim.geometry.exact.Checks;
 
-/** Writes a file, all of it or nothing: an earlier file of the name stays as it was until the new one is whole. */
+/** Writes a file atomically: an existing file stays as it was until the new one is complete. */
 public final class AtomicFileWriter {
-    /** What a file is to hold. */
+    /** The content of a file. */
     @FunctionalInterface
     public interface Content {
-        /** Writes all of it; the stream is closed by who gave it. */
+        /** Writes all of it; the caller closes the stream. */
         void writeTo(OutputStream out) throws IOException;
     }
 
     private AtomicFileWriter() {}
 
     /**
-     * Writes a file by another one of a new name beside it, which is gone in the end, whatever happens. Where the name is
-     * a link, what it leads to is written; what is no regular file, like a device, is written directly.
+     * Writes a file through a temporary file in the same folder, which is removed in any case. If the name is a link,
+     * its target is written; anything that is not a regular file, such as a device, is written directly.
      *
-     * @throws IOException naming the file that was asked for
+     * @throws IOException naming the file given
      */
     public static void write(Path file, Content content) throws IOException {
         Checks.present("file", file);
@@ -43,7 +43,7 @@ public final class AtomicFileWriter {
             }
             return;
         }
-        // Not Files.createTempFile, which lets nobody but the user read the file.
+        // Not Files.createTempFile, which makes the file readable by the user only.
         Path half = target.resolveSibling("." + target.getFileName() + "."
                 + Long.toHexString(ThreadLocalRandom.current().nextLong()) + ".tmp");
         OutputStream opened;
@@ -79,7 +79,7 @@ public final class AtomicFileWriter {
         }
     }
 
-    /** The failure by the name that the user gave. */
+    /** The failure with the file name that the user gave. */
     private static FileSystemException named(Path file, FileSystemException failure) {
         FileSystemException named;
         if (failure instanceof NoSuchFileException) {

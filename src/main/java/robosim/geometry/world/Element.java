@@ -9,7 +9,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.world.xml.Text;
 
-/** An element that is being read: its attributes, where it began, and what its children gave so far. */
+/** An XML element that is being read: its attributes, where it began, and what its children have yielded so far. */
 final class Element {
     final @Nullable Element parent;
     final String namespace;
@@ -29,7 +29,7 @@ final class Element {
     @Nullable
     GeometryObject bounds;
 
-    /** Whether it was refused, or what is in it: nothing can be made of it. */
+    /** Whether it or something in it was refused, so that no object can be made of it. */
     boolean broken;
 
     Element(@Nullable Element parent, String namespace, String name, Attributes attributes, int line, int column) {
@@ -42,12 +42,12 @@ final class Element {
         this.text = new Text(column);
     }
 
-    /** Whether its content is numbers. */
+    /** Whether its content is text, that is, numbers. */
     boolean takesText() {
         return name.equals("vertices") || name.equals("triangles") || name.equals("quads");
     }
 
-    /** The value of an attribute, or null where it was left out. */
+    /** The value of an attribute, or null if it was left out. */
     @Nullable
     String attribute(String attribute) {
         int index = attributes.getIndex("", attribute);
@@ -64,7 +64,7 @@ final class Element {
         return value.equals("true") || value.equals("1");
     }
 
-    /** How many groups there are around what is in this element. */
+    /** The nesting depth of groups for the content of this element. */
     int groups() {
         int around = parent == null ? 0 : parent.groups();
         return name.equals("group") ? around + 1 : around;

@@ -7,15 +7,15 @@ import robosim.geometry.world.mesh.MeshFiles;
 import robosim.geometry.world.rosmap.MapWalls;
 
 /**
- * What the files of other formats do not say for themselves.
+ * Options for information that files of other formats do not contain.
  *
- * @param wallHeight metres of the walls of a map of ROS, which has none of its own; above 0
- * @param scale      world units for each unit of a mesh file; above 0
+ * @param wallHeight height in metres of the walls of a ROS map, which does not specify it; above 0
+ * @param scale      world units per unit of a mesh file; above 0
  * @param up         which axis of a mesh file points up
  * @param models     folders whose subfolders are models, for SDFormat's {@code model://}
  */
 public record ImportOptions(double wallHeight, double scale, Up up, List<Path> models) {
-    /** Walls as high as a door, meshes as they are, no folders of models. */
+    /** Walls as high as a door, meshes unscaled, no model folders. */
     public static final ImportOptions DEFAULT = new ImportOptions(MapWalls.HEIGHT, 1, Up.Y, List.of());
 
     /** An axis of a mesh file. */
@@ -24,7 +24,7 @@ public record ImportOptions(double wallHeight, double scale, Up up, List<Path> m
         Z
     }
 
-    /** Refuses sizes that are none. */
+    /** Refuses invalid sizes. */
     public ImportOptions {
         if (!(wallHeight > 0 && wallHeight <= 0x1p100)) { // written so that NaN fails it
             throw new IllegalArgumentException(
@@ -35,7 +35,7 @@ public record ImportOptions(double wallHeight, double scale, Up up, List<Path> m
         models = Checks.list("models", models);
     }
 
-    /** These with other folders of models. */
+    /** These options with other model folders. */
     public ImportOptions withModels(List<Path> folders) {
         return new ImportOptions(wallHeight, scale, up, folders);
     }

@@ -11,10 +11,10 @@ import robosim.geometry.world.shared.FileProblem;
 /**
  * Reads the surface of a Wavefront OBJ file: its vertices and faces, with indices from 1 or back from the end.
  *
- * <p>Triangles and quads stay what they are; a quad that would fold over on the diagonal from its first corner begins at
- * its second. A polygon of more corners, which may be concave, is cut into triangles that keep its outline; one that
- * crosses itself is refused. Colours behind a vertex, normals, texture, materials, groups, smoothing, lines and points
- * are passed over; free-form curves and surfaces, which a reader of polygons would lose, are refused.
+ * <p>Triangles and quads are kept; a quad that would fold over along the diagonal from its first corner is made to
+ * begin at its second. A polygon with more corners, which may be concave, is cut into triangles; one that crosses
+ * itself is refused. Vertex colours, normals, textures, materials, groups, smoothing, lines and points are ignored;
+ * free-form curves and surfaces, which would be lost, are refused.
  */
 public final class ObjReader {
     private ObjReader() {}
@@ -47,7 +47,7 @@ public final class ObjReader {
     /**
      * Reads a mesh from a stream, which is left open.
      *
-     * @param source what messages call the stream
+     * @param source the name of the stream in messages
      * @param scale  world units for each unit of the stream; above 0
      * @throws WorldException naming source and line, where the stream fails or holds no surface
      */

@@ -8,8 +8,8 @@ import java.nio.file.Path;
 import java.util.function.LongConsumer;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.exact.Degrees;
-import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
@@ -27,14 +27,14 @@ import robosim.geometry.world.shared.Placement;
  * around, with their corners on the true surface, so that what is round is a little too small.
  */
 public final class ObjWriter {
-    /** Flat sides of what is round. */
+    /** Number of flat sides of a round shape. */
     public static final int SIDES = 48;
 
     private static final int RINGS = SIDES / 2;
 
     private final BufferedWriter out;
 
-    /** How many vertices there are so far; OBJ counts them through the file, from 1. */
+    /** The number of vertices so far; OBJ counts them over the whole file, from 1. */
     private long vertices;
 
     private ObjWriter(BufferedWriter out) {
@@ -42,10 +42,10 @@ public final class ObjWriter {
     }
 
     /**
-     * Writes a file, all of it or nothing: an earlier file of the name stays as it was until the new one is whole.
+     * Writes a file atomically: an existing file stays as it was until the new one is complete.
      *
-     * @param progress told how many objects are written, now and then
-     * @throws WorldException where the file cannot be written
+     * @param progress called from time to time with the number of objects written
+     * @throws WorldException if the file cannot be written
      */
     public static void write(World world, Path file, LongConsumer progress) throws WorldException {
         Checks.present("world", world);
@@ -176,7 +176,7 @@ public final class ObjWriter {
         return Decimal.of(value + 0.0);
     }
 
-    /** A face over the last so many vertices, counted from 0. */
+    /** Writes a face whose corners count from 0 among the last vertices. */
     private void face(int last, int... corners) throws IOException {
         out.write("f");
         for (int corner : corners) {

@@ -8,8 +8,8 @@ import java.util.Map;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Attitude;
-import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
@@ -23,7 +23,7 @@ import robosim.geometry.world.shared.Folder;
 import robosim.geometry.world.shared.Numbers;
 import robosim.geometry.world.xml.Text;
 
-/** Makes objects of elements that are complete. What a value refuses comes as an {@link IllegalArgumentException}. */
+/** Creates objects from complete elements. Invalid values throw an {@link IllegalArgumentException}. */
 final class ObjectBuilder {
     private final String source;
     private final @Nullable Path base;
@@ -42,7 +42,7 @@ final class ObjectBuilder {
         this.base = base;
     }
 
-    /** What one world unit is, or null where the file leaves that open. */
+    /** The world unit, or null if the file does not specify it. */
     @Nullable
     Unit unit(Element element) {
         Element root = element;
@@ -202,7 +202,9 @@ final class ObjectBuilder {
         return known;
     }
 
-    /** The first mesh that is equal, so that all placements of one share their triangles, also those written out. */
+    /**
+     * The first equal mesh, so that all placements of one mesh share their triangles, even if each was written in full.
+     */
     private MeshObject shared(MeshObject mesh) {
         MeshObject first = meshes.putIfAbsent(mesh, mesh);
         return first == null ? mesh : first;
@@ -214,7 +216,7 @@ final class ObjectBuilder {
         return solid ? mesh.solid() : mesh;
     }
 
-    /** The file that a mesh names, which is there and within the tree of the world's folder. */
+    /** The file that a mesh names; it must exist within the tree of the world's folder. */
     private Path locate(Element element, String file) throws FileProblem {
         if (base == null) {
             throw new IllegalArgumentException(

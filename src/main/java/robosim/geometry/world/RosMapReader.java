@@ -14,25 +14,25 @@ import robosim.geometry.world.rosmap.MapWalls;
 import robosim.geometry.world.shared.FileProblem;
 
 /**
- * Reads an occupancy map of ROS: a YAML file and the PGM (P2, P5) or PNG image that it names, in modes trinary, scale and
+ * Reads a ROS occupancy map: a YAML file and the PGM (P2, P5) or PNG image that it names, in modes trinary, scale and
  * raw.
  *
- * <p>Occupied cells become walls: few boxes that cover them exactly, and no free or unknown cell. A place (x, y, z) of the
- * map's frame, with z up from the floor, is (x, z - height / 2, -y) in the world, which is centred about the origin of
- * the map's frame, in metres, as high as its walls and one cell wider all round than what it must hold: the whole image,
- * free cells too, and its edges. Yaw is a heading.
+ * <p>Occupied cells become walls: a small number of boxes that cover exactly these cells. A place (x, y, z) of the
+ * map's frame, with z up from the floor, is (x, z - height / 2, -y) in the world, which is centred at the origin of the
+ * map's frame, in metres, as high as its walls, and one cell wider all round than its contents: the whole image, free
+ * cells included, and its edges. Yaw is a heading.
  *
- * <p>The map ends where its image does: along its edges stand four walls more, one cell thick and outside of the image, so
+ * <p>The map ends where its image does: four more walls, one cell thick, stand along its edges outside the image, so
  * that no robot that starts in the map leaves it, and no ray. They are named {@code left}, {@code right}, {@code upper}
- * and {@code lower edge of the map}; {@code removeObject} takes one away.
+ * and {@code lower edge of the map} and can be removed with {@code removeObject}.
  *
- * <p>In modes trinary and scale a cell is a wall where ROS gives it 100; in mode raw where its value is above 100 times
- * {@code occupied_thresh}. The edges of the boxes are those of the cells but for the rounding of their coordinates.
+ * <p>In modes trinary and scale a cell is a wall if ROS gives it the value 100; in mode raw if its value is above 100
+ * times {@code occupied_thresh}. The edges of the boxes are those of the cells, to within rounding.
  *
- * <p>Needs snakeyaml-engine on the class path, and the module java.desktop for PNG.
+ * <p>Requires snakeyaml-engine on the class path, and the module java.desktop for PNG.
  */
 public final class RosMapReader {
-    /** Metres of the walls of a map, which has none of its own: a door's. */
+    /** Height in metres of the walls of a map, which does not specify it: that of a door. */
     public static final double WALL_HEIGHT = MapWalls.HEIGHT;
 
     private RosMapReader() {}
@@ -47,16 +47,16 @@ public final class RosMapReader {
     }
 
     /**
-     * Reads a map with walls of a height.
+     * Reads a map with walls of a given height.
      *
-     * @param height metres of the walls, and of the world; above 0
+     * @param height height of the walls and the world in metres; above 0
      * @throws WorldException naming file and line, where the map or its image cannot be read
      */
     public static World read(Path yaml, double height) throws WorldException {
         return readImport(yaml, height).world();
     }
 
-    /** Reads a map, with the account of it. */
+    /** Reads a map, with a report of what was read. */
     static WorldImport readImport(Path yaml, double height) throws WorldException {
         Checks.present("yaml", yaml);
         if (!(height > 0 && height <= 0x1p100)) {

@@ -9,14 +9,15 @@ import org.jspecify.annotations.Nullable;
 import org.xml.sax.SAXParseException;
 
 /**
- * What the schema's validator says, in words for people: only the validator's key is used, and the names that it quotes.
+ * Translates messages of the schema validator for people: uses only the validator's error key, and the names that it
+ * quotes.
  */
 public final class SchemaErrors {
     private static final Pattern KEY = Pattern.compile("^(cvc-[A-Za-z0-9.-]+)\\s*:");
     private static final Pattern QUOTED = Pattern.compile("'([^']*)'");
     private static final Pattern CHILD = Pattern.compile("\"" + WorldWriter.NAMESPACE + "\":([a-z]+)");
 
-    /** What a value of each of the schema's types must be. */
+    /** By type of the schema, what its values must be. */
     private static final Map<String, String> TYPES = Map.ofEntries(
             Map.entry("number", "a decimal number, like 12, -0.5 or 1.5e-3"),
             Map.entry("positive", "a number above 0, like 2 or 0.001"),
@@ -37,7 +38,7 @@ public final class SchemaErrors {
 
     private SchemaErrors() {}
 
-    /** Whether an error only prepares another one that says where. */
+    /** Whether an error is only a preliminary to another one that names the place. */
     static boolean isDetail(SAXParseException error) {
         String key = key(error);
         return key != null
@@ -48,7 +49,7 @@ public final class SchemaErrors {
                 && !key.startsWith("cvc-identity");
     }
 
-    /** What is wrong with an element, which stands in another one, and what to do about it. */
+    /** What is wrong with an element, and what to do about it. */
     static String explain(SAXParseException error, Element element) {
         String key = key(error);
         String message = String.valueOf(error.getMessage());
@@ -91,14 +92,14 @@ public final class SchemaErrors {
                 + element.attribute(attribute) + ")";
     }
 
-    /** The attribute of the element that the message names. */
+    /** The element's attribute that the message names. */
     private static String attribute(List<String> quoted, Element element) {
         for (String name : quoted) {
             if (!name.equals(element.name) && element.attributes.getIndex(name) >= 0) {
                 return name;
             }
         }
-        return element.name; // an attribute that is called like its element
+        return element.name; // an attribute with the same name as its element
     }
 
     private static String missing(List<String> quoted, Element element) {
@@ -110,7 +111,9 @@ public final class SchemaErrors {
         return element.name;
     }
 
-    /** What may stand there: all that the message quotes but its first, the element that is spoken of. */
+    /**
+     * The elements allowed there: everything that the message quotes except the first, which is the refused element.
+     */
     private static String children(List<String> quoted) {
         List<String> names = new ArrayList<>();
         for (String list : quoted.subList(Math.min(1, quoted.size()), quoted.size())) {

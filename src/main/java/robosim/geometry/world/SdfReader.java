@@ -17,21 +17,22 @@ import robosim.geometry.world.shared.FileProblem;
 
 /**
  * Reads the collisions of SDFormat, versions 1.4 to 1.12: worlds, models, nested, included and merged ones, links and
- * frames. docs/importing.md says what of the format is read, passed over, left out and refused.
+ * frames. docs/importing.md says which parts of the format are read, ignored, left out and refused.
  *
- * <p>A place (x, y, z) of the file is (x, z, -y) in the world, in metres, so that up is up; what faces the file's X faces
- * forward. The world is centred about the file's origin and leaves at least a metre around all objects. A static model
- * becomes one object that rests for each of its collisions, any other model one that may be moved.
+ * <p>A place (x, y, z) of the file is (x, z, -y) in the world, in metres, so that Y is up; the file's X is forward. The
+ * world is centred at the file's origin and leaves at least a metre around all objects. A static model becomes one
+ * static object for each of its collisions, any other model one moveable object.
  *
- * <p>A file is read whole or not at all. What may matter and cannot be read is left out and named in the result.
+ * <p>A file is read completely or not at all. Relevant elements that are not supported are left out and listed in the
+ * result.
  */
 public final class SdfReader {
     private SdfReader() {}
 
     /**
-     * Reads a file, which holds one world, or models alone.
+     * Reads a file that contains one world, or only models.
      *
-     * @param models folders whose subfolders are models, beside the file's own folder, for {@code model://}
+     * @param models folders whose subfolders are models, in addition to the file's own folder, for {@code model://}
      * @throws WorldException naming file, line and remedy, where the file or one that it includes cannot be read
      */
     public static WorldImport read(Path file, List<Path> models) throws WorldException {

@@ -3,11 +3,11 @@ package robosim.geometry.world;
 import robosim.geometry.world.sdf.LeftOut;
 
 /**
- * Something of a file that is not in the world that was made of it, though it may matter to it.
+ * A part of a file that was left out of the world although it may be relevant.
  *
- * @param source the file that holds it
- * @param line   its line, counted from 1; 0 where it has none
- * @param what   what it is, by the name that the file gives it
+ * @param source the file that contains it
+ * @param line   its line, from 1; 0 if it has none
+ * @param what   what it is, by its name in the file
  * @param reason why it was left out, and what can be done about it
  */
 public record Skipped(String source, int line, String what, String reason) {

@@ -5,11 +5,11 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.Ray;
 
 /**
- * Range sensors of a robot that look outwards from its centre, level in its own frame.
+ * Range sensors of a robot that point outward from its centre, horizontally in its own frame.
  *
- * <p>Sensor {@code k} looks along {@code first + k * step} degrees, counter-clockwise from forward.
+ * <p>Sensor {@code k} points {@code first + k * step} degrees, counter-clockwise from forward.
  *
- * @param count how many sensors, 1 to 10,000
+ * @param count number of sensors, 1 to 10,000
  * @param first degrees from forward to the first of them
  * @param step  degrees from one to the next
  * @param min   blind range in world units; at least 0
@@ -17,10 +17,10 @@ import robosim.geometry.model.Ray;
  * @param width full opening angle of each in degrees, from 0 (a line) up to, not including, 180
  */
 public record SonarRing(int count, double first, double step, double min, double max, double width) {
-    /** More than any scanner has. */
+    /** The maximum number of sensors, more than any scanner has. */
     static final int MAX_COUNT = 10_000;
 
-    /** Refuses numbers out of range, by name. */
+    /** Refuses numbers out of range. */
     public SonarRing {
         if (count < 1 || count > MAX_COUNT) {
             throw new IllegalArgumentException("count must be 1 to " + MAX_COUNT + " (got: " + count + ")");
@@ -52,7 +52,7 @@ public record SonarRing(int count, double first, double step, double min, double
         this(count, 0, 360.0 / Math.max(count, 1), min, max, width);
     }
 
-    /** Where a sensor looks in the robot's own frame, as a vector of length 1. */
+    /** The direction of a sensor in the robot's own frame, a unit vector. */
     public Point direction(int sensor) {
         if (sensor < 0 || sensor >= count) {
             throw new IllegalArgumentException("sensor must be 0 to " + (count - 1) + " (got: " + sensor + ")");

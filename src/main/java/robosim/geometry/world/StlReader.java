@@ -9,12 +9,12 @@ import robosim.geometry.world.mesh.StlSurface;
 import robosim.geometry.world.shared.FileProblem;
 
 /**
- * Reads the surface of an STL file, binary or text: its triangles, with corners that are equal joined.
+ * Reads the surface of an STL file, binary or text: its triangles, with equal corners joined.
  *
- * <p>Which of the two it is, its length decides: a binary file of n triangles has 84 + 50 n bytes, whatever its header
- * says. Corners are joined where their three numbers are the same, and nowhere else, so a surface whose file gives one
- * corner with two roundings stays open. Normals, names, attributes and colours are passed over: the corners' order is
- * what counts. A text file may hold several solids one after the other, which become one mesh.
+ * <p>The file's length decides which of the two it is: a binary file of n triangles has 84 + 50 n bytes, whatever its
+ * header says. Corners are joined only if their three numbers are the same, so a surface whose file rounds a corner in
+ * two ways stays open. Normals, names, attributes and colours are ignored; only the order of corners counts. A text
+ * file may contain several solids, which become one mesh.
  */
 public final class StlReader {
     private StlReader() {}
@@ -47,7 +47,7 @@ public final class StlReader {
     /**
      * Reads a mesh from a stream, which is left open.
      *
-     * @param source what messages call the stream
+     * @param source the name of the stream in messages
      * @param scale  world units for each unit of the stream; above 0
      * @throws WorldException naming source and line (of a binary one the triangle), where the stream fails or holds no
      *     surface

@@ -5,7 +5,7 @@ import java.math.MathContext;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.world.shared.Numbers;
 
-/** A unit of length that a world file can name: for its world unit, and behind single numbers, as in {@code 25cm}. */
+/** A unit of length in a world file: as its world unit, or behind single numbers, as in {@code 25cm}. */
 public enum Unit {
     KILOMETRE("km", "1000000"),
     METRE("m", "1000"),
@@ -27,7 +27,7 @@ public enum Unit {
         return symbol;
     }
 
-    /** How many metres it is long. */
+    /** Its length in metres. */
     public double metres() {
         return millimetres.movePointLeft(3).doubleValue();
     }

@@ -3,7 +3,7 @@ package robosim.geometry.world;
 import java.io.IOException;
 import robosim.geometry.world.shared.FileProblem;
 
-/** Says why a file of a world could not be read or written: the file, the line and column, and what to do about it. */
+/** A world file could not be read or written; names the file, line and column, and what to do about it. */
 public final class WorldException extends IOException {
     private static final long serialVersionUID = 1;
 
@@ -18,17 +18,17 @@ public final class WorldException extends IOException {
         this.column = problem.column();
     }
 
-    /** The file, or whatever name the reader was given for it. */
+    /** The file, or the name that the reader was given for it. */
     public String source() {
         return source;
     }
 
-    /** The line, counted from 1; 0 where the problem has none. */
+    /** The line, from 1; 0 if the problem concerns no line. */
     public int line() {
         return line;
     }
 
-    /** The column, counted from 1, at the end of the tag or number in question; 0 where the problem has none. */
+    /** The column, from 1, at the end of the tag or number in question; 0 if the problem concerns no column. */
     public int column() {
         return column;
     }

@@ -21,8 +21,8 @@ import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.xml.SafeXml;
 
 /**
- * Follows the parser through a world file. Each event goes past the limits, then to the schema's validator, and only
- * then into the world.
+ * Handles the parser's events for a world file. Each event passes the limits, then the schema validator, and only then
+ * contributes to the world.
  */
 final class WorldHandler extends DefaultHandler {
     private final String source;
@@ -42,7 +42,7 @@ final class WorldHandler extends DefaultHandler {
     /**
      * A handler of one file.
      *
-     * @param problems takes what is refused, and the file is read on; null where the first refusal is thrown
+     * @param problems receives the problems, and reading continues; null to throw the first one
      */
     WorldHandler(String source, @Nullable Path base, ValidatorHandler validator, @Nullable List<FileProblem> problems) {
         this.source = source;
@@ -62,7 +62,7 @@ final class WorldHandler extends DefaultHandler {
         });
     }
 
-    /** The world that was read. */
+    /** The world read. */
     World world() {
         if (world == null) {
             throw new IllegalStateException("the document has not ended");
@@ -128,7 +128,7 @@ final class WorldHandler extends DefaultHandler {
     private void checkName(Element element) throws SAXException {
         String name = element.attribute("name");
         if (element.parent == null || element.parent.parent != null || name == null) {
-            return; // only in the world itself are names unique
+            return; // names are unique only directly in the world
         }
         Integer earlier = linesOfNames.putIfAbsent(name, element.line);
         if (earlier != null) {
@@ -161,7 +161,7 @@ final class WorldHandler extends DefaultHandler {
         if (element == null) {
             throw new IllegalStateException("an element ends that did not begin: " + name);
         }
-        // Before the validator, which would not say which number is wrong, and then need not say that one is.
+        // Before the validator, which would only say that some number is wrong, not which.
         mute = !succeeds(element, () -> builder.readText(element));
         validator.endElement(uri, name, qualified);
         flushDetail();
@@ -175,7 +175,7 @@ final class WorldHandler extends DefaultHandler {
         }
     }
 
-    /** A step that an element's own content may make fail. */
+    /** A step that may fail because of an element's content. */
     @FunctionalInterface
     private interface Step {
         void take() throws FileProblem;
@@ -227,7 +227,7 @@ final class WorldHandler extends DefaultHandler {
         }
     }
 
-    // The parser's own errors: not well-formed, or against its limits.
+    // Errors of the parser: not well-formed, or beyond its limits.
 
     @Override
     public void error(SAXParseException e) throws SAXException {
@@ -239,13 +239,13 @@ final class WorldHandler extends DefaultHandler {
         throw new SAXException(SafeXml.refusal(source, e));
     }
 
-    /** Nothing outside the file is ever read, whatever a feature's default may be. */
+    /** Nothing outside the file is ever read, whatever the defaults of features are. */
     @Override
     public InputSource resolveEntity(@Nullable String publicId, @Nullable String systemId) throws SAXException {
         throw refusal("a world has no external entities; remove the reference (got: " + systemId + ")");
     }
 
-    // The validator's errors.
+    // Errors of the validator.
 
     private void invalid(SAXParseException e) throws SAXException {
         if (SchemaErrors.isDetail(e)) {
@@ -277,7 +277,7 @@ final class WorldHandler extends DefaultHandler {
         refuse(new FileProblem(source, line(), column(), problem));
     }
 
-    /** Throws the refusal, or keeps it where the file is to be read on. */
+    /** Throws the problem, or records it if reading is to continue. */
     private void refuse(FileProblem refusal) throws SAXException {
         if (problems == null || problems.size() == Limits.MAX_PROBLEMS - 1) {
             throw new SAXException(refusal);

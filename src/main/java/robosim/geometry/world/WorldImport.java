@@ -19,15 +19,15 @@ import robosim.geometry.world.shared.FileKind;
 import robosim.geometry.world.shared.FileProblem;
 
 /**
- * A world from a file of any format that is known, and the account of what became of the file: what was read, what was
- * passed over because it says nothing about what is solid, and what was left out although it may.
+ * A world from a file of any supported format, and a report on the file: what was read, what was ignored because it is
+ * irrelevant to solid geometry, and what was left out although it may be relevant.
  *
- * @param world      what was made of the file
+ * @param world      the world made from the file
  * @param format     its format, by name
- * @param read       how many of what the file has and the world was made of, by the format's names
- * @param passedOver how many of what is no matter of a world, by the format's names
- * @param skipped    what is missing in the world, each with its place and reason
- * @param remarks    what else its reader should know
+ * @param read       number of elements that were read, by the format's names
+ * @param passedOver number of irrelevant elements, by the format's names
+ * @param skipped    what is missing from the world, each with its place and the reason
+ * @param remarks    other things that a user should know
  */
 public record WorldImport(
         World world,
@@ -37,7 +37,7 @@ public record WorldImport(
         List<Skipped> skipped,
         List<String> remarks) {
 
-    /** Things left out that the refusal of an empty world names. */
+    /** How many left-out parts the refusal of an empty world lists. */
     private static final int MOST_REASONS = 3;
 
     /** Keeps copies, in the order of their names. */
@@ -48,20 +48,20 @@ public record WorldImport(
         remarks = List.copyOf(remarks);
     }
 
-    /** With nothing left out. */
+    /** An import with nothing left out. */
     WorldImport(World world, String format, Map<String, Integer> read) {
         this(world, format, read, Map.of(), List.of(), List.of());
     }
 
-    /** Whether all of the file that matters is in the world. */
+    /** Whether everything relevant in the file is in the world. */
     public boolean isWhole() {
         return skipped.isEmpty();
     }
 
     /**
-     * Reads a file in the format that its name ends in: a world of this module ({@code .xml}), a map of ROS ({@code
-     * .yaml}, {@code .yml}), SDFormat ({@code .sdf}, {@code .world}, {@code model.config} or the folder of a model), or a
-     * mesh ({@code .obj}, {@code .stl}). What has another name is read as a world of this module.
+     * Reads a file in the format given by the ending of its name: a world of this module ({@code .xml}), a ROS map
+     * ({@code .yaml}, {@code .yml}), SDFormat ({@code .sdf}, {@code .world}, {@code model.config} or the folder of a
+     * model), or a mesh ({@code .obj}, {@code .stl}). A file with any other name is read as a world of this module.
      *
      * @throws WorldException naming file, line and remedy, where the file cannot be read, is of no such format, or is
      *     SDFormat of which nothing became an object
@@ -111,7 +111,7 @@ public record WorldImport(
         }
     }
 
-    /** Refuses SDFormat of which nothing became an object: a world without its walls is not what was asked for. */
+    /** Refuses SDFormat from which no object was made: an empty world is not what the user wants. */
     private static WorldImport solid(Path file, WorldImport read) throws WorldException {
         if (!read.world.objects().isEmpty()) {
             return read;
@@ -150,7 +150,7 @@ public record WorldImport(
         return name.substring(name.lastIndexOf('.') + 1);
     }
 
-    /** A mesh at the origin of its own coordinates, in a world that leaves a quarter of its size around it. */
+    /** A mesh at the origin of its own coordinates, in a world with a margin of a quarter of its size. */
     private static WorldImport mesh(Path file, String format, ImportOptions options) throws WorldException {
         MeshObject mesh;
         try {
@@ -178,7 +178,10 @@ public record WorldImport(
         return new WorldImport(world, format, Map.of("vertex", mesh.vertices().size(), "face", mesh.faces().length));
     }
 
-    /** What was read and what not, in lines for people; what is left out comes first, at most so many of it. */
+    /**
+     * What was read and what was not, as lines for people; what is left out comes first, at most {@code most} items of
+     * it.
+     */
     public List<String> lines(int most) {
         List<String> lines = new ArrayList<>();
         lines.add("Read " + format + ": " + counted(read));

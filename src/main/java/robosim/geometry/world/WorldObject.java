@@ -7,14 +7,14 @@ import robosim.geometry.exact.Checks;
 import robosim.geometry.model.GeometryObject;
 
 /**
- * An object of a world file: the object itself, and what only viewers and environments ask for.
+ * An object of a world file: the object itself, and data that only viewers and environments use.
  *
  * @param object the object with its name and place
  * @param color  for the viewer, {@code #rrggbb} in lower case; null leaves it to the viewer
  * @param sonars range sensors; only an object with a name can have any
  */
 public record WorldObject(GeometryObject object, @Nullable String color, List<SonarRing> sonars) {
-    /** Refuses a colour of another form, and sensors without a name to ask them by. */
+    /** Refuses a colour of another form, and sensors of an object without a name. */
     public WorldObject {
         Checks.present("object", object);
         if (color != null) {

@@ -11,9 +11,9 @@ import robosim.geometry.world.shared.FileProblem;
 /**
  * Reads a world from XML. The format is that of the schema {@code world.xsd}; docs/world-format.md explains it.
  *
- * <p>A file from a stranger costs no more than its size: there is no document type, no entity and no address that the
- * parser would follow, mesh files come from the world file's own folder tree, and what is too large, too deep or too long
- * is refused. A world is read whole or not at all.
+ * <p>An untrusted file is safe to read: document types and entities are refused and no address is followed, mesh files
+ * are read only from the world file's own folder tree, and files that are too large, or too deep or long in any part,
+ * are refused. A world is read completely or not at all.
  *
  * <pre>{@code
  * String xml = """
@@ -38,8 +38,8 @@ public final class WorldReader {
     private WorldReader() {}
 
     /**
-     * Reads a world file of any format that {@link WorldImport#read} knows, with its default options. What a file of
-     * another format has and the world has not is told to the system's logger of this package as a warning each.
+     * Reads a world file of any format that {@link WorldImport#read} knows, with its default options. Each part of a
+     * file of another format that is left out is logged as a warning to the system logger of this package.
      *
      * @throws WorldException naming file, line, column and remedy, where the file cannot be read or is no world
      */
@@ -60,8 +60,8 @@ public final class WorldReader {
     /**
      * Reads a world from a stream, which is left open.
      *
-     * @param source what messages call the stream
-     * @param base   the folder in whose tree mesh files are looked for; null where there are none to be had
+     * @param source the name of the stream in messages
+     * @param base   the folder in whose tree mesh files are looked up; null if the stream may not refer to any
      * @throws WorldException naming source, line, column and remedy, where the stream fails or holds no world
      */
     public static World read(InputStream in, String source, @Nullable Path base) throws WorldException {
@@ -75,14 +75,14 @@ public final class WorldReader {
     }
 
     /**
-     * All that is wrong with a world file, in the order of its lines: where {@link #read(Path)} stops at the first
-     * problem, this reads on as far as it can, to at most 100 of them. Empty where the file is a world.
+     * All problems of a world file, in the order of its lines: {@link #read(Path)} stops at the first, this method
+     * reads on as far as it can, up to 100 problems. Empty if the file is a valid world.
      */
     public static List<WorldException> problems(Path file) {
         return problems(file, ImportOptions.DEFAULT);
     }
 
-    /** All that is wrong with a world file of any format, read as {@link WorldImport#read} does. */
+    /** All problems of a world file of any format, read as {@link WorldImport#read} does. */
     public static List<WorldException> problems(Path file, ImportOptions options) {
         Checks.present("file", file);
         Checks.present("options", options);
@@ -96,7 +96,7 @@ public final class WorldReader {
             } catch (IOException e) {
                 return List.of(first);
             }
-            // Another format than this one has other problems.
+            // A file of another format would only give misleading problems.
             boolean same = !problems.isEmpty()
                     && String.valueOf(first.getMessage()).equals(problems.get(0).getMessage());
             return same ? problems.stream().map(WorldException::new).toList() : List.of(first);

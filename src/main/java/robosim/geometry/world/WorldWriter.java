@@ -7,8 +7,8 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Attitude;
 import robosim.geometry.exact.Checks;
-import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
@@ -23,9 +23,10 @@ import robosim.geometry.world.shared.Limits;
 /**
  * Writes a world as XML that reads back to an equal one. The same world always gives the same text.
  *
- * <p>Numbers are in world units, in the shortest form that is exact. An attitude is a heading where that gives back the
- * same rotation to the bit, with the rounding that it has lost, and nine numbers else: what was read back turns on as what
- * was written, to the bit. Meshes are written inline, also those that came from a file.
+ * <p>Numbers are in world units, in the shortest form that is exact. An attitude is written as a heading with its
+ * rounding error if that gives the same rotation to the bit, and as nine numbers otherwise, so an object that was
+ * written and read back continues to turn exactly as before. Meshes are written inline, even those that came from a
+ * file.
  */
 public final class WorldWriter {
     /** The namespace of the format. */
@@ -34,27 +35,27 @@ public final class WorldWriter {
     private final StringBuilder out = new StringBuilder();
     private final long most;
 
-    /** @param most characters, with which it gives up */
+    /** @param most maximum number of characters, at which it gives up */
     private WorldWriter(long most) {
         this.most = most;
     }
 
-    /** The text is longer than it may be. */
+    /** Thrown if the text is longer than allowed. */
     private static final class TooLong extends RuntimeException {
         private static final long serialVersionUID = 1;
     }
 
     /**
-     * Writes a world file, all of it or nothing: an earlier file of the name stays as it was until the new one is whole.
+     * Writes a world file atomically: an existing file stays as it was until the new one is complete.
      *
-     * @throws WorldException where the file cannot be written, or would be larger than a file that is read may be
+     * @throws WorldException if the file cannot be written, or would be larger than a file that is read may be
      * @throws IllegalArgumentException as {@link #toXml} does
      */
     public static void write(World world, Path file) throws WorldException {
         write(world, file, Limits.MAX_BYTES);
     }
 
-    /** @param most bytes of the file */
+    /** @param most maximum size of the file, bytes */
     static void write(World world, Path file, long most) throws WorldException {
         Checks.present("world", world);
         Checks.present("file", file);
@@ -74,7 +75,7 @@ public final class WorldWriter {
         }
     }
 
-    /** The bytes of a file; none where it would have more than so many. */
+    /** The bytes of a file; empty if there would be more than {@code most}. */
     private static byte[] bytes(World world, long most) {
         WorldWriter writer = new WorldWriter(most);
         try {
@@ -82,7 +83,7 @@ public final class WorldWriter {
         } catch (TooLong e) {
             return new byte[0];
         }
-        // Each character is a byte at least.
+        // Each character takes at least one byte.
         byte[] bytes = writer.out.toString().getBytes(StandardCharsets.UTF_8);
         return bytes.length > most ? new byte[0] : bytes;
     }
@@ -90,7 +91,7 @@ public final class WorldWriter {
     /**
      * A world as the text of its file.
      *
-     * @throws IllegalArgumentException where XML cannot hold it: a name with a character that XML does not have or of
+     * @throws IllegalArgumentException if XML cannot hold it: a name with a character that XML does not have or of
      *     more than 1000 of them, or groups more than 50 deep
      */
     public static String toXml(World world) {
@@ -160,7 +161,7 @@ public final class WorldWriter {
         }
         double heading = pose.heading();
         double lost = pose.lostHeading();
-        // A heading is more than its rotation: later turns add to it, and to what it has lost in rounding.
+        // A heading holds more than its rotation: later turns add to it and to its rounding error.
         double[] made = Attitude.identity();
         Attitude.setHeading(made, 0, heading, lost);
         if (!Pose.of(center, made, 0).equals(pose)) {
@@ -232,7 +233,7 @@ public final class WorldWriter {
             out.append(Decimal.of(vertex.z())).append('\n');
         }
         indent(depth).append("</vertices>\n");
-        int size = 0; // of the faces in the run that is open
+        int size = 0; // of the faces in the current run
         for (int[] face : mesh.faces()) {
             if (face.length != size) {
                 closeRun(size, depth);
@@ -296,7 +297,7 @@ public final class WorldWriter {
             case '&' -> out.append("&amp;");
             case '<' -> out.append("&lt;");
             case '"' -> out.append("&quot;");
-            case '\t', '\n', '\r' -> out.append("&#").append(c).append(';'); // else they would be read as spaces
+            case '\t', '\n', '\r' -> out.append("&#").append(c).append(';'); // otherwise they would be read as spaces
             default -> {
                 // XML 1.0, production 2
                 boolean legal = (c >= 0x20 && c < 0xd800) || (c >= 0xe000 && c <= 0xfffd) || c >= 0x10000;

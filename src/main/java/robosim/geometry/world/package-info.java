@@ -3,9 +3,9 @@
  * meshes.
  *
  * <p>{@link robosim.geometry.world.WorldReader} turns a file into a {@link robosim.geometry.world.World}, a value;
- * {@link robosim.geometry.world.World#toGeometry()} makes a world of it that moves and measures. The format's schema is
- * {@code worlds/world.xsd}, which is also in the jar beside this package's classes. Files of other formats hold more than a
- * world does: {@link robosim.geometry.world.WorldImport} also tells what was left out of them, and why.
+ * {@link robosim.geometry.world.World#toGeometry()} makes a {@link robosim.geometry.Geometry} of it. The format's
+ * schema is {@code worlds/world.xsd}, which is also in the jar, in this package. Files of other formats contain more
+ * than a world does: {@link robosim.geometry.world.WorldImport} also reports what was left out of them, and why.
  *
  * <pre>{@code
  * World world = WorldReader.read(Path.of("worlds/rooms.xml"));

@@ -102,7 +102,7 @@ class AppJarIT {
         assertThat(check.code()).isZero();
         Run missing = app("check", "nowhere.xml");
         assertThat(missing.code()).isEqualTo(ExitCodes.UNUSABLE);
-        assertThat(missing.err()).contains("WORLD must be a file; there is none, check the path (got: nowhere.xml)");
+        assertThat(missing.err()).contains("WORLD must be a file that exists; check the path (got: nowhere.xml)");
     }
 
     @Test

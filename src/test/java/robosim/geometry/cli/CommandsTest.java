@@ -39,7 +39,7 @@ class CommandsTest {
                     demo --steps many                    | 'many' is not an int
                     demo --seed -1                       | --seed must be at least 0 (got: -1)
                     demo --speed NaN                     | --speed must be above 0 (got: NaN)
-                    demo --world nowhere.xml             | --world must be a file; there is none, check the path (got: nowhere.xml)
+                    demo --world nowhere.xml             | --world must be a file that exists; check the path (got: nowhere.xml)
                     demo --examples nowhere              | (got: nowhere/ReferenceEnvironment.java)
                     serve                                | Missing required parameter: 'PORT'
                     serve 70000                          | PORT must be 0 to 65535 (got: 70000)
@@ -47,8 +47,8 @@ class CommandsTest {
                     connect localhost 0                  | PORT must be 1 to 65535 (got: 0)
                     render worlds/rooms.xml              | Missing required option: '--output=FILE'
                     render worlds/rooms.xml -o a.gif     | FILE must end in .svg or .png (got: a.gif)
-                    render nowhere.xml -o a.png          | WORLD must be a file; there is none, check the path (got: nowhere.xml)
-                    render worlds -o a.png               | WORLD must be a file; this is a folder, name one in it (got: worlds)
+                    render nowhere.xml -o a.png          | WORLD must be a file that exists; check the path (got: nowhere.xml)
+                    render worlds -o a.png               | WORLD must be a file, not a folder; name a file in it (got: worlds)
                     render pom.xml -o a.png              | pom.xml
                     """)
     void badArgumentsAreRefusedWithTheirReason(String line, String reason) {

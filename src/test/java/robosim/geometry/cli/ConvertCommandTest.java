@@ -45,7 +45,7 @@ class ConvertCommandTest extends CommandRun {
         Path xml = Files.writeString(folder.resolve("old.xml"), "old");
         assertThat(run("convert", "--strict", FILES.resolve("sdf/shapes.sdf"), xml))
                 .isEqualTo(ExitCodes.FINDINGS);
-        assertThat(out.toString()).contains("Wrote nothing: --strict, and 3 left out");
+        assertThat(out.toString()).contains("Wrote nothing: --strict was given, and 3 would be left out");
         assertThat(xml).hasContent("old");
         assertThat(run("convert", "--strict", FILES.resolve("sdf/inner_walls"), xml))
                 .isEqualTo(ExitCodes.FINE);
@@ -181,7 +181,7 @@ class ConvertCommandTest extends CommandRun {
         Path link = Files.createSymbolicLink(folder.resolve("link.xml"), xml);
         for (Path out : new Path[] {xml, folder.resolve("./rooms.xml"), link}) {
             assertThat(run("convert", xml, out)).isEqualTo(ExitCodes.UNUSABLE);
-            assertThat(err.toString()).startsWith("OUT must be another file than IN, which it would overwrite (got: ");
+            assertThat(err.toString()).startsWith("OUT must not be IN, which it would overwrite (got: ");
         }
         assertThat(xml).hasSameTextualContentAs(Path.of("worlds/rooms.xml"));
     }
@@ -278,9 +278,9 @@ class ConvertCommandTest extends CommandRun {
         assertThat(run("render", sdf, "-o", picture, "--models", FILES.resolve("sdf")))
                 .isZero();
         assertThat(run("render", sdf, "-o", picture, "--models", "no")).isEqualTo(ExitCodes.UNUSABLE);
-        assertThat(err.toString()).startsWith("--models must be a folder; there is none (got: no)");
+        assertThat(err.toString()).startsWith("--models must be a folder that exists (got: no)");
         assertThat(run("view", sdf, "--models", "no")).isEqualTo(ExitCodes.UNUSABLE);
-        assertThat(err.toString()).startsWith("--models must be a folder; there is none (got: no)");
+        assertThat(err.toString()).startsWith("--models must be a folder that exists (got: no)");
     }
 
     @Test
@@ -314,26 +314,26 @@ class ConvertCommandTest extends CommandRun {
         assertThat(run("check", sdf, "--models", FILES.resolve("sdf"))).isZero();
         assertThat(out.toString()).contains("objects   7: ", "verdict   fine");
         assertThat(run("check", sdf, "--models", "no")).isEqualTo(ExitCodes.UNUSABLE);
-        assertThat(err.toString()).startsWith("--models must be a folder; there is none (got: no)");
+        assertThat(err.toString()).startsWith("--models must be a folder that exists (got: no)");
     }
 
     @Test
     void badUsageAndBadFiles() throws IOException {
         Path xml = folder.resolve("w.xml");
         assertThat(run("convert", "no.sdf", xml)).isEqualTo(ExitCodes.UNUSABLE);
-        assertThat(err.toString()).startsWith("IN must be a file; there is none, check the path (got: no.sdf)");
+        assertThat(err.toString()).startsWith("IN must be a file that exists; check the path (got: no.sdf)");
         assertThat(run("convert", FILES.resolve("sdf/shapes.sdf"), folder.resolve("w.png")))
                 .isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).startsWith("OUT must end in .xml or .obj (got: ");
         assertThat(run("convert", FILES.resolve("sdf/shapes.sdf"), Files.createDirectory(folder.resolve("d.xml"))))
                 .isEqualTo(ExitCodes.UNUSABLE);
-        assertThat(err.toString()).startsWith("OUT must be a file; this is a folder (got: ");
+        assertThat(err.toString()).startsWith("OUT must be a file, not a folder (got: ");
         assertThat(run("convert", FILES.resolve("sdf/shapes.sdf"), xml, "--scale", "0"))
                 .isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).startsWith("scale must be a number above 0, up to 2^100 (got: 0.0)");
         assertThat(run("convert", FILES.resolve("sdf/shapes.sdf"), xml, "--models", "no"))
                 .isEqualTo(ExitCodes.UNUSABLE);
-        assertThat(err.toString()).startsWith("--models must be a folder; there is none (got: no)");
+        assertThat(err.toString()).startsWith("--models must be a folder that exists (got: no)");
         assertThat(run("convert", FILES.resolve("sdf/sensors.sdf"), xml)).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).startsWith(FILES.resolve("sdf/sensors.sdf") + ":41:11: this is no well-formed XML");
         assertThat(xml).doesNotExist();

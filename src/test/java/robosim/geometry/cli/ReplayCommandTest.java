@@ -68,9 +68,9 @@ class ReplayCommandTest extends CommandRun {
         assertThat(out.toString())
                 .contains(file + ": step 3 (line 5), request 1, a sonar of \"cube\" towards (0.0, 0, 1.0): expected"
                         + " 5.000000000000001 (0x1.4000000000001p2), got 5.0 (0x1.4p2)")
-                .contains("15 scenarios, ", "1 answered otherwise, 0 unreadable");
+                .contains("15 scenarios, ", "1 answered differently, 0 unreadable");
         assertThat(run("replay", "--most", "0", file)).isEqualTo(ExitCodes.FINDINGS);
-        assertThat(out.toString()).contains("and 1 more step is answered otherwise");
+        assertThat(out.toString()).contains("and 1 more step is answered differently");
     }
 
     @Test
@@ -81,12 +81,12 @@ class ReplayCommandTest extends CommandRun {
         assertThat(run("replay", folder, STORED.resolve("by-hand.scenario.jsonl")))
                 .isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).startsWith(file + ":2: ").doesNotContain("\tat ");
-        assertThat(out.toString()).contains("3 scenarios, ", "1 answered otherwise, 1 unreadable");
+        assertThat(out.toString()).contains("3 scenarios, ", "1 answered differently, 1 unreadable");
         assertThat(run("replay", folder.resolve("nowhere"))).isEqualTo(ExitCodes.UNUSABLE);
-        assertThat(err.toString()).contains("must be there");
+        assertThat(err.toString()).contains("must exist");
         assertThat(run("replay", Files.createDirectory(folder.resolve("empty"))))
                 .isEqualTo(ExitCodes.UNUSABLE);
-        assertThat(err.toString()).contains("must hold a *.scenario.jsonl");
+        assertThat(err.toString()).contains("must contain a *.scenario.jsonl");
         assertThat(run("replay")).isEqualTo(ExitCodes.UNUSABLE);
     }
 
@@ -111,7 +111,8 @@ class ReplayCommandTest extends CommandRun {
         write(answers, first, new MoveBundle(List.of()), new DistanceBundle(List.of(2.9)));
         assertThat(run("replay", demo)).isEqualTo(ExitCodes.FINDINGS);
         assertThat(out.toString())
-                .contains("to-module.bin: step 3, ", "expected refused, got made", "step 4, ", "1 answered otherwise");
+                .contains(
+                        "to-module.bin: step 3, ", "expected refused, got made", "step 4, ", "1 answered differently");
         write(answers, first);
         assertThat(run("replay", demo)).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).contains("message 3: a request must have its answer in the other file");
@@ -123,7 +124,7 @@ class ReplayCommandTest extends CommandRun {
         assertThat(err.toString()).startsWith(demo.resolve("to-module.bin") + ": a stream must begin with AC ED");
         Files.delete(answers);
         assertThat(run("replay", demo)).isEqualTo(ExitCodes.UNUSABLE);
-        assertThat(err.toString()).contains(answers + ": there is no such file or folder");
+        assertThat(err.toString()).contains(answers + ": no such file or folder");
     }
 
     private static void write(Path file, Bundle... bundles) throws IOException {
@@ -141,7 +142,7 @@ class ReplayCommandTest extends CommandRun {
         String text = Files.readString(STORED.resolve("quarter-turns.scenario.jsonl"));
         Files.writeString(file, text.substring(0, text.length() - 20));
         assertThat(run("replay", file)).isZero();
-        assertThat(out.toString()).contains("line 27 breaks off", "all the same");
+        assertThat(out.toString()).contains("line 27 is incomplete", "all the same");
     }
 
     @Test

@@ -63,7 +63,7 @@ class ServeCommandTest {
                     serve 0 --key-store a.p12 --trust-store b.p12 --password-env NO_SUCH_VARIABLE | (got: NO_SUCH_VARIABLE)
                     serve 0 --secret-env NO_SUCH_VARIABLE | --secret-env must name a variable that is set
                     serve 0 --secret-file pom.xml --secret-env HOME | mutually exclusive
-                    serve 0 --secret-file no.such      | --secret-file must be a file of text (got: no.such)
+                    serve 0 --secret-file no.such      | --secret-file must be a text file (got: no.such)
                     serve 0 --stall 0                  | stall must be from a millisecond to a day (got: PT0S)
                     serve 0 --connections 0            | connections must be at least 1 (got: 0)
                     serve 0 --max-objects 0            | objects must be at least 1 (got: 0)

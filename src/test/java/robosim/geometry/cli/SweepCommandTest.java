@@ -71,7 +71,7 @@ class SweepCommandTest extends CommandRun {
                         "--resume",
                         "--digest"))
                 .isZero();
-        assertThat(out.toString()).contains("0 replicates on", "20 were there");
+        assertThat(out.toString()).contains("0 replicates on", "20 done before");
         assertThat(digest()).isEqualTo(digest);
         assertThat(run("sweep", SCENARIO, "-n", 5, "-o", results)).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).contains("must be a new file");
@@ -138,7 +138,7 @@ class SweepCommandTest extends CommandRun {
                           java.lang.AssertionError: no step of 2 ...
                             8 times, first in index 2: world rooms, step=2, replicate 0, seed 0x[0-9a-f]{16}
                           and 16 with other errors
-                        The lines in the results whose "type" is "failure" tell all of it.
+                        For the full errors, see the lines in the results whose "type" is "failure".
                         """);
         String seed = told.replaceAll("(?s).*?index 1:.*?(0x[0-9a-f]{16}).*", "$1");
         assertThat(Files.readAllLines(results))
@@ -164,7 +164,7 @@ class SweepCommandTest extends CommandRun {
         assertThat(run("sweep", Wander.class.getName())).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).contains("WORLD must be given for a class");
         assertThat(run("sweep", "missing.scenario.jsonl")).isEqualTo(ExitCodes.UNUSABLE);
-        assertThat(err.toString()).contains("there is none, check the path");
+        assertThat(err.toString()).contains("that exists; check the path");
         assertThat(run("sweep", SCENARIO, "--shard", "3/3")).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).contains("shard must be from 0/n to (n - 1)/n");
         assertThat(run("sweep", "merge", "missing.jsonl")).isEqualTo(ExitCodes.UNUSABLE);

@@ -25,7 +25,7 @@ class ViewCommandTest {
     @CsvSource(delimiter = '|', textBlock = """
                     view                                     | either FILE or --watch must be given (got: neither)
                     view a.xml --watch h:1                   | either FILE or --watch must be given (got: both)
-                    view nowhere.xml                         | FILE must be there to be viewed; check the path (got: nowhere.xml)
+                    view nowhere.xml                         | FILE must exist; check the path (got: nowhere.xml)
                     serve 0 --watch 70000                    | PORT must be 0 to 65535 (got: 70000)
                     """)
     void badArgumentsAreRefusedWithTheirReason(String line, String reason) {
@@ -39,7 +39,7 @@ class ViewCommandTest {
         assumeTrue(GraphicsEnvironment.isHeadless(), "there is a display, and no window is to open on it");
         assertThat(run("view", "worlds/rooms.xml")).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString())
-                .startsWith("view needs a display to open its window on, and there is none here; ")
+                .startsWith("view needs a display for its window, and there is none here; ")
                 .contains("`robosim-geometry render`")
                 .hasLineCount(1);
     }

@@ -52,7 +52,7 @@ class ScenariosTest {
         assertThat(tests).hasSize(1);
         assertThatThrownBy(() -> tests.get(0).getExecutable().execute())
                 .isInstanceOf(AssertionError.class)
-                .hasMessageContaining("by-hand.scenario.jsonl: 1 step is answered otherwise\n  step 3 (line ")
+                .hasMessageContaining("by-hand.scenario.jsonl: 1 step is answered differently\n  step 3 (line ")
                 .hasMessageContaining("move of \"drum 1\" by (0.5, 0.0, 0.0): expected refused, got made");
     }
 
@@ -74,7 +74,7 @@ class ScenariosTest {
         assertThatThrownBy(() -> tests.get(1).getExecutable().execute())
                 .hasMessageContaining("a scenario must have a step");
         assertThatThrownBy(() -> tests.get(2).getExecutable().execute())
-                .hasMessageContaining("c.scenario.jsonl:2: the last line breaks off");
+                .hasMessageContaining("c.scenario.jsonl:2: the last line is incomplete");
     }
 
     @Test

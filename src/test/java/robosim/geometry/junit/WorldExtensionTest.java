@@ -141,7 +141,7 @@ class WorldExtensionTest {
     void aWorldThatCannotBeHadIsToldByItsName() {
         Map<String, TestExecutionResult> results = Launched.run(Doomed.Misplaced.class, Map.of());
         assertThat(Launched.message(results.get("unknown"))).contains("@World must name a file", "(got: nowhere.xml)");
-        assertThat(Launched.message(results.get("several"))).contains("one file but for a @ScenarioTest (got: 2)");
+        assertThat(Launched.message(results.get("several"))).contains("one file except on a @ScenarioTest (got: 2)");
         assertThat(Launched.message(results.get("method"))).contains("must name a static method", "(got: missing)");
         assertThat(Launched.message(results.get("neither"))).contains("either files or a method (got: neither)");
         assertThat(Launched.message(results.get("schema")))

@@ -327,7 +327,7 @@ class EndsTest {
             server.close();
             assertThat(ownThreads()).isEqualTo(before);
             assertThat(json.heardToTheEnd())
-                    .contains("\"message\":\"the module is ending: message 2 was cut off, and has no answer\"");
+                    .contains("\"message\":\"the module is shutting down: message 2 was cut off, and has no answer\"");
             assertThat(java.receive()).isNull();
             assertThat(log.linesWith("closed at message 2, which was cut off and has no answer"))
                     .hasSize(2);
@@ -348,9 +348,9 @@ class EndsTest {
             peer.send("{\"type\":\"hello\",\"version\":1}\n{\"type\":\"sonars\",\"requests\":[]}\n"
                     .getBytes(StandardCharsets.UTF_8));
             assertThat(peer.heardToTheEnd())
-                    .contains("the module has not enough memory for this request")
+                    .contains("the module does not have enough memory for this request")
                     .doesNotContain("an error of the module itself");
-            assertThat(log.linesWith("closed at message 1, the module has not enough memory"))
+            assertThat(log.linesWith("closed at message 1, the module does not have enough memory"))
                     .hasSize(1)
                     .first()
                     .asString()

@@ -103,11 +103,11 @@ class LostRecordingTest {
                         }
                         steps++;
                     }
-                    assertThat(reader.torn()).as("no line breaks off").isZero();
+                    assertThat(reader.torn()).as("no incomplete line").isZero();
                     told += reader.lastNotes().toString().contains("recorded no further: No space left") ? 1 : 0;
                     shortened += steps < STEPS ? 1 : 0;
                 }
-                assertThat(log.linesWith("disk " + room + ": is no longer recorded"))
+                assertThat(log.linesWith("disk " + room + ": recording stopped"))
                         .hasSize(1)
                         .first()
                         .asString()
@@ -138,7 +138,7 @@ class LostRecordingTest {
                         .hasSize(1)
                         .first()
                         .asString()
-                        .contains("session: is no longer recorded, after 0 bytes");
+                        .contains("session: recording stopped after 0 bytes");
             }
         }
         assertThat(Files.size(file)).isZero();

@@ -198,7 +198,7 @@ class RecorderTest {
                 assertThat(answers(session(recorder))).hasSize(talk().size());
                 assertThat(recorder.bytes()).isZero();
             }
-            assertThat(log.linesWith("test: is no longer recorded")).hasSize(failures.size());
+            assertThat(log.linesWith("test: recording stopped")).hasSize(failures.size());
         }
     }
 

@@ -190,7 +190,7 @@ class WatchOverSocketsTest {
                 while (!(step.request() instanceof InitBundle)) {
                     step = reader.next();
                 }
-                assertThat(step.notes().get(0)).contains("as it stands");
+                assertThat(step.notes().get(0)).contains("as it is");
                 assertThat(second.watchers()).isEqualTo(1);
             }
         }
@@ -212,7 +212,8 @@ class WatchOverSocketsTest {
             sockets.add(new Socket(InetAddress.getLoopbackAddress(), watch.port()));
             assertThat(sockets.get(k).getInputStream().read()).isEqualTo('{');
         }
-        assertThatThrownBy(() -> dial(watch.port())).hasMessageContaining("hung up at once; perhaps 16 watch already");
+        assertThatThrownBy(() -> dial(watch.port()))
+                .hasMessageContaining("hung up at once; perhaps 16 are watching already");
         for (Socket socket : sockets) {
             socket.close();
         }

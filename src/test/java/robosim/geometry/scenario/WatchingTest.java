@@ -104,7 +104,7 @@ class WatchingTest {
         assertThat(steps).hasSize(2);
         assertThat(robot(steps.get(0)).center()).isEqualTo(new Point(1.5, 0, 0));
         assertThat(robot(steps.get(0))).isEqualTo(held.session.world().getObject("r"));
-        assertThat(steps.get(0).notes()).containsExactly("one, as it stands after 9 steps");
+        assertThat(steps.get(0).notes()).containsExactly("one, as it is after 9 steps");
         // The size is that of the session's own world, which was made for the objects where they began.
         InitBundle now = (InitBundle) steps.get(0).request();
         assertThat(now.settings()).isNotNull();
@@ -130,15 +130,15 @@ class WatchingTest {
         two.session.reply(LOOK);
         List<Step> late = told(second);
         assertThat(late).hasSize(2);
-        assertThat(late.get(0).notes()).containsExactly("two, as it stands after 2 steps");
+        assertThat(late.get(0).notes()).containsExactly("two, as it is after 2 steps");
         // The first one was led over to the same.
         byte[] led = lines.next(0);
-        assertThat(new String(led, "UTF-8")).contains("\"two, as it stands after 2 steps\"", "\"init\"");
+        assertThat(new String(led, "UTF-8")).contains("\"two, as it is after 2 steps\"", "\"init\"");
         assertThat(new String(lines.next(0), "UTF-8")).contains("\"sonars\"", "\"distances\"", "\"time\"");
         two.listener.ended();
         assertThat(lines.next(0)).isEmpty();
         new Held("four").world(ROBOT);
-        assertThat(new String(lines.next(0), "UTF-8")).contains("\"four, as it stands after 1 step\"");
+        assertThat(new String(lines.next(0), "UTF-8")).contains("\"four, as it is after 1 step\"");
         lines.close();
     }
 

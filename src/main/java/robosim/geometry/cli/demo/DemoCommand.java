@@ -30,12 +30,14 @@ import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldReader;
 
-/** The main job in one command: a world, two processes, a conversation, an audit, a picture and a summary. */
+/**
+ * Shows the module at work in one command: a world, two processes, a conversation, an audit, a picture and a summary.
+ */
 @Command(
         name = "demo",
         description =
-                "Lets the robots of a world wander: the reference environment and this module as two processes over"
-                        + " TCP. Leaves a picture, the recording and a summary, and fails where the audit of the recording finds"
+                "Lets the robots of a world wander. The reference environment and this module run as two processes over"
+                        + " TCP. Writes a picture, the recording and a summary, and fails if the audit of the recording finds"
                         + " anything wrong.",
         mixinStandardHelpOptions = true,
         versionProvider = Version.class,
@@ -60,7 +62,7 @@ public final class DemoCommand implements Callable<Integer> {
             names = "--world",
             paramLabel = "FILE",
             defaultValue = Option.NULL_VALUE,
-            description = "a world with moveable objects (default: worlds/rooms.xml, which the jar has with it)")
+            description = "a world with moveable objects (default: worlds/rooms.xml, which the jar contains)")
     private @Nullable Path world;
 
     @Option(names = "--steps", paramLabel = "N", description = "rounds of sonar and moves")
@@ -69,7 +71,7 @@ public final class DemoCommand implements Callable<Integer> {
     @Option(
             names = "--seed",
             paramLabel = "S",
-            description = "of the robots' whims; the same seed, the same conversation")
+            description = "seed of the robots' random choices; the same seed gives the same conversation")
     private long seed = 1;
 
     @Option(names = "--speed", paramLabel = "V", description = "world units that a robot advances in a step")
@@ -80,17 +82,17 @@ public final class DemoCommand implements Callable<Integer> {
             paramLabel = "DIR",
             defaultValue = Option.NULL_VALUE,
             description =
-                    "where the results go (default: target/demo where there is a folder target, else robosim-demo)")
+                    "folder for the results (default: target/demo if there is a folder target, else robosim-demo)")
     private @Nullable Path place;
 
-    @Option(names = "--dial", description = "the environment listens and this module dials, as RoboSim has it")
+    @Option(names = "--dial", description = "the environment listens and this module dials, as in RoboSim")
     private boolean dial;
 
     @Option(
             names = "--examples",
             paramLabel = "DIR",
             defaultValue = Option.NULL_VALUE,
-            description = "where the sources of the two programs are (default: the jar has both with it; without a jar"
+            description = "folder of the two programs' sources (default: the jar contains both; without a jar,"
                     + " the project's folder examples)")
     private @Nullable Path examples;
 
@@ -146,7 +148,7 @@ public final class DemoCommand implements Callable<Integer> {
         }
     }
 
-    /** What is to be started: a class of the jar, or a source. */
+    /** What to start: a class of the jar, or a source file. */
     private List<String> program(String name) {
         if (examples == null && Program.isInJar() && DemoProgram.find(name) != null) {
             return List.of(DemoProgram.class.getName(), name);
@@ -155,7 +157,7 @@ public final class DemoCommand implements Callable<Integer> {
         return List.of(projectFile("--examples", folder + "/" + name + ".java").toString());
     }
 
-    /** The world of the demo: that of the jar, else the project's. */
+    /** The demo's world: the copy in the jar, or else the project's file. */
     private Path rooms() throws IOException {
         return Program.isInJar() ? DemoProgram.world("rooms.xml", output) : projectFile("--world", "worlds/rooms.xml");
     }
@@ -165,13 +167,13 @@ public final class DemoCommand implements Callable<Integer> {
         if (file == null || !Files.isRegularFile(file)) {
             throw new ParameterException(
                     spec.commandLine(),
-                    option + " must lead to a file; start this in the project's folder, or name another (got: " + name
-                            + ")");
+                    option + " must name a file that exists; start this in the project's folder, or name another (got: "
+                            + name + ")");
         }
         return file;
     }
 
-    /** Runs the environment against this process and answers the exit code. */
+    /** Runs the environment against this process and returns the exit code. */
     private int converse(List<String> environment, Path worldFile) throws IOException, InterruptedException {
         NetOptions options = NetOptions.defaults().withListeners(connection -> timings);
         boolean watched = Terminal.isPresent();
@@ -199,7 +201,7 @@ public final class DemoCommand implements Callable<Integer> {
         int code = program.end();
         if (code != 0) {
             spec.commandLine().getErr().print(program.text());
-            spec.commandLine().getErr().println("The environment ended with " + code);
+            spec.commandLine().getErr().println("The environment exited with code " + code);
         }
         return code;
     }

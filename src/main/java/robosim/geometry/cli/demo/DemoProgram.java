@@ -11,8 +11,8 @@ import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the demo needs of the project, inside of a jar: two programs of examples/, compiled, and a world. The programs have
- * no package, so that they cannot stand among the module's own; this class runs one of them.
+ * What the demo needs from the project, packed into the jar: two compiled programs of examples/ and a world. The
+ * programs are in the unnamed package, so they cannot be among the module's own classes; this class runs one of them.
  */
 public final class DemoProgram {
     private static final String PLACE = "/META-INF/demo/";
@@ -20,14 +20,14 @@ public final class DemoProgram {
     private DemoProgram() {}
 
     /**
-     * Runs a program of the jar.
+     * Runs a program that the jar contains.
      *
-     * @param arguments its name, and what it takes
+     * @param arguments the program's name, then its own arguments
      */
     public static void main(String[] arguments) throws ReflectiveOperationException, IOException {
         URL program = find(arguments[0]);
         if (program == null) {
-            throw new IllegalArgumentException("the jar must hold the program (got: " + arguments[0] + ")");
+            throw new IllegalArgumentException("the jar must contain the program (got: " + arguments[0] + ")");
         }
         try (URLClassLoader loader =
                 new URLClassLoader(new URL[] {new URL(program, ".")}, DemoProgram.class.getClassLoader())) {
@@ -38,19 +38,19 @@ public final class DemoProgram {
         }
     }
 
-    /** Where a program's class is, or null where there is none here, as where there is no jar. */
+    /** The location of a program's class; null if it is not there, as when not run from a jar. */
     static @Nullable URL find(String program) {
         return DemoProgram.class.getResource(PLACE + program + ".class");
     }
 
-    /** Copies a world of the jar into a folder that has none of that name, and answers where it is. */
+    /** Copies a world from the jar to a folder, unless a file of that name is there, and returns the file's path. */
     static Path world(String name, Path folder) throws IOException {
         try (InputStream in = DemoProgram.class.getResourceAsStream(PLACE + name)) {
             if (in == null) {
                 throw new IllegalStateException(name + " is missing in " + Program.home() + PLACE);
             }
             Path copy = folder.resolve(name);
-            if (!Files.exists(copy)) { // its user may have changed it
+            if (!Files.exists(copy)) { // the user may have changed it
                 Files.copy(in, copy);
             }
             return copy;

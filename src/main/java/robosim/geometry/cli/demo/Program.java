@@ -12,7 +12,10 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** A program of examples/ in a process of its own, on the class path of this module alone: its source, or its class. */
+/**
+ * A program of examples/, run from source or from its class in a process of its own with only this module on the class
+ * path.
+ */
 public final class Program implements AutoCloseable {
     private final Process process;
     private final BufferedReader output;
@@ -26,8 +29,8 @@ public final class Program implements AutoCloseable {
     /**
      * Starts a program.
      *
-     * @param program its source file, or the class to be run and what names the program to it
-     * @param watched whether what it writes as an error, and a progress bar with it, goes straight to this terminal
+     * @param program its source file, or the class to run followed by the program's name
+     * @param watched whether its standard error, including a progress bar, goes straight to this terminal
      */
     static Program start(List<String> program, boolean watched, List<String> arguments) throws IOException {
         List<String> command = new ArrayList<>();
@@ -49,25 +52,30 @@ public final class Program implements AutoCloseable {
         return new Program(process);
     }
 
-    /** Whether this module's classes are in a jar. */
+    /** Whether this module runs from a jar. */
     static boolean isInJar() {
         return Files.isRegularFile(home());
     }
 
-    /** Where this module's classes are: a folder or a jar. */
+    /** The folder or jar that holds this module's classes. */
     public static Path home() {
         CodeSource source = Program.class.getProtectionDomain().getCodeSource();
         if (source == null) {
-            throw new IllegalStateException("the place of the module's classes must be known to start it again");
+            throw new IllegalStateException(
+                    "the location of the module's classes is unknown, so it cannot be started again");
         }
         try {
             return Path.of(source.getLocation().toURI());
         } catch (URISyntaxException e) {
-            throw new IllegalStateException("the place of the module's classes is no path: " + source.getLocation(), e);
+            throw new IllegalStateException(
+                    "the location of the module's classes is not a path: " + source.getLocation(), e);
         }
     }
 
-    /** A file of the project: from the working directory, or else from the project that target/classes is in. */
+    /**
+     * A file of the project, looked up in the working directory and then in the project that target/classes belongs to;
+     * null if it is in neither.
+     */
     static @Nullable Path projectFile(String name) {
         Path here = Path.of(name);
         if (Files.exists(here)) {
@@ -80,7 +88,7 @@ public final class Program implements AutoCloseable {
         return Files.exists(there) ? there : null;
     }
 
-    /** Its next line, which also counts as its text; null at the end. */
+    /** The next line of its output; null at the end. {@link #text} includes it. */
     @Nullable
     String line() throws IOException {
         String line = output.readLine();
@@ -90,20 +98,20 @@ public final class Program implements AutoCloseable {
         return line;
     }
 
-    /** Waits for its end and answers its exit code. */
+    /** Waits for the program to end and returns its exit code. */
     int end() throws IOException, InterruptedException {
         while (line() != null) {
-            // line() keeps what it read.
+            // line() stores what it reads.
         }
         return process.waitFor();
     }
 
-    /** What it has written so far, as far as it was read. */
+    /** The output read so far. */
     String text() {
         return text.toString();
     }
 
-    /** Ends it where it still runs. */
+    /** Ends the program if it is still running. */
     @Override
     public void close() {
         process.destroy();

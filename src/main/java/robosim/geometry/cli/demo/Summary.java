@@ -12,15 +12,15 @@ import java.util.Map;
 import java.util.Properties;
 import robosim.geometry.exact.NumberText;
 
-/** What a demonstration tells at its end. */
+/** The summary that the demo prints at its end. */
 public final class Summary {
-    /** Obstacles that are named; the rest is counted. */
+    /** How many obstacles are named; the rest are counted. */
     private static final int NAMED = 6;
 
     private final Properties environment = new Properties();
     private final Timings timings;
 
-    /** Takes the environment's numbers from the folder of the recording. */
+    /** Reads the environment's numbers from the folder of the recording. */
     Summary(Path folder, Timings timings) throws IOException {
         this.timings = timings;
         try (Reader in = Files.newBufferedReader(folder.resolve("environment.properties"))) {
@@ -36,7 +36,7 @@ public final class Summary {
         return Double.parseDouble(environment.getProperty(key, "0"));
     }
 
-    /** One line for a picture. */
+    /** One line, as the caption of a picture. */
     String line(boolean right) {
         return format(
                 "%s, %s: %s asked, %,d refused, %s; the audit found %s wrong",
@@ -51,7 +51,7 @@ public final class Summary {
     /**
      * The whole summary.
      *
-     * @param verdict what the audit wrote
+     * @param verdict the output of the audit
      */
     String text(String verdict) {
         long asked = count("moves.asked");

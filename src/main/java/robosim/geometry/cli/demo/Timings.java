@@ -13,7 +13,7 @@ import robosim.geometry.protocol.MoveRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.Text;
 
-/** How long the module's side of a conversation took, and what stood in the way. */
+/** How long the module's side of a conversation took, and what blocked moves. */
 public final class Timings implements SessionListener {
     private final Times sonar = new Times();
     private final Times moves = new Times();
@@ -42,22 +42,22 @@ public final class Timings implements SessionListener {
         }
     }
 
-    /** What refused moves, and how many. */
+    /** The obstacles that blocked moves, each with how many moves it blocked. */
     synchronized Map<String, Integer> refusedBy() {
         return new HashMap<>(refusedBy);
     }
 
-    /** Microseconds within which a share of all sonar bundles was answered. */
+    /** The time within which a given share of all sonar bundles was answered, in microseconds. */
     synchronized double sonarMicros(double share) {
         return sonar.micros(share);
     }
 
-    /** Microseconds within which a share of all move bundles was answered. */
+    /** The time within which a given share of all move bundles was answered, in microseconds. */
     synchronized double moveMicros(double share) {
         return moves.micros(share);
     }
 
-    /** Nanoseconds, many of them. */
+    /** A growing list of durations in nanoseconds. */
     private static final class Times {
         private long[] nanos = new long[1024];
         private int size;

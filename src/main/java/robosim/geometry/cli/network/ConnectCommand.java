@@ -15,15 +15,15 @@ import robosim.geometry.net.NetOptions;
 import robosim.geometry.net.Quotas;
 import robosim.geometry.net.Redial;
 
-/** Dials an environment and answers it. */
+/** Dials an environment and answers its requests. */
 @Command(
         name = "connect",
-        description = "Dials RoboSim's environment module and answers it; dials again when it is gone.",
+        description = "Dials RoboSim's environment module and answers its requests; dials again after a disconnect.",
         mixinStandardHelpOptions = true,
         versionProvider = Version.class,
         exitCodeListHeading = ExitCodes.HEADING,
         exitCodeList = {
-            ExitCodes.FINE + ":with --once, the environment was answered and hung up",
+            ExitCodes.FINE + ":with --once, the environment was served until it hung up",
             ExitCodes.UNUSABLE
                     + ":not done: bad usage, or with --once an environment that cannot be reached or a connection that"
                     + " failed (TLS, the secret, the protocol)",
@@ -75,7 +75,7 @@ public final class ConnectCommand implements Callable<Integer> {
             watched.close();
         });
         client.run();
-        // What went wrong on the connection has been logged by then; only without --once does that not matter.
+        // A failure of the connection has been logged by then; it decides the exit code only with --once.
         return once && client.figures().getErrors() > 0 ? ExitCodes.UNUSABLE : ExitCodes.FINE;
     }
 }

@@ -18,7 +18,7 @@ import robosim.geometry.net.Secret;
 import robosim.geometry.net.Timeouts;
 import robosim.geometry.net.Tls;
 
-/** What {@code serve} and {@code connect} have in common. No password and no secret is ever an argument. */
+/** Options that {@code serve} and {@code connect} share. Passwords and secrets are never arguments. */
 public final class ConnectionOptions {
     @Spec(Spec.Target.MIXEE)
     @SuppressWarnings("NullAway.Init") // set by picocli
@@ -28,7 +28,7 @@ public final class ConnectionOptions {
             names = "--stall",
             paramLabel = "SECONDS",
             defaultValue = "10",
-            description = "how long a message may pause, in or out, before its connection is closed (default:"
+            description = "longest pause within a message, in or out, before the connection is closed (default:"
                     + " ${DEFAULT-VALUE})")
     private int stall;
 
@@ -36,20 +36,23 @@ public final class ConnectionOptions {
             names = "--message-time",
             paramLabel = "SECONDS",
             defaultValue = "60",
-            description = "how long a whole message may take (default: ${DEFAULT-VALUE})")
+            description = "longest time for a whole message (default: ${DEFAULT-VALUE})")
     private int messageTime;
 
     @Option(
             names = "--idle",
             paramLabel = "SECONDS",
             defaultValue = "86400",
-            description = "how long a peer may say nothing between two messages (default: ${DEFAULT-VALUE})")
+            description = "longest silence of a peer between two messages (default: ${DEFAULT-VALUE})")
     private int idle;
 
-    @Option(names = "--max-objects", paramLabel = "N", description = "most objects of a world")
+    @Option(names = "--max-objects", paramLabel = "N", description = "maximum number of objects in a world")
     private int objects = Quotas.DEFAULT.objects();
 
-    @Option(names = "--max-requests", paramLabel = "N", description = "most moves or sonar requests of a bundle")
+    @Option(
+            names = "--max-requests",
+            paramLabel = "N",
+            description = "maximum number of moves or sonar requests in a bundle")
     private int requests = Quotas.DEFAULT.requests();
 
     @ArgGroup(exclusive = false)
@@ -62,21 +65,25 @@ public final class ConnectionOptions {
             names = "--figures",
             paramLabel = "SECONDS",
             defaultValue = "0",
-            description = "how often to print a line of figures; 0 for never. One is printed at the end.")
+            description = "how often to print a line of figures; 0 for never. A last line is printed at the end.")
     private int figures;
 
     private ConnectionOptions() {}
 
-    /** TLS: all of it or nothing. */
+    /** The options for TLS: all of them or none. */
     private static final class Stores {
-        @Option(names = "--key-store", paramLabel = "FILE", required = true, description = "TLS: the own key")
+        @Option(
+                names = "--key-store",
+                paramLabel = "FILE",
+                required = true,
+                description = "TLS: this side's key and certificate")
         private Path key = Path.of("");
 
         @Option(
                 names = "--trust-store",
                 paramLabel = "FILE",
                 required = true,
-                description = "TLS: the certificates that peers may show")
+                description = "TLS: the certificates that are trusted")
         private Path trust = Path.of("");
 
         @ArgGroup(multiplicity = "1")
@@ -84,10 +91,16 @@ public final class ConnectionOptions {
     }
 
     private static final class PasswordSource {
-        @Option(names = "--password-file", paramLabel = "FILE", description = "its first line opens both stores")
+        @Option(
+                names = "--password-file",
+                paramLabel = "FILE",
+                description = "a file whose first line is the password of both stores")
         private @Nullable Path file;
 
-        @Option(names = "--password-env", paramLabel = "NAME", description = "a variable that opens both stores")
+        @Option(
+                names = "--password-env",
+                paramLabel = "NAME",
+                description = "an environment variable that holds the password of both stores")
         private @Nullable String variable;
     }
 
@@ -95,14 +108,18 @@ public final class ConnectionOptions {
         @Option(
                 names = "--secret-file",
                 paramLabel = "FILE",
-                description = "its first line is the secret that JSON peers must show; others then need TLS")
+                description =
+                        "a file whose first line is the secret that JSON peers must present; all others then need TLS")
         private @Nullable Path file;
 
-        @Option(names = "--secret-env", paramLabel = "NAME", description = "a variable that holds this secret")
+        @Option(
+                names = "--secret-env",
+                paramLabel = "NAME",
+                description = "an environment variable that holds this secret")
         private @Nullable String variable;
     }
 
-    /** As told; a bad one is refused as the command line's own. */
+    /** The options as given; a bad value is refused as a usage error. */
     NetOptions options(int connections) {
         try {
             return NetOptions.defaults()
@@ -153,7 +170,7 @@ public final class ConnectionOptions {
                 List<String> lines = Files.readAllLines(file);
                 return lines.isEmpty() ? new char[0] : lines.get(0).toCharArray();
             } catch (IOException e) {
-                throw new IllegalArgumentException(option + "-file must be a file of text (got: " + file + ")", e);
+                throw new IllegalArgumentException(option + "-file must be a text file (got: " + file + ")", e);
             }
         }
         String value = variable == null ? null : System.getenv(variable);

@@ -4,11 +4,11 @@ import java.io.PrintWriter;
 import java.util.concurrent.TimeUnit;
 import robosim.geometry.net.FiguresMXBean;
 
-/** Prints what an end has done: now and then, and when the process ends. */
+/** Prints the figures of one end of the connection: at intervals, and when the process ends. */
 public final class FiguresPrinter {
     private FiguresPrinter() {}
 
-    /** Begins; the end itself is closed when the process is told to end, before the last line. */
+    /** Starts printing. When the process is told to end, {@code close} runs before the last line is printed. */
     static void start(PrintWriter out, FiguresMXBean figures, int seconds, Runnable close) {
         Runtime.getRuntime()
                 .addShutdownHook(new Thread(

@@ -11,7 +11,7 @@ import picocli.CommandLine.Spec;
 import robosim.geometry.net.NetOptions;
 import robosim.geometry.scenario.Recordings;
 
-/** How {@code serve} and {@code connect} write down their sessions. */
+/** How {@code serve} and {@code connect} record their sessions. */
 public final class RecordOptions {
     @Spec(Spec.Target.MIXEE)
     @SuppressWarnings("NullAway.Init") // set by picocli
@@ -20,20 +20,20 @@ public final class RecordOptions {
     @Option(
             names = "--record",
             paramLabel = "PLACE",
-            description =
-                    "write each session as a scenario, which `replay` carries out anew: serve takes a folder, with a"
-                            + " file for each connection, connect a file, and numbers those of further connections")
+            description = "record each session as a scenario for `replay`: serve takes a folder and writes a"
+                    + " file for each connection; connect takes a file, and numbers those of further connections")
     private @Nullable Path place;
 
     @Option(
             names = "--record-bytes",
             paramLabel = "N",
-            description = "most bytes of a file; then recording stops and the session goes on (default: 1 GiB)")
+            description =
+                    "largest size of a file; at that size recording stops and the session goes on (default: 1 GiB)")
     private long bytes = Recordings.DEFAULT_BYTES;
 
     private RecordOptions() {}
 
-    /** A folder, made where it is not there. */
+    /** Records into a folder, which is created if it does not exist. */
     NetOptions inFolder(NetOptions options) {
         Path folder = place;
         if (folder == null) {
@@ -42,7 +42,7 @@ public final class RecordOptions {
         try {
             Files.createDirectories(folder);
         } catch (IOException e) {
-            throw refused("--record must be a folder, or where one can be made (got: " + folder + ")");
+            throw refused("--record must be a folder, or a path where one can be created (got: " + folder + ")");
         }
         if (!Files.isWritable(folder)) {
             throw refused("--record must be a folder that can be written to (got: " + folder + ")");
@@ -50,14 +50,14 @@ public final class RecordOptions {
         return options.withListeners(limited(Recordings.inFolder(folder, options.session())));
     }
 
-    /** A file that is not there yet, in a folder that is. */
+    /** Records into a new file in an existing folder. */
     NetOptions inFile(NetOptions options) {
         Path file = place;
         if (file == null) {
             return options;
         }
         if (Files.exists(file)) {
-            throw refused("--record must be a new file; none is written over (got: " + file + ")");
+            throw refused("--record must be a new file; existing files are not overwritten (got: " + file + ")");
         }
         Path folder = file.toAbsolutePath().getParent();
         if (folder == null || !Files.isWritable(folder)) {

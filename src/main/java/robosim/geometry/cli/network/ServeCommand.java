@@ -14,10 +14,10 @@ import robosim.geometry.cli.terminal.Ports;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.net.GeometryServer;
 
-/** Waits for environments until the process is ended. */
+/** Serves environments that dial in, until the process is ended. */
 @Command(
         name = "serve",
-        description = "Waits for environment modules that dial in, until it is ended.",
+        description = "Serves environment modules that dial in, until it is ended.",
         mixinStandardHelpOptions = true,
         versionProvider = Version.class,
         exitCodeListHeading = ExitCodes.HEADING,
@@ -33,7 +33,7 @@ public final class ServeCommand implements Callable<Integer> {
     @SuppressWarnings("NullAway.Init") // set by picocli before call()
     private CommandSpec spec;
 
-    @Parameters(paramLabel = "PORT", description = "1 to 65535, or 0 for any that is free")
+    @Parameters(paramLabel = "PORT", description = "1 to 65535, or 0 for any free port")
     private int port;
 
     @Option(
@@ -41,7 +41,7 @@ public final class ServeCommand implements Callable<Integer> {
             paramLabel = "ADDRESS",
             defaultValue = "localhost",
             description =
-                    "where to listen; 0.0.0.0 for everywhere (default: ${DEFAULT-VALUE}). Off this machine only with TLS"
+                    "address to listen on; 0.0.0.0 for all (default: ${DEFAULT-VALUE}). Any but this machine's own needs TLS"
                             + " or a secret.")
     private String host = "localhost";
 
@@ -49,7 +49,7 @@ public final class ServeCommand implements Callable<Integer> {
             names = "--connections",
             paramLabel = "N",
             defaultValue = "256",
-            description = "most connections at a time (default: ${DEFAULT-VALUE})")
+            description = "maximum number of connections at a time (default: ${DEFAULT-VALUE})")
     private int connections;
 
     @Mixin

@@ -12,7 +12,7 @@ import robosim.geometry.net.SessionListener;
 import robosim.geometry.net.WatchServer;
 import robosim.geometry.scenario.Watching;
 
-/** How {@code serve} and {@code connect} let others look on. */
+/** How {@code serve} and {@code connect} let a session be watched. */
 public final class WatchOptions {
     @Spec(Spec.Target.MIXEE)
     @SuppressWarnings("NullAway.Init") // set by picocli
@@ -21,13 +21,16 @@ public final class WatchOptions {
     @Option(
             names = "--watch",
             paramLabel = "PORT",
-            description = "listen on this machine, on a second port that tells what happens and takes nothing, for"
-                    + " `view --watch`; 0 for any that is free")
+            description = "open a second, read-only port on this machine that reports what happens, for"
+                    + " `view --watch`; 0 for any free port")
     private @Nullable Integer port;
 
     private WatchOptions() {}
 
-    /** What is listening, and the options that let it know; closing it ends nothing where nobody was to watch. */
+    /**
+     * The server for watchers, null if none was asked for, and the options that report to it. Closing it closes that
+     * server.
+     */
     record Watch(NetOptions options, @Nullable WatchServer server) implements AutoCloseable {
         @Override
         public void close() {
@@ -37,7 +40,7 @@ public final class WatchOptions {
         }
     }
 
-    /** Begins to listen where that is asked for. */
+    /** Starts to listen if watching was asked for. */
     Watch begin(NetOptions options) {
         if (port == null) {
             return new Watch(options, null);
@@ -46,7 +49,7 @@ public final class WatchOptions {
         Watching watching = new Watching(options.session());
         WatchServer server = new WatchServer(port, watching);
         PrintWriter out = spec.commandLine().getOut();
-        out.println("To be watched on " + server.address());
+        out.println("Watch on " + server.address());
         out.flush();
         Function<String, SessionListener> others = options.listeners();
         NetOptions told =

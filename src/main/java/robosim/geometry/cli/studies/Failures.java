@@ -10,15 +10,15 @@ import robosim.geometry.exact.NumberText;
 import robosim.geometry.protocol.Text;
 import robosim.geometry.sweep.Outcome;
 
-/** Why the replicates of a sweep failed: the first few errors that are not the same, each with who came upon it first. */
+/** Why replicates of a sweep failed: the first few distinct errors, each with the first replicate that it came from. */
 public final class Failures implements Consumer<Outcome> {
-    /** Errors that are told; the rest is counted. */
+    /** How many distinct errors are listed; the rest are counted. */
     private static final int TOLD = 3;
 
     private final Map<String, Failure> told = new LinkedHashMap<>();
     private long all;
 
-    /** One error: how often it came, and where first. */
+    /** One error: how often it occurred, and where first. */
     private static final class Failure {
         final Outcome first;
         long times;
@@ -45,12 +45,12 @@ public final class Failures implements Consumer<Outcome> {
         }
     }
 
-    /** Whether any failed. */
+    /** Whether any replicate failed. */
     boolean areThere() {
         return all > 0;
     }
 
-    /** Tells them; nothing where none failed. */
+    /** Prints them; prints nothing if none failed. */
     void tell(PrintWriter out) {
         if (all == 0) {
             return;
@@ -67,10 +67,10 @@ public final class Failures implements Consumer<Outcome> {
         if (rest > 0) {
             out.printf(Locale.ROOT, "  and %,d with other errors%n", rest);
         }
-        out.println("The lines in the results whose \"type\" is \"failure\" tell all of it.");
+        out.println("For the full errors, see the lines in the results whose \"type\" is \"failure\".");
     }
 
-    /** Which replicate, in the words of its line in the results. */
+    /** Which replicate, by the field names of its line in the results. */
     private static String place(Outcome outcome) {
         StringBuilder values = new StringBuilder();
         new TreeMap<>(outcome.parameters())

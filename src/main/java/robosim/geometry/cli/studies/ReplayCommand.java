@@ -29,16 +29,16 @@ import robosim.geometry.scenario.ScenarioReader;
 import robosim.geometry.scenario.Step;
 import robosim.geometry.scenario.StepReader;
 
-/** Carries out recorded conversations anew. */
+/** Replays recorded conversations. */
 @Command(
         name = "replay",
-        description = "Carries out recorded conversations anew, without sockets, and compares the answers bit for bit.",
+        description = "Replays recorded conversations, without sockets, and compares the answers bit for bit.",
         mixinStandardHelpOptions = true,
         versionProvider = Version.class,
         exitCodeListHeading = ExitCodes.HEADING,
         exitCodeList = {
-            ExitCodes.FINE + ":every answer is the one recorded",
-            ExitCodes.FINDINGS + ":any answer is another",
+            ExitCodes.FINE + ":every answer is as recorded",
+            ExitCodes.FINDINGS + ":at least one answer differs",
             ExitCodes.REFUSED
         },
         footerHeading = "%nExamples:%n",
@@ -56,19 +56,23 @@ public final class ReplayCommand implements Callable<Integer> {
     @Parameters(
             arity = "1..*",
             paramLabel = "FILE|FOLDER",
-            description = "scenarios, or folders in whose trees every *" + ScenarioReader.ENDING
-                    + " is one; also the demo's " + WireFiles.TO_MODULE + ", with " + WireFiles.FROM_MODULE
-                    + " beside it")
+            description =
+                    "scenarios, or folders, which are searched with their subfolders for *" + ScenarioReader.ENDING
+                            + "; also the demo's " + WireFiles.TO_MODULE + ", with " + WireFiles.FROM_MODULE
+                            + " beside it")
     private List<Path> places = List.of();
 
     @Option(
             names = "--root",
             paramLabel = "DIR",
-            description = "no world outside of this folder is read that a scenario names (default: the folder above the"
-                    + " scenario's own)")
+            description = "worlds that a scenario names are read from within this folder only (default: the parent of"
+                    + " the scenario's folder)")
     private @Nullable Path root;
 
-    @Option(names = "--most", paramLabel = "N", description = "differences told of each file (default: 10)")
+    @Option(
+            names = "--most",
+            paramLabel = "N",
+            description = "maximum number of differences listed for each file (default: 10)")
     private int most = 10;
 
     private long steps;
@@ -95,7 +99,7 @@ public final class ReplayCommand implements Callable<Integer> {
                 compared,
                 different + unreadable == 0
                         ? "all the same, bit for bit"
-                        : different + " answered otherwise, " + unreadable + " unreadable");
+                        : different + " answered differently, " + unreadable + " unreadable");
         out.flush();
         return unreadable > 0 ? ExitCodes.UNUSABLE : different > 0 ? ExitCodes.FINDINGS : 0;
     }
@@ -112,8 +116,7 @@ public final class ReplayCommand implements Callable<Integer> {
                 Inputs.file(spec, "FILE|FOLDER", place); // which refuses it
             }
             if (!Files.isDirectory(place)) {
-                throw new ParameterException(
-                        spec.commandLine(), "FILE|FOLDER must be there to be replayed (got: " + place + ")");
+                throw new ParameterException(spec.commandLine(), "FILE|FOLDER must exist (got: " + place + ")");
             }
             int before = files.size();
             try (Stream<Path> tree = Files.walk(place)) {
@@ -124,8 +127,8 @@ public final class ReplayCommand implements Callable<Integer> {
             if (files.size() == before) {
                 throw new ParameterException(
                         spec.commandLine(),
-                        "FOLDER must hold a *" + ScenarioReader.ENDING + " or the demo's " + WireFiles.TO_MODULE
-                                + ", itself or in its tree (got: " + place + ")");
+                        "FOLDER must contain a *" + ScenarioReader.ENDING + " or the demo's " + WireFiles.TO_MODULE
+                                + ", directly or in a subfolder (got: " + place + ")");
             }
         }
         return files;
@@ -169,11 +172,11 @@ public final class ReplayCommand implements Callable<Integer> {
         if (replay.mismatches() > most) {
             long rest = replay.mismatches() - most;
             out.println(file + ": and " + NumberText.count(rest, "more step") + (rest == 1 ? " is" : " are")
-                    + " answered otherwise");
+                    + " answered differently");
         }
         if (reader instanceof ScenarioReader lines && lines.torn() > 0) {
             out.println(file + ": line " + lines.torn()
-                    + " breaks off, as where a recording is killed or its disk is full; it was passed over");
+                    + " is incomplete, as after a killed recorder or a full disk; it was skipped");
         }
         steps += replay.steps();
         compared += replay.compared();

@@ -33,24 +33,24 @@ import robosim.geometry.sweep.SweepRun;
 import robosim.geometry.sweep.SweepScenario;
 import robosim.geometry.sweep.SweepWorld;
 
-/** Carries out a scenario over worlds, parameters and seeds. */
+/** Runs a scenario over worlds, parameters and seeds. */
 @Command(
         name = "sweep",
-        description = "Carries out a scenario over worlds, parameters and seeds, on any number of threads and machines,"
-                + " with the same results to the bit.",
+        description = "Runs a scenario over worlds, parameters and seeds, on any number of threads and machines,"
+                + " with results that are the same to the bit.",
         mixinStandardHelpOptions = true,
         versionProvider = Version.class,
         subcommands = SweepMergeCommand.class,
         exitCodeListHeading = ExitCodes.HEADING,
         exitCodeList = {ExitCodes.DONE, ExitCodes.FINDINGS + ":replicates failed", ExitCodes.REFUSED},
-        footerHeading = "%nParameters of a scenario file, 0 where they are not given:%n",
+        footerHeading = "%nParameters of a scenario file, each 0 unless given:%n",
         footer = {
-            "  place    radius in world units of the disc in which each robot starts",
-            "  heading  degrees by which its heading is off at most",
-            "  slip     standard deviation of each move, as a share of it",
-            "  aim      standard deviation in degrees of each beam's direction",
-            "  range    standard deviation in world units of each distance",
-            "Of any scenario: accuracy, dimension (those of the world).",
+            "  place    radius of the disc in which each robot starts, world units",
+            "  heading  largest error of its starting heading, degrees",
+            "  slip     standard deviation of each move, as a fraction of the move",
+            "  aim      standard deviation of each beam's direction, degrees",
+            "  range    standard deviation of each distance, world units",
+            "For any scenario: accuracy and dimension (default: the world's).",
             "",
             "Examples:",
             "  robosim-geometry sweep wandering.scenario.jsonl -n 1000 -p place=0,0.5,1 --plot wandering.svg",
@@ -80,7 +80,7 @@ public final class SweepCommand implements Callable<Integer> {
     @Option(
             names = {"-n", "--replicates"},
             paramLabel = "N",
-            description = "of each world with each combination of values (default: ${DEFAULT-VALUE})",
+            description = "runs of each world with each combination of values (default: ${DEFAULT-VALUE})",
             defaultValue = "100")
     private long replicates;
 
@@ -90,27 +90,25 @@ public final class SweepCommand implements Callable<Integer> {
     @Option(
             names = {"-p", "--parameter"},
             paramLabel = "NAME=VALUE[,VALUE...]",
-            description = "values of a parameter; may be repeated for others")
+            description = "values of a parameter; repeat it for other parameters")
     private List<String> parameters = List.of();
 
-    @Option(names = "--threads", paramLabel = "N", description = "default: as many as there are processors")
+    @Option(names = "--threads", paramLabel = "N", description = "number of threads (default: number of processors)")
     private int threads = Runtime.getRuntime().availableProcessors();
 
     @Option(
             names = "--shard",
             paramLabel = "I/N",
-            description = "carry out only the I-th of N parts, I from 0: one on each machine")
+            description = "run only the I-th of N parts, I from 0: one on each machine")
     private @Nullable String shard;
 
-    @Option(
-            names = "--resume",
-            description = "go on where the results end, if there are any: nothing is carried out again")
+    @Option(names = "--resume", description = "continue where existing results end; nothing is run twice")
     private boolean resumed;
 
     @Option(
             names = {"-o", "--out"},
             paramLabel = "FILE",
-            description = "the results, JSON lines (default: sweep.jsonl, of a shard sweep-I-of-N.jsonl)")
+            description = "file for the results, JSON lines (default: sweep.jsonl, for a shard sweep-I-of-N.jsonl)")
     private @Nullable Path target;
 
     @Mixin
@@ -145,7 +143,7 @@ public final class SweepCommand implements Callable<Integer> {
                 "%s on %s%s, %.1f s: %s%n",
                 NumberText.count(size - earlier, "replicate"),
                 NumberText.count(threads, "thread"),
-                earlier > 0 ? String.format(", %,d were there", earlier) : "",
+                earlier > 0 ? String.format(", %,d done before", earlier) : "",
                 (System.nanoTime() - start) / 1e9,
                 file);
         out.flush();
@@ -156,7 +154,7 @@ public final class SweepCommand implements Callable<Integer> {
         return "sweep-" + part.number() + "-of-" + part.count() + ".jsonl";
     }
 
-    /** How long it will still take, for people. */
+    /** The estimated time left, as text for people. */
     public static String left(long nanos, long done, long remaining) {
         if (done < 1) {
             return "";
@@ -236,8 +234,8 @@ public final class SweepCommand implements Callable<Integer> {
         } catch (InvocationTargetException | ExceptionInInitializerError e) {
             throw new ParameterException(
                     spec.commandLine(),
-                    "SCENARIO must be a class that can be made (got: " + name + ", which failed with " + e.getCause()
-                            + ")",
+                    "SCENARIO must be a class that can be instantiated (got: " + name + ", which failed with "
+                            + e.getCause() + ")",
                     e);
         } catch (ReflectiveOperationException | LinkageError e) {
             throw new ParameterException(

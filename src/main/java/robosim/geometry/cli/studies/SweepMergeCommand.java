@@ -19,10 +19,10 @@ import robosim.geometry.cli.terminal.Inputs;
 import robosim.geometry.cli.terminal.Version;
 import robosim.geometry.sweep.SweepResults;
 
-/** Brings the results of shards together. */
+/** Merges the results of shards. */
 @Command(
         name = "merge",
-        description = "Brings the results of a sweep's shards together, and tells them as one.",
+        description = "Merges the results of a sweep's shards and reports them as one.",
         mixinStandardHelpOptions = true,
         versionProvider = Version.class,
         exitCodeListHeading = ExitCodes.HEADING,
@@ -40,7 +40,7 @@ public final class SweepMergeCommand implements Callable<Integer> {
     @Option(
             names = {"-o", "--out"},
             paramLabel = "FILE",
-            description = "write all results there, by their index")
+            description = "file for all results, sorted by index")
     private @Nullable Path target;
 
     @Mixin
@@ -65,12 +65,12 @@ public final class SweepMergeCommand implements Callable<Integer> {
         }
         int code = output.tell(results, out);
         if (results.torn() > 0) {
-            out.printf("%,d of the files end in a line that broke off; it was passed over%n", results.torn());
+            out.printf("%,d of the files end in an incomplete line, which was skipped%n", results.torn());
         }
         long missing = results.header().size() - results.size();
         if (missing > 0) {
             out.printf(
-                    "%,d of %,d replicates are missing: other shards have them, or resume those that were stopped%n",
+                    "%,d of %,d replicates are missing: add the other shards, or resume those that were stopped%n",
                     missing, results.header().size());
         }
         out.flush();

@@ -11,12 +11,12 @@ import robosim.geometry.sweep.SweepPlot;
 import robosim.geometry.sweep.SweepResults;
 import robosim.geometry.sweep.SweepSummary;
 
-/** What is told of the results of a sweep. */
+/** The options for how the results of a sweep are reported. */
 public final class SweepOutput {
-    @Option(names = "--table", paramLabel = "FILE.md", description = "also write the table, Markdown, to a file")
+    @Option(names = "--table", paramLabel = "FILE.md", description = "also write the table to a Markdown file")
     private @Nullable Path table;
 
-    @Option(names = "--plot", paramLabel = "FILE.svg", description = "draw the means over the values of a parameter")
+    @Option(names = "--plot", paramLabel = "FILE.svg", description = "plot the means over the values of a parameter")
     private @Nullable Path plot;
 
     @Option(
@@ -26,7 +26,7 @@ public final class SweepOutput {
 
     private SweepOutput() {}
 
-    /** Tells it; answers the exit code. */
+    /** Prints the results and returns the exit code. */
     int tell(SweepResults results, PrintWriter out) throws IOException {
         SweepSummary summary = new SweepSummary();
         Failures failures = new Failures();

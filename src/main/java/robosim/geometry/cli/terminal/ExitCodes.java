@@ -1,11 +1,11 @@
 package robosim.geometry.cli.terminal;
 
-/** What every command tells by its exit code, and the words for it in each command's help. */
+/** The exit codes of all commands, and their descriptions in each command's help. */
 public final class ExitCodes {
     /** Done, and nothing is wrong. */
     public static final int FINE = 0;
 
-    /** Done, and something was found: answers that differ, an audit that fails, a world with findings. */
+    /** Done, with findings: answers that differ, an audit that fails, a world with findings. */
     public static final int FINDINGS = 1;
 
     /** Not done: bad usage, input that cannot be read, a connection that failed. */

@@ -21,13 +21,13 @@ public final class FailureText {
     private static String file(FileSystemException failure, String message) {
         String file = String.valueOf(failure.getFile());
         if (failure instanceof NoSuchFileException) {
-            return file + ": there is no such file or folder; check the path";
+            return file + ": no such file or folder; check the path";
         }
         if (failure instanceof AccessDeniedException) {
-            return file + ": this may not be read or written; check who owns it";
+            return file + ": permission denied; check who owns it";
         }
         if (failure instanceof FileAlreadyExistsException) {
-            return file + ": this is there already, and no folder; remove it or name another place";
+            return file + ": already exists and is not a folder; remove it or name another place";
         }
         return failure.getReason() == null ? message : file + ": " + failure.getReason();
     }

@@ -19,26 +19,25 @@ public final class Inputs {
     private Inputs() {}
 
     /**
-     * A file that is there.
+     * Returns the file if it exists and can be read.
      *
-     * @param parameter what the help calls it
+     * @param parameter its name in the help
      */
     public static Path file(CommandSpec spec, String parameter, Path file) {
         if (Files.isDirectory(file)) {
             throw new ParameterException(
                     spec.commandLine(),
-                    parameter + " must be a file; this is a folder, name one in it (got: " + file + ")");
+                    parameter + " must be a file, not a folder; name a file in it (got: " + file + ")");
         }
         if (!Files.exists(file)) {
             throw new ParameterException(
-                    spec.commandLine(),
-                    parameter + " must be a file; there is none, check the path (got: " + file + ")");
+                    spec.commandLine(), parameter + " must be a file that exists; check the path (got: " + file + ")");
         }
         if (!Files.isRegularFile(file)) {
             throw new ParameterException(
                     spec.commandLine(),
                     parameter
-                            + " must be a regular file; this is a pipe, a socket or a device, so save what it gives to"
+                            + " must be a regular file, not a pipe, a socket or a device; save its contents to"
                             + " a file first (got: " + file + ")");
         }
         if (!Files.isReadable(file)) {
@@ -50,21 +49,21 @@ public final class Inputs {
     }
 
     /**
-     * Folders that are there.
+     * Checks that folders exist.
      *
-     * @param option what the help calls them
+     * @param option the option's name in the help
      */
     public static void folders(CommandSpec spec, String option, List<Path> folders) {
         for (Path folder : folders) {
             if (!Files.isDirectory(folder)) {
                 throw new ParameterException(
-                        spec.commandLine(), option + " must be a folder; there is none (got: " + folder + ")");
+                        spec.commandLine(), option + " must be a folder that exists (got: " + folder + ")");
             }
         }
     }
 
     /**
-     * A world of any format; what the file has and the world has not is told on the standard error.
+     * Reads a world of any format; what is left out of the file is reported on the standard error.
      *
      * @param models folders for SDFormat's {@code model://}
      */
@@ -75,7 +74,7 @@ public final class Inputs {
         PrintWriter err = spec.commandLine().getErr();
         skipped.stream().limit(MOST_SKIPPED).forEach(err::println);
         if (skipped.size() > MOST_SKIPPED) {
-            err.println("... and " + (skipped.size() - MOST_SKIPPED) + " more, which `convert --all` names");
+            err.println("... and " + (skipped.size() - MOST_SKIPPED) + " more; `convert --all` lists them all");
         }
         return read.world();
     }

@@ -5,7 +5,10 @@ import java.util.Locale;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
-/** Values as JSON, for scripts that read what a command found. Maps keep their order; what is not finite is null. */
+/**
+ * Writes values as JSON, for scripts that read a command's result. Maps keep their order; NaN and infinities become
+ * null.
+ */
 public final class Json {
     private Json() {}
 

@@ -3,7 +3,7 @@ package robosim.geometry.cli.terminal;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 
-/** The numbers of ports. */
+/** Checks port numbers. */
 public final class Ports {
     private Ports() {}
 

@@ -6,8 +6,9 @@ import java.util.function.Supplier;
 import picocli.CommandLine;
 
 /**
- * Tells on the standard error how far a long work is: as a bar where its size is known, else as a count. One line that is
- * drawn over; nothing at all where nobody watches, and nothing of a work that is done in half a second.
+ * Shows on the standard error how far a long task is: as a bar if its size is known, else as a count. The one line is
+ * redrawn in place. Nothing is shown if the standard error is not a terminal, or for a task that takes less than half a
+ * second.
  *
  * <pre>{@code
  * try (Progress progress = Progress.of(spec.commandLine(), "rays", count)) {
@@ -18,7 +19,7 @@ import picocli.CommandLine;
  * }
  * }</pre>
  *
- * May be told from any number of threads.
+ * May be updated from any number of threads.
  */
 public final class Progress implements AutoCloseable {
     private static final int CELLS = 24;
@@ -41,31 +42,31 @@ public final class Progress implements AutoCloseable {
     }
 
     /**
-     * Tells nothing yet.
+     * Starts a task; shows nothing yet.
      *
-     * @param work  what is done or counted, in a word or two
-     * @param total how much there is of it; 0 where that is not known
+     * @param work what is done or counted, in a word or two
+     * @param total the size of the task; 0 if unknown
      */
     public static Progress of(CommandLine line, String work, long total) {
         return new Progress(line.getErr(), Terminal.shows(line), work, total);
     }
 
-    /** One that is watched, whatever the standard error is. */
+    /** A progress line that is shown whether or not the standard error is a terminal. */
     public static Progress shown(PrintWriter err, String work, long total) {
         Progress progress = new Progress(err, true, work, total);
         progress.next = System.nanoTime();
         return progress;
     }
 
-    /** So much is done. Costs a look at the clock, and draws at most five times a second. */
+    /** Reports how much is done. Reads the clock, and redraws at most five times a second. */
     public void at(long done) {
         at(done, () -> "");
     }
 
     /**
-     * So much is done.
+     * Reports how much is done.
      *
-     * @param note what is at hand, behind the bar, asked only where it is drawn; may be empty
+     * @param note the current item, shown after the bar; called only when the line is drawn; may be empty
      */
     public void at(long done, Supplier<String> note) {
         if (watched && System.nanoTime() - next >= 0) {
@@ -97,7 +98,7 @@ public final class Progress implements AutoCloseable {
                 behind);
     }
 
-    /** Takes the line away, so that something else can be written. The next {@link #at} draws it again. */
+    /** Erases the line, so that something else can be written. The next {@link #at} draws it again. */
     public synchronized void clear() {
         if (drawn) {
             drawn = false;
@@ -106,7 +107,7 @@ public final class Progress implements AutoCloseable {
         }
     }
 
-    /** Takes the line away for good. */
+    /** Erases the line for good. */
     @Override
     public void close() {
         clear();

@@ -7,12 +7,12 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import picocli.CommandLine;
 
-/** Whether somebody watches. */
+/** Tells whether the standard error is a terminal. */
 public final class Terminal {
-    /** Where Linux tells what the standard error is. */
+    /** On Linux, a link to what the standard error is connected to. */
     private static final Path ERROR = Path.of("/proc/self/fd/2");
 
-    /** How the names of terminals begin. */
+    /** Prefixes of the names of terminals. */
     private static final String[] DEVICES = {"/dev/pts/", "/dev/tty", "/dev/console"};
 
     private Terminal() {}
@@ -24,14 +24,17 @@ public final class Terminal {
         boolean writesToStandardError();
     }
 
-    /** Whether what a command writes as its error goes to a terminal that can draw over a line. */
+    /** Whether a command's errors go to a terminal that can redraw a line. */
     static boolean shows(CommandLine line) {
         return line.getCommandSpec().root().userObject() instanceof Program program
                 && program.writesToStandardError()
                 && isPresent();
     }
 
-    /** Whether this process's standard error is a terminal; where the system does not tell, whether its other ends are. */
+    /**
+     * Whether this process's standard error is a terminal; where the system does not say, whether its standard input
+     * and output are.
+     */
     public static boolean isPresent() {
         if ("dumb".equals(System.getenv("TERM"))) {
             return false;
@@ -56,7 +59,7 @@ public final class Terminal {
             return false;
         }
         try {
-            // From Java 22 on there is a console without a terminal too, and this method tells.
+            // From Java 22 on a console may exist without a terminal, and this method tells.
             return (boolean) Console.class.getMethod("isTerminal").invoke(console);
         } catch (ReflectiveOperationException before22) {
             return true;

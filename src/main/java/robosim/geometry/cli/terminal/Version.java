@@ -2,12 +2,12 @@ package robosim.geometry.cli.terminal;
 
 import picocli.CommandLine.IVersionProvider;
 
-/** What {@code --version} prints. */
+/** The text that {@code --version} prints. */
 public final class Version implements IVersionProvider {
     /** What the program is called. */
     public static final String PROGRAM = "robosim-geometry";
 
-    /** That of the pom; a test compares them. */
+    /** The version in the pom; a test compares the two. */
     public static final String NUMBER = "1.0.0-SNAPSHOT";
 
     private Version() {}

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.scenario.WireReader;
 
-/** The two files that the demonstration leaves of its conversation: the bytes to the module, and those from it. */
+/** The two files in which the demo records its conversation: the bytes sent to the module, and those it sent. */
 public final class WireFiles {
     public static final String TO_MODULE = "to-module.bin";
 
@@ -14,7 +14,7 @@ public final class WireFiles {
 
     private WireFiles() {}
 
-    /** The first of the two where a place is their folder or either of them; null where it is not. */
+    /** The first of the two files, given their folder or either file; null if the place is neither. */
     public static @Nullable Path at(Path place) {
         if (Files.isDirectory(place)) {
             Path toModule = place.resolve(TO_MODULE);
@@ -24,7 +24,7 @@ public final class WireFiles {
         return name.equals(TO_MODULE) || name.equals(FROM_MODULE) ? place.resolveSibling(TO_MODULE) : null;
     }
 
-    /** Opens the conversation of which a file is the first. */
+    /** Opens a conversation, given the first of its files. */
     public static WireReader open(Path toModule) throws IOException {
         return WireReader.open(toModule, toModule.resolveSibling(FROM_MODULE));
     }

@@ -23,28 +23,28 @@ import robosim.geometry.world.WorldImport;
 import robosim.geometry.world.WorldReader;
 import robosim.geometry.world.check.WorldCheck;
 
-/** Tells what there is to know of a world before robots are let loose in it. */
+/** Examines a world file before robots are simulated in it. */
 @Command(
         name = "check",
         description = {
-            "Validates a world file and tells what is in it: counts, overlaps, objects outside of the world, robots that"
+            "Validates a world file and reports what is in it: counts, overlaps, objects outside the world, robots that"
                     + " start in contact or are shut in, and which accuracy and dimension its questions need.",
             "",
-            "Shut in: each robot is taken over a grid from its own place, by straight moves along X and Z at its height"
-                    + " (and, unless it is round, turns by 45 degrees) that the module itself allows among what cannot"
-                    + " move. The step is half of the robot's smaller side, or coarser in a large world, and is halved"
-                    + " twice where not every robot is met; it is told, as a way between the grid's may have been missed."
-                    + " Robots share a room where one gets as near to the other as their sizes and two steps, and from"
-                    + " there straight to the other without meeting anything else. Who starts in contact is not asked."
-                    + " Where the step had to be coarser than half of the robot's smaller side, and a finer search near"
-                    + " its start came to no end, it could not be told whether it is shut in, which is no finding.",
+            "Shut in: each robot explores a grid from its own place, by straight moves along X and Z at its height"
+                    + " (and, unless it is round, turns by 45 degrees), each of which the module checks against the static"
+                    + " objects. The step is half of the robot's smaller side, or coarser in a large world. It is halved"
+                    + " twice if not every robot is reached. The step is reported, since a way off the grid may be missed."
+                    + " Robots share a room if one gets within their sizes and two steps of the other, and from"
+                    + " there straight to it without touching anything else. A robot that starts in contact is not tested."
+                    + " If the step had to be coarser than half of the robot's smaller side, and a finer search near"
+                    + " its start did not finish, it is unknown whether the robot is shut in; this is not a finding.",
             "",
-            "Needs: 2,000 places, moves and sonars of the world's robots from a fixed seed, asked at each of the ten"
-                    + " settings; enough is what answers all of them as EXACT does in the world's own dimension. Where"
-                    + " there is no robot, nobody has room for 50 moves and distances, or nothing was met, it cannot be"
-                    + " told.",
+            "Needs: 2,000 places, moves and sonar readings of the robots, from a fixed seed, tried with each of the ten"
+                    + " settings; a setting is enough if it answers all of them as EXACT does in the world's own dimension."
+                    + " Unknown if there is no robot, if no robot has room for 50 moves and distances, or if nothing was"
+                    + " hit.",
             "",
-            "Static objects may overlap, as the walls of a plan do; they are told and are no finding."
+            "Static objects may overlap, as the walls of a plan do; such overlaps are listed but are not findings."
         },
         mixinStandardHelpOptions = true,
         versionProvider = Version.class,
@@ -52,11 +52,11 @@ import robosim.geometry.world.check.WorldCheck;
         exitCodeList = {
             ExitCodes.FINE + ":the world is fine",
             ExitCodes.FINDINGS
-                    + ":it can be read, and something of the file was left out, an object is outside of the world, or"
+                    + ":it was read, but part of the file was left out, an object is outside the world, or"
                     + " a robot starts in contact, is shut in or cannot move",
             ExitCodes.UNUSABLE
-                    + ":not done: bad usage, or a file that is missing or no world; all that is wrong in it is"
-                    + " told with its line"
+                    + ":not done: bad usage, or a file that is missing or is not a world; every error in it is"
+                    + " reported with its line"
         },
         footerHeading = "%nExamples:%n",
         footer = {
@@ -75,7 +75,7 @@ public final class CheckCommand implements Callable<Integer> {
     @Option(
             names = "--models",
             paramLabel = "DIR",
-            description = "a folder of models for SDFormat's model://, beside that of WORLD; may be given again")
+            description = "a folder of models for SDFormat's model://, in addition to WORLD's own; may be repeated")
     private List<Path> models = new ArrayList<>();
 
     @Option(names = "--json", description = "print one JSON object for scripts instead of text")
@@ -128,7 +128,7 @@ public final class CheckCommand implements Callable<Integer> {
         }
     }
 
-    /** A bar for each kind of work. */
+    /** A progress bar for each kind of work. */
     private void tell(String now, long done, long total) {
         Progress bar = progress;
         if (bar == null || !now.equals(work)) {

@@ -18,11 +18,11 @@ import robosim.geometry.world.check.Room;
 import robosim.geometry.world.check.Setting;
 import robosim.geometry.world.check.WorldCheck;
 
-/** A checked world for scripts. docs/command-line.md tells its fields. */
+/** A checked world as JSON, for scripts. docs/command-line.md describes the fields. */
 public final class CheckJson {
     private CheckJson() {}
 
-    /** A file that is no world. */
+    /** A file that is not a valid world. */
     static Map<String, @Nullable Object> problems(Path file, List<WorldException> problems) {
         Map<String, @Nullable Object> json = new LinkedHashMap<>();
         json.put("file", file);
@@ -40,7 +40,7 @@ public final class CheckJson {
         return json;
     }
 
-    /** @param read the account of the file */
+    /** @param read the result of reading the file */
     static Map<String, @Nullable Object> of(Path file, WorldCheck check, WorldImport read) {
         Map<String, @Nullable Object> json = new LinkedHashMap<>();
         json.put("file", file);

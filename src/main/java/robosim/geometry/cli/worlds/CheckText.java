@@ -21,9 +21,9 @@ import robosim.geometry.world.check.Room;
 import robosim.geometry.world.check.Setting;
 import robosim.geometry.world.check.WorldCheck;
 
-/** A checked world in words. */
+/** A checked world as text for people. */
 public final class CheckText {
-    /** Pairs of static objects that are told one by one. */
+    /** How many pairs of static objects are listed; the rest are counted. */
     private static final int STATIC_PAIRS = 10;
 
     /** Things left out that are told one by one. */
@@ -45,7 +45,7 @@ public final class CheckText {
         this.unit = given == null ? "" : " " + given.symbol();
     }
 
-    /** @param read the account of the file */
+    /** @param read the result of reading the file */
     static String of(Path file, WorldCheck check, WorldImport read) {
         CheckText text = new CheckText(check, read);
         text.contents(file);
@@ -67,7 +67,7 @@ public final class CheckText {
         text.append(String.format(Locale.ROOT, "%-9s %s%n", what, told));
     }
 
-    /** One or more of a kind. */
+    /** The noun for a kind, singular or plural. */
     private static String kinds(GeometryObject.Kind kind, int count) {
         String one = kind.word();
         return count == 1 ? one : one.endsWith("x") || one.endsWith("sh") ? one + "es" : one + "s";
@@ -136,7 +136,7 @@ public final class CheckText {
             add("contacts", "no robot starts in contact");
         }
         starts.forEach(
-                overlap -> add("contacts", "%s starts %s", overlap(overlap).toArray()));
+                overlap -> add("contacts", "%s starts out %s", overlap(overlap).toArray()));
         if (check.staticOverlaps() == 0) {
             add("overlaps", "no static objects touch or overlap");
             return;
@@ -159,15 +159,15 @@ public final class CheckText {
         }
     }
 
-    /** Who, and how it is with whom. */
+    /** The first object's name, and how it touches or overlaps the second. */
     private List<String> overlap(Overlap overlap) {
         String second = Text.name(overlap.second().object());
         String at = " at " + point(overlap.contact());
         String how = overlap.depth() == 0
-                ? "in touch with " + second + at
+                ? "touching " + second + at
                 : Double.isInfinite(overlap.depth())
-                        ? "within " + second + at
-                        : "within " + second + at + ", " + length(overlap.depth()) + " deep along "
+                        ? "inside " + second + at
+                        : "overlapping " + second + at + ", " + length(overlap.depth()) + " deep along "
                                 + point(overlap.normal());
         return List.of(Text.name(overlap.first().object()), how);
     }
@@ -179,30 +179,31 @@ public final class CheckText {
                     "ways",
                     check.robots().isEmpty()
                             ? "there is no robot"
-                            : "there is no robot that can be asked where it gets to");
+                            : "every robot starts in contact, so none could be tested");
             return;
         }
         Room main = rooms.get(0);
         if (rooms.size() == 1) {
             add(
                     "ways",
-                    main.robots().size() == 1 ? "%s gets about in %s" : "%s get to each other, in %s",
+                    main.robots().size() == 1 ? "%s can move in %s" : "%s can reach each other, in %s",
                     main.robots().size() == 1
                             ? main.robots().get(0)
                             : "all " + main.robots().size() + " robots that start free",
                     room(main));
         } else {
-            add("ways", "%s get about in %s", names(main), room(main));
+            add("ways", "%s can move in %s", names(main), room(main));
         }
         String them = main.robots().size() == 1 ? main.robots().get(0) : "them";
-        check.shutIn().forEach(room -> add("ways", "%s cannot get to %s: shut in %s", names(room), them, room(room)));
-        check.stuck().forEach(room -> add("ways", "%s cannot make a step", names(room)));
+        check.shutIn()
+                .forEach(room -> add("ways", "%s cannot reach %s: shut in, in %s", names(room), them, room(room)));
+        check.stuck().forEach(room -> add("ways", "%s cannot make a single step", names(room)));
         check.untold()
                 .forEach(room -> add(
                         "ways",
                         room.equals(main)
-                                ? "whether %s can get about could not be told at a step of %3$s"
-                                : "whether %s can get to %s could not be told at a step of %s",
+                                ? "unknown at a step of %3$s whether %1$s can move"
+                                : "unknown at a step of %3$s whether %1$s can reach %2$s",
                         names(room),
                         them,
                         length(room.step())));
@@ -215,7 +216,7 @@ public final class CheckText {
     private String room(Room room) {
         return String.format(
                 Locale.ROOT,
-                "x %s to %s, z %s to %s, about %s%s of places (%,d at a step of %s)",
+                "x %s to %s, z %s to %s, an area of about %s%s (%,d places at a step of %s)",
                 number(room.minX()),
                 number(room.maxX()),
                 number(room.minZ()),
@@ -232,14 +233,14 @@ public final class CheckText {
         if (check.robots().isEmpty()) {
             add(
                     "needs",
-                    "not asked, for there is no robot: name an object and make it moveable to learn what its"
-                            + " questions need");
+                    "unknown, for there is no robot: name an object and make it moveable to learn which accuracy"
+                            + " its queries need");
             return;
         }
         if (truth.isAskedEnough() && !needs.isTold()) {
             add(
                     "needs",
-                    "cannot be told: none of %,d places, %,d moves and %,d distances met anything; keep %s, %s",
+                    "unknown: none of %,d places, %,d moves and %,d distances hit anything; stay with %s, %s",
                     truth.places(),
                     truth.moves(),
                     truth.distances(),
@@ -250,7 +251,7 @@ public final class CheckText {
         if (!needs.isTold()) {
             add(
                     "needs",
-                    "cannot be told: robots had room for %,d moves and %,d distances alone; keep %s, %s",
+                    "unknown: robots had room for only %,d moves and %,d distances; stay with %s, %s",
                     truth.moves(),
                     truth.distances(),
                     needs.dimension(),
@@ -285,11 +286,11 @@ public final class CheckText {
 
     private String otherwise(Setting setting) {
         if (setting.isSame()) {
-            return "answers all alike";
+            return "answers all the same";
         }
         return String.format(
                 Locale.ROOT,
-                "answers %s of places, %s of moves, %s of distances otherwise%s",
+                "answers %s of places, %s of moves, %s of distances differently%s",
                 share(setting.placesOtherwise(), setting.places()),
                 share(setting.movesOtherwise(), setting.moves()),
                 share(setting.distancesOtherwise(), setting.distances()),
@@ -301,7 +302,7 @@ public final class CheckText {
             return "";
         }
         return Double.isInfinite(setting.shortest())
-                ? ", and hears what is not there"
+                ? ", and detects surfaces that are not there"
                 : ", short by up to " + length(setting.shortest());
     }
 
@@ -312,11 +313,11 @@ public final class CheckText {
                         Locale.ROOT, some > 0 && some * 1000L < all ? "%.2f %%" : "%.1f %%", 100.0 * some / all);
     }
 
-    /** What is found, counted. */
+    /** The number of findings of each kind. */
     private List<String> findings() {
         List<String> findings = new ArrayList<>();
         count(findings, skipped.size(), "left out of the file");
-        count(findings, check.outside().size(), "outside of the world");
+        count(findings, check.outside().size(), "outside the world");
         count(
                 findings,
                 (int) check.startingContacts().stream()

@@ -28,12 +28,12 @@ import robosim.geometry.world.World;
 import robosim.geometry.world.WorldImport;
 import robosim.geometry.world.WorldWriter;
 
-/** Makes a world file of a file of another format. */
+/** Converts a file of another format to a world file. */
 @Command(
         name = "convert",
         description =
-                "Reads a world, a map of ROS, SDFormat, or a mesh, and writes it as a world, or as a mesh for other viewers."
-                        + " Tells what was read, what was left out and why, and what was written.",
+                "Reads a world, a ROS map, an SDFormat file or a mesh, and writes it as a world, or as a mesh for other viewers."
+                        + " Reports what was read, what was left out and why, and what was written.",
         mixinStandardHelpOptions = true,
         versionProvider = Version.class,
         exitCodeListHeading = ExitCodes.HEADING,
@@ -62,29 +62,29 @@ public final class ConvertCommand implements Callable<Integer> {
     @Parameters(
             index = "0",
             paramLabel = "IN",
-            description =
-                    "a world (.xml), a map of ROS (.yaml), SDFormat (.sdf, .world, or a model's folder), or a mesh"
-                            + " (.obj, .stl)")
+            description = "a world (.xml), a ROS map (.yaml), SDFormat (.sdf, .world, or a model's folder), or a mesh"
+                    + " (.obj, .stl)")
     private Path in = Path.of("");
 
     @Parameters(
             index = "1",
             paramLabel = "OUT",
-            description = "the file to write: a world (.xml), or the triangles of all that is in it (.obj)")
+            description = "the file to write: a world (.xml), or the triangles of all its objects (.obj)")
     private Path out = Path.of("");
 
     @Option(
             names = "--wall-height",
             paramLabel = "METRES",
             defaultValue = "2",
-            description = "how high the walls of a map are (default: ${DEFAULT-VALUE})")
+            description = "height of a map's walls (default: ${DEFAULT-VALUE})")
     private double wallHeight;
 
     @Option(
             names = "--scale",
             paramLabel = "UNITS",
             defaultValue = "1",
-            description = "world units for each unit of a mesh: 0.001 for millimetres (default: ${DEFAULT-VALUE})")
+            description =
+                    "world units per mesh unit: 0.001 for a mesh in millimetres and a world in metres (default: ${DEFAULT-VALUE})")
     private double scale;
 
     @Option(
@@ -98,16 +98,16 @@ public final class ConvertCommand implements Callable<Integer> {
     @Option(
             names = "--models",
             paramLabel = "DIR",
-            description = "a folder of models for SDFormat's model://, beside that of IN; may be given again")
+            description = "a folder of models for SDFormat's model://, in addition to IN's own; may be repeated")
     private List<Path> models = new ArrayList<>();
 
-    @Option(names = "--strict", description = "writes nothing where anything would be left out, and ends with 1")
+    @Option(names = "--strict", description = "if anything would be left out, write nothing and exit with 1")
     private boolean strict;
 
-    @Option(names = "--all", description = "names all that is left out; else the first " + MOST_LINES)
+    @Option(names = "--all", description = "list everything that is left out, instead of the first " + MOST_LINES)
     private boolean all;
 
-    /** What a shell offers for {@code --up}: as the help writes it. */
+    /** The values that a shell's completion offers for {@code --up}, as the help writes them. */
     static final class Axes implements Iterable<String> {
         @Override
         public Iterator<String> iterator() {
@@ -127,15 +127,15 @@ public final class ConvertCommand implements Callable<Integer> {
         }
         if (Files.exists(out) && Files.isSameFile(in, out)) {
             throw new ParameterException(
-                    spec.commandLine(),
-                    "OUT must be another file than IN, which it would overwrite (got: " + out + ")");
+                    spec.commandLine(), "OUT must not be IN, which it would overwrite (got: " + out + ")");
         }
         Inputs.folders(spec, "--models", models);
         WorldImport read = WorldImport.read(in, options());
         PrintWriter printer = spec.commandLine().getOut();
         read.lines(all ? Integer.MAX_VALUE : MOST_LINES).forEach(printer::println);
         if (strict && !read.isWhole()) {
-            printer.println("Wrote nothing: --strict, and " + read.skipped().size() + " left out");
+            printer.println(
+                    "Wrote nothing: --strict was given, and " + read.skipped().size() + " would be left out");
             return ExitCodes.FINDINGS;
         }
         World world = read.world();
@@ -157,7 +157,7 @@ public final class ConvertCommand implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), "OUT must end in .xml or .obj (got: " + out + ")");
         }
         if (Files.isDirectory(out)) {
-            throw new ParameterException(spec.commandLine(), "OUT must be a file; this is a folder (got: " + out + ")");
+            throw new ParameterException(spec.commandLine(), "OUT must be a file, not a folder (got: " + out + ")");
         }
         return name.endsWith(".obj");
     }

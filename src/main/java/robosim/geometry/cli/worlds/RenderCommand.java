@@ -50,10 +50,10 @@ public final class RenderCommand implements Callable<Integer> {
     @Option(
             names = "--models",
             paramLabel = "DIR",
-            description = "a folder of models for SDFormat's model://, beside that of WORLD; may be given again")
+            description = "a folder of models for SDFormat's model://, in addition to WORLD's own; may be repeated")
     private List<Path> models = new ArrayList<>();
 
-    @Option(names = "--dark", description = "a .png on dark paper; an .svg follows its reader")
+    @Option(names = "--dark", description = "draw a .png on a dark background; an .svg follows its viewer's theme")
     private boolean dark;
 
     private RenderCommand() {}

@@ -51,30 +51,30 @@ public final class ViewCommand implements Callable<Integer> {
     @Parameters(
             arity = "0..1",
             paramLabel = "FILE",
-            description = "a world of any format that convert reads, a recording (*" + ScenarioReader.ENDING
+            description = "a world in any format that convert reads, a recording (*" + ScenarioReader.ENDING
                     + "), or a folder with the demo's " + WireFiles.TO_MODULE + " and " + WireFiles.FROM_MODULE)
     private @Nullable Path file;
 
     @Option(
             names = "--watch",
             paramLabel = "HOST:PORT",
-            description = "a session as it is held: the port of a serve or connect with --watch; nothing is sent to it")
+            description = "a live session: the port of a serve or connect with --watch; nothing is sent to it")
     private @Nullable String watched;
 
     @Option(
             names = "--world",
             paramLabel = "WORLD",
-            description = "for a recording or a session: a world file that lends its colours and its unit")
+            description = "for a recording or a session: a world file to take colours and the unit from")
     private @Nullable Path colours;
 
     @Option(
             names = "--models",
             paramLabel = "DIR",
             description =
-                    "a folder of models for SDFormat's model://, beside that of the world file; may be given again")
+                    "a folder of models for SDFormat's model://, in addition to the world file's own; may be repeated")
     private List<Path> models = new ArrayList<>();
 
-    @Option(names = "--dark", description = "on dark paper; D changes it in the window")
+    @Option(names = "--dark", description = "use a dark background; D toggles it in the window")
     private boolean dark;
 
     private ViewCommand() {}
@@ -86,7 +86,7 @@ public final class ViewCommand implements Callable<Integer> {
             throw refused("either FILE or --watch must be given (got: " + (shown == null ? "neither" : "both") + ")");
         }
         if (shown != null && !Files.exists(shown)) {
-            throw refused("FILE must be there to be viewed; check the path (got: " + shown + ")");
+            throw refused("FILE must exist; check the path (got: " + shown + ")");
         }
         if (shown != null && !Files.isDirectory(shown)) {
             Inputs.file(spec, "FILE", shown);
@@ -95,8 +95,8 @@ public final class ViewCommand implements Callable<Integer> {
         if (!Viewer.hasDisplay()) {
             spec.commandLine()
                     .getErr()
-                    .println("view needs a display to open its window on, and there is none here; draw a world to a"
-                            + " picture with `" + Version.PROGRAM + " render`.");
+                    .println("view needs a display for its window, and there is none here; to draw a world to a"
+                            + " picture, use `" + Version.PROGRAM + " render`.");
             return ExitCodes.UNUSABLE;
         }
         if (shown != null) {
@@ -110,7 +110,7 @@ public final class ViewCommand implements Callable<Integer> {
     private void watch(String place) throws IOException, InterruptedException {
         int colon = place.lastIndexOf(':');
         if (colon < 1 || !place.substring(colon + 1).matches("[0-9]{1,5}")) {
-            throw refused("--watch must be HOST:PORT, as localhost:5556 (got: " + place + ")");
+            throw refused("--watch must be HOST:PORT, such as localhost:5556 (got: " + place + ")");
         }
         int port = Integer.parseInt(place.substring(colon + 1));
         Ports.check(spec, port, 1);

@@ -8,7 +8,7 @@ import robosim.geometry.narrow.leaf.Enclosure;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.OwnLeaves;
 
-/** An object in its own frame, ready to be placed as it is seen at an accuracy. */
+/** The leaves that stand for an object at one accuracy, in the object's own frame, ready to be placed. */
 public final class Form {
     public final OwnLeaves own;
     private final Accuracy accuracy;
@@ -25,12 +25,12 @@ public final class Form {
         }
     }
 
-    /** How many leaves stand for the object. */
+    /** The number of leaves that stand for the object. */
     public int size() {
         return enclosure == null ? own.size() : 1;
     }
 
-    /** Writes them at a place into a column that has room; in SPATIAL with all that heights reach to. */
+    /** Writes the placed leaves into a column that has room; in SPATIAL with their bounds in height. */
     public void place(
             Dimension as,
             double cx,

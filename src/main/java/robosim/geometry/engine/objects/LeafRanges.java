@@ -4,9 +4,9 @@ import java.util.Arrays;
 import robosim.geometry.narrow.leaf.LeafColumn;
 
 /**
- * Which leaves of a column stand for which object. As long as each object has one of half a row, that is the leaf of the
- * object's own number, and nothing has to be looked up; from the first one on that has others, a place and a number for
- * each.
+ * Which leaves of a column stand for which object. While every object has exactly one half-row leaf, that is the leaf
+ * of the object's own number and nothing is looked up. Once an object has other leaves, each object's first leaf and
+ * number of leaves are stored.
  */
 public final class LeafRanges {
     private static final int UPRIGHT = LeafColumn.UPRIGHT;
@@ -16,7 +16,7 @@ public final class LeafRanges {
     private int[] first = new int[0];
     private int[] count = new int[0];
 
-    /** Leaves of whole rows that no object uses any more. */
+    /** Number of full-row leaves that no object uses any more. */
     private int unused;
 
     public int first(int id) {
@@ -28,9 +28,9 @@ public final class LeafRanges {
     }
 
     /**
-     * Makes room in a column for the leaves of an object and answers the first one's number.
+     * Makes room in a column for the leaves of an object and returns the first one's number.
      *
-     * @param upright whether it is one leaf of half a row
+     * @param upright whether it is a single half-row leaf
      */
     public int claim(int id, int number, LeafColumn column, boolean upright) {
         column.reserveUpright(id);
@@ -69,7 +69,9 @@ public final class LeafRanges {
         }
     }
 
-    /** Gives up the leaves of an object; answers the column, or a smaller one where the old one had become mostly empty. */
+    /**
+     * Gives up the leaves of an object; returns the column, or a smaller one if the old one had become mostly empty.
+     */
     public LeafColumn release(int id, LeafColumn column) {
         if (isPlain || (first[id] & UPRIGHT) != 0) {
             column.vacate(id | UPRIGHT);

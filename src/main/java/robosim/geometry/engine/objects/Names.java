@@ -2,11 +2,14 @@ package robosim.geometry.engine.objects;
 
 import org.jspecify.annotations.Nullable;
 
-/** Names and the ids of those who bear them: an open table, looked up by what is mostly the very string that was given. */
+/**
+ * The ids of named objects: a hash table with open addressing. Most lookups use the same String instance that was put
+ * in.
+ */
 final class Names {
     private static final int NONE = -1;
 
-    /** A power of two, at least twice the names. */
+    /** The length is a power of two, at least twice the number of names. */
     private @Nullable String[] keys = new String[16];
 
     private int[] ids = new int[16];
@@ -30,7 +33,7 @@ final class Names {
         }
     }
 
-    /** Takes in a name that is not here. */
+    /** Adds a name that is not in the table. */
     void put(String name, int id) {
         if (2 * ++size > keys.length) {
             grow();
@@ -62,7 +65,7 @@ final class Names {
         }
     }
 
-    /** Takes out a name that is here, and closes the gap: who stands behind it may have been meant to stand there. */
+    /** Removes a name that is in the table, and closes the gap, since later entries may have been displaced by it. */
     void remove(String name) {
         int mask = keys.length - 1;
         int gap = home(name);
@@ -87,7 +90,7 @@ final class Names {
         }
     }
 
-    // Names with a number at the end have hash codes in heaps: a multiple of the golden ratio scatters them evenly.
+    // Names that end in a number have clustered hash codes; multiplying by the golden ratio spreads them evenly.
     private int home(String name) {
         return (name.hashCode() * 0x9E3779B9) >>> shift;
     }

@@ -9,39 +9,39 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Pose;
 
 /**
- * The objects of a world by a small number, their id: values, names, the order in which they came, and where the
- * moveable ones are now. Ids of removed objects are used again.
+ * The objects of a world by a small number, their id: values, names, order of insertion, and the present places of the
+ * moveable ones. Ids of removed objects are reused.
  */
 public final class ObjectTable {
-    /** Doubles a place, laid out by {@link Pose}. */
+    /** Number of doubles in a place, laid out by {@link Pose}. */
     public static final int PLACE = Pose.PLACE;
 
-    /** The bit in the id of an object that this world shares with others: see {@link SharedObjects}. */
+    /** The bit that is set in the id of an object that this world shares with others: see {@link SharedObjects}. */
     public static final int SHARED = 1 << 29;
 
     private final Names names = new Names();
     private @Nullable GeometryObject[] values = new GeometryObject[Growth.FIRST];
 
-    /** The static objects that this world shares with others; null where all are its own. */
+    /** The static objects that this world shares with others; null if all are its own. */
     private @Nullable SharedObjects shared;
 
-    /** Which came when; none until an id is used again, as ids are in that order so long. */
+    /** The order of insertion by id; empty until an id is reused, since until then ids are in that order. */
     private long[] order = new long[0];
 
     private boolean isOrdered;
 
-    /** Where a moveable object's place stands in the column of places, -1 for a static object. */
+    /** The index of a moveable object in the column of places, -1 for a static object. */
     private int[] slots = new int[0];
 
     private double[] places = new double[0];
     private int[] movers = new int[4];
 
-    /** The very strings that name the moveable objects, in the order of arrival. */
+    /** The String instances that name the moveable objects, in order of insertion. */
     private @Nullable String[] moverNames = new String[4];
 
     private int moverCount;
 
-    /** Which moveable object was found by its name last. */
+    /** The moveable object that was last found by name. */
     private int found;
 
     private int[] free = new int[4];
@@ -52,24 +52,24 @@ public final class ObjectTable {
 
     public ObjectTable() {}
 
-    /** The objects of a world that shares some. */
+    /** The objects of a world that shares some of them. */
     public ObjectTable(SharedObjects objects) {
         shared = objects;
         isOrdered = true;
         order = new long[values.length];
     }
 
-    /** How many objects there are, shared ones too. */
+    /** The number of objects, shared ones included. */
     public int size() {
         return shared == null ? size : size + shared.objects.size;
     }
 
-    /** How many static objects are this world's own. */
+    /** The number of static objects that belong to this world alone. */
     public int ownStatics() {
         return size - moverCount;
     }
 
-    /** Makes the static objects that were shared nobody's here. */
+    /** Removes all shared static objects from this world. */
     public void unshare() {
         shared = null;
     }
@@ -79,12 +79,12 @@ public final class ObjectTable {
         return id >= SHARED;
     }
 
-    /** An object's number among those of its world that are shared, or among those that are not. */
+    /** An object's number among the shared objects of its world, or among those that are not shared. */
     public static int local(int id) {
         return id & ~SHARED;
     }
 
-    /** One more than the largest id in use of the world's own. */
+    /** The largest id in use among the world's own objects, plus one. */
     public int limit() {
         return capacityUsed;
     }
@@ -105,8 +105,11 @@ public final class ObjectTable {
         return id < 0 && shared != null ? shared.find(name) : id;
     }
 
-    /** Whether a moveable object has this very name: who has many of them mostly asks for one after the other. */
-    @SuppressWarnings("ReferenceEquality") // others are looked up
+    /**
+     * Whether a moveable object has this very String as its name; callers mostly query moveable objects one after the
+     * other.
+     */
+    @SuppressWarnings("ReferenceEquality") // equal strings are found in the table
     private boolean isFound(int slot, String name) {
         if (slot < 0 || slot >= moverCount || moverNames[slot] != name) {
             return false;
@@ -115,7 +118,7 @@ public final class ObjectTable {
         return true;
     }
 
-    /** Takes an object in and answers its id. */
+    /** Adds an object and returns its id. */
     public int add(GeometryObject object) {
         int id = freeCount > 0 ? reuse() : capacityUsed++;
         if (id == values.length) {
@@ -146,17 +149,17 @@ public final class ObjectTable {
         return id;
     }
 
-    /** Lets the next object have come at a time, in arrivals before it; where arrivals are kept. */
+    /** Sets how many objects count as added before the next one; used where insertion order is recorded. */
     public void arriveAt(long time) {
         arrivals = time;
     }
 
-    /** How many objects have come so far. */
+    /** Number of objects added so far, removed ones included. */
     public long arrivals() {
         return isOrdered ? arrivals : capacityUsed;
     }
 
-    /** When an object came, in arrivals before it. */
+    /** Number of objects that were added before this one. */
     public long arrival(int id) {
         if (isShared(id) && shared != null) {
             return shared.arrival(local(id));
@@ -164,7 +167,7 @@ public final class ObjectTable {
         return isOrdered ? order[id] : id;
     }
 
-    /** From the first id on that is used again, everyone's arrival is kept. */
+    /** Reuses an id; from the first time on, the order of insertion is stored for all objects. */
     private int reuse() {
         if (!isOrdered) {
             isOrdered = true;
@@ -201,17 +204,17 @@ public final class ObjectTable {
         put(id, pose);
     }
 
-    /** Puts a moveable object where a pose says. */
+    /** Sets the place of a moveable object to a pose. */
     public void put(int id, Pose pose) {
         pose.place(places, place(id));
     }
 
-    /** Puts a moveable object at a place of {@link #PLACE} doubles. */
+    /** Sets the place of a moveable object to {@link #PLACE} doubles. */
     public void put(int id, double[] place) {
         System.arraycopy(place, 0, places, place(id), PLACE);
     }
 
-    /** Puts the centre of a moveable object elsewhere: six numbers, the last three what it has lost. */
+    /** Sets the centre of a moveable object: six numbers, of which the last three are its rounding errors. */
     public void shift(int id, double[] centre) {
         int at = place(id);
         for (int k = 0; k < 3; k++) {
@@ -236,7 +239,7 @@ public final class ObjectTable {
         size--;
     }
 
-    /** Closes the gap in the list of movers, which stays in the order of arrival. */
+    /** Removes a mover from the list of movers, which stays in order of insertion. */
     private void removeMover(int slot) {
         moverCount--;
         System.arraycopy(movers, slot + 1, movers, slot, moverCount - slot);
@@ -289,7 +292,7 @@ public final class ObjectTable {
         return id < slots.length && slots[id] >= 0;
     }
 
-    /** Whether a came before b. */
+    /** Whether a was added before b. */
     public boolean isEarlier(int a, int b) {
         return isOrdered ? arrival(a) < arrival(b) : a < b;
     }
@@ -298,22 +301,22 @@ public final class ObjectTable {
         return moverCount;
     }
 
-    /** The id of the k-th moveable object, in the order of arrival. */
+    /** The id of the k-th moveable object, in order of insertion. */
     public int mover(int k) {
         return movers[k];
     }
 
-    /** All places; a mover's begins at {@link #place}. Valid until the next addition. */
+    /** All places; that of a mover begins at {@link #place}. Valid until the next addition. */
     public double[] places() {
         return places;
     }
 
-    /** Where a moveable object's place begins. */
+    /** The index at which a moveable object's place begins. */
     public int place(int id) {
         return slots[id] * PLACE;
     }
 
-    /** Takes a vector from the own axes of a moveable object into the world's. */
+    /** Transforms a vector from a moveable object's own axes to the world's. */
     public void toWorld(int id, double x, double y, double z, double[] out) {
         int at = place(id) + 3;
         out[0] = places[at] * x + places[at + 1] * y + places[at + 2] * z;

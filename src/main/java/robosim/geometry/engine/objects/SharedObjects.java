@@ -3,15 +3,17 @@ package robosim.geometry.engine.objects;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.GeometryObject;
 
-/** Static objects that many worlds share, by their number, and when each of them came. Read only. */
+/** Static objects that many worlds share, by number, with their order of insertion. Read only. */
 public class SharedObjects {
-    /** The objects by their number. */
+    /** The objects by number. */
     public final ObjectTable objects = new ObjectTable();
 
-    /** When each came, in arrivals before it at the world that they are of; null where that is its number. */
+    /**
+     * For each object, how many objects had been added before it to the original world; null if that equals its number.
+     */
     private final long @Nullable [] arrivals;
 
-    /** Some objects in their order, with when they came. */
+    /** Takes objects in their order, with their order of insertion. */
     public SharedObjects(GeometryObject[] values, long[] arrivals) {
         boolean isPlain = true;
         for (int id = 0; id < values.length; id++) {
@@ -21,13 +23,13 @@ public class SharedObjects {
         this.arrivals = isPlain ? null : arrivals;
     }
 
-    /** The number of a name's object as an id, or -1. */
+    /** The id of the object with a given name, or -1. */
     int find(String name) {
         int id = objects.find(name);
         return id < 0 ? id : id | ObjectTable.SHARED;
     }
 
-    /** When the object of a number came. */
+    /** How many objects had been added before the object of a given number. */
     public long arrival(int id) {
         return arrivals == null ? id : arrivals[id];
     }

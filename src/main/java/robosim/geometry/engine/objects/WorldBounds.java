@@ -12,14 +12,14 @@ import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
- * The border of a world: a closed box about the origin that every leaf must stay inside of. Decided exactly for the
+ * The bounds of a world: a closed box centred at the origin that every leaf must stay inside. Decided exactly for the
  * stored numbers: in doubles where that is certain, else in exact arithmetic.
  */
 public final class WorldBounds {
     /**
-     * In u = 2^-53 of the sum of the magnitudes: a box's extent is off by 3u (products, and the sum of three), a cylinder's
-     * by 8u (the radius's share: a root 2u, a root 3u, a product and a quotient; the sum 1u); the sum with the coordinate
-     * adds 1u, and what is left of the world's half keeps its sign.
+     * In u = 2^-53 of the sum of the magnitudes: a box's extent is off by 3u (products, and the sum of three), a
+     * cylinder's by 8u (the radius's share: a root 2u, a root 3u, a product and a quotient; the sum 1u); the sum with
+     * the coordinate adds 1u, and the difference to half the world keeps its sign.
      */
     private static final double ROUNDING = 9.01 * 0x1p-53;
 
@@ -33,7 +33,9 @@ public final class WorldBounds {
 
     private final Dimension dimension;
 
-    /** A sum of doubles without rounding: two, and a product of two parts for each half size. */
+    /**
+     * The terms of a sum that is added without rounding: two doubles, and a product of two parts for each half size.
+     */
     private final double[] sum = new double[8];
 
     public WorldBounds(double width, double height, double length, Dimension dimension) {
@@ -56,8 +58,8 @@ public final class WorldBounds {
     }
 
     /**
-     * Whether a box, six numbers, is inside by so much that whatever it holds is, however it is rounded: by 2^-30 of half
-     * the world, where a coordinate within is rounded by at most 2^-53 of that.
+     * Whether a box, six numbers, is inside by such a margin that everything in it is inside despite rounding: the
+     * margin is 2^-30 of half the world, and a coordinate within is rounded by at most 2^-53 of that.
      */
     public boolean clearlyHolds(double[] box) {
         for (int axis = 0; axis < 3; axis += step()) {
@@ -69,7 +71,7 @@ public final class WorldBounds {
         return true;
     }
 
-    /** Whether a box, six numbers, is inside but for rounding, touching allowed. */
+    /** Whether a box, six numbers, is inside to within rounding, touching allowed. */
     public boolean nearlyHolds(double[] box) {
         for (int axis = 0; axis < 3; axis += step()) {
             double slack = 2 * ROUNDING * (half[axis] + Math.abs(box[axis]) + Math.abs(box[3 + axis]));
@@ -148,7 +150,9 @@ public final class WorldBounds {
         return true;
     }
 
-    /** The sign of what is left between a leaf and the border; exact, as all its terms are added without rounding. */
+    /**
+     * The sign of the room between a leaf and the world's bounds; exact, since all terms are added without rounding.
+     */
     private int roomAsSum(LeafKind kind, double[] row, int at, int axis, int sign) {
         sum[0] = half[axis];
         int terms = Expansion.grow(sum, 1, -sign * row[at + axis]);
@@ -167,7 +171,7 @@ public final class WorldBounds {
         return Expansion.sign(sum, terms);
     }
 
-    /** How far a leaf reaches from its centre along an axis of the world, to rounding. */
+    /** How far a leaf extends from its centre along an axis of the world, to within rounding. */
     private static double extent(LeafKind kind, double[] row, int at, int axis) {
         int r = at + Leaf.ROTATION + 3 * axis;
         return switch (kind) {
@@ -231,8 +235,8 @@ public final class WorldBounds {
     }
 
     /**
-     * The share of a translation after which some leaves, which are inside, first touch the border: at most 1 where they
-     * leave the world, to rounding.
+     * The fraction of a translation after which leaves that are inside first touch the world's bounds: at most 1 if
+     * they leave the world, to within rounding.
      */
     public double share(LeafColumn column, int first, int count, double dx, double dy, double dz) {
         double least = Double.POSITIVE_INFINITY;
@@ -266,11 +270,11 @@ public final class WorldBounds {
     }
 
     /**
-     * Where an object that would leave the world meets its border.
+     * Finds where an object that would leave the world touches its bounds.
      *
-     * @param beyond the object's bounds where it would have left
+     * @param beyond the object's bounds where it would be outside
      * @param within its bounds before that
-     * @param out    a point of the border, then its unit normal inward
+     * @param out    a point of the world's bounds, then the unit normal there, inward
      */
     public void contact(double[] beyond, double[] within, double[] out) {
         double farthest = Double.NEGATIVE_INFINITY;

@@ -1,4 +1,4 @@
-/** Who is in a world: names, numbers, places, and the world's bounds. */
+/** The objects of a world: names, ids and places; and the world's bounds. */
 @NullMarked
 package robosim.geometry.engine.objects;
 

@@ -3,31 +3,30 @@ package robosim.geometry.index.boxes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Boxes that are given once, such as those of a mesh's triangles, in a binary tree that is then only read: any number of
- * threads may share it.
+ * An immutable binary tree over boxes, such as those of a mesh's triangles; any number of threads may share it.
  *
- * <p>A box is six numbers: min x, min y, min z, max x, max y, max z; closed. Nodes stand beside each other in one array of
- * floats, the two parts of a node next to each other: {@link #STRIDE} numbers each, the middle of the node's box, its half
- * sizes, and two counts. They are measured in the tree's own units from the middle of all boxes, so that all of them lie
- * within 1 of it, whatever the size and the place of the boxes; half sizes are rounded outward.
+ * <p>A box is six numbers: min x, min y, min z, max x, max y, max z; closed. The nodes are in one array of floats, the
+ * two children of a node adjacent, {@link #STRIDE} numbers each: the centre of the node's box, its half sizes, and two
+ * counts. They are in the tree's own units, relative to the centre of all boxes, so that all lie within 1 of it,
+ * whatever the size and the position of the boxes; half sizes are rounded outward.
  */
 public final class BoxTree {
-    /** Floats of a node. */
+    /** Number of floats in a node. */
     public static final int STRIDE = 8;
 
-    /** Where in a node the half sizes begin; the middle is at 0. */
+    /** Offset of the half sizes in a node; the centre is at 0. */
     public static final int HALF = 3;
 
-    /** Where a node says where its parts begin, or a leaf where its items do, as the bits of an int. */
+    /** Offset of a node's link: where its children begin, or for a leaf its items, as the bits of an int. */
     public static final int LINK = 6;
 
-    /** Where a node says how many items it has as a leaf, as the bits of an int; 0 where it is none. */
+    /** Offset of a leaf's number of items, as the bits of an int; 0 for an inner node. */
     public static final int COUNT = 7;
 
-    /** Most items of a leaf. */
+    /** Maximum number of items in a leaf. */
     public static final int LEAF = 4;
 
-    /** Most nodes between the root and a leaf, both counted. */
+    /** Maximum number of nodes from the root to a leaf, both included. */
     public static final int MAX_DEPTH = BoxTreeBuilder.MAX_DEPTH;
 
     private final float[] nodes;
@@ -43,7 +42,7 @@ public final class BoxTree {
      * Builds the tree.
      *
      * @param boxes six numbers for each of at least one item
-     * @throws IllegalArgumentException where there is no box, or one is not finite or inside out
+     * @throws IllegalArgumentException if there is no box, or one is not finite or inverted
      */
     public BoxTree(double[] boxes) {
         BoxTreeBuilder builder = new BoxTreeBuilder(boxes);
@@ -60,12 +59,12 @@ public final class BoxTree {
         reach = sum;
     }
 
-    /** How many items there are. */
+    /** The number of items. */
     public int size() {
         return order.length;
     }
 
-    /** How many nodes there are. */
+    /** The number of nodes. */
     public int nodes() {
         return nodes.length / STRIDE;
     }
@@ -78,17 +77,17 @@ public final class BoxTree {
         return count(node) > 0;
     }
 
-    /** The left part of a node that is no leaf. */
+    /** The left child of an inner node. */
     public int left(int node) {
         return link(node);
     }
 
-    /** The right part of a node that is no leaf. */
+    /** The right child of an inner node. */
     public int right(int node) {
         return link(node) + 1;
     }
 
-    /** Where the items of a leaf begin: they are {@code item(first)} to {@code item(first + count - 1)}. */
+    /** The index of a leaf's first item: its items are {@code item(first)} to {@code item(first + count - 1)}. */
     public int first(int leaf) {
         return link(leaf);
     }
@@ -97,17 +96,17 @@ public final class BoxTree {
         return Float.floatToRawIntBits(nodes[STRIDE * node + LINK]);
     }
 
-    /** How many items a leaf has; 0 for a node that is none. */
+    /** The number of items of a leaf; 0 for an inner node. */
     public int count(int node) {
         return Float.floatToRawIntBits(nodes[STRIDE * node + COUNT]);
     }
 
-    /** The item at a place of the leaves' order: its index among the boxes given. */
+    /** The item at a position in the order of the leaves, as its index among the boxes given. */
     public int item(int place) {
         return order[place];
     }
 
-    /** The same with up to four parts a node, made when first asked. */
+    /** This tree with up to four children per node, built on first use. */
     public WideTree wide() {
         WideTree made = wide;
         if (made == null) {
@@ -122,22 +121,22 @@ public final class BoxTree {
         return made;
     }
 
-    /** The nodes' numbers. The tree's own array: read only. */
+    /** The numbers of the nodes. The internal array: read only. */
     public float[] numbers() {
         return nodes;
     }
 
-    /** The middle of a node's box on an axis (0 to 2), off by no more than one rounding. */
+    /** The centre of a node's box on an axis (0 to 2), with at most one rounding. */
     public double middle(int node, int axis) {
         return origin[axis] + nodes[STRIDE * node + axis] * unit;
     }
 
-    /** How far a node's box reaches from its middle on an axis (0 to 2), not counting the middle's rounding. */
+    /** The half size of a node's box on an axis (0 to 2), which does not cover the rounding of the centre. */
     public double half(int node, int axis) {
         return nodes[STRIDE * node + HALF + axis] * unit;
     }
 
-    /** The tight bounds of all items, six numbers. The tree's own array: read only. */
+    /** The tight bounds of all items, six numbers. The internal array: read only. */
     public double[] bounds() {
         return bounds;
     }
@@ -147,12 +146,12 @@ public final class BoxTree {
         return reach;
     }
 
-    /** Where on an axis (0 to 2) the tree measures from. */
+    /** The origin of the tree's units on an axis (0 to 2). */
     public double origin(int axis) {
         return origin[axis];
     }
 
-    /** By what lengths are multiplied to become the tree's: a power of two. */
+    /** The factor from world units to the tree's units: a power of two. */
     public double scale() {
         return scale;
     }

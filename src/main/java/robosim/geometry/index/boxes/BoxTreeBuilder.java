@@ -2,19 +2,22 @@ package robosim.geometry.index.boxes;
 
 import java.util.Arrays;
 
-/** Builds a {@link BoxTree}: cuts where the surface area heuristic over sixteen bins says, in half where it cannot. */
+/**
+ * Builds a {@link BoxTree}: splits by the surface area heuristic over sixteen bins, or in half where that does not
+ * apply.
+ */
 final class BoxTreeBuilder {
     private static final int BINS = 16;
 
-    /** From here down every cut is in half: the depth stays below this and the 31 halvings of any array. */
+    /** From this depth on every split is in half, so the depth stays below this plus the 31 halvings of any array. */
     private static final int HEURISTIC_DEPTH = 48;
 
     static final int MAX_DEPTH = HEURISTIC_DEPTH + 32;
 
-    /** What it costs to look at the two parts of a node, in items looked at. */
+    /** The cost of testing the two children of a node, relative to that of testing an item. */
     private static final float NODE_COST = 1.5f;
 
-    /** Exponents of a scale that a double can hold, and one over it too. */
+    /** The greatest exponent of a scale, such that both the scale and its reciprocal are doubles. */
     private static final int MOST_EXPONENT = 1000;
 
     private final int[] order;
@@ -22,13 +25,13 @@ final class BoxTreeBuilder {
     private final double[] origin = new double[3];
     private final double scale;
 
-    /** Six floats an item, least and greatest in the tree's units, rounded outward; moved with {@link #order}. */
+    /** Six floats per item, minimum and maximum in the tree's units, rounded outward; reordered with {@link #order}. */
     private final float[] boxes;
 
     private float[] nodes;
     private int count = 1;
 
-    // The boxes and the doubled middles of the range in hand.
+    // The bounds of the boxes, and of their doubled centres, in the current range.
     private final float[] range = new float[6];
     private final float[] middles = new float[6];
 
@@ -77,7 +80,7 @@ final class BoxTreeBuilder {
         }
     }
 
-    /** A bound in the tree's units: the difference is off by half an ulp, the product by nothing above the subnormals. */
+    /** A bound in the tree's units: the difference is off by half an ulp, the product is exact above the subnormals. */
     private float outward(double value, int side) {
         double own = (value - origin[side % 3]) * scale;
         return side < 3 ? down(Math.nextDown(own)) : up(Math.nextUp(own));
@@ -157,14 +160,14 @@ final class BoxTreeBuilder {
         }
     }
 
-    /** Where the right part begins; the end where all of it is to be a leaf. */
+    /** Where the right part begins; the end of the range if all of it is to be a leaf. */
     private int split(int from, int to, int depth) {
         int half = (from + to) >>> 1;
         int axis = longestAxis();
         float low = middles[axis];
         float extent = middles[axis + 3] - low;
         if (extent <= 0) {
-            return to - from <= BoxTree.LEAF ? to : half; // all in one place: any half is as good
+            return to - from <= BoxTree.LEAF ? to : half; // all centres coincide: any half will do
         }
         float scaling = BINS / extent;
         if (depth < HEURISTIC_DEPTH && scaling < Float.POSITIVE_INFINITY) {
@@ -194,7 +197,7 @@ final class BoxTreeBuilder {
 
     private float leastCost;
 
-    // The bin at which the right part begins, by the least sum of area times items.
+    // The bin at which the right part begins, by the smallest sum of area times number of items.
     private int bestCut(int from, int to, int axis, float low, float scaling) {
         Arrays.fill(binCounts, 0);
         for (int bin = 0; bin < BINS; bin++) {
@@ -260,7 +263,7 @@ final class BoxTreeBuilder {
         return Math.min(BINS - 1, (int) ((middle(place, axis) - low) * scaling));
     }
 
-    // Hoare's selection: order[k] gets the item that sorting by middle would put there, smaller ones before it.
+    // Hoare's selection: order[k] becomes the item that sorting by centre would put there, with smaller ones before it.
     private void select(int from, int to, int k, int axis) {
         int low = from;
         int high = to;
@@ -289,7 +292,7 @@ final class BoxTreeBuilder {
         }
     }
 
-    /** Twice the middle of an item's box. */
+    /** Twice the centre of an item's box. */
     private float middle(int place, int axis) {
         return boxes[6 * place + axis] + boxes[6 * place + 3 + axis];
     }

@@ -3,21 +3,24 @@ package robosim.geometry.index.boxes;
 import java.util.Arrays;
 
 /**
- * Objects by a small id of the caller's and a box in space, for scenes that are stacked in height: a region is cut in eight
- * at its centre where it holds more than a few objects. An object lives in the one region that holds its box's centre, and
- * every region knows tight bounds of all that lives in it. Where a centre lies outside, the outermost region becomes an
- * eighth of a larger one.
+ * An index of objects, each given by a small id that the caller chooses and a box in space, for scenes that are stacked
+ * in height. A region that holds more than a few objects is cut in eight at its centre. Each object belongs to the one
+ * region that contains its box's centre, and every region has tight bounds of all its objects. If a centre lies
+ * outside, the outermost region becomes an eighth of a larger one.
  *
- * <p>The boxes stay with the caller: object id's six numbers, the least corner and the greatest, begin at 6 id, and must be
- * the same from its addition to its removal. Belongs to one thread at a time.
+ * <p>The boxes stay with the caller: the six numbers of an object, its minimum corner and its maximum, begin at 6 times
+ * its id, and must not change from its addition to its removal. May be used by one thread at a time.
  */
 public final class OctTree {
     private static final int NONE = -1;
 
-    /** Of a region without objects. A link that is not below 0 is the first of eight parts, any other ~id of an object. */
+    /**
+     * The link of a region without objects. A link of at least 0 is the first of eight parts, any other is ~id of an
+     * object.
+     */
     private static final int EMPTY = Integer.MIN_VALUE;
 
-    /** A region with more objects than these is cut. */
+    /** A region with more objects than this is cut. */
     private static final int FEW = 6;
 
     private static final int MOST_DEPTH = 40;
@@ -35,7 +38,7 @@ public final class OctTree {
     private int[] path = new int[MOST_DEPTH + 1];
     private final double[] cell = new double[4];
 
-    /** An empty tree, at first over a cube about a box of six numbers. */
+    /** An empty tree, at first over a cube around a box of six numbers. */
     public OctTree(double[] extent) {
         double most = 0;
         for (int axis = 0; axis < 3; axis++) {
@@ -47,12 +50,12 @@ public final class OctTree {
         clear(0);
     }
 
-    /** A cursor over this tree; it sees the tree as it is when a query starts. */
+    /** A new cursor over this tree; a query sees the tree as it is when the query starts. */
     public Cursor cursor() {
         return new Cursor(this);
     }
 
-    /** Adds an object that is not in. */
+    /** Adds an object that is not in the tree. */
     public void add(int id, double[] boxes) {
         if (id >= next.length) {
             next = Arrays.copyOf(next, Math.max(id + 1, next.length + (next.length >> 1)));
@@ -76,11 +79,11 @@ public final class OctTree {
         }
     }
 
-    /** Takes an object out that is in. */
+    /** Removes an object that is in the tree. */
     public void remove(int id, double[] boxes) {
         int depth = find(id, boxes);
         if (!holds(path[depth], id)) {
-            // A centre on a border of regions, which rounding has moved as the tree was widened.
+            // The centre is on a boundary of regions that moved by rounding when the tree was widened.
             depth = search(0, 0, id, boxes);
         }
         if (depth < 0) {
@@ -121,7 +124,7 @@ public final class OctTree {
         return true;
     }
 
-    /** Makes the outermost region an eighth of one that reaches farther towards a box. */
+    /** Makes the outermost region an eighth of a larger one that extends towards a box. */
     private void widen(int at, double[] boxes) {
         int part = 0;
         for (int axis = 0; axis < 3; axis++) {
@@ -138,7 +141,10 @@ public final class OctTree {
         }
     }
 
-    /** Writes the regions down to the uncut one that an object's centre is in; answers how many lie above that. */
+    /**
+     * Writes the path of regions down to the uncut one that contains an object's centre; returns how many are above
+     * that.
+     */
     private int find(int id, double[] boxes) {
         System.arraycopy(middle, 0, cell, 0, 3);
         cell[3] = half;
@@ -170,7 +176,9 @@ public final class OctTree {
         return false;
     }
 
-    /** Writes the regions down to the one that an object lives in, by their bounds; -1 where it is below none of them. */
+    /**
+     * Writes the path of regions down to the one that an object belongs to, searching by bounds; -1 if it is not found.
+     */
     private int search(int region, int depth, int id, double[] boxes) {
         if (depth == path.length) {
             path = Arrays.copyOf(path, 2 * path.length);
@@ -198,7 +206,7 @@ public final class OctTree {
         return true;
     }
 
-    /** Which of the eight parts of the current cell a box's centre is in. */
+    /** Which of the eight parts of the current cell contains a box's centre. */
     private int partOf(int at, double[] boxes) {
         int part = 0;
         for (int axis = 0; axis < 3; axis++) {
@@ -265,8 +273,8 @@ public final class OctTree {
     }
 
     /**
-     * One query at a time over the tree it came from; reusable, nothing is allocated once its stack has grown. A change of
-     * the tree ends the query: start again.
+     * Runs one query at a time over its tree. It is reusable and allocates nothing once its stack has grown. A change
+     * of the tree invalidates the query, which must be started again.
      */
     public static final class Cursor {
         private final OctTree tree;
@@ -281,16 +289,16 @@ public final class OctTree {
             this.tree = tree;
         }
 
-        /** How many regions this cursor has looked into since it was made. */
+        /** Number of regions that this cursor has examined since it was made. */
         public long visited() {
             return visited;
         }
 
         /**
-         * Starts the query for all objects, parts of space that begin nearer first.
+         * Starts a query for all objects, nearer parts of space first.
          *
          * @param objects the boxes
-         * @param by      where a box begins; of this query until it ends
+         * @param by      gives the key at which a box begins; in use until the query ends
          */
         public void start(double[] objects, SpaceKeys by) {
             boxes = objects;
@@ -300,8 +308,8 @@ public final class OctTree {
         }
 
         /**
-         * The next object that begins within the limit, in no promised order, each once; -1 after the last. A limit may
-         * shrink from call to call.
+         * The next object that begins within the limit, each once, in an unspecified order; -1 after the last. The
+         * limit may shrink from call to call.
          */
         public int next(double limit) {
             while (depth > 0) {

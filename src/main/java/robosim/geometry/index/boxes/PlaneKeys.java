@@ -1,6 +1,9 @@
 package robosim.geometry.index.boxes;
 
-/** By what a ray or a point orders boxes of four numbers: a lower bound of where they begin, infinite where they are missed. */
+/**
+ * The keys by which a ray or point query orders boxes of four numbers: a lower bound of the parameter or distance at
+ * which a box begins, infinite if the query misses it.
+ */
 public final class PlaneKeys {
     private final Slab slabX = new Slab();
     private final Slab slabZ = new Slab();
@@ -32,7 +35,10 @@ public final class PlaneKeys {
         startSector(0, 0, 0, 0);
     }
 
-    /** Leaves out what is wholly beyond one of two lines through the point, by their outward normals; zero for none. */
+    /**
+     * Excludes boxes wholly beyond one of two lines through the point, given by their outward normals; zero for no
+     * line.
+     */
     public void startSector(double oneX, double oneZ, double twoX, double twoZ) {
         leftX = oneX;
         leftZ = oneZ;
@@ -47,18 +53,18 @@ public final class PlaneKeys {
         if (!(past > 0)) {
             return false;
         }
-        // What a certified shape is taken larger by goes with its size, not with how near its box is.
+        // The margin by which a certified shape is enlarged depends on its size, not on the distance of its box.
         double size = Math.abs(boxes[at]) + Math.abs(boxes[at + 1]) + Math.abs(boxes[at + 2]) + Math.abs(boxes[at + 3]);
         double slack = 0x1p-40 * (size + Math.abs(fromX) + Math.abs(fromZ));
         return past > slack;
     }
 
-    /** The caller's parameter as a key, rounded up. */
+    /** Converts the caller's parameter to a key, rounded up. */
     public double inner(double limit) {
         return Slab.inner(limit, unit);
     }
 
-    /** A key as the caller's parameter, rounded down. */
+    /** Converts a key to the caller's parameter, rounded down. */
     public double outer(double key) {
         return Slab.outer(key, unit);
     }
@@ -67,7 +73,7 @@ public final class PlaneKeys {
         return isRay ? rayKey(boxes, at) : pointKey(boxes, at);
     }
 
-    /** The key of one box of six numbers, of which the heights do not count. */
+    /** The key of one box of six numbers, whose heights are ignored. */
     public double keyOfObject(double[] boxes, int at) {
         flat[0] = boxes[at];
         flat[1] = boxes[at + 2];
@@ -96,7 +102,7 @@ public final class PlaneKeys {
         double dx = Math.max(0, Math.max(boxes[at] - fromX, fromX - boxes[at + 2]));
         double dz = Math.max(0, Math.max(boxes[at + 1] - fromZ, fromZ - boxes[at + 3]));
         double square = dx * dx + dz * dz;
-        // Where squares lose bits or overflow, the longer leg is bound enough.
+        // If squares lose bits or overflow, the longer leg is used as the lower bound.
         double distance = square > 0x1p-960 && square < 0x1p1000 ? Math.sqrt(square) : Math.max(dx, dz);
         return Math.max(0, distance * Slab.DOWN - Double.MIN_VALUE);
     }

@@ -11,10 +11,13 @@ final class Slab {
     static final double DOWN = 1 - 0x1.8p-51;
     static final double UP = 1 + 0x1p-50;
 
-    /** A component of a direction scaled to about 1 that is below this cannot leave a slab; see {@link #SLACK}. */
+    /** A component below this, of a direction scaled to about 1, cannot leave a slab; see {@link #SLACK}. */
     private static final double PARALLEL = 0x1p-1000;
 
-    /** More than a component below {@link #PARALLEL} moves over 2^153, the longest way through boxes up to 2^102. */
+    /**
+     * More than the distance that a component below {@link #PARALLEL} covers over a parameter of 2^153, the longest way
+     * through boxes up to 2^102.
+     */
     private static final double SLACK = 0x1p-800;
 
     private double origin;
@@ -24,7 +27,7 @@ final class Slab {
     private double high;
     private boolean backward;
 
-    /** The power of two that brings a direction's greatest component to about 1. */
+    /** The power of two that scales a direction's greatest component to about 1. */
     static double scale(double greatest) {
         if (!(greatest > 0) || greatest == Double.POSITIVE_INFINITY) {
             throw new IllegalArgumentException(
@@ -61,14 +64,15 @@ final class Slab {
                 : ((backward ? min : max) - origin) * inverse * UP + Double.MIN_VALUE;
     }
 
-    // The caller's parameter is the scaled direction's times a power of two; only over- and underflow can round it.
+    // The caller's parameter is that of the scaled direction times a power of two; only over- and underflow can round
+    // it.
 
-    /** A limit of the caller's as a parameter of the scaled direction, rounded up. */
+    /** Converts the caller's limit to a parameter of the scaled direction, rounded up. */
     static double inner(double limit, double unit) {
         return unit == 1 ? limit : limit / unit + Double.MIN_VALUE;
     }
 
-    /** A parameter of the scaled direction as the caller's, rounded down. */
+    /** Converts a parameter of the scaled direction to the caller's, rounded down. */
     static double outer(double key, double unit) {
         double scaled = key * unit;
         return Math.min(Double.MAX_VALUE, scaled < Double.MIN_NORMAL ? Math.max(0, scaled - Double.MIN_VALUE) : scaled);

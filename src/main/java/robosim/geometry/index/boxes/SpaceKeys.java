@@ -1,6 +1,9 @@
 package robosim.geometry.index.boxes;
 
-/** By what a query orders boxes of six numbers: a lower bound of where they begin, infinite where they are missed. */
+/**
+ * The keys by which a query orders boxes of six numbers: a lower bound of the parameter or distance at which a box
+ * begins, infinite if the query misses it.
+ */
 public final class SpaceKeys {
     private enum Query {
         BOX,
@@ -24,13 +27,13 @@ public final class SpaceKeys {
     private double sin;
     private double away;
 
-    /** All boxes that meet this one begin at 0. */
+    /** Starts a box query: all boxes that meet this one begin at 0. */
     public void startBox(double[] of) {
         query = Query.BOX;
         System.arraycopy(of, 0, box, 0, 6);
     }
 
-    /** A direction of about length 1: a box begins at a parameter of it. */
+    /** Starts a ray query: a box begins at a parameter of the direction, whose length is about 1. */
     public void startRay(double ox, double oy, double oz, double dx, double dy, double dz) {
         query = Query.RAY;
         slabX.start(ox, dx, dx);
@@ -38,7 +41,7 @@ public final class SpaceKeys {
         slabZ.start(oz, dz, dz);
     }
 
-    /** A box begins at its distance. */
+    /** Starts a point query: a box begins at its distance. */
     public void startPoint(double px, double py, double pz) {
         query = Query.POINT;
         x = px;
@@ -47,7 +50,10 @@ public final class SpaceKeys {
         away = Math.abs(px) + Math.abs(py) + Math.abs(pz);
     }
 
-    /** A box begins at its distance from the apex, or not at all where it lies wholly beyond the cone about a unit vector. */
+    /**
+     * Starts a cone query: a box begins at its distance from the apex, and is missed if it lies wholly outside the cone
+     * around a unit vector.
+     */
     public void startCone(
             double px, double py, double pz, double ax, double ay, double az, double halfCos, double halfSin) {
         startPoint(px, py, pz);
@@ -59,7 +65,7 @@ public final class SpaceKeys {
         sin = halfSin;
     }
 
-    /** Where the box begins whose six numbers are there. */
+    /** The key of the box whose six numbers begin at {@code at}. */
     public double key(double[] of, int at) {
         return switch (query) {
             case BOX -> boxKey(of, at);
@@ -99,15 +105,15 @@ public final class SpaceKeys {
         double dy = Math.max(0, Math.max(of[at + 1] - y, y - of[at + 4]));
         double dz = Math.max(0, Math.max(of[at + 2] - z, z - of[at + 5]));
         double square = dx * dx + dy * dy + dz * dz;
-        // Where squares lose bits or overflow, the longest leg is bound enough.
+        // If squares lose bits or overflow, the longest leg is used as the lower bound.
         double distance = square > 0x1p-960 && square < 0x1p1000 ? Math.sqrt(square) : Math.max(dx, Math.max(dy, dz));
         return Math.max(0, distance * Slab.DOWN - Double.MIN_VALUE);
     }
 
     /**
-     * Whether a box lies beyond the plane that touches the cone along the line nearest to the box's centre. With e the unit
-     * vector from the axis to the centre, the plane's normal is {@code e cos - u sin}; a point of the cone is nowhere in
-     * front of it, as its distance from the axis is at most {@code sin / cos} times its place along the axis.
+     * Whether a box lies beyond the plane that touches the cone along the line nearest to the box's centre. With e the
+     * unit vector from the axis to the centre, the plane's normal is {@code e cos - u sin}; no point of the cone is in
+     * front of it, as its distance from the axis is at most {@code sin / cos} times its position along the axis.
      */
     private boolean isBeyondCone(double[] of, int at) {
         double hx = 0.5 * (of[at + 3] - of[at]);
@@ -129,7 +135,7 @@ public final class SpaceKeys {
         double ny = ey / aside * cos - uy * sin;
         double nz = ez / aside * cos - uz * sin;
         double gap = nx * mx + ny * my + nz * mz - (Math.abs(nx) * hx + Math.abs(ny) * hy + Math.abs(nz) * hz);
-        // e is off by 2^-30 of itself along the axis at most, and else by roundings of 2^-53.
+        // e is off by at most 2^-30 of its length along the axis, and otherwise by roundings of 2^-53.
         return gap > 0x1p-28 * size + 0x1p-40 * away;
     }
 }

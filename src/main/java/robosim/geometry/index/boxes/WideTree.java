@@ -3,34 +3,34 @@ package robosim.geometry.index.boxes;
 import java.util.Arrays;
 
 /**
- * A {@link BoxTree} with up to four parts a node, for what descends it part by part and waits for memory and for the
- * outcome of each node before it can turn to the next: there are half as many to wait for. Only read: any number of
- * threads may share it.
+ * A {@link BoxTree} with up to four children per node. A descent must wait for memory and for the result of each node
+ * before it can go on to the next; here there are half as many nodes to wait for. Immutable: any number of threads may
+ * share it.
  *
- * <p>A node is {@link #STRIDE} floats, {@link #PART} for each of its parts: middle and half sizes as in the nodes of the
- * {@link BoxTree} they are taken from, and a link, as the bits of an int. That is where the part's own node begins or,
- * where it is negative, stands for its items. A part that is missing has half sizes so far below 0 that no line meets it
- * even where it is widened by less than {@link #MISSING}. The root begins at 0.
+ * <p>A node has {@link #STRIDE} floats, {@link #PART} for each child: centre and half sizes as in the {@link BoxTree},
+ * and a link, as the bits of an int. The link is where the child's own node begins or, if negative, encodes its items.
+ * A missing child has half sizes so far below 0 that no line meets it, even if it is widened by less than {@link
+ * #MISSING}. The root begins at 0.
  */
 public final class WideTree {
-    /** Floats of a node. */
+    /** Number of floats in a node. */
     public static final int STRIDE = 32;
 
-    /** Floats of a part. */
+    /** Number of floats for one child. */
     public static final int PART = 8;
 
-    /** Where a part's half sizes begin; the middle is at 0. */
+    /** Offset of a child's half sizes; the centre is at 0. */
     public static final int HALF = 3;
 
-    /** Where a part's link is. */
+    /** Offset of a child's link. */
     public static final int LINK = 6;
 
-    /** How far below 0 the half sizes of a missing part are. */
+    /** How far below 0 the half sizes of a missing child are. */
     public static final float MISSING = 8;
 
     private static final int PARTS = STRIDE / PART;
 
-    /** How many items a link has room for. */
+    /** The number of items that a link has room for. */
     private static final int LEAF = BoxTree.LEAF;
 
     private final BoxTree tree;
@@ -45,22 +45,24 @@ public final class WideTree {
         numbers = Arrays.copyOf(numbers, STRIDE * count);
     }
 
-    /** The nodes' numbers. The tree's own array: read only. */
+    /** The numbers of the nodes. The internal array: read only. */
     public float[] numbers() {
         return numbers;
     }
 
-    /** The place of the first item that a negative link stands for. */
+    /** The position of the first item that a negative link encodes. */
     public static int first(int link) {
         return (link & Integer.MAX_VALUE) / LEAF;
     }
 
-    /** The place of the last item that a negative link stands for. */
+    /** The position of the last item that a negative link encodes. */
     public static int last(int link) {
         return first(link) + (link & Integer.MAX_VALUE) % LEAF;
     }
 
-    /** Below 0 by the sign alone: as a float the complement could be no number, the bits of which may be lost. */
+    /**
+     * Made negative by setting the sign bit alone: the complement could be a NaN as a float, whose bits may be lost.
+     */
     private static int link(int first, int items) {
         return Integer.MIN_VALUE | (LEAF * first + items - 1);
     }
@@ -91,7 +93,7 @@ public final class WideTree {
         }
     }
 
-    /** Puts what is to be the parts of a node in their order: divides the largest as long as there is room. */
+    /** Collects the children of a node in order: splits the largest as long as there is room. */
     private int gather(int node) {
         parts[0] = node;
         int size = 1;
@@ -107,7 +109,7 @@ public final class WideTree {
         return size;
     }
 
-    /** The part with the largest surface among those that are no leaves; -1 where all are. */
+    /** The child with the largest surface that is not a leaf; -1 if all are leaves. */
     private int largest(int size) {
         int best = -1;
         for (int k = 0; k < size; k++) {

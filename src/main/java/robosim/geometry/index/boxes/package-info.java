@@ -1,4 +1,4 @@
-/** Trees of boxes in space: of a mesh's triangles, and of what is stacked. */
+/** Trees of boxes in space: for the triangles of a mesh, and for stacked objects. */
 @NullMarked
 package robosim.geometry.index.boxes;
 

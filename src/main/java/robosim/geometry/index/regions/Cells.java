@@ -1,8 +1,9 @@
 package robosim.geometry.index.regions;
 
 /**
- * A world of {@code 2^52} by {@code 2^52} cells: where a box's centre is, as whole numbers. Bits of a cell's number are the
- * halves in which it lies, the whole world's first, so cutting regions in four is exact.
+ * A world divided into {@code 2^52} by {@code 2^52} cells; gives the cell of a box's centre as whole numbers. From the
+ * highest bit on, the bits of a cell's number say in which half of the world, of that half and so on it lies, so
+ * cutting regions in four is exact.
  */
 public final class Cells {
     static final int BITS = 52;
@@ -24,7 +25,7 @@ public final class Cells {
         scaleZ = scale(maxZ - minZ);
     }
 
-    /** The cell of a box of six numbers at a place of an array, along X. */
+    /** The cell along X of a box of six numbers at an index of an array. */
     long x(double[] boxes, int at) {
         return cell(0.5 * boxes[at] + 0.5 * boxes[at + 3], originX, scaleX);
     }
@@ -33,12 +34,12 @@ public final class Cells {
         return cell(0.5 * boxes[at + 2] + 0.5 * boxes[at + 5], originZ, scaleZ);
     }
 
-    /** Which quarter of the region that this bit cuts a cell is in: 0 to 3. */
+    /** The quarter, 0 to 3, in which a cell lies of a region that is cut at this bit. */
     static int quarter(int bit, long x, long z) {
         return (int) ((x >>> bit) & 1) | (int) ((z >>> bit) & 1) << 1;
     }
 
-    // Never decreases with the place, so cells are stripes in order; what is outside goes to the outermost.
+    // Monotonic in the coordinate, so cells are ordered stripes; points outside the world fall into the outermost.
     private static long cell(double place, double origin, double scale) {
         double steps = (place - origin) * scale;
         return steps <= 0 ? 0 : steps >= COUNT ? COUNT - 1 : (long) steps;

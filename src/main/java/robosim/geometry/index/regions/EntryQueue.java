@@ -2,7 +2,10 @@ package robosim.geometry.index.regions;
 
 import java.util.Arrays;
 
-/** A binary heap of items by their least key; equal keys come in the order of their items. Grows, never shrinks. */
+/**
+ * A priority queue (binary heap) of items, smallest key first; equal keys come in the order of their items. Grows,
+ * never shrinks.
+ */
 final class EntryQueue {
     private double[] keys = new double[64];
     private int[] items = new int[64];
@@ -39,7 +42,7 @@ final class EntryQueue {
         items[at] = item;
     }
 
-    /** Takes the item with the least key out of a queue that is not empty. */
+    /** Removes and returns the item with the smallest key; the queue must not be empty. */
     int pop() {
         int least = items[0];
         size--;

@@ -2,7 +2,10 @@ package robosim.geometry.index.regions;
 
 import robosim.geometry.index.boxes.PlaneKeys;
 
-/** A query of a {@link RegionTree} by what comes first along a ray, or nearest to a point: regions wait in a queue. */
+/**
+ * A best-first query of a {@link RegionTree}, ordered along a ray or by the distance from a point; pending regions wait
+ * in a queue.
+ */
 public final class NearestFirst {
     private static final int NONE = Regions.NONE;
 
@@ -62,8 +65,8 @@ public final class NearestFirst {
         return -1;
     }
 
-    // Down from the item of the least key, as long as a part of it comes before all else: no place in the queue for
-    // it.
+    // Descends from the item of the smallest key as long as one of its parts comes before everything in the queue, so
+    // that part need not be queued.
     private int descend(RegionTree tree, double[] boxes, int item, double itsKey, double within) {
         int region = item;
         double key = itsKey;
@@ -76,7 +79,7 @@ public final class NearestFirst {
                     pushAll(tree, boxes, id, within);
                     return NONE;
                 }
-                entry = keys.outer(key); // its box is the region's
+                entry = keys.outer(key); // the region's bounds are its box
                 return id;
             }
             double least = Double.POSITIVE_INFINITY;

@@ -3,18 +3,17 @@ package robosim.geometry.index.regions;
 import java.util.Arrays;
 
 /**
- * The regions of a {@code QuadTree} as a tree, for what has no one way through the world: the nearest of a point. An object
- * lives in the one region that holds its box's centre, and every region knows the tight bounds of all that lives in it:
- * nothing is refused or lost where it lies across a border, or outside of the world. A region is cut until it holds one
- * object, or several that have their centres in one cell of {@code 2^-52} of the world. Cuts that would leave all in one
- * quarter are left out, so there are fewer regions with parts than objects, wherever they stand.
+ * The regions of a {@code QuadTree} as a tree, for queries around a point. Each object belongs to the one region that
+ * contains its box's centre, and every region has tight bounds of all its objects, so objects across a boundary or
+ * outside the world are handled too. A region is cut until it holds one object, or several whose centres are in the
+ * same cell of {@code 2^-52} of the world. Cuts that would leave all objects in one quarter are skipped, so there are
+ * always fewer cut regions than objects.
  */
 public final class RegionTree {
     private static final int NONE = Regions.NONE;
     private static final int ABSENT = -2;
     private static final int EMPTY = Regions.EMPTY;
-    // The link of a region that is not cut is ~id of its only object, or ~(id | MORE) of the first of several, or
-    // EMPTY.
+    // The link of an uncut region is ~id of its only object, or ~(id | MORE) of the first of several, or EMPTY.
     private static final int MORE = 1 << 29;
 
     private final Cells cells;
@@ -31,7 +30,7 @@ public final class RegionTree {
         Arrays.fill(next, ABSENT);
     }
 
-    /** Adds the object of an id that has its box there. */
+    /** Adds an object whose box is in the array. */
     public void add(int id, double[] boxes) {
         ensureId(id);
         regions.reserve();
@@ -41,7 +40,8 @@ public final class RegionTree {
         regions.links[region] = next[id] == NONE ? ~id : ~(id | MORE);
     }
 
-    // The uncut region that is to hold a box, cut out for it where needed; all regions above it are grown by the box.
+    // Returns the uncut region that is to hold a box, cutting regions if needed, and extends the bounds of all regions
+    // above it.
     private int regionFor(double[] boxes, int box) {
         long x = cells.x(boxes, box);
         long z = cells.z(boxes, box);
@@ -59,14 +59,14 @@ public final class RegionTree {
                 regions.grow(region, boxes, box);
                 region = link + Cells.quarter(regions.bit(link), x, z);
             } else if (bit < 0) {
-                return region; // the same cell: no cut tells them apart
+                return region; // the same cell: no cut separates them
             } else {
                 regions.cut(region, bit, heldX, heldZ);
             }
         }
     }
 
-    /** Takes an object out that is in. */
+    /** Removes an object that is in the tree. */
     public void remove(int id, double[] boxes) {
         long x = cells.x(boxes, 6 * id);
         long z = cells.z(boxes, 6 * id);
@@ -110,7 +110,7 @@ public final class RegionTree {
         }
     }
 
-    // The first object of a region that is not cut.
+    // The first object of an uncut region.
     static int first(int link) {
         return link == EMPTY ? NONE : ~link & ~MORE;
     }

@@ -1,8 +1,8 @@
 package robosim.geometry.index.regions;
 
 /**
- * The regions of a {@code QuadTree} in flat arrays. Region 0 is the whole world; a cut c gives the four regions 4c + 1 to
- * 4c + 4, which stand together so that a query reads them together.
+ * The regions of a {@code QuadTree} in flat arrays. Region 0 is the whole world; a cut c gives the four regions 4c + 1
+ * to 4c + 4, which are adjacent because a query reads them together.
  */
 public final class Regions {
     static final int NONE = -1;
@@ -10,13 +10,13 @@ public final class Regions {
     /** The link of a region without objects. */
     public static final int EMPTY = Integer.MIN_VALUE;
 
-    /** By region, four numbers each: min x, min z, max x, max z of what lives in it; inside out where nothing does. */
+    /** By region, four numbers each: min x, min z, max x, max z of its objects; inverted if it has none. */
     double[] bounds = new double[4 * 65];
 
-    /** By region: its first quarter where it is cut, else a negative number that the tree gave it. */
+    /** By region: its first quarter if it is cut, else a negative number that the tree assigns. */
     public int[] links = new int[65];
 
-    // By cut: a cell of something that lives within, and the bit of cells that tells the quarters.
+    // By cut: the cell of one of the objects within, and the bit of the cells that distinguishes the quarters.
     private long[] cutX = new long[16];
     private long[] cutZ = new long[16];
     private byte[] cutBit = new byte[16];
@@ -43,7 +43,7 @@ public final class Regions {
         return cutZ[cutOf(firstQuarter)];
     }
 
-    /** Which bit of a cell tells the quarters of this cut; all that lives within agrees in the bits above. */
+    /** The bit of a cell that distinguishes the quarters of this cut; all objects within agree in the bits above. */
     int bit(int firstQuarter) {
         return cutBit[cutOf(firstQuarter)];
     }
@@ -58,7 +58,7 @@ public final class Regions {
         bounds[at + 3] = Double.NEGATIVE_INFINITY;
     }
 
-    /** Grows a region's bounds by a box of six numbers. */
+    /** Extends a region's bounds by a box of six numbers. */
     void grow(int region, double[] boxes, int box) {
         grow(region, boxes[box], boxes[box + 2], boxes[box + 3], boxes[box + 5]);
     }
@@ -71,7 +71,10 @@ public final class Regions {
         bounds[at + 3] = Math.max(bounds[at + 3], maxZ);
     }
 
-    /** Puts a cut at this bit above all that a region holds, which has this cell as far as the bits above it go. */
+    /**
+     * Inserts a cut at this bit above the present contents of a region, whose cells all agree with the given one in the
+     * bits above.
+     */
     void cut(int region, int bit, long x, long z) {
         int cut = freeCut == NONE ? cuts++ : freeCut;
         if (cut == freeCut) {
@@ -90,7 +93,7 @@ public final class Regions {
         links[region] = first;
     }
 
-    /** Finds a cut region's bounds anew from its quarters, and undoes the cut where only one of them is in use. */
+    /** Recomputes a cut region's bounds from its quarters, and undoes the cut if only one of them is in use. */
     void tighten(int region) {
         int first = links[region];
         int used = 0;
@@ -112,7 +115,10 @@ public final class Regions {
         }
     }
 
-    /** Makes room for one cut more. Growing puts cuts in the order of a descent: near in the world, near in memory. */
+    /**
+     * Makes room for one more cut. When the arrays grow, cuts are reordered depth first, so that regions near in the
+     * world are near in memory.
+     */
     void reserve() {
         if (freeCut != NONE || cuts < cutX.length) {
             return;

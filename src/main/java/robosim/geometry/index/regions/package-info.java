@@ -1,4 +1,4 @@
-/** Regions of the plane, nearest first. */
+/** Regions of the plane as a tree, queried nearest first. */
 @NullMarked
 package robosim.geometry.index.regions;
 

@@ -3,26 +3,26 @@ package robosim.geometry.index.tiles;
 import java.util.Arrays;
 
 /**
- * Who is near a small box, in the midst of additions and moves: a flat grid of equal cells in which each object stands once,
- * where its box has its centre. Whoever asks looks as far around as the largest of them reaches. An object that moves
- * within its cell has nothing to be listed anew.
+ * A uniform grid that finds the objects near a small box while objects are being added and moved. Each object is listed
+ * once, in the cell of its box's centre. A query looks as far around its box as the largest object extends. An object
+ * that moves within its cell need not be relisted.
  *
- * <p>Made for objects of about one size, nowhere crowded: a few that are much larger stand on a list, and {@link #isUnfit}
- * tells where there are many of these, or where questions have to pass by too many objects.
+ * <p>Meant for objects of similar size that are not crowded anywhere. The few that are much larger are kept in a list;
+ * {@link #isUnfit} reports that there are too many of these, or that queries have to examine too many objects.
  */
 public final class NearGrid {
     static final int NONE = -1;
 
-    /** Largest objects, which everybody is shown. */
+    /** The maximum number of large objects, which every query examines. */
     private static final int MOST_LARGE = 8;
 
-    /** In place of a cell, for an object on the list of large ones. */
+    /** Stands for a cell in the case of an object in the list of large ones. */
     private static final int LARGE = -2;
 
-    /** So many objects a question may pass by, on average of many. */
+    /** Number of objects that a query may examine on average. */
     private static final int USUAL = 16;
 
-    /** Cells an object when the grid is made; there may come to be three times as many objects. */
+    /** Cells per object when the grid is built; the number of objects may then grow to three times. */
     private static final double ROOM = 3;
 
     private static final int MOST_CELLS = 1 << 24;
@@ -30,14 +30,14 @@ public final class NearGrid {
     private final double originX;
     private final double originZ;
 
-    /** Cells a unit. */
+    /** Cells per world unit. */
     private final double scaleX;
 
     private final double scaleZ;
     private final int countX;
     private final int countZ;
 
-    /** Objects that reach farther are large. */
+    /** Objects that extend farther are large. */
     private final double mostX;
 
     private final double mostZ;
@@ -54,22 +54,22 @@ public final class NearGrid {
     private final int[] large = new int[MOST_LARGE];
     private int largeCount;
 
-    /** No object that is not large reaches farther from its centre, as {@link #reach} understands it. */
+    /** No object except the large ones extends farther from its centre, as {@link #reach} defines it. */
     private double reachX;
 
     private double reachZ;
 
-    /** How many objects there may be before the grid is made anew, and how many beside its window. */
+    /** How many objects there may be before the grid is rebuilt, and how many outside its window. */
     private final int mostObjects;
 
     private int leftBeside;
 
-    /** How many more objects questions may pass by. */
+    /** How many more objects queries may examine. */
     private long credit;
 
     private boolean isUnfit;
 
-    /** A grid of all objects of an array of boxes that are listed, so many. */
+    /** A grid of all listed objects of an array of boxes. */
     public NearGrid(double[] boxes, boolean[] listed, int size) {
         double minX = Double.POSITIVE_INFINITY;
         double minZ = Double.POSITIVE_INFINITY;
@@ -94,7 +94,7 @@ public final class NearGrid {
         }
         double width = 1.25 * (maxX - minX);
         double length = 1.25 * (maxZ - minZ);
-        // Smaller cells than objects are mostly empty ones to look into.
+        // Cells smaller than the objects would mostly be empty and still be examined.
         double even = Math.max(Math.sqrt(width * length / (ROOM * size)), Math.max(width, length) / (ROOM * size));
         double side = Math.max(even, Math.max(wide, deep) / size);
         originX = minX - width / 10;
@@ -133,12 +133,12 @@ public final class NearGrid {
         return 0.5 * boxes[at] + 0.5 * boxes[at + 3];
     }
 
-    /** Whether the objects are none for a grid. */
+    /** Whether a grid is unsuitable for the objects. */
     public boolean isUnfit() {
         return isUnfit;
     }
 
-    /** Whether so many objects need a grid of other cells. */
+    /** Whether a given number of objects needs a grid with other cells. */
     public boolean isOutgrown(int size) {
         return size > mostObjects || leftBeside < 0;
     }
@@ -155,7 +155,7 @@ public final class NearGrid {
         return Math.max(0, Math.min((int) place, count - 1));
     }
 
-    /** How far the first column to look into may be from a box, and the last. */
+    /** How far the first and the last column to examine may be from a box. */
     double reachX() {
         return reachX;
     }
@@ -176,13 +176,13 @@ public final class NearGrid {
         return large[k];
     }
 
-    /** Takes note of how many objects a question has passed by. */
+    /** Records how many objects a query has examined. */
     void passed(int objects) {
         credit = Math.min(credit + USUAL - objects, (long) USUAL * mostObjects);
         isUnfit |= credit < 0;
     }
 
-    /** Lists an object of the array. */
+    /** Adds an object of the array. */
     public void add(int id, double[] boxes) {
         if (id >= next.length) {
             next = Arrays.copyOf(next, boxes.length / 6);
@@ -206,7 +206,7 @@ public final class NearGrid {
         }
     }
 
-    /** Strikes an object that is listed. */
+    /** Removes an object. */
     public void remove(int id) {
         unlink(id, cells[id]);
     }
@@ -229,7 +229,7 @@ public final class NearGrid {
         }
     }
 
-    /** Lists an object where its box now is. */
+    /** Updates an object to the present position of its box. */
     public void move(int id, double[] boxes) {
         int cell = cellOf(boxes, 6 * id);
         int old = cells[id];
@@ -240,7 +240,7 @@ public final class NearGrid {
         }
     }
 
-    /** The cell of a box; makes sure that whoever looks for it looks far enough. */
+    /** The cell of a box; also extends the reach of queries so that they find it. */
     private int cellOf(double[] boxes, int at) {
         double x = middle(boxes, at);
         double z = middle(boxes, at + 2);
@@ -264,9 +264,9 @@ public final class NearGrid {
     }
 
     /**
-     * A reach, at least the given one, such that the middle is not above the rounded sum of it and the low end, nor below
-     * the rounded difference of the high end and it. Rounding keeps order: so a box that begins where a question ends, or
-     * before, has its middle at most at the rounded sum of that end and the reach.
+     * A reach, at least the given one, such that the middle is not above the rounded sum of the low end and the reach,
+     * nor below the rounded difference of the high end and the reach. Rounding is monotonic, so a box that begins at or
+     * before the end of a query has its middle at most at the rounded sum of that end and the reach.
      */
     private static double reach(double before, double low, double middle, double high) {
         double reach = Math.max(before, Math.max(middle - low, high - middle));

@@ -1,8 +1,8 @@
 package robosim.geometry.index.tiles;
 
-/** Who looks for what is near a rectangle. */
+/** Receives the objects near a rectangle. */
 @FunctionalInterface
 public interface NearTarget {
-    /** Meets an object that may be near, maybe again; answers whether no more are wanted. */
+    /** Receives an object that may be near, possibly more than once; returns true if no more are needed. */
     boolean meet(int id);
 }

@@ -1,11 +1,12 @@
 package robosim.geometry.index.tiles;
 
 /**
- * What a column of rows tells a {@code QuadTree} about each of its objects: a rectangle on the XZ plane that encloses it,
- * anywhere and at any heading. Row id has {@link #STRIDE} doubles; those not named here are the owner's.
+ * For each object of a {@code QuadTree} a rectangle in the XZ plane that encloses it, at any position and heading,
+ * stored as one row of an array. The row of an id has {@link #STRIDE} doubles; those not named here are at the owner's
+ * disposal.
  */
 public final class Outline {
-    /** Doubles in a row. */
+    /** Number of doubles in a row. */
     public static final int STRIDE = 8;
 
     /** The centre. */
@@ -13,7 +14,7 @@ public final class Outline {
 
     public static final int Z = 2;
 
-    /** Half of its size along its own axes, (cos, -sin) and (sin, cos). */
+    /** Half of the rectangle's size along its own axes, (cos, -sin) and (sin, cos). */
     public static final int HALF_X = 3;
 
     public static final int HALF_Z = 5;
@@ -23,28 +24,31 @@ public final class Outline {
 
     public static final int SIN = 7;
 
-    /** The id of a row before all others, that of a rectangle which is nowhere: neither a box nor a ray meets it. */
+    /** The id of a row before all others, whose rectangle is nowhere: neither a box nor a ray meets it. */
     static final int NOWHERE = Tiles.NONE;
 
-    /** Where the first row begins: behind an array's head, so that a row of a large array is one line of a cache. */
+    /**
+     * Where the first row begins: chosen with the array's header in mind, so that a row of a large array is one cache
+     * line.
+     */
     private static final int START = 6 + STRIDE;
 
-    /** So far from reaching anything that no sum with what a world has for numbers is above 0. */
+    /** A half size so far below 0 that its sum with any number of a world is negative. */
     private static final double SHORT_OF_ALL = -0x1p1000;
 
     private Outline() {}
 
-    /** Where the row of an object begins. */
+    /** The index at which an object's row begins. */
     public static int at(int id) {
         return START + STRIDE * id;
     }
 
-    /** How long an array of so many rows is. */
+    /** The length of an array with a given number of rows. */
     public static int length(int rows) {
         return START + STRIDE * rows;
     }
 
-    /** An array with room for so many rows, and for some numbers more. */
+    /** An array with room for a given number of rows and of further numbers. */
     public static double[] rows(int count, int more) {
         double[] rows = new double[length(count) + more];
         int at = at(NOWHERE);
@@ -54,7 +58,7 @@ public final class Outline {
         return rows;
     }
 
-    /** Whether a row and a rectangle, which is wider by what rounding may do, may meet. */
+    /** Whether a row's rectangle and a given one, already widened by the rounding errors, may meet. */
     static boolean mayMeet(double[] rows, int id, double x, double z, double wide, double deep) {
         int at = at(id);
         double halfX = rows[at + HALF_X];
@@ -67,7 +71,7 @@ public final class Outline {
         return (Double.doubleToRawLongBits(gapX) | Double.doubleToRawLongBits(gapZ)) >= 0;
     }
 
-    /** Makes a row that of a box, to within the rounding that a query allows for. */
+    /** Sets a row to a box, to within the rounding that a query allows for. */
     public static void write(double[] rows, int id, double minX, double minZ, double maxX, double maxZ) {
         int at = at(id);
         rows[at + X] = minX / 2 + maxX / 2;

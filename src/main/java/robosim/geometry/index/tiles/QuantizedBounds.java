@@ -1,52 +1,55 @@
 package robosim.geometry.index.tiles;
 
 /**
- * A box as it lies about a tile, in one number: how far it reaches, in {@link #STEPS} of a tile, up to one and a half tiles
- * beside. It tells of most objects of a tile that they are not near without a look at where they are.
+ * The bounds of a box relative to a tile, packed into one int: in units of 1/{@link #STEPS} of a tile, up to one and a
+ * half tiles beyond it. They rule out most objects of a tile without reading their boxes.
  */
 final class QuantizedBounds {
     static final int STEP_BITS = 5;
 
-    /** Parts of a tile. */
+    /** Steps per tile. */
     static final int STEPS = 1 << STEP_BITS;
 
-    /** What rounding may do to a place, in steps. */
+    /** The largest rounding error of a coordinate, in steps. */
     private static final double SLACK = STEPS * Tiles.MARGIN;
 
     private static final int BESIDE = 3 * STEPS / 2;
     private static final int MOST = 127;
 
-    /** More than matters below 0: from there on numbers are positive, which are quickly cut. */
+    /** An offset that makes all relevant numbers positive, so that they can be truncated quickly. */
     private static final int BELOW = 4 * STEPS;
 
     private static final int HIGH_BITS = 0x80808080;
 
-    /** Of what is always looked at. */
+    /** The bounds of an object that is never ruled out. */
     static final int ANYWHERE = 0;
 
-    /** Of nothing: so near to the end of all numbers does no question reach. */
+    /** Bounds that no query meets: they are too close to the end of the range. */
     static final int NOWHERE = MOST | MOST << 8 | MOST << 16 | MOST << 24;
 
     private QuantizedBounds() {}
 
-    /** The least step of a place, in tiles. */
+    /** The lowest step of a coordinate given in tiles. */
     static int low(double place) {
         return Math.max(0, (int) (place * STEPS + (BELOW - SLACK))) - BELOW;
     }
 
-    /** The greatest step of a place. */
+    /** The highest step of a coordinate given in tiles. */
     static int high(double place) {
         return Math.max(0, (int) (place * STEPS + (BELOW + SLACK))) - BELOW;
     }
 
-    /** A box from low to high steps, about a tile. */
+    /** The bounds of a box, given by its low and high steps, relative to a tile. */
     static int of(int lowX, int lowZ, int highX, int highZ, int column, int row) {
         int x = BESIDE - STEPS * column;
         int z = BESIDE - STEPS * row;
         return numbers(clamp(lowX + x), clamp(lowZ + z), MOST - clamp(highX + x), MOST - clamp(highZ + z));
     }
 
-    /** What to ask about other boxes on a tile for this one: how far they may begin, and end. */
+    /**
+     * The query number that {@link #mayMeet} compares with the bounds of other boxes on a tile: how far they may begin,
+     * and end.
+     */
     static int question(int lowX, int lowZ, int highX, int highZ, int column, int row) {
         int x = BESIDE - STEPS * column;
         int z = BESIDE - STEPS * row;
@@ -62,7 +65,7 @@ final class QuantizedBounds {
         return numbers(BESIDE + toX, BESIDE + toZ, MOST - BESIDE - x, MOST - BESIDE - z) | HIGH_BITS;
     }
 
-    /** What lies on a tile begins and ends less than a tile and a step from its other end. */
+    /** A box on a tile begins and ends less than a tile and a step beyond the tile's opposite side. */
     private static int reach(int steps) {
         return Math.max(0, Math.min(steps, MOST - 1));
     }
@@ -75,9 +78,9 @@ final class QuantizedBounds {
         return Math.max(0, Math.min(steps, MOST));
     }
 
-    /** Whether boxes may meet; never wrong where it says no. */
-    static boolean mayMeet(int question, int sketch) {
-        // Four comparisons in one subtraction: each borrows its high bit where the sketch's number is greater.
-        return ((question - sketch) & HIGH_BITS) == HIGH_BITS;
+    /** Whether boxes may meet; false is always right. */
+    static boolean mayMeet(int question, int quantized) {
+        // Four comparisons in one subtraction: each borrows from its high bit if the number in the bounds is greater.
+        return ((question - quantized) & HIGH_BITS) == HIGH_BITS;
     }
 }

@@ -3,9 +3,10 @@ package robosim.geometry.index.tiles;
 import java.util.Arrays;
 
 /**
- * Objects of {@link Tiles} or of a {@link NearGrid} that are near a box, all at once: each as often as tiles of the box list
- * it. A small box lies on one tile, two or four, each with one object or two or none: loops over them would be guessed wrong
- * most of the time, so the usual case has one loop, and what does not count is written down and written over.
+ * Collects the objects of {@link Tiles} or of a {@link NearGrid} that are near a box, all at once, each as often as
+ * tiles of the box list it. A small box lies on one, two or four tiles, each with zero to two objects. Branches in
+ * nested loops over them would mostly be mispredicted, so the usual case has a single loop, in which objects that do
+ * not count are written too and then overwritten.
  */
 public final class TileGathering {
     private static final int SIGN = Integer.SIZE - 1;
@@ -13,46 +14,52 @@ public final class TileGathering {
     private int[] ids = new int[16];
     private int count;
 
-    /** The heads of the lists to read, and one place more. */
+    /** The heads of the lists to read, and one spare element. */
     private int[] heads = new int[5];
 
-    // A closed box, for a grid.
+    // The closed query box, for a grid.
     private double minX;
     private double minZ;
     private double maxX;
     private double maxZ;
-    private int but;
+    private int ignored;
 
-    // A rectangle, for tiles: its centre, and half its size with what rounding may do to the gap to an outline.
+    // The query rectangle, for tiles: its centre, and half its size plus the rounding error of the gap to an outline.
     private double x;
     private double z;
     private double wide;
     private double deep;
 
-    /** Starts with nothing, for a closed box and all objects but one. */
-    public void start(double x0, double z0, double x1, double z1, int without) {
+    /** Starts a collection for a closed box, ignoring one object. */
+    public void start(double x0, double z0, double x1, double z1, int ignored) {
         minX = x0;
         minZ = z0;
         maxX = x1;
         maxZ = z1;
-        but = without;
+        this.ignored = ignored;
         count = 0;
     }
 
-    /** What rounding may do to the gap between a rectangle and outlines that reach no farther than the most. */
+    /**
+     * The largest rounding error of the gap between a rectangle and outlines whose coordinates are at most {@code most}
+     * in magnitude.
+     */
     static double slack(double x, double z, double halfX, double halfZ, double most) {
-        // Twenty roundings of 2^-53 in sums of what is no greater than these, and what underflows.
+        // Twenty roundings of 2^-53 in sums of numbers no greater than these, and underflow.
         return 0x1p-47 * (most + Math.abs(x) + Math.abs(z) + halfX + halfZ) + 0x1p-1000;
     }
 
-    /** Starts with nothing, for all objects near a place, where no coordinate is of a greater magnitude than the most. */
-    public void startAbout(double placeX, double placeZ, double halfX, double halfZ, double most, int without) {
+    /**
+     * Starts a collection for all objects near a point, ignoring one, where no coordinate exceeds {@code most} in
+     * magnitude.
+     */
+    public void startAbout(double placeX, double placeZ, double halfX, double halfZ, double most, int ignored) {
         double slack = slack(placeX, placeZ, halfX, halfZ, most);
         x = placeX;
         z = placeZ;
         wide = halfX + slack;
         deep = halfZ + slack;
-        but = without;
+        this.ignored = ignored;
         count = 0;
     }
 
@@ -84,7 +91,7 @@ public final class TileGathering {
         }
     }
 
-    /** Adds what counts of a list. */
+    /** Adds the objects of a list that count. */
     private void read(Tiles over, int tile, double[] outlines) {
         int[] data = over.store.data;
         int length = data[tile];
@@ -126,7 +133,7 @@ public final class TileGathering {
 
     /** 1 for an object that counts, else 0. */
     private int mayMeet(double[] outlines, int id) {
-        int isOther = (id - but | but - id) >>> SIGN;
+        int isOther = (id - ignored | ignored - id) >>> SIGN;
         return isOther & (Outline.mayMeet(outlines, id, x, z, wide, deep) ? 1 : 0);
     }
 
@@ -134,11 +141,11 @@ public final class TileGathering {
         ids = Arrays.copyOf(ids, 2 * ids.length);
     }
 
-    /** Adds the objects of a grid whose boxes meet the box. */
+    /** Adds the objects of a grid whose boxes meet the query box. */
     public void gather(NearGrid grid, double[] boxes) {
         for (int k = 0; k < grid.largeCount(); k++) {
             int id = grid.large(k);
-            if (id != but && meets(boxes, 6 * id)) {
+            if (id != ignored && meets(boxes, 6 * id)) {
                 if (count == ids.length) {
                     grow();
                 }
@@ -159,7 +166,10 @@ public final class TileGathering {
         return boxes[at] <= maxX && minX <= boxes[at + 3] && boxes[at + 2] <= maxZ && minZ <= boxes[at + 5];
     }
 
-    /** Writes down the first objects of a cell, the next one if there is one more column, and the same of one more row. */
+    /**
+     * Writes the list heads of a cell, of the next cell if there is one more column, and of the same in the next row if
+     * there is one more.
+     */
     private int listFour(NearGrid grid, int cell, int more, int deeper) {
         int below = cell + (grid.columns() & -deeper);
         int a = grid.heads[cell];
@@ -169,7 +179,9 @@ public final class TileGathering {
         return list(a, b, c, d);
     }
 
-    /** Writes down those of four heads that are not NONE, and answers how many: one that is is written over by the next. */
+    /**
+     * Writes those of four heads that are not NONE, and returns how many; one that is NONE is overwritten by the next.
+     */
     private int list(int a, int b, int c, int d) {
         heads[0] = a;
         int lists = 1 + (a >> SIGN);
@@ -200,7 +212,7 @@ public final class TileGathering {
         return lists;
     }
 
-    /** Adds what counts of so many lists that are not empty, and answers how many objects these hold. */
+    /** Adds the objects that count of a number of non-empty lists, and returns how many objects these lists hold. */
     private int read(int[] next, double[] boxes, int lists) {
         double lowX = minX;
         double lowZ = minZ;
@@ -220,7 +232,7 @@ public final class TileGathering {
                         | Double.doubleToRawLongBits(highZ - boxes[at + 2])
                         | Double.doubleToRawLongBits(boxes[at + 3] - lowX)
                         | Double.doubleToRawLongBits(boxes[at + 5] - lowZ);
-                int isOther = (id - but | but - id) >>> SIGN;
+                int isOther = (id - ignored | ignored - id) >>> SIGN;
                 to += isOther & (int) (~apart >>> (Long.SIZE - 1));
                 passed++;
                 id = next[id];

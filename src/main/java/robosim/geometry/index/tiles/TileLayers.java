@@ -1,18 +1,18 @@
 package robosim.geometry.index.tiles;
 
 /**
- * The {@link Tiles} of a {@code QuadTree}: finer ones for the many, coarser ones for what is too large for them, and one
- * that takes everything else. Stale at first, and again when the number of objects has outgrown them.
+ * The layers of {@link Tiles} of a {@code QuadTree}: fine ones for most objects, coarser ones for larger objects, and a
+ * last one for everything else. They are stale at first, and again when the number of objects has outgrown them.
  *
  * <p>An object is given by its id and its box, six numbers from six times the id on.
  */
 public final class TileLayers {
     private static final int MOST_LAYERS = 8;
 
-    /** A layer of so few objects is one tile. */
+    /** A layer of at most this many objects is a single tile. */
     private static final int FEW = 6;
 
-    /** So few tiles are not worth their while. */
+    /** A layer with fewer tiles is not worthwhile. */
     private static final int FEW_TILES = 16;
 
     /** Finer tiles first; the last layer takes everything. */
@@ -20,18 +20,18 @@ public final class TileLayers {
 
     private int count;
 
-    /** How many objects there were when the tiles were laid out. */
+    /** Number of objects when the tiles were laid out. */
     private int laid;
 
-    /** How many objects the last layer may come to hold before all is laid out anew. */
+    /** Number of objects in the last layer beyond which everything is laid out again. */
     private int mostBeside;
 
-    /** Whether the tiles were laid out in the midst of growing, with room for more. */
+    /** Whether the tiles were laid out while the number of objects was growing, with room for more. */
     private boolean isGrowing;
 
     private boolean isStale = true;
 
-    /** Whether the tiles must be laid out before they are asked. */
+    /** Whether the tiles must be laid out before they are queried. */
     public boolean isStale() {
         return isStale;
     }
@@ -40,12 +40,12 @@ public final class TileLayers {
         return count;
     }
 
-    /** The k-th layer, the finest first. */
+    /** The k-th layer, finest first. */
     public Tiles get(int k) {
         return layers[k];
     }
 
-    /** Lists an object, the last of so many, unless the tiles are stale. */
+    /** Adds an object, unless the tiles are stale; {@code size} is the number of objects, this one included. */
     public void add(int id, double[] boxes, int size) {
         if (!isStale) {
             layerOf(boxes, 6 * id).add(id, boxes, 6 * id);
@@ -53,14 +53,14 @@ public final class TileLayers {
         }
     }
 
-    /** Strikes an object, unless the tiles are stale. */
+    /** Removes an object, unless the tiles are stale. */
     public void remove(int id, double[] boxes) {
         if (!isStale) {
             layerOf(boxes, 6 * id).remove(id, boxes, 6 * id);
         }
     }
 
-    /** Lists an object, one of so many, by its box in place of the one before, unless the tiles are stale. */
+    /** Changes the box of an object, unless the tiles are stale; {@code size} is the number of objects. */
     public void move(int id, double[] before, double[] boxes, int size) {
         if (isStale) {
             return;
@@ -84,7 +84,7 @@ public final class TileLayers {
         return layers[count - 1];
     }
 
-    /** Lays all objects out anew that are listed, so many. */
+    /** Lays out all listed objects again; {@code size} is their number. */
     public void layOut(double[] boxes, boolean[] listed, int size) {
         isGrowing = laid > 0 && size > laid;
         laid = size;
@@ -111,7 +111,7 @@ public final class TileLayers {
         isStale = false;
     }
 
-    /** Makes a layer of those of the objects that fit its tiles; the others are moved to the front and counted. */
+    /** Makes a layer of the objects that fit its tiles; moves the others to the front and returns their number. */
     private int lay(int[] ids, int objects, double[] boxes, int coarser) {
         Tiles tiles = tilesFor(ids, objects, boxes, coarser);
         int left = 0;
@@ -130,7 +130,7 @@ public final class TileLayers {
         return left;
     }
 
-    /** Empty tiles over the objects, and over an eighth more on all sides where their number grows. */
+    /** Empty tiles over the area of the objects, an eighth larger on all sides if their number is growing. */
     private Tiles tilesFor(int[] ids, int objects, double[] boxes, int coarser) {
         double minX = Double.POSITIVE_INFINITY;
         double minZ = Double.POSITIVE_INFINITY;
@@ -149,7 +149,7 @@ public final class TileLayers {
                 minX - roomX, minZ - roomZ, maxX + roomX, maxZ + roomZ, tiles(objects) >> coarser, new TileLists(true));
     }
 
-    /** About one tile an object, and a half more where their number grows. */
+    /** About one tile per object, and half as many again if their number is growing. */
     private long tiles(long objects) {
         return isGrowing ? objects + objects / 2 : objects;
     }

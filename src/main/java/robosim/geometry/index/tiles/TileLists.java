@@ -3,49 +3,49 @@ package robosim.geometry.index.tiles;
 import java.util.Arrays;
 
 /**
- * The lists of objects of all {@link Tiles} of a layer, also of those within others, in one array. A tile has a place of
- * {@link #STRIDE} numbers: how long its list of ids is, and as long as it has room the list itself, else where it begins. Most
- * lists are that short, and one look at memory is all that a query needs of a tile. Where a list is shorter still, {@link
- * Outline#NOWHERE} fills its room: so who would guess wrong how long it is can read all of it. Another array has, where an
- * id stands in the first, the object's {@link QuantizedBounds} about the tile.
+ * The lists of objects of all {@link Tiles} of a layer, nested ones included, in one array. A tile has a slot of {@link
+ * #STRIDE} numbers: the length of its list of ids, then the list itself if it fits, else where it begins. Most lists
+ * fit, so a query needs one memory access per tile. Unused room of a slot is filled with {@link Outline#NOWHERE}, so
+ * that a query may read all of it instead of branching on a length that would be mispredicted. A second array has, at
+ * the index of each id, the object's {@link QuantizedBounds} relative to the tile.
  */
 final class TileLists {
-    /** Numbers of a tile's place. */
+    /** Number of ints in a tile's slot. */
     static final int STRIDE = 4;
 
-    /** Longer lists stand elsewhere. */
+    /** Longer lists are stored outside the slot. */
     static final int SHORT = STRIDE - 1;
 
-    /** Room for the shortest of these; it doubles as they grow. */
+    /** The room for the shortest of these lists; it doubles as they grow. */
     private static final int LEAST = 8;
 
     private static final int NONE = -1;
 
     int[] data = new int[16];
 
-    /** Empty where these are not kept: of a single tile they tell nothing. */
-    int[] sketches;
+    /** The quantized bounds; empty if they are not kept, since they are useless for a single tile. */
+    int[] quantizedBounds;
 
     private int used;
 
-    /** By the logarithm of their length, runs that nobody uses; each holds where the next one begins. */
+    /** Unused runs of the array, by the logarithm of their length; each holds the index of the next one. */
     private final int[] free = new int[Integer.SIZE];
 
-    TileLists(boolean hasSketches) {
-        sketches = new int[hasSketches ? data.length : 0];
+    TileLists(boolean hasQuantizedBounds) {
+        quantizedBounds = new int[hasQuantizedBounds ? data.length : 0];
         Arrays.fill(free, NONE);
     }
 
-    boolean hasSketches() {
-        return sketches.length > 0;
+    boolean hasQuantizedBounds() {
+        return quantizedBounds.length > 0;
     }
 
-    /** Makes room for the empty lists of so many tiles; answers where the first one's place is. */
+    /** Adds the empty lists of a number of tiles; returns where the slot of the first begins. */
     int append(int tiles) {
         int first = claim(STRIDE * tiles);
         Arrays.fill(data, first, first + STRIDE * tiles, Outline.NOWHERE);
-        if (hasSketches()) {
-            Arrays.fill(sketches, first, first + STRIDE * tiles, QuantizedBounds.NOWHERE);
+        if (hasQuantizedBounds()) {
+            Arrays.fill(quantizedBounds, first, first + STRIDE * tiles, QuantizedBounds.NOWHERE);
         }
         for (int place = first; place < first + STRIDE * tiles; place += STRIDE) {
             data[place] = 0;
@@ -53,33 +53,33 @@ final class TileLists {
         return first;
     }
 
-    /** Where the list of a place begins, given how long it is. */
+    /** Where the list of a slot begins, given its length. */
     static int first(int[] data, int place, int length) {
         return length > SHORT ? data[place + 1] : place + 1;
     }
 
-    /** Puts an object at the end of a list. */
-    void push(int place, int id, int sketch) {
+    /** Appends an object to a list. */
+    void push(int place, int id, int quantized) {
         int length = data[place];
         if (length >= SHORT && (length == SHORT || length == room(length))) {
             relocate(place, length, room(length + 1));
         }
         int at = first(data, place, length + 1) + length;
         data[at] = id;
-        if (hasSketches()) {
-            sketches[at] = sketch;
+        if (hasQuantizedBounds()) {
+            quantizedBounds[at] = quantized;
         }
         data[place] = length + 1;
     }
 
-    /** Takes an object out of the list that it is in. */
+    /** Removes an object from the list that it is in. */
     void strike(int place, int id) {
         int last = data[place] - 1;
         int first = first(data, place, last + 1);
         copy(first + last, find(first, id), 1);
         data[first + last] = Outline.NOWHERE;
-        if (hasSketches()) {
-            sketches[first + last] = QuantizedBounds.NOWHERE;
+        if (hasQuantizedBounds()) {
+            quantizedBounds[first + last] = QuantizedBounds.NOWHERE;
         }
         data[place] = last;
         if (last == SHORT) {
@@ -90,10 +90,10 @@ final class TileLists {
         }
     }
 
-    /** Gives an object of a list another sketch. */
-    void redraw(int place, int id, int sketch) {
-        if (hasSketches()) {
-            sketches[find(first(data, place, data[place]), id)] = sketch;
+    /** Changes the quantized bounds of an object in a list. */
+    void requantize(int place, int id, int quantized) {
+        if (hasQuantizedBounds()) {
+            quantizedBounds[find(first(data, place, data[place]), id)] = quantized;
         }
     }
 
@@ -107,17 +107,17 @@ final class TileLists {
 
     private void copy(int from, int to, int count) {
         System.arraycopy(data, from, data, to, count);
-        if (hasSketches()) {
-            System.arraycopy(sketches, from, sketches, to, count);
+        if (hasQuantizedBounds()) {
+            System.arraycopy(quantizedBounds, from, quantizedBounds, to, count);
         }
     }
 
-    /** The room of a list that stands elsewhere. */
+    /** The room of a list that is stored outside its slot. */
     private static int room(int length) {
         return Math.max(LEAST, Integer.highestOneBit(2 * length - 1));
     }
 
-    /** Moves a list elsewhere, to a run with more room or less. */
+    /** Moves a list to a run with more or less room. */
     private void relocate(int place, int length, int room) {
         int to = take(room);
         int from = first(data, place, length);
@@ -153,13 +153,13 @@ final class TileLists {
         return first;
     }
 
-    /** Gives up room that there is for more. */
+    /** Gives up spare room. */
     void trim() {
         resize(used);
     }
 
     private void resize(int capacity) {
         data = Arrays.copyOf(data, capacity);
-        sketches = Arrays.copyOf(sketches, hasSketches() ? capacity : 0);
+        quantizedBounds = Arrays.copyOf(quantizedBounds, hasQuantizedBounds() ? capacity : 0);
     }
 }

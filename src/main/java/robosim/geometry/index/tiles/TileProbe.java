@@ -1,27 +1,28 @@
 package robosim.geometry.index.tiles;
 
 /**
- * Who of {@link Tiles} may be near a small rectangle, each as often as its tiles list it; most often that is one tile. Sketches
- * tell, and who is on a list without them is looked at. How long a list is would be guessed wrong each other time, so all room
- * of a short one is read.
+ * Finds the objects of {@link Tiles} that may be near a small rectangle, each as often as the rectangle's tiles list
+ * it; mostly that is one tile. Quantized bounds decide; in lists without them the outlines do. A branch on a list's
+ * length would be mispredicted every other time, so the whole slot of a short list is read.
  *
- * <p>Why none is missed: where a rectangle of a reach below 2^30 steps ends within a window, its place is less than 2^31 steps
- * from the corner. So a difference, two products and a sum, each rounded by 2^-53 of itself, misjudge that end by less than
- * 2^-19 steps, which is far below {@link Tiles#MARGIN}, by which every object is listed beyond its box and drawn wider. In
- * divided tiles steps are up to 2^12 times as fine, and the same rectangle's end is misjudged by less than 2^-7 of them: still
- * below. An end beyond the window counts as on its edge: who meets only there is listed on a tile beside, or out of these tiles.
+ * <p>Why none is missed: if a rectangle of a reach below 2^30 steps ends within a window, its position is less than
+ * 2^31 steps from the corner. So a difference, two products and a sum, each rounded by 2^-53 of itself, misplace that
+ * end by less than 2^-19 steps, which is far below {@link Tiles#MARGIN}, by which every object's box is widened in the
+ * lists and in its quantized bounds. In divided tiles steps are up to 2^12 times as fine, and the same end is misplaced
+ * by less than 2^-7 of them: still below. An end beyond the window is treated as on its edge: an object that meets the
+ * rectangle only there is listed on a neighbouring tile, or outside these tiles.
  */
 public final class TileProbe {
-    /** The target wants no more. */
+    /** The target needs no more objects. */
     public static final int ENOUGH = -1;
 
     /** The rectangle lies on too many tiles. */
     public static final int TOO_MANY = 0;
 
-    /** The target has met all. */
+    /** The target has seen all objects. */
     public static final int ALL = 1;
 
-    /** In steps, of tiles that are no part of others. */
+    /** The largest reach of a rectangle, in steps of tiles that are not nested. */
     private static final double MOST_REACH = 0x1p30;
 
     private double x;
@@ -30,7 +31,7 @@ public final class TileProbe {
     private double halfZ;
     private double most;
 
-    /** Takes a rectangle about a place where no coordinate is of a greater magnitude than the most. */
+    /** Starts a query for a rectangle around a point, where no coordinate exceeds {@code mostAnywhere} in magnitude. */
     public void start(double placeX, double placeZ, double toX, double toZ, double mostAnywhere) {
         x = placeX;
         z = placeZ;
@@ -39,7 +40,10 @@ public final class TileProbe {
         most = mostAnywhere;
     }
 
-    /** Lets a target meet those of some tiles, unless the rectangle lies on more than so many or reaches too far. */
+    /**
+     * Passes the objects found on some tiles to a target, unless the rectangle lies on more than {@code mostTiles} or
+     * reaches too far.
+     */
     public int ask(Tiles over, int mostTiles, double[] outlines, NearTarget target) {
         return ask(over, mostTiles, MOST_REACH, outlines, target);
     }
@@ -49,7 +53,7 @@ public final class TileProbe {
         double fromZ = z - over.originZ;
         double reachX = halfX * over.stepsX;
         double reachZ = halfZ * over.stepsZ;
-        // Rounded towards 0, which no object on the tiles is below.
+        // Rounded towards 0; no object on the tiles is below 0.
         int lowX = (int) Math.fma(fromX, over.stepsX, -reachX);
         int lowZ = (int) Math.fma(fromZ, over.stepsZ, -reachZ);
         int highX = (int) Math.fma(fromX, over.stepsX, reachX);
@@ -96,31 +100,31 @@ public final class TileProbe {
 
     private boolean read(Tiles over, int tile, int question, double[] outlines, NearTarget target) {
         int[] data = over.store.data;
-        int[] sketches = over.store.sketches;
-        if ((data[tile] & ~TileLists.SHORT) != 0 || sketches.length == 0) {
+        int[] quantizedBounds = over.store.quantizedBounds;
+        if ((data[tile] & ~TileLists.SHORT) != 0 || quantizedBounds.length == 0) {
             return readOther(over, tile, question, outlines, target);
         }
-        return (QuantizedBounds.mayMeet(question, sketches[tile + 1]) && target.meet(data[tile + 1]))
-                || (QuantizedBounds.mayMeet(question, sketches[tile + 2]) && target.meet(data[tile + 2]))
-                || (QuantizedBounds.mayMeet(question, sketches[tile + 3]) && target.meet(data[tile + 3]));
+        return (QuantizedBounds.mayMeet(question, quantizedBounds[tile + 1]) && target.meet(data[tile + 1]))
+                || (QuantizedBounds.mayMeet(question, quantizedBounds[tile + 2]) && target.meet(data[tile + 2]))
+                || (QuantizedBounds.mayMeet(question, quantizedBounds[tile + 3]) && target.meet(data[tile + 3]));
     }
 
-    /** Reads a long list, one without sketches, or those within a divided tile. */
+    /** Reads a long list, a list without quantized bounds, or the lists within a divided tile. */
     private boolean readOther(Tiles over, int tile, int question, double[] outlines, NearTarget target) {
         int[] data = over.store.data;
-        int[] sketches = over.store.sketches;
+        int[] quantizedBounds = over.store.quantizedBounds;
         int length = data[tile];
         if (length < 0) {
             Tiles inner = over.within(length);
             return readRows(inner, inner.rest(), outlines, target)
                     || ask(inner, Integer.MAX_VALUE, Double.POSITIVE_INFINITY, outlines, target) == ENOUGH;
         }
-        if (sketches.length == 0) {
+        if (quantizedBounds.length == 0) {
             return readRows(over, tile, outlines, target);
         }
         int first = data[tile + 1];
         for (int k = first; k < first + length; k++) {
-            if (QuantizedBounds.mayMeet(question, sketches[k]) && target.meet(data[k])) {
+            if (QuantizedBounds.mayMeet(question, quantizedBounds[k]) && target.meet(data[k])) {
                 return true;
             }
         }

@@ -3,8 +3,8 @@ package robosim.geometry.index.tiles;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The objects of {@link Tiles} whose boxes meet a box, once each: of all tiles that list an object, in the one that holds
- * the least corner of what the two boxes have in common.
+ * Finds the objects of {@link Tiles} whose boxes meet a query box, once each: of all tiles that list an object, it is
+ * reported by the one that contains the minimum corner of the intersection of the two boxes.
  */
 public final class TileScan {
     private Tiles tiles;
@@ -19,7 +19,7 @@ public final class TileScan {
     private int row1;
     private int row;
 
-    /** The next object of the list that is read, and the list's end. */
+    /** The next position in the current list, and the list's end. */
     private int entry;
 
     private int end;
@@ -71,7 +71,7 @@ public final class TileScan {
         end = entry + data[tile];
     }
 
-    /** Turns to what the tile holds. */
+    /** Goes to the list of the current tile. */
     private void look() {
         visited++;
         int tile = tiles.at(column, row);

@@ -3,16 +3,18 @@ package robosim.geometry.index.tiles;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A ray's way over {@link Tiles}, front to back: from each tile to the neighbour through whose side the ray leaves it, and
- * of what each lists the objects whose outlines the ray may meet; one that lies on several tiles may come again.
+ * Walks a ray over {@link Tiles}, front to back: from each tile to the neighbour on the side where the ray leaves it.
+ * Returns the listed objects whose outlines the ray may meet; one that lies on several tiles may be returned more than
+ * once.
  *
- * <p>Why none is missed: in tiles, the start is {@code g = (o - origin) scale}, wrong by at most {@code 2^-52 |g|}, which moves
- * the ray by as much. The parameter at which the ray crosses the k-th line between tiles is {@code (line - g) / v} and k times
- * {@code 1 / v}, k + 5 roundings in all, so there the ray is off the line by at most {@code (k + 5) 2^-53} times the tiles from
- * the start, along either axis, whatever the slope. With {@link Tiles#REACH} and 2^14 lines that is below 2^-16 tiles; within
- * divided tiles, where there are 16 lines and the start is up to 2^34 tiles away, below 2^-14 of theirs: far below {@link
- * Tiles#MARGIN}, by which every object is listed beyond its box. So too what begins just within the reach is listed on a tile
- * that does for certain. A slope below 2^-60 of the other is taken for none: it moves the ray by less than 2^-34 tiles.
+ * <p>Why none is missed: in units of tiles, the start is {@code g = (o - origin) scale}, wrong by at most {@code 2^-52
+ * |g|}, which shifts the ray by as much. The parameter at which the ray crosses the k-th line between tiles is {@code
+ * (line - g) / v} and k times {@code 1 / v}, k + 5 roundings in all, so there the ray is off the line by at most {@code
+ * (k + 5) 2^-53} times the tiles from the start, along either axis, whatever the slope. With {@link Tiles#REACH} and
+ * 2^14 lines that is below 2^-16 tiles; within divided tiles, where there are 16 lines and the start is up to 2^34
+ * tiles away, below 2^-14 of theirs: far below {@link Tiles#MARGIN}, by which every object is listed beyond its box.
+ * For the same reason an object that begins just within the reach is listed on a tile that certainly begins within it.
+ * A direction component below 2^-60 of the other is treated as 0, which shifts the ray by less than 2^-34 tiles.
  */
 public final class TileWalk {
     private static final double FLAT = 0x1p-60;
@@ -22,20 +24,20 @@ public final class TileWalk {
     private Tiles tiles;
     private int[] data;
 
-    // The parameters at which the ray enters the next tile, and crosses the lines after it.
+    // The parameters at which the ray enters the next tile, and crosses the grid lines after it.
     private double from;
     private double crossX;
     private double crossZ;
     private double tileX;
     private double tileZ;
 
-    /** The next tile, and how far its neighbours are in the store. */
+    /** The next tile, and the distances to its neighbours in the store. */
     private int tile;
 
     private int nextX;
     private int nextZ;
 
-    /** The next object of the list that is read, and the list's end. */
+    /** The next position in the current list, and the list's end. */
     private int entry;
 
     private int end;
@@ -43,26 +45,29 @@ public final class TileWalk {
     private @Nullable TileWalk inner;
     private long visited;
 
-    /** A ray: one for a walk and those within its tiles. */
+    /** A ray, shared by a walk and the walks within its divided tiles. */
     public static final class Line {
         private double ox;
         private double oz;
         private double dx;
         private double dz;
 
-        /** Half of the square of the direction; infinite where that might under- or overflow, so that all is within reach. */
+        /**
+         * Half of the squared length of the direction; infinite if that might under- or overflow, so that everything is
+         * within reach.
+         */
         private double halfSquare;
 
-        /** What rounding may do to how far an outline is aside. */
+        /** The largest rounding error of an outline's distance from the ray's line. */
         private double aside;
 
-        /** Takes a new ray in a world where no coordinate is of a greater magnitude than the most. */
+        /** Sets a new ray, in a world where no coordinate exceeds {@code most} in magnitude. */
         public void start(double x, double z, double wayX, double wayZ, double most) {
             ox = x;
             oz = z;
             dx = wayX;
             dz = wayZ;
-            // Twenty roundings of 2^-53 in sums of products with what is no greater than these, and what underflows.
+            // Twenty roundings of 2^-53 in sums of products with numbers no greater than these, and underflow.
             aside = 0x1p-47 * (most + (Math.abs(x) + Math.abs(z))) * (Math.abs(wayX) + Math.abs(wayZ)) + 0x1p-1000;
             double square = wayX * wayX + wayZ * wayZ;
             halfSquare = square > 0x1p-900 && square < 0x1p900 ? square / 2 : Double.POSITIVE_INFINITY;
@@ -84,7 +89,7 @@ public final class TileWalk {
             return dz;
         }
 
-        /** Whether no product of a place or a tile and the direction can overflow. */
+        /** Whether no product of a coordinate or a tile with the direction can overflow. */
         public boolean isOrdinary() {
             return aside < 0x1p960 && Math.abs(dx) + Math.abs(dz) < 0x1p600;
         }
@@ -106,7 +111,10 @@ public final class TileWalk {
         isWithin = false;
     }
 
-    /** Starts where the line begins; false, and there is nothing to take, where that is too far away or it is too slow. */
+    /**
+     * Starts at the beginning of the line; returns false, with nothing to walk, if that is too far away or the
+     * direction is too short.
+     */
     public boolean start(Tiles over) {
         return start(over, false);
     }
@@ -136,7 +144,7 @@ public final class TileWalk {
             from = isInside ? 0 : entry(over, gx, gz, vx, vz);
         }
         read(over.rest());
-        // -1 for a falling coordinate, else 0, without a branch that would be guessed wrong half of the time.
+        // -1 for a decreasing coordinate, else 0, without a branch, which would be mispredicted half of the time.
         int fallX = (int) (Double.doubleToRawLongBits(vx) >> 63);
         int fallZ = (int) (Double.doubleToRawLongBits(vz) >> 63);
         int column = clamp(gx + from * vx, over.countX);
@@ -161,7 +169,7 @@ public final class TileWalk {
     }
 
     /**
-     * The next object whose outline the line may meet on its way to the limit, on a tile that begins within it; {@link
+     * The next object, on a tile that begins within the limit, whose outline the line may meet within the limit; {@link
      * Tiles#NONE} after the last. The limit may shrink from call to call.
      */
     public int next(double limit, double[] outlines) {
@@ -188,7 +196,10 @@ public final class TileWalk {
         return inner;
     }
 
-    /** The same, but where it comes to a divided tile it only starts there: a loop without calls, all in registers. */
+    /**
+     * The same, but at a divided tile it only starts the nested walk: a loop without calls, so that everything stays in
+     * registers.
+     */
     private int nextListed(double limit, double[] outlines) {
         Line l = line;
         double ox = l.ox;
@@ -255,7 +266,7 @@ public final class TileWalk {
         return found;
     }
 
-    /** Goes into a divided tile, or no farther. */
+    /** Enters a divided tile, or ends the walk. */
     private void turn(int length) {
         if (length == Tiles.OUT) {
             from = Double.NaN;
@@ -265,7 +276,7 @@ public final class TileWalk {
         }
     }
 
-    /** Whether the line may meet an outline on its way to the reach. */
+    /** Whether the line may meet an outline within the reach. */
     private static boolean meets(
             double[] outlines,
             int at,
@@ -293,14 +304,14 @@ public final class TileWalk {
         return (Double.doubleToRawLongBits(across) | Double.doubleToRawLongBits(along)) >= 0;
     }
 
-    /** Whether a ray begins near enough for the tiles' margin and is not too slow for a parameter. */
+    /** Whether a ray begins near enough for the tiles' margin, and its direction is long enough for a parameter. */
     private static boolean isNear(double gx, double gz, double vx, double vz) {
         return Math.abs(gx) <= Tiles.REACH
                 && Math.abs(gz) <= Tiles.REACH
                 && Math.max(Math.abs(vx), Math.abs(vz)) > LEAST;
     }
 
-    /** Where a ray enters the window from outside; NaN where it passes by. */
+    /** The parameter at which a ray enters the window from outside; NaN if it misses it. */
     private static double entry(Tiles over, double gx, double gz, double vx, double vz) {
         double enter = 0;
         double leave = Double.POSITIVE_INFINITY;

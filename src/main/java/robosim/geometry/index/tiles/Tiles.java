@@ -3,51 +3,57 @@ package robosim.geometry.index.tiles;
 import java.util.Arrays;
 
 /**
- * Regions of one depth of a {@code QuadTree}, all of one size, found by arithmetic instead of a descent: row after row. Each
- * tile lists the objects whose boxes meet it.
+ * The regions of one depth of a {@code QuadTree}, all of one size, stored row by row and found by arithmetic instead of
+ * a descent. Each tile lists the objects whose boxes meet it.
  *
- * <p>Tiles cover a window. What reaches out of it or lies on too many tiles does not fit. Boxes are listed as if they were
- * wider by {@link #MARGIN} of a tile on all sides: a walk that misjudges its way by less than that meets all the same
+ * <p>Tiles cover a window. Objects that extend beyond it or lie on too many tiles do not fit. Boxes are listed as if
+ * they were wider by {@link #MARGIN} of a tile on all sides, so a walk whose error is less than that finds all the same
  * objects.
  */
 public final class Tiles {
-    /** In tiles. A walk of at most {@link #REACH} tiles errs by less than 2^-14: see {@link TileWalk}. */
+    /**
+     * The margin of boxes, in tiles. A walk of at most {@link #REACH} tiles is off by less than 2^-14: see {@link
+     * TileWalk}.
+     */
     static final double MARGIN = 0x1p-10;
 
-    /** The farthest place, in tiles from the window's corner, from which a walk may start. */
+    /** The largest distance from the window's corner, in tiles, at which a walk may start. */
     static final double REACH = 0x1p22;
 
-    /** Most tiles that an object may lie on. */
+    /** Maximum number of tiles that an object may lie on. */
     private static final int MOST_TILES = 32;
 
-    /** Along an axis, and in all. */
+    /** Maximum number of tiles along an axis, and in all. */
     private static final int MOST_COUNT = 1 << 14;
 
     private static final long MOST_IN_ALL = 1 << 24;
     public static final int NONE = -1;
 
-    /** In place of a length: here a walk has left the window. */
+    /** Stands for a length where a walk has left the window. */
     static final int OUT = Integer.MIN_VALUE;
 
-    /** A tile with more objects than these is divided, if that leaves fewer of them to each part. */
+    /** A tile with more objects than this is divided, if its parts then have fewer. */
     private static final int CROWD = 12;
 
-    /** Tiles along an axis at once in a crowded tile, and how often parts may be divided again: see MARGIN. */
+    /**
+     * Maximum number of tiles along an axis within a crowded tile, and how deep parts may be divided again: see MARGIN.
+     */
     private static final int MOST_INNER = 16;
 
     private static final int MOST_DEPTH = 3;
 
     /**
-     * Where in the store the places of the tiles begin. Of a divided tile, in place of the length of its list stands the
-     * number of what it holds, from {@link #NONE} downwards. Around the tiles is a row or column of {@link #OUT}. After them
-     * all comes the list of what is too large for the tiles within the outer tile that these divide.
+     * Where the slots of the tiles begin in the store. For a divided tile, the length of its list is replaced by the
+     * index of its nested tiles, from {@link #NONE} downwards. The tiles are surrounded by a row or column of {@link
+     * #OUT}. After them comes the list of objects that are on the outer tile divided by these tiles but are too large
+     * for them.
      */
     private final int base;
 
     private final int rowStep;
     private final int rest;
 
-    /** Of divided tiles, by {@code NONE - length}. */
+    /** The nested tiles of divided tiles, by {@code NONE - length}. */
     private Tiles[] inner = {};
 
     private int innerCount;
@@ -57,12 +63,12 @@ public final class Tiles {
     final double originX;
     final double originZ;
 
-    /** Tiles a unit. */
+    /** Tiles per world unit. */
     public final double scaleX;
 
     public final double scaleZ;
 
-    /** Steps of a {@link QuantizedBounds} a unit. */
+    /** Steps of {@link QuantizedBounds} per world unit. */
     final double stepsX;
 
     final double stepsZ;
@@ -74,7 +80,7 @@ public final class Tiles {
     private final double maxZ;
     private int objects;
 
-    /** About so many tiles over a window, or a single one, without limits, where it cannot be divided. */
+    /** About a given number of tiles over a window, or a single one without limits if the window cannot be divided. */
     Tiles(double minX, double minZ, double maxX, double maxZ, long tiles, int mostAlong, TileLists store) {
         this.store = store;
         double width = maxX - minX;
@@ -105,7 +111,7 @@ public final class Tiles {
         }
     }
 
-    /** Some tiles over a window of a world. */
+    /** About a given number of tiles over a window of a world. */
     static Tiles over(double minX, double minZ, double maxX, double maxZ, long tiles, TileLists store) {
         return new Tiles(minX, minZ, maxX, maxZ, Math.min(tiles, MOST_IN_ALL), MOST_COUNT, store);
     }
@@ -114,7 +120,7 @@ public final class Tiles {
         return (int) Math.max(1, Math.min(most, Math.rint(tiles)));
     }
 
-    /** One tile, which everything fits. */
+    /** A single tile, which everything fits. */
     public static Tiles single() {
         return over(0, 0, 0, 0, 1, new TileLists(false));
     }
@@ -123,7 +129,7 @@ public final class Tiles {
         return size > 0x1p-300 && size < 0x1p300;
     }
 
-    /** Whether there is one tile only, which everything fits. */
+    /** Whether there is only one tile, which everything fits. */
     public boolean isSingle() {
         return countX * countZ == 1;
     }
@@ -136,7 +142,7 @@ public final class Tiles {
         return objects;
     }
 
-    /** The place of the list of what is too large for the tiles. */
+    /** The slot of the list of objects that are too large for the tiles. */
     int rest() {
         return rest;
     }
@@ -145,17 +151,17 @@ public final class Tiles {
         return store.data[rest()] > 0;
     }
 
-    /** The place of a tile's list. */
+    /** The slot of a tile. */
     int at(int column, int row) {
         return base + (row + 1) * rowStep + TileLists.STRIDE * (column + 1);
     }
 
-    /** How far apart those of two rows are. */
+    /** The distance between the slots of two rows. */
     int rowStep() {
         return rowStep;
     }
 
-    /** The column of a place; never decreases with it. */
+    /** The column of a coordinate; monotonic in it. */
     int column(double x, double margin) {
         return clamp((x - originX) * scaleX + margin, countX);
     }
@@ -184,7 +190,7 @@ public final class Tiles {
         return wide * deep <= MOST_TILES;
     }
 
-    /** Where a place is, in tiles from the window's corner. */
+    /** A coordinate in tiles from the window's corner. */
     double across(double x) {
         return (x - originX) * scaleX;
     }
@@ -193,7 +199,7 @@ public final class Tiles {
         return (z - originZ) * scaleZ;
     }
 
-    /** Lists a box that fits. */
+    /** Adds a box that fits. */
     void add(int id, double[] boxes, int at) {
         int x0 = column(boxes[at], -MARGIN);
         int x1 = column(boxes[at + 3], MARGIN);
@@ -211,11 +217,14 @@ public final class Tiles {
         if (store.data[tile] < 0) {
             within(store.data[tile]).addPart(id, boxes, at);
         } else {
-            store.push(tile, id, store.hasSketches() ? sketch(column, row, boxes, at) : QuantizedBounds.ANYWHERE);
+            store.push(
+                    tile,
+                    id,
+                    store.hasQuantizedBounds() ? quantized(column, row, boxes, at) : QuantizedBounds.ANYWHERE);
         }
     }
 
-    private int sketch(int column, int row, double[] boxes, int at) {
+    private int quantized(int column, int row, double[] boxes, int at) {
         return QuantizedBounds.of(
                 QuantizedBounds.low(across(boxes[at])),
                 QuantizedBounds.low(along(boxes[at + 2])),
@@ -225,7 +234,7 @@ public final class Tiles {
                 row);
     }
 
-    /** Lists a box of which a part is here, within a tile. */
+    /** Adds a box that lies partly on these tiles, which are nested in a tile. */
     private void addPart(int id, double[] boxes, int at) {
         if (isSmall(boxes, at)) {
             add(id, boxes, at);
@@ -234,12 +243,12 @@ public final class Tiles {
         }
     }
 
-    /** The tiles within a divided one. */
+    /** The tiles nested in a divided one. */
     Tiles within(int length) {
         return inner[NONE - length];
     }
 
-    /** Strikes a box that is listed, by the same numbers. */
+    /** Removes a box, which must have the same numbers as when it was added. */
     void remove(int id, double[] boxes, int at) {
         int x0 = column(boxes[at], -MARGIN);
         int x1 = column(boxes[at + 3], MARGIN);
@@ -268,7 +277,7 @@ public final class Tiles {
         }
     }
 
-    /** Lists a box anew that was listed by other numbers; both fit. */
+    /** Changes the numbers of a listed box; both the old and the new box fit. */
     void move(int id, double[] before, int from, double[] boxes, int at) {
         int x0 = column(boxes[at], -MARGIN);
         int x1 = column(boxes[at + 3], MARGIN);
@@ -283,7 +292,7 @@ public final class Tiles {
             add(id, boxes, at);
             return;
         }
-        boolean isNothingNew = innerCount == 0 && !store.hasSketches();
+        boolean isNothingNew = innerCount == 0 && !store.hasQuantizedBounds();
         for (int row = isNothingNew ? z1 + 1 : z0; row <= z1; row++) {
             for (int column = x0; column <= x1; column++) {
                 moveWithin(column, row, id, before, from, boxes, at);
@@ -297,11 +306,11 @@ public final class Tiles {
             within(store.data[tile]).removePart(id, before, from);
             within(store.data[tile]).addPart(id, boxes, at);
         } else {
-            store.redraw(tile, id, sketch(column, row, boxes, at));
+            store.requantize(tile, id, quantized(column, row, boxes, at));
         }
     }
 
-    /** Divides tiles with long lists, their parts too. */
+    /** Divides tiles with long lists, and their parts too. */
     void divideCrowded(double[] boxes) {
         if (!isSingle()) {
             divideCrowded(boxes, 1);
@@ -345,12 +354,15 @@ public final class Tiles {
         store.data[tile] = NONE - innerCount++;
     }
 
-    /** Whether places are rounded so much there that parts of a tile might leave out a strip as wide as their margin. */
+    /**
+     * Whether coordinates are rounded so coarsely there that parts of a tile might miss a strip as wide as their
+     * margin.
+     */
     private static boolean isCoarse(double place, double side) {
         return side < 0x1p20 * Math.ulp(Math.abs(place) + side);
     }
 
-    /** Whether most of a list would be too large for these tiles. */
+    /** Whether most objects of a list would be too large for these tiles. */
     private boolean holdsFew(int first, int length, double[] boxes) {
         int small = 0;
         for (int k = first; k < first + length; k++) {

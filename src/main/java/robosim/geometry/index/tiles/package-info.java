@@ -1,4 +1,4 @@
-/** Tiles of the plane with lists of what is in them, asked for boxes, rays and what is near. */
+/** Tiles of the plane with lists of the objects on them, for box, ray and proximity queries. */
 @NullMarked
 package robosim.geometry.index.tiles;
 

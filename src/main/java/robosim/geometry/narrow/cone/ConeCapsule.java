@@ -142,8 +142,8 @@ final class ConeCapsule {
         double y = my + t * hy;
         double z = mz + t * hz;
         double ahead = x * cone.ux + y * cone.uy + z * cone.uz;
-        double aside = VectorMath.length(
-                y * cone.uz - z * cone.uy, z * cone.ux - x * cone.uz, x * cone.uy - y * cone.ux);
+        double aside =
+                VectorMath.length(y * cone.uz - z * cone.uy, z * cone.ux - x * cone.uz, x * cone.uy - y * cone.ux);
         double past = aside * cone.cos - ahead * cone.sin;
         double length = VectorMath.length(x, y, z);
         if (past <= 0) {
@@ -237,7 +237,8 @@ final class ConeCapsule {
         if (isWithin) {
             copy(N, X);
         } else {
-            // In the plane of X and the axis: e is square to the axis, and n = s (cos u + sin e) + past (cos e - sin u).
+            // In the plane of X and the axis: e is square to the axis, and n = s (cos u + sin e) + past (cos e - sin
+            // u).
             if (!isMet) {
                 p.set(SHARE, 0);
             }

@@ -8,12 +8,15 @@ import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.sat.ExactCommon;
 import robosim.geometry.narrow.sat.ExactPolytope;
 
-/** A point that two leaves which touch have in common, and how far rounding may have moved it off either. */
+/** A point that two touching leaves have in common, and how far rounding may have moved it off either. */
 public final class ContactPoint {
-    /** Beyond this no point can be told; a placed vertex may be. */
+    /** Coordinates beyond this cannot be returned as a point; a placed vertex may be beyond it. */
     private static final double MOST = 0x1p100;
 
-    /** A point that is off by so many times what rounding explains is that of an iteration that came to no end. */
+    /**
+     * A point whose error is more than this many times what rounding explains comes from an iteration that did not
+     * converge.
+     */
     private static final double FAR = 16;
 
     private ContactPoint() {}
@@ -38,7 +41,7 @@ public final class ContactPoint {
         ConvexContact.between(dimension, kindA, a, i, kindB, b, j, out, s);
         double rounding = bound(flat, kindA, a, i, kindB, b, j, out, s);
         if (flat && out[6] > FAR * rounding) {
-            // Deep in each other the middle of the way out need not be in either.
+            // For deep overlaps the middle of the way out may be in neither.
             s.gjk.planar(kindA, a, i, kindB, b, j);
             double x = out[0];
             double z = out[2];
@@ -58,7 +61,7 @@ public final class ContactPoint {
         }
     }
 
-    /** Bounds the point's distances and answers how much of that is rounding, whatever the point. */
+    /** Bounds the point's distances and returns how much of that is rounding for any point. */
     private static double bound(
             boolean flat,
             LeafKind kindA,
@@ -79,7 +82,7 @@ public final class ContactPoint {
         return Math.max(rounding, s.gjk.error());
     }
 
-    /** How far the point at the beginning of an array is from a leaf at most. */
+    /** An upper bound of the distance from a leaf to the point at the beginning of an array. */
     private static double off(boolean flat, LeafKind kind, double[] row, int at, double[] point, DistanceScratch s) {
         double[] sphere = s.witness;
         System.arraycopy(point, 0, sphere, 0, 3);

@@ -7,22 +7,23 @@ import robosim.geometry.narrow.leaf.Order;
 import robosim.geometry.narrow.planar.PlanarBracket;
 import robosim.geometry.narrow.planar.PlanarShape;
 
-/** Where and against which direction the projections of two leaves touch. */
+/** The contact point and normal of the projections of two leaves. */
 public final class PlanarContact {
     // Directions tried for the least penetration of a curved outline, before the best is refined.
     private static final int DIRECTIONS = 64;
     private static final int REFINEMENTS = 60;
 
-    // The direction between curved outlines is known to half the digits: what is foremost to within that is one side.
+    // The direction between curved outlines is known to half the digits: points that are foremost to within that count
+    // as one side.
     private static final double SIDE = 0x1p27;
 
     private PlanarContact() {}
 
     /**
-     * Writes a contact point (in y the middle of what the heights have in common) and the unit normal from b towards a, of
-     * which y is 0: the direction of separation where the two are apart, of least penetration where they overlap.
+     * Writes a contact point (its y is the middle of the common height range) and the unit normal from b towards a,
+     * whose y is 0: the direction of separation if the two are apart, of least penetration if they overlap.
      *
-     * <p>A witness in plain doubles, for two that touch or nearly do; it decides nothing.
+     * <p>A witness in plain doubles, for leaves that touch or nearly do; no decision depends on it.
      */
     public static void between(
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double[] out, DistanceScratch s) {
@@ -60,7 +61,7 @@ public final class PlanarContact {
         out[5] = nz + 0.0;
     }
 
-    // How far q has to go against n, or p along it, until they are apart.
+    // How far q has to move against n, or p along it, until they are apart.
     private static double depth(PlanarShape p, PlanarShape q, double nx, double nz) {
         return q.support(nx, nz) + p.support(-nx, -nz);
     }
@@ -83,7 +84,7 @@ public final class PlanarContact {
             corners(p, q, -1, p, q, normal);
         }
         if (normal[2] == Double.POSITIVE_INFINITY) {
-            // two points in one place, or two discs about one centre: any direction will do
+            // two coincident points, or two concentric discs: any direction will do
             offer(p, q, 1, 0, normal);
         }
     }
@@ -104,7 +105,7 @@ public final class PlanarContact {
             offer(p, q, sign * nx, sign * nz, normal);
         }
         if (of.count == 2) {
-            // what is flat may also be left at its ends
+            // a flat shape may also be left at its ends
             offer(p, q, of.x[1] - of.x[0], of.z[1] - of.z[0], normal);
             offer(p, q, of.x[0] - of.x[1], of.z[0] - of.z[1], normal);
         }
@@ -132,7 +133,7 @@ public final class PlanarContact {
         }
     }
 
-    // All round in even steps, then halving the step about the best.
+    // All around in equal steps, then halving the step around the best.
     private static void around(PlanarShape p, PlanarShape q, double[] normal) {
         double stepX = Radians.cos(2 * Math.PI / DIRECTIONS);
         double stepZ = Radians.sin(2 * Math.PI / DIRECTIONS);
@@ -157,7 +158,7 @@ public final class PlanarContact {
         }
     }
 
-    // Midway between the two outlines, in the middle of what the two sides have in common.
+    // Midway between the two outlines, in the middle of the overlap of the two sides.
     private static void point(PlanarShape p, PlanarShape q, double nx, double nz, double ox, double oz, double[] out) {
         double slack = SIDE * (p.error + q.error);
         double level = (q.support(nx, nz) - p.support(-nx, -nz)) / 2;
@@ -170,7 +171,7 @@ public final class PlanarContact {
         out[2] = oz + (level * nz + along * nx);
     }
 
-    // How far what is foremost along n reaches along t (side 1) or against it (side -1).
+    // How far the foremost points along n extend along t (side 1) or against it (side -1).
     private static double end(PlanarShape shape, double nx, double nz, double tx, double tz, int side, double slack) {
         double most = shape.support(nx, nz);
         if (shape.family == PlanarShape.OVAL

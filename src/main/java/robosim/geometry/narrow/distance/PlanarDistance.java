@@ -14,7 +14,7 @@ public final class PlanarDistance {
     private PlanarDistance() {}
 
     /**
-     * The least distance, 0 exactly where {@link PlanarOverlap} says that they touch; the same bits for (a, b) and (b, a).
+     * The least distance, 0 exactly if {@link PlanarOverlap} says that they touch; the same bits for (a, b) and (b, a).
      *
      * <p>For a turned cylinder the lower end of a bracket, no more than 2^-45 of the sizes and the offset below the truth.
      */

@@ -4,16 +4,17 @@ import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.gjk.Penetration;
 import robosim.geometry.narrow.leaf.LeafKind;
 
-/** Where and against which direction two leaves touch in space. */
+/** The contact point and normal of two leaves in space. */
 public final class SpatialContact {
     private SpatialContact() {}
 
     /**
-     * Writes a contact point and the unit normal from b towards a: the direction of separation where the two are apart
-     * (the point is then half-way between the nearest points), of least penetration where they overlap (the point is then
+     * Writes a contact point and the unit normal from b towards a: the direction of separation if the two are apart
+     * (the point is then half-way between the nearest points), of least penetration if they overlap (the point is then
      * common to both).
      *
-     * <p>A witness in plain doubles, for two that touch or nearly do; it decides nothing. Opposite for (b, a).
+     * <p>A witness in plain doubles, for leaves that touch or nearly do; no decision depends on it. The normal is
+     * opposite for (b, a).
      */
     public static void between(
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double[] out, DistanceScratch s) {

@@ -13,14 +13,14 @@ public final class SpatialDistance {
     private SpatialDistance() {}
 
     /**
-     * The least distance, 0 where {@link SpatialOverlap} says that they touch, and where they are apart by less than
-     * doubles can tell; the same bits for (a, b) and (b, a).
+     * The least distance, 0 if {@link SpatialOverlap} says that they touch, or if they are closer than doubles can
+     * resolve; the same bits for (a, b) and (b, a).
      *
-     * <p>Upright pairs: the planar distance and the gap between the heights put together. A sphere with anything but a
+     * <p>Upright pairs: the planar distance and the gap between the heights, combined. A sphere with anything but a
      * prism: a few ulp below the truth, never above it ({@link SphereDistance}). Boxes, triangles and prisms: off by no
-     * more than 2^-44 of the distance and 2^-47 of the sizes and the offset. A cylinder that is not beside another upright
-     * leaf: the lower end of a bracket, no more than 2^-44 of the distance and 2^-46 of the sizes and the offset below the
-     * truth, never above it.
+     * more than 2^-44 of the distance and 2^-47 of the sizes and the offset. A cylinder, unless both leaves are
+     * upright: the lower end of a bracket, no more than 2^-44 of the distance and 2^-46 of the sizes and the offset
+     * below the truth, never above it.
      */
     public static double between(
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, DistanceScratch s) {
@@ -48,7 +48,7 @@ public final class SpatialDistance {
             return 0;
         }
         if (lower == 0) {
-            gjk.spatial(kindA, a, i, kindB, b, j); // which the test may have asked something else
+            gjk.spatial(kindA, a, i, kindB, b, j); // the test may have used it for another query
         }
         if (!gjk.isClosed()) {
             lower = gjk.close();
@@ -65,7 +65,7 @@ public final class SpatialDistance {
         };
     }
 
-    /** The gap between the heights of two upright leaves, to a rounding; 0 where they touch. */
+    /** The gap between the heights of two upright leaves, to within a rounding; 0 if they touch. */
     private static double gap(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         if (Upright.heightsTouch(kindA, a, i, kindB, b, j)) {
             return 0;
@@ -73,7 +73,7 @@ public final class SpatialDistance {
         return Math.max(above(kindA, a, i, kindB, b, j), above(kindB, b, j, kindA, a, i));
     }
 
-    /** How far the least height of a lies above the greatest of b. */
+    /** How far the minimum height of a is above the maximum of b. */
     private static double above(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         double base = Upright.middle(kindA, a, i);
         double down = Upright.halfHeight(kindA, a, i);

@@ -6,11 +6,12 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
- * The least distance from a sphere to another sphere, a cylinder, a box or a triangle in closed form, in pairs of doubles:
- * the distance from its centre less its radius, which leaves a few ulp of the distance itself however close the two are.
+ * The least distance from a sphere to another sphere, a cylinder, a box or a triangle in closed form, in
+ * double-doubles: the distance from its centre less its radius, with an error of a few ulp of the distance itself
+ * however close the two are.
  *
- * <p>A pair is off by 2^-100 of its terms, of which no distance here has more than 50 in a row: 2^-92 of the sizes and
- * offsets is taken off, so that the answer is no more than the truth.
+ * <p>A double-double operation is off by 2^-100 of its terms, and no distance here has more than 50 in a row: 2^-92 of
+ * the sizes and offsets is subtracted, so that the result is at most the truth.
  */
 final class SphereDistance {
     private static final double PAIRS_ERROR = 0x1p-92;

@@ -1,8 +1,8 @@
 package robosim.geometry.narrow.gjk;
 
 /**
- * A pattern search for directions in which one leaf gets out of another on a short way. What it finds is a local minimum to
- * some 2^-30 of an angle, and taken into the list of directions.
+ * A pattern search for directions in which one leaf gets out of another by a short translation. It finds local minima
+ * to some 2^-30 of an angle and adds them to the list of directions.
  */
 final class DepthSearch {
     private static final int MOST_PROBES = 600;
@@ -22,14 +22,14 @@ final class DepthSearch {
     private final Support second;
     private final Directions directions;
 
-    // Where the pattern search stands.
+    // The current direction of the search.
     private double searchX;
     private double searchY;
     private double searchZ;
     private double searchDepth;
     private int probes;
 
-    /** For two leaves loaded from one origin and at one scale; the first is to get out. */
+    /** For two leaves loaded relative to the same origin and at the same scale; the first is to get out. */
     DepthSearch(Support first, Support second, Directions directions) {
         this.first = first;
         this.second = second;
@@ -47,7 +47,7 @@ final class DepthSearch {
                 + second.margin;
     }
 
-    /** Searches the circle across a unit direction, from the best of some directions spread over it. */
+    /** Searches the circle perpendicular to a unit direction, from the best of some directions spread over it. */
     void circle(double ex, double ey, double ez) {
         double tx = ez;
         double ty = 0;
@@ -64,7 +64,7 @@ final class DepthSearch {
         double sx = ey * tz - ez * ty;
         double sy = ez * tx - ex * tz;
         double sz = ex * ty - ey * tx;
-        searchX = 0; // nothing of an earlier search may be in the bits
+        searchX = 0; // so that results do not depend on an earlier search
         searchY = 0;
         searchZ = 0;
         searchDepth = Double.POSITIVE_INFINITY;
@@ -88,7 +88,7 @@ final class DepthSearch {
         directions.take(searchX, searchY, searchZ, searchDepth);
     }
 
-    /** Searches freely from a unit direction and its depth, and takes where it ends. */
+    /** Searches freely from a unit direction with a given depth, and adds the result. */
     void from(double dx, double dy, double dz, double depth) {
         searchX = dx;
         searchY = dy;
@@ -100,7 +100,7 @@ final class DepthSearch {
         for (double step = FIRST_STEP; step > LAST_STEP && probes < MOST_PROBES; ) {
             if (!improve(step, turnC, turnS)) {
                 step *= 0.5;
-                // Another star of directions each time, so that no valley lies between its arms for good.
+                // A different star of directions each time, so that no valley stays between its arms.
                 double c = 0.8 * turnC - 0.6 * turnS;
                 turnS = 0.6 * turnC + 0.8 * turnS;
                 turnC = c;
@@ -109,12 +109,12 @@ final class DepthSearch {
         directions.take(searchX, searchY, searchZ, searchDepth);
     }
 
-    /** One round of tries around the place where the search stands; moves it to the first that is shallower. */
+    /** One round of tries around the current direction; moves to the first that is shallower. */
     private boolean improve(double step, double turnC, double turnS) {
         if (flat) {
             return tryAt(-searchZ * step, 0, searchX * step) || tryAt(searchZ * step, 0, -searchX * step);
         }
-        // Two directions across: one level, or along X where the search looks straight up.
+        // Two perpendicular directions: one horizontal, or along X if the current direction is vertical.
         double tx = -searchZ;
         double tz = searchX;
         double length = Math.sqrt(tx * tx + tz * tz);

@@ -1,6 +1,6 @@
 package robosim.geometry.narrow.gjk;
 
-/** Unit directions with the depth along each, of which those that tie for the least are kept. */
+/** A list of unit directions with the depth along each, of which those that tie for the least are kept. */
 final class Directions {
     /** Two prisms have 70 from their sides and edges; a search adds some ten. */
     private static final int MOST = 160;
@@ -8,12 +8,12 @@ final class Directions {
     /** Directions closer than this are one. */
     private static final double SAME = 0x1p-40;
 
-    /** A search comes no closer to a direction than this, as depths are flat there. */
+    /** The accuracy of a direction found by a search, since depths are flat near a minimum. */
     private static final double FOUND_SAME = 0x1p-22;
 
     private int count;
 
-    /** From here on the directions come from a search. */
+    /** The index from which on the directions come from a search. */
     private int searched;
 
     private final double[] x = new double[MOST];
@@ -26,7 +26,7 @@ final class Directions {
         searched = MOST;
     }
 
-    /** What is taken from now on comes from a search and is known less sharply. */
+    /** Directions added from now on come from a search and are less accurate. */
     void beginSearch() {
         searched = count;
     }
@@ -59,7 +59,7 @@ final class Directions {
         count++;
     }
 
-    /** The first of the least depths. */
+    /** The index of the first direction of least depth. */
     int best() {
         int best = 0;
         for (int k = 1; k < count; k++) {
@@ -74,7 +74,7 @@ final class Directions {
         return depths[best()];
     }
 
-    /** Turns all directions round. */
+    /** Negates all directions. */
     void reverse() {
         for (int k = 0; k < count; k++) {
             x[k] = 0 - x[k];
@@ -83,7 +83,7 @@ final class Directions {
         }
     }
 
-    /** Keeps the directions no deeper than a limit, each once, in the order in which they were taken. */
+    /** Keeps the directions with a depth up to a limit, each once, in the order in which they were added. */
     void keepTies(double limit) {
         int kept = 0;
         for (int k = 0; k < count; k++) {

@@ -3,18 +3,18 @@ package robosim.geometry.narrow.gjk;
 import robosim.geometry.exact.DoubleDoubles;
 
 /**
- * Up to four points of a difference set a - b, and the point of least norm of their hull: {@link Simplex} in pairs of
- * doubles, for what is so thin, or so near the origin, that doubles lose it.
+ * Up to four points of a difference set a - b, and the point of least norm of their hull: {@link Simplex} in
+ * double-doubles, for simplices so thin, or so near the origin, that doubles are not accurate enough.
  *
- * <p>The points are differences of doubles and known exactly. A pair is off by 2^-100 of its terms, so that a side that
- * spans a sine of 2^-50, which is what rounding leaves of points that mean to be in one line, still has its direction to
+ * <p>The points are differences of doubles and known exactly. A double-double operation is off by 2^-100 of its terms,
+ * so a side that spans a sine of 2^-50, as rounding makes of points meant to be collinear, still has its direction to
  * some 50 bits and its nearest point to some 50 bits of its size.
  */
 final class DoubleDoubleSimplex {
-    /** A side this flat (squared sine) is left to its edges. */
+    /** A side this flat (squared sine) is replaced by its edges. */
     private static final double FLAT = 0x1p-180;
 
-    // Where things stand in the pairs; a vector takes three numbers.
+    // Indexes of the registers; a vector takes three.
     private static final int POINTS = 0; // four
     private static final int EDGE = 12;
     private static final int OTHER = 15;
@@ -32,7 +32,7 @@ final class DoubleDoubleSimplex {
     private static final int TEMPORARY = 41; // and the next
     private static final int NUMBERS = 43;
 
-    /** Direction of the point of least norm; its length means nothing. */
+    /** Direction of the point of least norm; its length has no meaning. */
     double vx;
 
     double vy;
@@ -50,7 +50,7 @@ final class DoubleDoubleSimplex {
         p.set(NORM, Double.MAX_VALUE);
     }
 
-    /** Adds the difference of two points found; false where it is there already. */
+    /** Adds the difference of two points found; returns false if it is there already. */
     boolean add(Support a, Support b) {
         int at = POINTS + 3 * count;
         p.difference(at, a.x, b.x);
@@ -80,7 +80,7 @@ final class DoubleDoubleSimplex {
         return true;
     }
 
-    /** Keeps the part of the simplex that is nearest to the origin; false where that is no nearer than before. */
+    /** Keeps the part of the simplex that is nearest to the origin; returns false if that is no nearer than before. */
     boolean reduce() {
         int newest = count - 1;
         any = false;
@@ -108,7 +108,7 @@ final class DoubleDoubleSimplex {
         return p.get(i) < p.get(j) || (p.get(i) == p.get(j) && p.rest(i) < p.rest(j));
     }
 
-    /** The distance of the point of least norm from the origin, to a rounding. */
+    /** The distance of the point of least norm from the origin, to within a rounding. */
     double length() {
         return Math.sqrt(p.get(NORM));
     }
@@ -194,7 +194,7 @@ final class DoubleDoubleSimplex {
         p.dot(i, CROSS, NORMAL, TEMPORARY);
     }
 
-    /** Makes the weights' sum 1. */
+    /** Normalizes the weights to a sum of 1. */
     private void normalize() {
         p.set(SUM, 0);
         for (int k = 0; k < 4; k++) {
@@ -211,7 +211,7 @@ final class DoubleDoubleSimplex {
         }
     }
 
-    /** Takes a part of the simplex where its nearest point is the nearest yet. */
+    /** Adopts a part of the simplex if its nearest point is the nearest so far. */
     private boolean offer() {
         foot();
         p.dot(LENGTH, FOOT, FOOT, TEMPORARY);
@@ -241,7 +241,7 @@ final class DoubleDoubleSimplex {
         vz = p.get(FOOT + 2);
     }
 
-    /** Forgets the points that have no weight. */
+    /** Removes the points that have no weight. */
     private void compact() {
         int left = 0;
         for (int k = 0; k < count; k++) {
@@ -259,7 +259,7 @@ final class DoubleDoubleSimplex {
         count = left;
     }
 
-    /** Whether the origin lies in the tetrahedron; the norm is then that of the point that the weights give. */
+    /** Whether the origin is in the tetrahedron; the norm is then that of the point given by the weights. */
     private boolean holdsOrigin() {
         volume(WEIGHT, 1, 2, 3);
         volume(WEIGHT + 1, 0, 3, 2);

@@ -3,30 +3,33 @@ package robosim.geometry.narrow.gjk;
 import robosim.geometry.exact.DoubleDoubles;
 
 /**
- * A polytope inside the difference set of two leaves, grown around the origin where the set's border is nearest (the
- * expanding polytope of van den Bergen 2001): its nearest side is a bound from below of how deep the two overlap, and
- * every supporting plane tried one from above.
+ * A polytope inside the difference set of two leaves, expanded where the set's boundary is nearest to the origin (the
+ * expanding polytope of van den Bergen 2001): its nearest side gives a lower bound of the penetration depth, and every
+ * supporting plane tried an upper bound.
  *
- * <p>The bound from below is a proof. The sides are a closed oriented surface of points of the set, and so cover every
- * direction as seen from the origin once this is on the inner side of all of them. No ray from the origin then leaves the
- * surface nearer than the nearest plane; the planes are known in pairs of doubles, however thin a side is, and what the
- * points may be off by ({@link Gjk#ROUNDOFF}) is taken off. It does not matter how the points were found.
+ * <p>The lower bound is proven. The sides form a closed oriented surface of points of the set, and so cover every
+ * direction from the origin once the origin is on the inner side of all of them. No ray from the origin then leaves the
+ * surface nearer than the nearest plane. The planes are computed in double-doubles, however thin a side is, and the
+ * error of the points ({@link Gjk#ROUNDOFF}) is subtracted. It does not matter how the points were found.
  *
- * <p>Nothing is allocated by a question but the first one: most worlds never ask.
+ * <p>Only the first query allocates; most worlds never need one.
  */
 public final class ExpandingPolytope {
-    /** Most points: a smooth place is surrounded by some ten for each fourth part of the bracket. */
+    /** Maximum number of points: in a smooth area the bracket shrinks to a quarter with some ten points. */
     private static final int MOST_POINTS = 240;
 
     private static final int MOST_SIDES = 2 * MOST_POINTS;
 
-    /** Roundoff of the distance from a side's plane in doubles, as a share of the three lengths it is made of: 8u. */
+    /**
+     * Rounding error of the distance from a side's plane in doubles, relative to the three lengths that it is computed
+     * from: 8u.
+     */
     private static final double PLANE_ERROR = 8 * 0x1p-53;
 
-    /** The same in pairs of doubles, with room. */
+    /** The same in double-doubles, with a margin. */
     private static final double PAIRS_ERROR = 0x1p-92;
 
-    // Where a side's edges, its normal, and the way to a point stand in the pairs.
+    // Indexes of the registers for a side's edges, its normal, and the vector to a point.
     private static final int ALONG = 0;
     private static final int ACROSS = 3;
     private static final int NORMAL = 6;
@@ -48,10 +51,10 @@ public final class ExpandingPolytope {
     private double[] sideZ = {};
     private double[] sideReach = {};
 
-    /** The product of the lengths of the two edges that a side's normal is made of. */
+    /** The product of the lengths of the two edges from which a side's normal is computed. */
     private double[] sideSize = {};
 
-    /** That normal, not of unit length, in pairs: the numbers that round to it, and the rests. */
+    /** That normal, not of unit length, in double-doubles: the high parts, then the low parts. */
     private double[] normal = {};
 
     private double[] normalRest = {};
@@ -72,28 +75,33 @@ public final class ExpandingPolytope {
     private double bestY;
     private double bestZ;
 
-    /** For two leaves that are loaded from one origin and at one scale before each question; the first is to be moved. */
+    /**
+     * For two leaves that are loaded relative to the same origin and at the same scale before each query; the first is
+     * the one to move.
+     */
     ExpandingPolytope(Support first, Support second) {
         this.first = first;
         this.second = second;
     }
 
-    /** The origin is certainly no less deep in the set; {@code -Infinity} where nothing is proven. Margins are not in it. */
+    /**
+     * The proven lower bound of the origin's depth in the set; {@code -Infinity} if nothing is proven. Without margins.
+     */
     public double lower() {
         return lower;
     }
 
-    /** The least distance of a supporting plane that was tried, to rounding; margins are not in it. */
+    /** The least distance of a supporting plane tried, to within rounding; without margins. */
     public double upper() {
         return upper;
     }
 
-    /** How far rounding may have moved {@link #upper}; already taken off {@link #lower}. */
+    /** The rounding error of {@link #upper}; already subtracted from {@link #lower}. */
     public double error() {
         return error;
     }
 
-    /** The unit direction of that plane, in which the first leaf has to move to get out. */
+    /** The unit normal of that plane, in which the first leaf has to move to get out. */
     public double x() {
         return bestX;
     }
@@ -106,12 +114,12 @@ public final class ExpandingPolytope {
         return bestZ;
     }
 
-    /** How many sides the hull has. */
+    /** The number of sides of the hull. */
     int sides() {
         return sides;
     }
 
-    /** About how far the plane of a side is, and its direction of unit length. */
+    /** The approximate distance of a side's plane; also sets its unit normal. */
     double reach(int side) {
         return sideReach[side];
     }
@@ -129,16 +137,19 @@ public final class ExpandingPolytope {
     }
 
     /**
-     * Grows around the origin until the proven depth reaches a goal, the bracket is closed as far as doubles go, the two
-     * turn out to be apart, or the room is used up.
+     * Expands the polytope until the proven depth reaches a goal, the bracket is as narrow as doubles allow, the two
+     * turn out to be apart, or the maximum number of points is reached.
      *
-     * @param goal enough depth; the question ends when that much is proven
+     * @param goal the depth that is enough; the query ends when it is proven
      */
     public void grow(double goal) {
         grow(goal, 0);
     }
 
-    /** The same of two leaves loaded in the plane, which are taken for prisms so high that no way out leads up or down. */
+    /**
+     * The same for two leaves loaded in the plane, which are treated as prisms so high that no way out leads up or
+     * down.
+     */
     public void growPlanar(double goal) {
         grow(goal, 4 * (first.extent + second.extent));
     }
@@ -194,7 +205,7 @@ public final class ExpandingPolytope {
         }
     }
 
-    /** The side whose plane is nearest to the origin, or furthest behind it. */
+    /** The side whose plane has the least signed distance from the origin. */
     private int nearest() {
         int nearest = -1;
         for (int k = 0; k < sides; k++) {
@@ -212,7 +223,7 @@ public final class ExpandingPolytope {
         }
     }
 
-    /** Adds the set's point furthest in a unit direction to the points; answers how far it is. */
+    /** Adds the set's point furthest in a unit direction; returns how far it is. */
     private double offer(double dx, double dy, double dz) {
         first.find(-dx, -dy, -dz);
         second.find(dx, dy, dz);
@@ -233,7 +244,7 @@ public final class ExpandingPolytope {
         return reach;
     }
 
-    /** Makes a tetrahedron of points of the set; false where it is flat. */
+    /** Makes a tetrahedron of points of the set; returns false if it is flat. */
     private boolean begin() {
         offer(1, 0, 0);
         offer(-1, 0, 0);
@@ -290,7 +301,7 @@ public final class ExpandingPolytope {
         return depth != 0;
     }
 
-    /** Positive where s lies on the inner side of (p, q, r). */
+    /** Positive if s lies on the inner side of (p, q, r). */
     private double inward(int p, int q, int r, int s) {
         double ax = x[q] - x[p];
         double ay = y[q] - y[p];
@@ -317,7 +328,7 @@ public final class ExpandingPolytope {
         z[to] = z[from];
     }
 
-    /** Draws the surface out to the newest point: the sides that see it go, and their border is joined to it. */
+    /** Expands the surface to the newest point: removes the sides that see it, and joins their boundary to it. */
     private boolean expand() {
         int p = points - 1;
         edges = 0;
@@ -338,7 +349,7 @@ public final class ExpandingPolytope {
         return true;
     }
 
-    /** Adds an edge of a side that goes, or takes its opposite away. */
+    /** Adds an edge of a removed side to the boundary, or cancels it with its opposite. */
     private void edge(int from, int to) {
         for (int k = 0; k < edges; k++) {
             if (edgeFrom[k] == to && edgeTo[k] == from) {
@@ -369,7 +380,7 @@ public final class ExpandingPolytope {
         }
     }
 
-    /** Whether a point lies beyond the plane of a side; what is in it to the last bit of pairs does not. */
+    /** Whether a point lies beyond the plane of a side; points in the plane to within double-double rounding do not. */
     private boolean sees(int point, int side) {
         int corner = cornerP[side];
         double dx = x[point] - x[corner];

@@ -8,32 +8,33 @@ import robosim.geometry.narrow.leaf.Order;
  * Distance between two leaves as a certified bracket, with witness points and a separating direction: the algorithm of
  * Gilbert, Johnson and Keerthi (1988) on the difference set.
  *
- * <p>{@link #lower} is the width of an empty slab between the two, less everything that rounding may have added: where
- * it is above 0 the leaves are apart. {@link #upper} is the distance of two points that belong to the leaves, each off by
- * less than {@link #error}. The two close up to rounding, some 2^-48 of distance and sizes; round rims are followed until
- * the bracket is below 2^-44 of the distance or of that size. In plain doubles the steps are limited, and end where the
- * simplex is too thin for them; the bracket holds whenever that is, and {@link #isClosed} tells. {@link #close} then goes
- * on in pairs of doubles until it is closed.
+ * <p>{@link #lower} is the width of an empty slab between the two, less everything that rounding may have added: if it
+ * is above 0 the leaves are apart. {@link #upper} is the distance of two points that belong to the leaves, each off by
+ * less than {@link #error}. The two ends meet to within rounding, some 2^-48 of distance and sizes; on round rims the
+ * iteration continues until the bracket is below 2^-44 of the distance or of that size. In plain doubles the number of
+ * steps is limited, and the iteration ends when the simplex is too thin; the bracket is valid in any case, and {@link
+ * #isClosed} says whether it is narrow. {@link #close} continues in double-doubles until it is.
  *
- * <p>(a, b) and (b, a) give the same bits. Nothing is allocated by a question.
+ * <p>(a, b) and (b, a) give the same bits. A query allocates nothing.
  */
 public final class Gjk {
-    /** Most steps of one question. Polytopes take less than 20, rims in unlucky places some 60. */
+    /** Maximum number of steps of a query. Polytopes take less than 20, rims in unfavourable positions some 60. */
     private static final int MOST_STEPS = 160;
 
     /**
-     * Steps without a nearer point before doubles are taken to be at their end. A tilt of 2^-26 against a cap does not
-     * show in a distance, but does in the slab.
+     * Number of steps without a nearer point after which doubles are considered exhausted. A tilt of 2^-26 against a
+     * cap does not change a distance, but does change the slab.
      */
     private static final int MOST_STALLS = 6;
 
-    /** The bracket is narrow enough when it is this share of the distance. */
+    /** The bracket is narrow enough at this fraction of the distance. */
     private static final double NARROW = 0x1p-44;
 
     /**
-     * Roundoff of the slab n.(a - b) in units of the summed extents, for a direction n whose components' magnitudes sum to
-     * at most sqrt(3), in u = 2^-53. Whatever a coordinate found is made of, the difference of a and b adds 1 to it and
-     * the dot product 3; of what can make the slab wide, n's length adds 3.5 and the last subtractions 2. To these come:
+     * Rounding error of the slab n.(a - b) in units of the summed extents, for a direction n whose components'
+     * magnitudes sum to at most sqrt(3), in u = 2^-53. Whatever a coordinate found is made of, the difference of a and
+     * b adds 1 to it and the dot product 3; of what can make the slab wide, n's length adds 3.5 and the last
+     * subtractions 2. To these come:
      *
      * <ul>
      * <li>a centre: 2 in all, 11.5 with the rest;
@@ -53,8 +54,9 @@ public final class Gjk {
     private static final double SMALL = 0x1p-240;
 
     /**
-     * The origin is certainly in a tetrahedron of which it cuts off volumes beyond this share of the cubed extents: each
-     * is a sum of six products of three coordinates off by 17u of the extents, so off by less than 6 * 60u = 2^-44.
+     * The origin is certainly in a tetrahedron if it cuts it into volumes that are each above this fraction of the
+     * cubed extents: each is a sum of six products of three coordinates off by 17u of the extents, so off by less than
+     * 6 * 60u = 2^-44.
      */
     static final double DEEP = 0x1p-43;
 
@@ -89,12 +91,12 @@ public final class Gjk {
     private double unscale;
     private boolean reversed;
 
-    /** Asks in space; answers the lower end of the bracket, at least 0. */
+    /** Runs a query in space; returns the lower end of the bracket, at least 0. */
     public double spatial(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         return ask(kindA, a, i, kindB, b, j, false);
     }
 
-    /** Asks about the projections on XZ; answers the lower end of the bracket, at least 0. All y are 0. */
+    /** Runs a query for the projections on XZ; returns the lower end of the bracket, at least 0. All y are 0. */
     public double planar(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         return ask(kindA, a, i, kindB, b, j, true);
     }
@@ -110,15 +112,15 @@ public final class Gjk {
         return Math.max(0, lower);
     }
 
-    /** Whether the bracket of the last question is as narrow as it is said to be, or cannot matter as the two overlap. */
+    /** Whether the bracket of the last query is as narrow as stated above, or does not matter since the two overlap. */
     public boolean isClosed() {
         return closed;
     }
 
     /**
-     * Narrows the bracket of the last question as far as doubles can tell the leaves' points, where doubles lost the
-     * simplex between them: goes on with a {@link DoubleDoubleSimplex}, in which every step is a step nearer, until the bracket is
-     * closed. Answers the lower end, at least 0.
+     * If plain doubles lost the simplex of the last query, narrows its bracket as far as the accuracy of the leaves'
+     * points allows: continues with a {@link DoubleDoubleSimplex}, in which every step makes progress, until the
+     * bracket is closed. Returns the lower end, at least 0.
      */
     public double close() {
         if (reversed) {
@@ -133,22 +135,26 @@ public final class Gjk {
         return Math.max(0, lower);
     }
 
-    /** The leaves are at least so far apart; above 0 it proves that they do not touch. May be negative. */
+    /** A lower bound of the distance; if above 0 it proves that the leaves do not touch. May be negative. */
     public double lower() {
         return lower;
     }
 
-    /** The distance of the two witness points, each of which is within {@link #error} of its leaf; 0 where that is deep. */
+    /**
+     * The distance of the two witness points, each of which is within {@link #error} of its leaf; 0 for a deep overlap.
+     */
     public double upper() {
         return upper;
     }
 
-    /** Whether a common point was found, to rounding; never together with a positive {@link #lower}. */
+    /** Whether a common point was found, to within rounding; never together with a positive {@link #lower}. */
     public boolean overlapping() {
         return overlapping;
     }
 
-    /** Unit direction from b towards a, of the slab that {@link #lower} measures; meaningful where that is positive. */
+    /**
+     * Unit direction, from b towards a, of the slab that {@link #lower} measures; meaningful only if that is positive.
+     */
     public double nx() {
         return nx;
     }
@@ -187,32 +193,32 @@ public final class Gjk {
         return bz;
     }
 
-    /** Whether a common point is certain: it lies inside by more than rounding can have moved anything. */
+    /** Whether a common point is certain: it lies inside by more than any rounding error. */
     public boolean isDeep() {
         return deep;
     }
 
-    /** How far rounding may have moved a bound of this question, world units. */
+    /** The rounding error of the bounds of this query, world units. */
     public double error() {
         return error;
     }
 
-    /** The width of the slab before rounding is allowed for: the distance as doubles see it. May be negative. */
+    /** The width of the slab without allowance for rounding: the computed distance. May be negative. */
     public double reach() {
         return reach;
     }
 
-    /** The same between the centres of spheres (discs, in the plane) and the other leaf, their radii left out. */
+    /** The same without the radii of spheres (discs, in the plane), that is, for their centres. */
     double coreReach() {
         return coreReach;
     }
 
-    /** No less than the distance of what {@link #coreReach} is about, to rounding. */
+    /** An upper bound, to within rounding, of the distance that {@link #coreReach} bounds from below. */
     double coreUpper() {
         return coreUpper;
     }
 
-    /** Steps that the last question took. */
+    /** The number of steps of the last query. */
     int steps() {
         return steps;
     }
@@ -246,7 +252,7 @@ public final class Gjk {
         }
     }
 
-    /** Finds the point of least norm of the difference set, cores only, and the best slab on the way. */
+    /** Finds the point of least norm of the difference set, without radii, and the best slab on the way. */
     private void approach() {
         simplex.clear();
         overlapping = false;
@@ -274,14 +280,14 @@ public final class Gjk {
                 return;
             }
             double near = Math.sqrt(simplex.norm());
-            // A tetrahedron that seems to hold the origin may be too thin to tell; the point that its weights give is
-            // one of the leaves' in any case.
+            // A tetrahedron that seems to contain the origin may be too thin to be sure; the point given by its weights
+            // belongs to the set in any case.
             attained = Math.min(attained, simplex.depth() > 0 ? simplex.residual() : near);
             if (near < upper) {
                 upper = near;
                 witness();
             } else if (++stalls > MOST_STALLS) {
-                return; // rounding decides from here on
+                return; // no further progress beyond rounding
             }
             if (upper <= error) {
                 overlapping = true; // no slab could prove otherwise
@@ -294,9 +300,9 @@ public final class Gjk {
     }
 
     /**
-     * The same from the best slab on, with the simplex in pairs of doubles. Where the bracket is open, the next point is
-     * nearer than the side that looked for it, and so makes the norm less; it ends on the bracket, or where no double is
-     * left that would be nearer.
+     * The same from the best slab on, with the simplex in double-doubles. While the bracket is open, the next point is
+     * nearer than the side that it was searched from, so the norm decreases; it ends when the bracket is closed, or
+     * when no nearer double exists.
      */
     private void approachFinely() {
         fine.clear();
@@ -327,12 +333,12 @@ public final class Gjk {
         overlapping = attained <= error;
     }
 
-    /** Before margins: whether what is attained and the best slab are as near to each other as is promised. */
+    /** Whether, before margins, the attained distance and the best slab are as close to each other as stated. */
     private boolean isNarrow() {
         return attained < Double.POSITIVE_INFINITY && attained - lower <= Math.max(NARROW * attained, error);
     }
 
-    /** Tries a unit direction: finds both supports, and keeps the slab where it is the widest yet. */
+    /** Tries a unit direction: finds both supports, and keeps the slab if it is the widest so far. */
     private double probe(double dx, double dy, double dz) {
         first.find(-dx, -dy, -dz);
         second.find(dx, dy, dz);
@@ -355,7 +361,7 @@ public final class Gjk {
         bz = simplex.bz();
     }
 
-    /** Adds the margins of spheres and discs, and goes back to the world's scale and place. */
+    /** Adds the margins of spheres and discs, and converts back to the world's scale and origin. */
     private void finish() {
         double margins = first.margin + second.margin;
         double near = upper;
@@ -367,7 +373,7 @@ public final class Gjk {
         lower = lower - margins - error;
         upper = deep ? 0 : Math.max(0, attained - margins);
         overlapping = (overlapping || near <= margins) && !(lower > 0);
-        // Along the witnesses, not along the slab: a margin is the same all around.
+        // Along the witnesses, not along the slab, since a margin is the same all around.
         double dx = near > 0 ? (bx - ax) / near : 0;
         double dy = near > 0 ? (by - ay) / near : 0;
         double dz = near > 0 ? (bz - az) / near : 0;

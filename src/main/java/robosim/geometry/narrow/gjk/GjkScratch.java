@@ -3,15 +3,15 @@ package robosim.geometry.narrow.gjk;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.narrow.planar.PlanarScratch;
 
-/** The working memory of what goes by support functions. */
+/** The working memory of algorithms that use support functions. */
 public class GjkScratch extends PlanarScratch {
-    /** Distance and penetration of the two leaves of a question, in space or in the plane. */
+    /** Distance and penetration of two leaves, in space or in the plane. */
     public final Gjk gjk = new Gjk();
 
-    /** Looks at the two leaves that {@link #gjk} was asked about last. */
+    /** Works on the two leaves of the last query of {@link #gjk}. */
     public final ExpandingPolytope hull = new ExpandingPolytope(gjk.first, gjk.second);
 
-    // What is large and not asked of every world is made when first asked.
+    // Large objects that not every world needs are created on first use.
     private @Nullable Penetration penetration;
     private @Nullable HullOverlap hulls;
 

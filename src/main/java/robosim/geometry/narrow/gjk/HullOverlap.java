@@ -3,16 +3,17 @@ package robosim.geometry.narrow.gjk;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
- * Whether the hull of some leaves certainly overlaps that of others by more than rounding, so that no plane is between them.
+ * Whether the hull of some leaves certainly overlaps that of others by more than rounding, so that no plane separates
+ * them.
  *
- * <p>Simplices of the difference set as in {@link Gjk} (Gilbert, Johnson and Keerthi 1988). In the plane all are taken for
- * prisms of one height, as high as they are wide.
+ * <p>Simplices of the difference set as in {@link Gjk} (Gilbert, Johnson and Keerthi 1988). In the plane all are
+ * treated as prisms of one height, as high as they are wide.
  */
 public final class HullOverlap {
-    /** More steps are seldom worth what they find. */
+    /** Maximum number of steps; more are seldom worthwhile. */
     private static final int MOST_STEPS = 24;
 
-    /** Below this size cubes may underflow: nothing is certain. */
+    /** Below this size cubes may underflow, so nothing is certain. */
     private static final double SMALL = 0x1p-240;
 
     private static final double SKEW_X = 0.0625;
@@ -31,7 +32,7 @@ public final class HullOverlap {
     private double extentAbove;
     private double extentBelow;
 
-    /** Forgets all leaves. */
+    /** Removes all leaves. */
     public void clear(boolean inPlane) {
         isFlat = inPlane;
         above = 0;
@@ -40,7 +41,7 @@ public final class HullOverlap {
         extentBelow = 0;
     }
 
-    /** Takes in one of up to four leaves on the one side; there must be one before any of the other. */
+    /** Adds one of up to four leaves on one side; there must be one before any is added on the other side. */
     public void above(LeafKind kind, double[] row, int at) {
         if (above == 0) {
             ox = Support.originX(kind, row, at);
@@ -52,7 +53,7 @@ public final class HullOverlap {
         extentAbove = Math.max(extentAbove, support.extent);
     }
 
-    /** Takes in one of up to two leaves on the other side. */
+    /** Adds one of up to two leaves on the other side. */
     public void below(LeafKind kind, double[] row, int at) {
         Support support = lower[below++];
         load(support, kind, row, at);
@@ -67,7 +68,7 @@ public final class HullOverlap {
         }
     }
 
-    /** Whether a point is certainly inside of both hulls. */
+    /** Whether a point is certainly inside both hulls. */
     public boolean areDeep() {
         double extent = extentAbove + extentBelow;
         if (extent < SMALL) {
@@ -75,7 +76,8 @@ public final class HullOverlap {
         }
         double height = isFlat ? 0.5 * extent : 0;
         double enough = Gjk.DEEP * extent * extent * extent;
-        // Askew, as things of one height or one attitude have simplices that hold the origin in a side, and not within.
+        // A skew direction, since leaves of the same height or attitude have simplices with the origin on a side, not
+        // inside.
         double vx = upper[0].centreX - lower[0].centreX + SKEW_X * extent;
         double vy = upper[0].centreY - lower[0].centreY + SKEW_Y * extent;
         double vz = upper[0].centreZ - lower[0].centreZ + SKEW_Z * extent;
@@ -100,7 +102,7 @@ public final class HullOverlap {
             vx = simplex.vx;
             vy = simplex.vy;
             vz = simplex.vz;
-            if (step == 0) { // askew once more, or balls would never leave the plane of their centres and the first way
+            if (step == 0) { // skew once more, or spheres would stay in the plane of their centres
                 double size = Math.sqrt(vx * vx + vy * vy + vz * vz);
                 vx -= SKEW_Z * size;
                 vy += SKEW_X * size;

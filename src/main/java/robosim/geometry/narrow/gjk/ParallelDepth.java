@@ -3,15 +3,18 @@ package robosim.geometry.narrow.gjk;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.LeafKind;
 
-/** How deep two cylinders are in each other whose axes are parallel, or nearly so: all ways across an axis may tie there. */
+/**
+ * The penetration depth of two cylinders with parallel or nearly parallel axes, for which all directions perpendicular
+ * to the axis may tie.
+ */
 final class ParallelDepth {
     private ParallelDepth() {}
 
     /**
-     * A bound from below of the least depth, to rounding; 0 for all but cylinders.
+     * A lower bound of the least depth, to within rounding; 0 unless both are cylinders.
      *
-     * <p>Of parallel ones the difference set is a cylinder itself, of both radii and both heights. Turning the second about
-     * its centre by an angle t until it is parallel moves none of its points by more than t (r + h).
+     * <p>The difference set of parallel cylinders is a cylinder with the sum of the radii and of the heights. Turning
+     * the second about its centre by an angle t until it is parallel moves none of its points by more than t (r + h).
      */
     static double atLeast(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         if (!kindA.isCylinder() || !kindB.isCylinder()) {

@@ -5,31 +5,31 @@ import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.Order;
 
 /**
- * How deep one leaf is in another, and in which directions it gets out on the shortest way.
+ * The penetration depth of two leaves, and the directions of the shortest translations that separate them.
  *
  * <p>Between boxes, triangles and prisms the directions are those of separating axes (the sides of the difference set),
  * all of them where several tie; for a sphere or disc whose centre is outside the other it is the direction to the
- * nearest point. Where a cylinder's rim counts, the directions of flat sides and straight edges, of the widest slab that
- * {@link Gjk} saw and of the centres are refined by a pattern search, and a polytope grown inside the difference set
- * ({@link ExpandingPolytope}) proves that there is nothing shallower, or leads the search there.
+ * nearest point. If a cylinder's rim is involved, the directions of flat sides and straight edges, of the widest slab
+ * that {@link Gjk} saw and of the centres are refined by a pattern search, and a polytope expanded inside the
+ * difference set ({@link ExpandingPolytope}) proves that there is nothing shallower, or leads the search there.
  *
- * <p>Which side is safe: a turn that starts in contact may go on where no depth on the arc is above the one at the start,
- * so that a depth must not be above the least. What is answered is no more than the least depth and 2^-34 of the sizes and
- * the offset, proven; it is no less than the least depth either unless the room for the proof runs out, which takes
- * hundreds of directions that tie to 2^-34, as between cylinders on one axis that are parallel to 10^-3 and not to 10^-11.
- * Then it is less, by what the proof lacks, and a turn may be refused that only just stays as deep as it was.
+ * <p>On the safe side: a turn that starts in contact may go on as long as no depth on the arc is above the one at the
+ * start, so a depth must not be too large. The result is proven to be at most the least depth plus 2^-34 of the sizes
+ * and the offset. It is also at least the least depth, unless the proof runs out of room, which takes hundreds of
+ * directions that tie to 2^-34, as between coaxial cylinders that are parallel to 10^-3 but not to 10^-11. Then it is
+ * smaller by the part not proven, and a turn may be refused that just keeps its depth.
  *
- * <p>To rounding, some 2^-48 of sizes and offset; it decides no overlap. (a, b) and (b, a) give the same bits. Nothing is
- * allocated by a question.
+ * <p>Accurate to within rounding, some 2^-48 of sizes and offset; no overlap is decided by it. (a, b) and (b, a) give
+ * the same bits. A query allocates nothing.
  */
 public final class Penetration {
-    /** How much more than what is proven may be answered, as a share of the sizes and the offset. */
+    /** How much more than the proven depth may be returned, as a fraction of the sizes and the offset. */
     private static final double PROVEN = 0x1p-34;
 
-    /** Most places of the hull from which a direction that ties is looked for. */
+    /** Maximum number of places of the hull from which tying directions are searched. */
     private static final int MOST_TIES = 8;
 
-    /** Directions this close (as 1 less their cosine) lead to the same place. */
+    /** Directions this close (1 minus their cosine) lead to the same minimum. */
     private static final double SAME_VALLEY = 0x1p-12;
 
     private final Gjk gjk = new Gjk();
@@ -46,29 +46,29 @@ public final class Penetration {
     private boolean flat;
     private double proven;
 
-    /** Depth in space; negative, the distance, where the two are apart. */
+    /** The depth in space; if the two are apart, minus their distance. */
     public double spatial(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         flat = false;
         return ordered(kindA, a, i, kindB, b, j);
     }
 
-    /** Depth of the projections on XZ; negative, the distance, where the two are apart. All directions have y = 0. */
+    /** The depth of the projections on XZ; if the two are apart, minus their distance. All directions have y = 0. */
     public double planar(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         flat = true;
         return ordered(kindA, a, i, kindB, b, j);
     }
 
-    /** The distance question that the last one began with; its a and b may be exchanged. */
+    /** The distance query with which the last one began; its a and b may be exchanged. */
     public Gjk bracket() {
         return gjk;
     }
 
-    /** The depth is certainly no less than this; at most the depth answered. */
+    /** A proven lower bound of the depth; at most the depth returned. */
     public double proven() {
         return proven;
     }
 
-    /** How many directions tie; at least 1. */
+    /** The number of directions that tie; at least 1. */
     public int count() {
         return directions.count();
     }
@@ -129,7 +129,10 @@ public final class Penetration {
         return Math.min(depth, most);
     }
 
-    /** Grows the hull to the least depth known; where it says that there is a shallower one, that is looked for first. */
+    /**
+     * Expands the hull to the least depth known; if it shows that there may be a shallower one, searches for that
+     * first.
+     */
     private void prove(double known) {
         double slack = PROVEN * (first.extent + second.extent);
         proven = known - gjk.error();
@@ -167,7 +170,7 @@ public final class Penetration {
         }
     }
 
-    /** Whether none of the shallow directions known is near another. */
+    /** Whether a direction is not near any of the shallow directions known. */
     private boolean isElsewhere(double dx, double dy, double dz, double shallow) {
         for (int k = 0; k < directions.count(); k++) {
             double cosine = dx * directions.x(k) + dy * directions.y(k) + dz * directions.z(k);
@@ -198,8 +201,8 @@ public final class Penetration {
     }
 
     /**
-     * Between upright leaves: up and down, the sides of both bases, and the direction to the nearest point of the plane
-     * where a disc's centre is outside. That is all, as the difference set stands upright too.
+     * For upright leaves: up and down, the sides of both bases, and, if a disc's centre is outside, the direction to
+     * the nearest point in the plane. These are all, as the difference set is upright too.
      */
     private void level(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         both(0, 1, 0);
@@ -211,7 +214,7 @@ public final class Penetration {
         if (plane.coreReach() > plane.error()) {
             take(plane.nx(), 0, plane.nz(), depth(plane.nx(), 0, plane.nz()));
         } else if (facetsA.faces + facetsB.faces == 0) {
-            both(1, 0, 0); // one axis in two discs
+            both(1, 0, 0); // two concentric discs
         }
     }
 
@@ -247,7 +250,7 @@ public final class Penetration {
             both(1, 0, 0);
             return;
         }
-        // Across the segment that is left: with the world axis that it is furthest from.
+        // Perpendicular to the remaining segment, using the world axis that is furthest from it.
         double ex = facets.edgeX[0];
         double ey = facets.edgeY[0];
         double ez = facets.edgeZ[0];
@@ -289,8 +292,8 @@ public final class Penetration {
     }
 
     /**
-     * Looks for a shallower direction between the flat sides: across each straight edge, where valleys are sharp, then
-     * freely from the best of the flat sides, GJK's slab and the centres.
+     * Searches for a shallower direction between the flat sides: perpendicular to each straight edge, where valleys are
+     * sharp, then freely from the best of the flat sides, GJK's slab and the centres.
      */
     private void refine() {
         if (flat) {

@@ -3,18 +3,21 @@ package robosim.geometry.narrow.gjk;
 /**
  * Up to four points of a difference set a - b, and the point of least norm of their hull.
  *
- * <p>Every part of the simplex that holds the newest point is tried and the nearest wins, so that a flat or doubled
- * simplex needs no case of its own. The direction {@code v} of a side or an edge is made perpendicular to it, and not
- * read off the point of least norm: close to contact that would be rounding only.
+ * <p>Every part of the simplex that contains the newest point is tried and the nearest wins, so that degenerate
+ * simplices need no special case. The direction {@code v} of a side or an edge is computed perpendicular to it, not
+ * taken from the point of least norm, which close to contact would be only rounding error.
  */
 final class Simplex {
-    /** A side this flat (squared sine) is left to its edges. */
+    /** A side this flat (squared sine) is replaced by its edges. */
     private static final double FLAT = 0x1p-96;
 
-    /** Squared distances this close are the same to rounding; the larger part of the simplex has the better direction. */
+    /**
+     * Squared distances this close are equal to within rounding; the larger part of the simplex has the better
+     * direction.
+     */
     private static final double TIE = 1 + 0x1p-48;
 
-    /** Direction of the point of least norm; its length means nothing. */
+    /** Direction of the point of least norm; its length has no meaning. */
     double vx;
 
     double vy;
@@ -44,7 +47,7 @@ final class Simplex {
         depth = 0;
     }
 
-    /** Adds the difference of two points found; false where it is there already. */
+    /** Adds the difference of two points found; returns false if it is there already. */
     boolean add(Support a, Support b) {
         double qx = a.x - b.x;
         double qy = a.y - b.y;
@@ -67,7 +70,7 @@ final class Simplex {
         return true;
     }
 
-    /** Keeps the part of the simplex that is nearest to the origin; false where that is further than before. */
+    /** Keeps the part of the simplex that is nearest to the origin; returns false if that is further than before. */
     boolean reduce() {
         foundNorm = Double.POSITIVE_INFINITY;
         int newest = count - 1;
@@ -95,17 +98,20 @@ final class Simplex {
         return true;
     }
 
-    /** Squared distance of the nearest point, as the weights give it; 0 where the origin is inside. */
+    /** Squared distance of the nearest point, as given by the weights; 0 if the origin is inside. */
     double norm() {
         return norm;
     }
 
-    /** Six times the least of the volumes into which the origin cuts the tetrahedron; 0 where it is not inside one. */
+    /** Six times the least of the volumes into which the origin cuts the tetrahedron; 0 if it is not inside one. */
     double depth() {
         return depth;
     }
 
-    /** How far from the origin the point is that the weights give; beside the root of {@link #norm} where that is no 0. */
+    /**
+     * The distance from the origin of the point given by the weights; differs from the root of {@link #norm} if that is
+     * 0.
+     */
     double residual() {
         double sx = 0;
         double sy = 0;
@@ -183,7 +189,7 @@ final class Simplex {
         double q2 = qx * qx + qy * qy + qz * qz;
         double r2 = rx * rx + ry * ry + rz * rz;
         double t2 = tx * tx + ty * ty + tz * tz;
-        // The normal comes from the two shorter edges: it loses least to cancellation.
+        // The normal is computed from the two shorter edges, which minimizes cancellation.
         double nx;
         double ny;
         double nz;
@@ -247,7 +253,7 @@ final class Simplex {
         return nx * (py * qz - pz * qy) + ny * (pz * qx - px * qz) + nz * (px * qy - py * qx);
     }
 
-    /** Takes a part of the simplex where its nearest point, as the weights give it, is the nearest yet. */
+    /** Adopts a part of the simplex if its nearest point, as given by the weights, is the nearest so far. */
     private void offer(
             double tie, double dx, double dy, double dz, int p, double wp, int q, double wq, int r, double wr) {
         double sx = wp * x[p] + wq * x[q] + wr * x[r];
@@ -269,7 +275,7 @@ final class Simplex {
         found[r] += wr;
     }
 
-    /** Forgets the points that have no weight. */
+    /** Removes the points that have no weight. */
     private void compact() {
         int kept = 0;
         for (int k = 0; k < count; k++) {
@@ -288,7 +294,7 @@ final class Simplex {
         count = kept;
     }
 
-    /** Whether the origin lies in the tetrahedron; sets the weights where it does. */
+    /** Whether the origin is in the tetrahedron; sets the weights if it is. */
     private boolean holdsOrigin() {
         double w0 = volume(1, 2, 3);
         double w1 = -volume(0, 2, 3);

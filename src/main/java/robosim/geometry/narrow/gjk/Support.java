@@ -4,15 +4,15 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
- * The support function of one leaf: which of its points lies furthest in a direction.
+ * The support function of one leaf: its point furthest in a direction.
  *
  * <p>A leaf is loaded once, relative to an origin and multiplied by a scale, and then asked for many directions. Loaded
  * {@linkplain #spatial in space} it is itself; loaded {@linkplain #planar in the plane} it is its projection on XZ,
  * with y = 0 throughout, and must be asked for directions with y = 0 only. Spheres, and upright cylinders and
  * capsules in the plane, are loaded as their centre with a {@link #margin} around it, other capsules as their segment with one.
  *
- * <p>Coordinates found are off the exact ones by at most 8 units of roundoff (2^-53) of {@link #extent}, a prism's by
- * 11. Another point may be found that reaches less far by about as much; {@link Gjk#ROUNDOFF} counts both.
+ * <p>The error of coordinates found is at most 8u (u = 2^-53) of {@link #extent}, a prism's 11u. The point found may be
+ * short of the furthest by about as much; {@link Gjk#ROUNDOFF} covers both.
  */
 public final class Support {
     private static final int POINTS = 0;
@@ -22,8 +22,8 @@ public final class Support {
     private static final int MOST_POINTS = 16;
 
     /**
-     * A direction is along an axis where its sine is no larger: below, squares underflow, and a point of the rim would be
-     * found at another radius. The cap's centre is short of the rim by less than this share of the radius.
+     * A direction with at most this sine counts as along the axis: below it squares underflow, and a point of the rim
+     * would be found at another radius. The cap's centre is short of the rim by less than this fraction of the radius.
      */
     private static final double STRAIGHT = 0x1p-500;
 
@@ -33,7 +33,7 @@ public final class Support {
     public double y;
     public double z;
 
-    /** A point inside, or of, the leaf: its centre where it has one. */
+    /** A point of the leaf: its centre if it has one. */
     double centreX;
 
     double centreY;
@@ -42,7 +42,7 @@ public final class Support {
     /** Radius around all points found that belongs to the leaf too; 0 for all but spheres, capsules and discs. */
     public double margin;
 
-    /** At least the sum of the magnitudes that any coordinate found is summed from, margin included. */
+    /** An upper bound of the sum of the magnitudes of the terms of any coordinate found, margin included. */
     public double extent;
 
     private int form;
@@ -51,7 +51,7 @@ public final class Support {
     private final double[] py = new double[MOST_POINTS];
     private final double[] pz = new double[MOST_POINTS];
 
-    // A parallelepiped's half vectors; of a cylinder the first is its axis from the centre to a cap.
+    // A parallelepiped's half vectors; for a cylinder the first is its axis from the centre to a cap.
     private double ux;
     private double uy;
     private double uz;
@@ -62,14 +62,14 @@ public final class Support {
     private double wy;
     private double wz;
 
-    // A cylinder's axis of unit length, its radius, and 0 where heights are left out, else 1.
+    // A cylinder's unit axis, its radius, and 0 if heights are ignored, else 1.
     private double axisX;
     private double axisY;
     private double axisZ;
     private double radius;
     private double heights;
 
-    /** The x of the point of a leaf that others are seen from: its centre, or a triangle's first corner. */
+    /** The x of a leaf's reference point, the origin for both leaves: its centre, or a triangle's first corner. */
     public static double originX(LeafKind kind, double[] row, int at) {
         return switch (kind.layout()) {
             case CENTRE, CORNERS -> row[at];
@@ -93,12 +93,12 @@ public final class Support {
         };
     }
 
-    /** Loads a leaf as seen from an origin, multiplied by a scale (a power of two). */
+    /** Loads a leaf relative to an origin, multiplied by a scale (a power of two). */
     public void spatial(LeafKind kind, double[] row, int at, double ox, double oy, double oz, double scale) {
         load(kind, row, at, ox, oy, oz, scale, 1);
     }
 
-    /** Loads a leaf's projection on XZ as seen from an origin, multiplied by a scale (a power of two). */
+    /** Loads a leaf's projection on XZ relative to an origin, multiplied by a scale (a power of two). */
     public void planar(LeafKind kind, double[] row, int at, double ox, double oz, double scale) {
         load(kind, row, at, ox, 0, oz, scale, 0);
     }
@@ -144,7 +144,7 @@ public final class Support {
                 form = POINTS;
                 prism(row, at, ox, oy, oz, scale);
                 surround();
-                extent *= 2; // its corners are off by more
+                extent *= 2; // its corners have larger errors
             }
             case MESH, SOLID_MESH -> throw kind.refused();
         }
@@ -156,7 +156,7 @@ public final class Support {
         centreZ = (row[at + 2] - oz) * scale;
     }
 
-    /** Finds the point furthest in a direction of any length but zero. */
+    /** Finds the point furthest in a direction of any length except zero. */
     public void find(double dx, double dy, double dz) {
         switch (form) {
             case PARALLELEPIPED -> {
@@ -188,7 +188,7 @@ public final class Support {
     private void findRound(double dx, double dy, double dz) {
         double along = dx * axisX + dy * axisY + dz * axisZ;
         double s = along < 0 ? -1 : 1;
-        // axis x (d x axis) is square to the axis even where d is along it and all of this is rounding.
+        // axis x (d x axis) is perpendicular to the axis even if d is along it and all of this is rounding error.
         double qx = dy * axisZ - dz * axisY;
         double qy = dz * axisX - dx * axisZ;
         double qz = dx * axisY - dy * axisX;
@@ -300,7 +300,7 @@ public final class Support {
         }
     }
 
-    /** The corners of the octagon at both heights, after each bound is drawn in to where the others let it be reached. */
+    /** The corners of the octagon at both heights, after each bound is tightened to what the others allow. */
     private void prism(double[] row, int at, double ox, double oy, double oz, double scale) {
         double x0 = row[at] - ox;
         double x1 = row[at + 1] - ox;
@@ -331,7 +331,7 @@ public final class Support {
         }
     }
 
-    /** The number v - (p + q), off by a rounding of itself and not of the numbers that cancel. */
+    /** The number v - (p + q), with a rounding error relative to the result, not to the numbers that cancel. */
     private static double lessSum(double v, double p, double q) {
         double sum = p + q;
         double part = sum - p;

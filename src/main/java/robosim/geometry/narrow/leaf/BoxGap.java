@@ -1,6 +1,6 @@
 package robosim.geometry.narrow.leaf;
 
-/** Distances of boxes (least x, y, z, then greatest) and of points, each with the side on which it is rounded. */
+/** Distances of boxes (minimum x, y, z, then maximum) and of points, each rounded in a known direction. */
 public final class BoxGap {
     /** Three differences, squares, sums and a root are off by less than 5 u together; this takes 8. */
     private static final double DOWN = 1 - 0x1p-50;
@@ -17,7 +17,7 @@ public final class BoxGap {
         return a[0] <= b[3] && b[0] <= a[3] && a[1] <= b[4] && b[1] <= a[4] && a[2] <= b[5] && b[2] <= a[5];
     }
 
-    /** The distance of two boxes, not above the truth; 0 only where they meet or nearly do. */
+    /** The distance of two boxes, not above the truth; 0 only if they meet or nearly do. */
     public static double atLeast(double[] a, double[] b) {
         double x = Math.max(0, Math.max(a[0] - b[3], b[0] - a[3]));
         double y = Math.max(0, Math.max(a[1] - b[4], b[1] - a[4]));
@@ -41,7 +41,7 @@ public final class BoxGap {
         return value == 0 ? 0 : Math.nextUp(value * UP);
     }
 
-    /** The longest side, by which it is chosen what to open first. */
+    /** The longest side, by which the node to open first is chosen. */
     public static double size(double[] box) {
         return Math.max(box[3] - box[0], Math.max(box[4] - box[1], box[5] - box[2]));
     }

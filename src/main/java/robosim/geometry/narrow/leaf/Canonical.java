@@ -3,8 +3,8 @@ package robosim.geometry.narrow.leaf;
 import robosim.geometry.exact.Rotations;
 
 /**
- * Finds the leaves that stand upright, so that they can be asked as prisms: a box or cylinder with one own axis exactly
- * along the world's vertical. A box that lies on its side is written anew as the upright box that it is.
+ * Finds leaves that are upright, so that they can be handled as prisms: a box or cylinder with an axis exactly along
+ * the world's vertical. A box that lies on its side is rewritten as the equivalent upright box.
  */
 final class Canonical {
     private Canonical() {}
@@ -32,8 +32,8 @@ final class Canonical {
     }
 
     /**
-     * Writes a box with a vertical axis as an upright one, where its other two axes are level and one is exactly the
-     * other turned by a right angle: then the numbers mean the same box.
+     * Rewrites a box with a vertical axis as an upright one, if its other two axes are horizontal and one is exactly
+     * the other turned by a right angle, so that the numbers describe the same box.
      */
     private static boolean stand(double[] rows, int at, int up) {
         int forward = up == 0 ? 1 : 0;

@@ -7,18 +7,18 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.TriangleMesh;
 
 /**
- * The one leaf that stands for an object at a level of accuracy below EXACT. Every enclosure is rounded outward by more
- * than the rounding of the numbers that it is made of, so that it never misses what the object itself meets.
+ * The single leaf that stands for an object at an accuracy other than EXACT. Every enclosure is rounded outward by more
+ * than the rounding of the numbers that it is computed from, so that it meets everything that the object itself meets.
  */
 public final class Enclosure {
-    /** Outward rounding for each unit of the numbers used: some 30 roundings of 2^-53 at most, taken eight times. */
+    /** Outward rounding, relative to the numbers used: at most some 30 roundings of 2^-53, times eight. */
     private static final double WIDEN = 0x1p-45;
 
     private static final double ROOT_TWO = 1.4142135623730951; // rounded up: the root of two is below
 
     private final OwnLeaves leaves;
 
-    /** Least and greatest along the own axes. */
+    /** Minimum and maximum along the object's own axes. */
     private final double[] box = new double[6];
 
     private final double radius;
@@ -69,7 +69,7 @@ public final class Enclosure {
         return size;
     }
 
-    /** How far a leaf reaches from the middle of the box, or only level with it. */
+    /** How far a leaf extends from the centre of the box, in all directions or only horizontally. */
     private double reach(LeafColumn column, int leaf, boolean level) {
         double[] row = column.rows();
         int at = leaf * Leaf.STRIDE;
@@ -145,7 +145,7 @@ public final class Enclosure {
     }
 
     /**
-     * Writes the leaf that encloses the object at a place.
+     * Writes the leaf that encloses the placed object.
      *
      * @param placed   the object's own leaves at that place, in a column of their own
      * @param rotation its attitude: nine numbers from {@code at} on
@@ -190,7 +190,7 @@ public final class Enclosure {
         }
     }
 
-    /** Whether the object is a single leaf that is already what the level asks for. */
+    /** Whether the object is a single leaf that already is the enclosure of this accuracy. */
     private static boolean isItsOwn(Accuracy accuracy, LeafColumn placed) {
         if (placed.size() != 1) {
             return false;
@@ -263,7 +263,7 @@ public final class Enclosure {
         out.setKind(leaf, LeafKind.PRISM);
     }
 
-    /** Widens one pair of the prism's bounds to hold a leaf along (x, y, z). */
+    /** Extends one pair of the prism's bounds to include a leaf along (x, y, z). */
     private static void extend(
             LeafColumn placed, int leaf, double[] prism, int to, int pair, double x, double y, double z) {
         double[] row = placed.rows();
@@ -309,7 +309,10 @@ public final class Enclosure {
         };
     }
 
-    /** Length of the part of (x, y, z) across an own axis; as a cross product, which does not cancel. */
+    /**
+     * The length of the component of (x, y, z) perpendicular to an own axis; as a cross product, which does not suffer
+     * from cancellation.
+     */
     private static double crossLength(double x, double y, double z, double[] row, int axis) {
         double a = y * row[axis + 6] - z * row[axis + 3];
         double b = z * row[axis] - x * row[axis + 6];
@@ -323,7 +326,7 @@ public final class Enclosure {
         prism[pair + 1] = Math.max(prism[pair + 1], middle + half + widen);
     }
 
-    /** The leaves that were measured. */
+    /** The leaves that are enclosed. */
     public OwnLeaves leaves() {
         return leaves;
     }

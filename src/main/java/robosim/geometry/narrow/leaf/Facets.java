@@ -1,9 +1,9 @@
 package robosim.geometry.narrow.leaf;
 
 /**
- * The directions of a leaf's flat sides and straight edges, of which the directions of least penetration are made: unit
- * vectors, one for each pair of opposite ones. A cylinder has its caps' normal and its side's direction; a sphere has
- * neither. A side or edge without extent has none.
+ * The normals of a leaf's flat sides and the directions of its straight edges, from which candidates for the direction
+ * of least penetration are made: unit vectors, one for each opposite pair. A cylinder has its caps' normal and its
+ * side's direction; a sphere has neither. A side or edge without extent has none.
  */
 public final class Facets {
     private static final int MOST = 5;
@@ -38,12 +38,12 @@ public final class Facets {
             }
             case UPRIGHT_CAPSULE -> edge(0, 1, 0);
             case CAPSULE -> edge(row[at + 7], row[at + 10], row[at + 13]);
-            case SPHERE -> {} // round all over
+            case SPHERE -> {} // has no flat sides or edges
             case MESH, SOLID_MESH -> throw kind.refused();
         }
     }
 
-    /** The normals of a projection's straight sides; no edges. */
+    /** Loads the normals of a projection's straight sides; no edges. */
     public void planar(LeafKind kind, double[] row, int at) {
         faces = 0;
         edges = 0;

@@ -23,7 +23,7 @@ package robosim.geometry.narrow.leaf;
  * world's, so that [6] = [14] = cos, [8] = sin, [12] = -sin of its heading, and [10] = 1. Zero sizes are legal.
  */
 public final class Leaf {
-    /** Doubles in a row. */
+    /** Number of doubles in a row. */
     public static final int STRIDE = 16;
 
     /** Where the half sizes, or the radius and half height, begin. */

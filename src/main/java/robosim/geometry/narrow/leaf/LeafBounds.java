@@ -3,7 +3,7 @@ package robosim.geometry.narrow.leaf;
 import robosim.geometry.exact.Outward;
 import robosim.geometry.model.Dimension;
 
-/** Axis-aligned bounds of leaves, rounded outward: nothing of the leaf lies outside, to the bit. */
+/** Axis-aligned bounds of leaves, rounded outward: no point of the leaf lies outside. */
 public final class LeafBounds {
     private LeafBounds() {}
 
@@ -31,7 +31,7 @@ public final class LeafBounds {
     }
 
     /**
-     * Whether the bounds of two leaves are apart; in PLANAR as seen from above.
+     * Whether the bounds of two leaves are apart; in PLANAR ignoring heights.
      *
      * @param p six numbers, for the bounds of a
      * @param q six numbers, for those of b

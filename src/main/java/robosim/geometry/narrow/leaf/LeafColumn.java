@@ -7,17 +7,17 @@ import robosim.geometry.index.tiles.Outline;
 import robosim.geometry.model.TriangleMesh;
 
 /**
- * Leaves beside each other: a kind, a row of {@link Leaf#STRIDE} doubles and, for meshes, the triangles of each. A world's
- * also has leaves of half a row, each with its object's number and the bit {@link #UPRIGHT}: these are read through
- * {@link #rows(int)} and {@link #at}, or left to what asks for a leaf by its number.
+ * An array of leaves: for each a kind, a row of {@link Leaf#STRIDE} doubles and, for meshes, the triangles. The column
+ * of a world also has half-row leaves, numbered by their object with the bit {@link #UPRIGHT} set; these are read
+ * through {@link #rows(int)} and {@link #at}, or by methods that take a leaf's number.
  */
 public final class LeafColumn {
     private static final byte VACANT = -1;
 
-    /** Columns with fewer leaves grow by as many again. */
+    /** Columns with fewer leaves are doubled when they grow. */
     private static final int SMALL = 1 << 15;
 
-    /** The bit in the number of a leaf of half a row. */
+    /** The bit that is set in the number of a half-row leaf. */
     public static final int UPRIGHT = 1 << 30;
 
     // Two products and their sum, and this one, each rounded by 2^-53 of itself.
@@ -29,13 +29,13 @@ public final class LeafColumn {
 
     private UprightRows upright = UprightRows.NONE;
 
-    /** None until the first mesh comes. */
+    /** Null until the first mesh is added. */
     private @Nullable TriangleMesh @Nullable [] meshes;
 
     /** The bounds of one of several leaves. */
     private final double[] part = new double[6];
 
-    /** An empty column with room for so many leaves. */
+    /** An empty column with room for a number of leaves. */
     public LeafColumn(int capacity) {
         kinds = new byte[Math.max(1, capacity)];
         rows = new double[kinds.length * Leaf.STRIDE];
@@ -49,27 +49,27 @@ public final class LeafColumn {
         upright = of.upright.view();
     }
 
-    /** The same leaves, which nobody may change any more, for one more thread to read. */
+    /** A view of these leaves, which must not be changed any more, for one more thread to read. */
     public LeafColumn view() {
         return new LeafColumn(this);
     }
 
-    /** How many leaves of whole rows there are. */
+    /** The number of full-row leaves. */
     public int size() {
         return size;
     }
 
-    /** For how many objects, from the first number on, there is half a row. */
+    /** The number of objects, counted from the first, that have a half row. */
     public int uprightSize() {
         return upright.size();
     }
 
-    /** Whether a leaf is one of half a row. */
+    /** Whether a leaf is a half-row leaf. */
     public static boolean isUpright(int leaf) {
         return (leaf & UPRIGHT) != 0;
     }
 
-    /** Whether the only leaf of this column can be one of half a row. */
+    /** Whether the only leaf of this column fits into a half row. */
     public boolean fitsUpright() {
         return size == 1 && !kind(0).isMesh() && UprightRows.takes(kind(0), rows, 0);
     }
@@ -82,31 +82,31 @@ public final class LeafColumn {
         upright.reserve(id);
     }
 
-    /** Writes in an object's half row where it is, unless the row is its leaf: see {@link #outlines}. */
+    /** Writes the outline of an object to its half row, unless the half row is its leaf: see {@link #outlines}. */
     public void outline(int id, double minX, double minZ, double maxX, double maxZ) {
         if (upright.isVacant(id)) {
             upright.outline(id, minX, minZ, maxX, maxZ);
         }
     }
 
-    /** The half rows of all objects, which are an {@link robosim.geometry.index.tiles.Outline} of each. */
+    /** The half rows of all objects, each of which is an {@link robosim.geometry.index.tiles.Outline} of the object. */
     public double[] outlines() {
         return upright.rows();
     }
 
-    /** Whether the only leaf of an object is the half row of its number, not just an outline. */
+    /** Whether the half row of an object is its only leaf, not just an outline. */
     public boolean isUprightObject(int id) {
         return upright.isHere(id);
     }
 
-    /** An empty column with room for so many whole rows, and with the half rows of this one. */
+    /** An empty column with room for a number of full rows, sharing the half rows of this one. */
     public LeafColumn withUpright(int capacity) {
         LeafColumn column = new LeafColumn(capacity);
         column.upright = upright;
         return column;
     }
 
-    /** Makes room for {@code count} leaves at the end and answers the first one's index. */
+    /** Adds room for {@code count} leaves at the end and returns the first one's index. */
     public int append(int count) {
         int first = size;
         size += count;
@@ -118,7 +118,7 @@ public final class LeafColumn {
         return first;
     }
 
-    /** Appends copies of leaves of another column in whole rows and answers the first one's index. */
+    /** Appends copies of leaves of another column as full rows and returns the first one's index. */
     public int appendWhole(LeafColumn other, int first, int count) {
         int at = append(count);
         if (isUpright(first)) {
@@ -130,7 +130,7 @@ public final class LeafColumn {
         return at;
     }
 
-    /** Writes copies of all leaves of another column from a leaf on. */
+    /** Copies all leaves of another column to this one, from a leaf on. */
     public void copy(LeafColumn other, int at) {
         if (isUpright(at)) {
             upright.write(at ^ UPRIGHT, other.kind(0), other.rows, 0);
@@ -149,7 +149,7 @@ public final class LeafColumn {
         }
     }
 
-    /** Gives up room that there is for more. */
+    /** Gives up spare room. */
     public void trim() {
         if (kinds.length - size > size >> 6) {
             resize(size);
@@ -165,7 +165,7 @@ public final class LeafColumn {
         }
     }
 
-    /** Leaves nothing at a leaf's place. */
+    /** Marks a leaf as vacant. */
     public void vacate(int leaf) {
         if (isUpright(leaf)) {
             upright.vacate(leaf ^ UPRIGHT);
@@ -177,12 +177,12 @@ public final class LeafColumn {
         }
     }
 
-    /** Whether nothing is at a leaf's place. */
+    /** Whether a leaf is vacant. */
     public boolean isVacant(int leaf) {
         return isUpright(leaf) ? upright.isVacant(leaf ^ UPRIGHT) : kinds[leaf] == VACANT;
     }
 
-    /** Forgets all leaves. */
+    /** Removes all leaves. */
     public void clear() {
         size = 0;
         meshes = null;
@@ -196,22 +196,22 @@ public final class LeafColumn {
         kinds[leaf] = kind.code();
     }
 
-    /** The numbers of all leaves of whole rows; leaf k begins at {@code k * Leaf.STRIDE}. Valid until the next append. */
+    /** The numbers of all full-row leaves; leaf k begins at {@code k * Leaf.STRIDE}. Valid until the next append. */
     public double[] rows() {
         return rows;
     }
 
-    /** What holds the numbers of a leaf, from {@link #at} on; good until another leaf is asked for. */
+    /** An array that contains the numbers of a leaf, from {@link #at} on; valid until another leaf is read. */
     public double[] rows(int leaf) {
         return isUpright(leaf) ? upright.rows(leaf ^ UPRIGHT) : rows;
     }
 
-    /** Where the numbers of a leaf begin. */
+    /** The index at which the numbers of a leaf begin. */
     public int at(int leaf) {
         return isUpright(leaf) ? upright.at(leaf ^ UPRIGHT) : leaf * Leaf.STRIDE;
     }
 
-    /** The numbers of all leaves of half a row; each begins at {@link #uprightAt}. */
+    /** The numbers of all half-row leaves; each begins at {@link #uprightAt}. */
     public double[] uprightRows() {
         return upright.rows();
     }
@@ -220,7 +220,10 @@ public final class LeafColumn {
         return Outline.at(leaf ^ UPRIGHT);
     }
 
-    /** Makes this column hold one piece: a leaf of another, or the triangle of its mesh at a place in the order of the leaves. */
+    /**
+     * Sets this column to a single piece: a leaf of another column, or a triangle of its mesh, given its position in
+     * the order of the leaves.
+     */
     public void setPiece(LeafColumn other, int leaf, int triangle) {
         clear();
         if (triangle < 0) {
@@ -243,7 +246,7 @@ public final class LeafColumn {
         throw new IllegalStateException("leaf must be a mesh (got: leaf " + leaf + " of kind " + kind(leaf) + ")");
     }
 
-    /** The outward bounds of a leaf: least x, y and z, then greatest. */
+    /** The bounds of a leaf, rounded outward: minimum x, y and z, then maximum. */
     public void bounds(int leaf, double[] out) {
         if (kind(leaf).isMesh()) {
             meshBounds(leaf, out);
@@ -253,8 +256,8 @@ public final class LeafColumn {
     }
 
     /**
-     * Bounds of a leaf, least x, y and z and then greatest: as {@link #bounds} or, where that is quicker, a little wider, by
-     * less than 2<sup>-48</sup> of the coordinates and sizes.
+     * Bounds of a leaf as in {@link #bounds}, or slightly wider if that is faster, by less than 2<sup>-48</sup> of the
+     * coordinates and sizes.
      */
     public void roughBounds(int leaf, double[] out) {
         int at = leaf * Leaf.STRIDE;
@@ -289,7 +292,7 @@ public final class LeafColumn {
         out[3 + axis] = middle + more;
     }
 
-    /** Where the box of the mesh in its own frame comes to stand, widened as {@link MeshWalk} widens a question. */
+    /** The bounds of the placed box of a mesh, widened as {@link MeshWalk} widens a query. */
     private void meshBounds(int leaf, double[] out) {
         BoxTree tree = mesh(leaf).tree();
         double[] b = tree.bounds();

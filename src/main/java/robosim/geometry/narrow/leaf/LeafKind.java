@@ -152,7 +152,7 @@ public enum LeafKind {
         return this == UPRIGHT_CAPSULE || this == CAPSULE;
     }
 
-    /** How many numbers at the beginning of a row are lengths; those that follow are a rotation or nothing. */
+    /** The number of lengths at the beginning of a row; the rest is a rotation or unused. */
     public int lengths() {
         return lengths;
     }

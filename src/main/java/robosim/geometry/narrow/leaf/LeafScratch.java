@@ -1,8 +1,8 @@
 package robosim.geometry.narrow.leaf;
 
 /**
- * What kernels about leaves work in, so that a query allocates nothing; each room adds its own to that of the rooms below. One for
- * each owner of queries, never shared between threads.
+ * Working memory of kernels, so that a query allocates nothing; each package extends the scratch of the packages below.
+ * One instance for each owner of queries, never shared between threads.
  */
 public class LeafScratch {
     public final MeshWalk outer = new MeshWalk();
@@ -17,14 +17,14 @@ public class LeafScratch {
     /** A leaf laid flat. */
     public final double[] flat = new double[Leaf.STRIDE];
 
-    /** Leaves whose lengths would underflow. */
+    /** Scales up leaves whose products would underflow. */
     public final UnderflowScaling scaling = new UnderflowScaling();
 
     public final double[] box = new double[6];
     public final double[] triangleBox = new double[6];
     public final double[] meshBox = new double[6];
 
-    /** The bounds of two leaves where these decide. */
+    /** The bounds of two leaves. */
     public final double[] boundsA = new double[6];
 
     public final double[] boundsB = new double[6];

@@ -5,19 +5,19 @@ import robosim.geometry.index.boxes.BoxTree;
 import robosim.geometry.model.TriangleMesh;
 
 /**
- * Walks the triangles of a placed mesh that may matter for a region or a nearest distance, nearest first.
+ * Walks the triangles of a placed mesh that may be relevant for a region or a nearest distance, nearest first.
  *
- * <p>The tree stands in the mesh's own frame, so the question is taken there, widened by more than that rounding: a
- * triangle that matters is never left out. What is then decided is decided on the placed triangle.
+ * <p>The tree is in the mesh's own frame, so the query is transformed there, widened by more than the rounding: no
+ * relevant triangle is missed. Decisions are then made on the placed triangles.
  */
 public final class MeshWalk {
     /**
-     * How much a question is widened for each unit of the coordinates that it was computed from. Taking a point into
-     * the own frame is 3 products and 5 sums of unit-length rows, off by less than 16 u; so is the placed triangle.
+     * How much a query is widened, relative to the coordinates that it was computed from. Transforming a point to the
+     * own frame takes 3 products and 5 sums of unit-length rows, off by less than 16 u; so is the placed triangle.
      */
     public static final double WIDEN = 0x1p-46;
 
-    /** What underflow may add on the way, several times over. */
+    /** Several times the error that underflow may add. */
     public static final double UNDERFLOW = 0x1p-1000;
 
     private final double[] low = new double[3];
@@ -30,7 +30,10 @@ public final class MeshWalk {
     private int at;
     private double pad;
 
-    /** How far the rotation, kept as it was given, is from one: a point taken back into the own frame misses by so much. */
+    /**
+     * How far the rotation, kept as given, is from orthonormal: the relative error of transforming a point back to the
+     * own frame.
+     */
     private double skew;
 
     private int[] stack = new int[64];
@@ -40,10 +43,10 @@ public final class MeshWalk {
     private int end;
     private double itemKey;
 
-    @SuppressWarnings("NullAway.Init") // start sets what is asked
+    @SuppressWarnings("NullAway.Init") // start sets the query
     public MeshWalk() {}
 
-    /** Takes a mesh up, for its corners alone or for a question. */
+    /** Opens a mesh, for its corners alone or for a query. */
     public void open(LeafColumn column, int leaf) {
         mesh = column.mesh(leaf);
         tree = mesh.tree();
@@ -54,7 +57,7 @@ public final class MeshWalk {
         end = 0;
     }
 
-    /** At least the size of the mesh that was taken up. */
+    /** An upper bound of the size of the opened mesh. */
     public double size() {
         return tree.reach();
     }
@@ -76,8 +79,7 @@ public final class MeshWalk {
     }
 
     /**
-     * Begins with a box in the world: six numbers, least then greatest. In PLANAR its heights do not matter: pass
-     * infinite ones.
+     * Begins a query for a box in the world: six numbers, minimum then maximum. In PLANAR pass infinite heights.
      */
     public void startBox(LeafColumn column, int leaf, double[] world) {
         open(column, leaf);
@@ -93,7 +95,7 @@ public final class MeshWalk {
         push(tree.root(), 0);
     }
 
-    /** Begins with a nearest question from a box in the world: keys are distances, rounded down. */
+    /** Begins a nearest query from a box in the world: keys are distances, rounded down. */
     public void startNearest(LeafColumn column, int leaf, double[] world) {
         open(column, leaf);
         System.arraycopy(world, 0, box, 0, 6);
@@ -115,7 +117,7 @@ public final class MeshWalk {
         return 3 * most;
     }
 
-    /** Takes the world's box into the own frame as the box that holds it there. */
+    /** Transforms the box to the own frame, as the box that encloses it there. */
     private void takeBox() {
         double size = tree.reach();
         for (int k = 0; k < 3; k++) {
@@ -148,7 +150,7 @@ public final class MeshWalk {
         keys[depth++] = key;
     }
 
-    /** A lower bound of the distance of what is below a node; 0 where it meets the box. */
+    /** A lower bound of the distance of everything below a node; 0 if it meets the box. */
     private double key(int node) {
         double squared = 0;
         for (int k = 0; k < 3; k++) {
@@ -158,13 +160,13 @@ public final class MeshWalk {
                 squared += gap * gap;
             }
         }
-        // Squares of what is tiny may be rounded up by underflow; R' may stretch by half of the skew.
+        // Squares of tiny numbers may be rounded up by underflow; R' may stretch by half of the skew.
         return squared < 0x1p-900 ? 0 : Math.sqrt(squared) * (1 - 0x1p-50 - skew);
     }
 
     /**
-     * The place, in the order of the leaves, of the next triangle whose key is at most the limit, or -1. A limit only ever
-     * shrinks.
+     * The next triangle whose key is at most the limit, as a position in the order of the leaves, or -1. The limit may
+     * only shrink.
      */
     public int next(double limit) {
         while (true) {
@@ -209,12 +211,12 @@ public final class MeshWalk {
         return key <= limit ? key : Double.POSITIVE_INFINITY;
     }
 
-    /** Writes the placed triangle at a place of the leaves' order as a leaf's row. */
+    /** Writes a placed triangle, given its position in the order of the leaves, as a leaf row. */
     public void corners(int leafPlace, double[] row, int to) {
         mesh.placedAt(leafPlace, place, at, row, to);
     }
 
-    /** The triangle at a place of the leaves' order. */
+    /** The triangle at a position in the order of the leaves. */
     public int triangle(int leafPlace) {
         return tree.item(leafPlace);
     }

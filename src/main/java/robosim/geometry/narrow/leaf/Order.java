@@ -1,10 +1,12 @@
 package robosim.geometry.narrow.leaf;
 
-/** One order of the two leaves of a pair, by kind and then by numbers, so that (a, b) and (b, a) give the same bits. */
+/**
+ * A fixed order of the two leaves of a pair, by kind and then by numbers, so that (a, b) and (b, a) give the same bits.
+ */
 public final class Order {
     private Order() {}
 
-    /** Whether a pair has to be asked the other way round. */
+    /** Whether a pair has to be swapped. */
     public static boolean isReversed(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         if (kindA != kindB) {
             return kindA.compareTo(kindB) > 0;

@@ -3,18 +3,19 @@ package robosim.geometry.narrow.leaf;
 import robosim.geometry.exact.Orientation;
 
 /**
- * The projection of a polytope on XZ as a convex polygon: corners in order (from x towards z), relative to an origin, and
- * for each edge from a corner to the next an outward normal of any length. A flat projection is a polygon without area:
- * its edges of no length have normals all the same, so that a round thing meets its ends as it meets a wall's.
+ * The projection of a polytope on XZ as a convex polygon: corners in order (from x towards z), relative to an origin,
+ * and for each edge from a corner to the next an outward normal of any length. A degenerate projection is a polygon
+ * without area; its edges of zero length have normals too, so that a round shape meets its ends as it meets those of a
+ * wall.
  *
- * <p>A corner is off by at most 8 units of roundoff of {@link #size}; a normal by one unit in each coordinate.
+ * <p>The error of a corner is at most 8u of {@link #size}; that of a normal one unit roundoff in each coordinate.
  */
 public final class Outline {
     public static final int MOST_CORNERS = 8;
 
     public int corners;
 
-    /** As many as corners; 0 for a single point. */
+    /** The number of normals: as many as corners, or 0 for a single point. */
     public int normals;
 
     public final double[] x = new double[MOST_CORNERS];
@@ -22,10 +23,10 @@ public final class Outline {
     public final double[] nx = new double[MOST_CORNERS];
     public final double[] nz = new double[MOST_CORNERS];
 
-    /** At least the sum of the magnitudes that any coordinate of a corner is made of. */
+    /** An upper bound of the sum of the magnitudes of the terms of any corner's coordinate. */
     public double size;
 
-    /** What each corner is made of; see {@code DoubleDoubleCorner}. */
+    /** How each corner is composed; see {@code DoubleDoubleCorner}. */
     public final int[] source = new int[MOST_CORNERS];
 
     private static final int[] OCTAGON_X = {1, 1, 0, -1, -1, -1, 0, 1};
@@ -61,7 +62,7 @@ public final class Outline {
         size = Math.max(Math.abs(px), Math.abs(pz));
     }
 
-    /** Multiplies all z by a sign: seen from the other side where that is -1. */
+    /** Multiplies all z by a sign: -1 mirrors the outline. */
     public void mirror(int sign) {
         for (int k = 0; k < corners; k++) {
             z[k] *= sign;

@@ -1,8 +1,8 @@
 package robosim.geometry.narrow.leaf;
 
 import robosim.geometry.exact.Rotations;
-import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
@@ -12,8 +12,8 @@ import robosim.geometry.model.Pose;
 import robosim.geometry.model.SphereObject;
 
 /**
- * An object as leaves in its own frame, made once; a placement computes the world's leaves from them, always from
- * scratch and in one order, so that a placed object has one set of stored numbers however it came there.
+ * The leaves of an object in its own frame, made once. A placement computes the leaves in the world from them, always
+ * afresh and in the same order, so that the stored numbers of a placed object do not depend on how it got there.
  */
 public final class OwnLeaves {
     private final LeafColumn own;
@@ -31,14 +31,14 @@ public final class OwnLeaves {
         return leaves;
     }
 
-    /** The leaves of an object where it stands, in a column of their own. */
+    /** The leaves of an object at its place, in a new column. */
     public static LeafColumn placed(GeometryObject object) {
         LeafColumn leaves = new LeafColumn(1);
         placed(object, leaves);
         return leaves;
     }
 
-    /** Makes a column hold the leaves of an object where it stands, and nothing else. */
+    /** Sets a column to the leaves of an object at its place. */
     public static void placed(GeometryObject object, LeafColumn leaves) {
         leaves.clear();
         switch (object.kind()) {
@@ -53,7 +53,7 @@ public final class OwnLeaves {
         }
     }
 
-    /** A single leaf is its own frame's: placed, it has the object's centre and rotation to the bit. */
+    /** Places a single leaf, which has the object's centre and rotation to the bit. */
     private static void placeSimple(GeometryObject object, LeafColumn leaves) {
         int leaf = leaves.append(1);
         double[] row = leaves.rows();
@@ -110,7 +110,7 @@ public final class OwnLeaves {
         };
     }
 
-    /** How many leaves there are. */
+    /** The number of leaves. */
     public int size() {
         return own.size();
     }
@@ -170,10 +170,10 @@ public final class OwnLeaves {
     }
 
     /**
-     * Writes the world's leaves.
+     * Writes the leaves in the world.
      *
      * @param rotation the object's attitude: nine numbers from {@code at} on
-     * @param first    where in the column, which has room, the first leaf is written
+     * @param first    the index of the first leaf in the column, which must have room
      */
     public void place(double cx, double cy, double cz, double[] rotation, int at, LeafColumn column, int first) {
         double[] from = own.rows();

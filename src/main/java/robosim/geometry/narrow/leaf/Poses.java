@@ -1,6 +1,6 @@
 package robosim.geometry.narrow.leaf;
 
-/** A leaf's row at a later place of its motion, to rounding: good for choosing an axis, no proof of anything. */
+/** The row of a leaf at a later place of its motion, to within rounding: for choosing an axis, not for proofs. */
 public final class Poses {
     private Poses() {}
 

@@ -6,8 +6,8 @@ public final class PrismCorners {
 
     /**
      * Writes the corners counter-clockwise as seen from below (x towards z), relative to an origin. Each bound is first
-     * drawn in to where the others let it be reached, so that corners may coincide and never change their order by more
-     * than rounding.
+     * tightened to what the others allow, so that corners may coincide but never change their order by more than
+     * rounding.
      */
     public static void load(double[] row, int at, double ox, double oz, double[] x, double[] z) {
         double x0 = row[at] - ox;
@@ -44,7 +44,7 @@ public final class PrismCorners {
         z[7] = near;
     }
 
-    // v - (p + q), off by a rounding of itself and not of the numbers that cancel.
+    // v - (p + q), its rounding error is relative to the result, not to the numbers that cancel.
     private static double lessSum(double v, double p, double q) {
         double sum = p + q;
         double part = sum - p;

@@ -1,37 +1,38 @@
 package robosim.geometry.narrow.leaf;
 
 /**
- * Leaves that are so small, and so near the origin, that products of their coordinates underflow, taken up by a power of
- * two: that changes no bit of a distance. Verdicts need none of this, they go to exact arithmetic.
+ * Scales leaves that are so small, and so near the origin, that products of their coordinates underflow, by a power of
+ * two, which changes no bit of a distance. Verdicts do not need this, since they fall back on exact arithmetic.
  *
- * <p>Kernels multiply up to four lengths. Where some coordinate or size is {@link #SMALL} or more, its ulp to the fourth is
- * above {@code 2^-1075}, and what underflows is less than any bound that is promised in ulp of the largest coordinate.
+ * <p>Kernels multiply up to four lengths. If some coordinate or size is {@link #SMALL} or more, its ulp to the fourth
+ * power is above {@code 2^-1075}, and the error of underflow is less than any bound stated in ulp of the largest
+ * coordinate.
  */
 public final class UnderflowScaling {
-    /** Below this, all coordinates and sizes of a question, it is taken up; so are distances questioned. */
+    /** A query is scaled if all its coordinates and sizes are below this; distances below this are recomputed. */
     public static final double SMALL = 0x1p-200;
 
     public final double[] a = new double[Leaf.STRIDE];
     public final double[] b = new double[Leaf.STRIDE];
 
-    /** The binary logarithm of the factor. */
+    /** The binary logarithm of the scale factor. */
     private int power;
 
     /**
-     * Takes up what is small, if all of it is.
+     * Scales a leaf up if it is small.
      *
-     * @param start the largest coordinate of what is no leaf
+     * @param start the largest coordinate of the other input of the query
      */
     public boolean take(double start, LeafKind kind, double[] row, int at) {
         return take(Math.max(start, extent(kind, row, at))) && copy(kind, row, at, a);
     }
 
-    /** Takes up two leaves if both are small. */
+    /** Scales two leaves up if both are small. */
     public boolean take(LeafKind kindA, double[] rowA, int i, LeafKind kindB, double[] rowB, int j) {
         return take(0, kindA, rowA, i, kindB, rowB, j);
     }
 
-    /** Takes up two leaves if both are small, and so is what else there is. */
+    /** Scales two leaves up if both and the other input, {@code more}, are small. */
     public boolean take(double more, LeafKind kindA, double[] rowA, int i, LeafKind kindB, double[] rowB, int j) {
         return take(Math.max(more, Math.max(extent(kindA, rowA, i), extent(kindB, rowB, j))))
                 && copy(kindA, rowA, i, a)
@@ -61,7 +62,8 @@ public final class UnderflowScaling {
                 out[1] = 0;
                 out[4] = 0;
             }
-            case SPHERE, BOX, CYLINDER, CAPSULE -> out[1] = 0; // a size of what leans shows from above
+            case SPHERE, BOX, CYLINDER, CAPSULE ->
+                out[1] = 0; // a tilted leaf's size along its axis affects its projection
             case MESH, SOLID_MESH -> throw kind.refused();
         }
     }
@@ -87,7 +89,7 @@ public final class UnderflowScaling {
         return scale(length, -power);
     }
 
-    /** In two steps, because the factor itself may be no double. */
+    /** In two steps, because the factor itself may not be a double. */
     private static double scale(double value, int power) {
         return Math.scalb(Math.scalb(value, power / 2), power - power / 2);
     }

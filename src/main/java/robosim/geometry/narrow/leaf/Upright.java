@@ -4,9 +4,9 @@ import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.Stages;
 
-/** The heights of leaves that stand upright: a flat base on an interval of Y. */
+/** The heights of upright leaves: a flat base on an interval of Y. */
 public final class Upright {
-    // Rounding keeps the order of the two sums: only where they come out the same may either be the larger.
+    // Rounding preserves the order of the two sums: only if the results are equal may either be the larger.
     private static final boolean IS_DOUBTING = Filter.isDoubting();
     private static final Stages.Counter EXACT = Stages.counter("Upright");
 
@@ -17,7 +17,7 @@ public final class Upright {
         return isNotAbove(kindA, a, i, kindB, b, j) && isNotAbove(kindB, b, j, kindA, a, i);
     }
 
-    // The least height of a is at most the greatest of b.
+    // Whether the minimum height of a is at most the maximum of b.
     private static boolean isNotAbove(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         double base = middle(kindA, a, i);
         double down = halfHeight(kindA, a, i);
@@ -32,17 +32,17 @@ public final class Upright {
         return Dyadic.signOfSum(base, -top, -down, -up) <= 0;
     }
 
-    /** The height of the middle of a box or cylinder, the least of an octagon, which has no half height beside it. */
+    /** The height of the centre of a box or cylinder; for an octagon, which has no half height, the minimum height. */
     public static double middle(LeafKind kind, double[] row, int at) {
         return isRange(kind) ? row[at + 8] : row[at + 1];
     }
 
-    /** The height of the middle of a box or cylinder, the greatest of an octagon. */
+    /** The height of the centre of a box or cylinder; for an octagon the maximum height. */
     public static double top(LeafKind kind, double[] row, int at) {
         return isRange(kind) ? row[at + 9] : row[at + 1];
     }
 
-    /** How far a box or cylinder reaches above and below its middle; 0 of an octagon. */
+    /** The half height of a box or cylinder; 0 for an octagon. */
     public static double halfHeight(LeafKind kind, double[] row, int at) {
         return isRange(kind) ? 0 : row[at + 4];
     }

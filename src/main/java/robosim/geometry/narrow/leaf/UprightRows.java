@@ -5,22 +5,22 @@ import robosim.geometry.index.Growth;
 import robosim.geometry.index.tiles.Outline;
 
 /**
- * Upright boxes and cylinders and spheres that stay where they are, beside each other in half of a {@link Leaf}'s row: what
- * a world has most of. A box has its cosine and sine at {@link #COS} and {@link #SIN} in place of the nine numbers that
- * they make; the others stand as in a row. Every row is an {@link robosim.geometry.index.tiles.Outline} too, also at the places of other objects, of
- * which nothing else stands here.
+ * Upright boxes, cylinders and spheres, stored in half of a {@link Leaf}'s row: the most frequent leaves of a world. A
+ * box has its cosine and sine at {@link #COS} and {@link #SIN} instead of nine numbers; the other numbers are as in a
+ * full row. Every half row is also an {@link robosim.geometry.index.tiles.Outline}; for objects with other leaves it is
+ * only that.
  */
 public final class UprightRows {
     public static final int COS = Outline.COS;
     public static final int SIN = Outline.SIN;
 
-    /** Where a row has the height of its centre, or no number where it is an outline only. */
+    /** Offset of the centre's height; NaN if the row is only an outline. */
     private static final int Y = 1;
 
-    /** The sine of a cylinder or sphere, which no box has. */
+    /** Marks a cylinder or sphere in place of the sine; no box has this value. */
     private static final double ROUND = -0.0;
 
-    /** No rows, for who has none. */
+    /** An empty instance for columns without half rows. */
     static final UprightRows NONE = new UprightRows();
 
     private static final byte VACANT = -1;
@@ -29,12 +29,15 @@ public final class UprightRows {
     private int size;
     private byte[] kinds = new byte[0];
 
-    // What takes a cylinder or sphere for a row copies as many numbers as a row has.
+    // Code that reads a cylinder or sphere as a full row copies a full row's numbers.
     private double[] rows = Outline.rows(0, Leaf.STRIDE);
 
     private final double[] spread = new double[Leaf.STRIDE];
 
-    /** The same rows, which nobody may change any more, with working memory of its own: for one more thread to read. */
+    /**
+     * A view of these rows, which must not be changed any more, with its own working memory, for one more thread to
+     * read.
+     */
     UprightRows view() {
         UprightRows view = new UprightRows();
         view.size = size;
@@ -43,7 +46,7 @@ public final class UprightRows {
         return view;
     }
 
-    /** Whether a row can stand here: what it is spread to must be the row to the bit. */
+    /** Whether a leaf fits into a half row: expanding that must give the full row to the bit. */
     static boolean takes(LeafKind kind, double[] row, int at) {
         return switch (kind) {
             case UPRIGHT_CYLINDER, SPHERE -> true;
@@ -77,7 +80,7 @@ public final class UprightRows {
         return kinds[place];
     }
 
-    /** Whether a cylinder or sphere stands where a row begins. */
+    /** Whether the half row that begins at an index is a cylinder or sphere. */
     public static boolean isRound(double[] rows, int at) {
         return same(rows[at + SIN], ROUND);
     }
@@ -86,7 +89,7 @@ public final class UprightRows {
         return rows;
     }
 
-    /** Makes room for a place, and for all before it. */
+    /** Makes room for a half row and all before it. */
     void reserve(int place) {
         if (place >= kinds.length) {
             resize(place < Growth.FIRST ? Growth.FIRST : Growth.of(place));
@@ -96,23 +99,23 @@ public final class UprightRows {
         }
     }
 
-    /** Writes where something else is, which does not stand here. */
+    /** Writes only the outline of an object that has other leaves. */
     void outline(int place, double minX, double minZ, double maxX, double maxZ) {
         Outline.write(rows, place, minX, minZ, maxX, maxZ);
         rows[Outline.at(place) + Y] = Double.NaN;
     }
 
-    /** Whether what is at a place stands here. */
+    /** Whether a half row is a leaf rather than only an outline. */
     public boolean isHere(int place) {
         return isHere(rows, Outline.at(place));
     }
 
-    /** The same of the place where a row begins. */
+    /** The same for the half row that begins at an index. */
     public static boolean isHere(double[] rows, int at) {
         return !Double.isNaN(rows[at + Y]);
     }
 
-    /** Gives up room that there is for more. */
+    /** Gives up spare room. */
     void trim() {
         if (kinds.length - size > size >> 6) {
             resize(size);
@@ -131,7 +134,7 @@ public final class UprightRows {
         if (kind == LeafKind.UPRIGHT_BOX) {
             rows[to + COS] = row[at + 6];
             rows[to + SIN] = row[at + 8];
-        } else { // the square about it
+        } else { // the square around it
             rows[to + Outline.HALF_Z] = row[at + Leaf.SIZE];
             rows[to + COS] = 1;
             rows[to + SIN] = ROUND;
@@ -146,12 +149,15 @@ public final class UprightRows {
         return kinds[place] == VACANT;
     }
 
-    /** What holds the numbers of a place as a {@link Leaf}'s, from {@link #at} on; good until another is asked for. */
+    /**
+     * An array that contains a half row expanded to a {@link Leaf}'s numbers, from {@link #at} on; valid until another
+     * is read.
+     */
     double[] rows(int place) {
         return kinds[place] == BOX ? spread : rows;
     }
 
-    /** Where they begin. */
+    /** The index at which they begin. */
     int at(int place) {
         int from = Outline.at(place);
         if (kinds[place] != BOX) {
@@ -161,7 +167,7 @@ public final class UprightRows {
         return 0;
     }
 
-    /** Writes the numbers of a place as a {@link Leaf}'s. */
+    /** Writes a half row expanded to a {@link Leaf}'s numbers. */
     void copy(int place, double[] out, int to) {
         if (kinds[place] == BOX) {
             spread(Outline.at(place), out, to);

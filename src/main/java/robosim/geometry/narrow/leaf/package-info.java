@@ -1,6 +1,6 @@
 /**
- * The convex leaves that everything is made of: their rows in flat columns, their bounds, outlines and enclosures, and a
- * walk over the triangles of a placed mesh.
+ * The convex leaves of which all objects consist: their rows in flat columns, their bounds, outlines and enclosures,
+ * and a walk over the triangles of a placed mesh.
  */
 @NullMarked
 package robosim.geometry.narrow.leaf;

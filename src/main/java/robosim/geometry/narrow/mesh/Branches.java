@@ -13,18 +13,21 @@ import robosim.geometry.narrow.leaf.MeshWalk;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
 
 /**
- * An object's leaves and the triangles of its meshes as one tree: above, a tree over its parts (the leaves of the
- * column), where there is more than one; below each part that is a mesh, the mesh's own tree.
+ * An object's leaves and the triangles of its meshes as one tree: at the top a tree over its parts (the leaves of the
+ * column), if there is more than one; below each part that is a mesh, the mesh's own tree.
  *
- * <p>A place in the tree is a {@code long}: the part, -1 above the parts, and in the lower half a node, or ~place for a
- * triangle. Boxes are the world's and hold what is below them to the bit: a mesh's stand in its own frame and are taken
- * into the world as they are placed, so that a rotation that is orthonormal to 1e-9 only loses nothing.
+ * <p>A place in the tree is a {@code long}: in the upper half the part, or -1 above the parts; in the lower half a
+ * node, or ~position for a triangle. Boxes are in world axes and strictly enclose everything below them: those of a
+ * mesh are in its own frame and are transformed as its vertices are placed, so that nothing is missed even if the
+ * rotation is orthonormal only to 1e-9.
  */
 final class Branches {
-    /** Widening for each unit of the numbers that a box is computed from; see {@link LeafColumn}. */
+    /** Widening relative to the numbers that a box is computed from; see {@link LeafColumn}. */
     private static final double WIDEN = MeshWalk.WIDEN;
 
-    /** A share of the size that two cylinders may be apart by without {@link SpatialOverlap} being certain of it. */
+    /**
+     * The largest gap of two cylinders, as a fraction of their size, at which {@link SpatialOverlap} may be uncertain.
+     */
     private static final double DOUBTFUL = 0x1p-40;
 
     private static final BoxTree NO_PARTS = new BoxTree(new double[6]);
@@ -36,13 +39,13 @@ final class Branches {
     private BoxTree parts = NO_PARTS;
     private long root;
 
-    // The leaf that was loaded last: a row of the column, or a triangle.
+    // The leaf loaded last: a row of the column, or a triangle.
     private final double[] triangle = new double[Leaf.STRIDE];
     double[] row = triangle;
     int at;
     LeafKind kind = LeafKind.TRIANGLE;
 
-    /** Takes an object up. */
+    /** Opens an object. */
     void open(LeafColumn leaves, Dimension dimension) {
         column = leaves;
         flat = dimension == Dimension.PLANAR;
@@ -60,14 +63,14 @@ final class Branches {
         }
     }
 
-    /** Takes one part of an object up. */
+    /** Opens one part of an object. */
     void openPart(LeafColumn leaves, int part, Dimension dimension) {
         column = leaves;
         flat = dimension == Dimension.PLANAR;
         root = place(part, 0);
     }
 
-    /** Lets go of the object. */
+    /** Releases the object. */
     void close() {
         column = NO_LEAVES;
         parts = NO_PARTS;
@@ -89,7 +92,7 @@ final class Branches {
         return (int) place;
     }
 
-    /** Whether the place stands for a part as a whole. */
+    /** Whether the place is a part as a whole. */
     static boolean isPart(long place) {
         return part(place) >= 0 && code(place) == 0;
     }
@@ -122,18 +125,18 @@ final class Branches {
         return isAboveParts(place) ? place(tree.item(item), 0) : place(part(place), ~item);
     }
 
-    /** The triangle of a place, -1 where it is none. */
+    /** The triangle of a place; -1 if it is not a triangle. */
     int triangle(long place) {
         int code = code(place);
         return code < 0 ? column.mesh(part(place)).tree().item(~code) : -1;
     }
 
-    /** Makes a leaf the one that {@link #row}, {@link #at} and {@link #kind} tell. */
+    /** Loads a leaf into {@link #row}, {@link #at} and {@link #kind}. */
     void load(long leaf) {
         loadTriangle(part(leaf), triangle(leaf));
     }
 
-    /** The same by the part and the triangle of a mesh, -1 where the part is none. */
+    /** The same, given the part and the triangle of the mesh, -1 if the part is not a mesh. */
     void loadTriangle(int part, int ofMesh) {
         if (ofMesh < 0) {
             row = column.rows();
@@ -150,7 +153,10 @@ final class Branches {
         }
     }
 
-    /** Whether a solid mesh holds a point of a part: a vertex of a mesh, or else (the vertex is 0) what it is placed by. */
+    /**
+     * Whether a solid mesh contains a point of a part: the given vertex of a mesh, or for other parts (vertex 0) their
+     * reference point.
+     */
     boolean holds(int solid, Branches other, int part, int vertex, LeafScratch s) {
         double[] point = other.triangle;
         if (other.kindOf(part).isMesh()) {
@@ -161,7 +167,7 @@ final class Branches {
         return Inside.holds(column, solid, point[0], point[1], point[2], s);
     }
 
-    /** The vertex (0 where there are none) by which {@link #holds} finds a part inside; -1 where it finds none. */
+    /** The vertex (0 if there are none) by which {@link #holds} finds a part inside; -1 if it is not inside. */
     int heldVertex(int solid, Branches other, int part, LeafScratch s) {
         if (!other.kindOf(part).isMesh()) {
             return holds(solid, other, part, 0, s) ? 0 : -1;
@@ -174,7 +180,7 @@ final class Branches {
         return -1;
     }
 
-    /** The first triangle with a corner at a vertex; -1 where the part is no mesh. */
+    /** The first triangle with a corner at a vertex; -1 if the part is not a mesh. */
     int triangleAt(int part, int vertex) {
         if (!column.kind(part).isMesh()) {
             return -1;
@@ -229,7 +235,7 @@ final class Branches {
         return tree.first(leaf);
     }
 
-    /** Writes the box of a place: least x, y, z, then greatest; in PLANAR all have the same heights. */
+    /** Writes the box of a place: minimum x, y, z, then maximum; in PLANAR all have the same heights. */
     void box(long place, double[] out) {
         int part = part(place);
         if (part < 0) {
@@ -249,7 +255,7 @@ final class Branches {
         }
     }
 
-    /** So far that a box never decides what {@link SpatialOverlap} is not certain of. */
+    /** Widens the box of a cylinder so that a box never decides a case in which {@link SpatialOverlap} is uncertain. */
     private static void widenUncertain(LeafKind kind, double[] box) {
         boolean isUncertain = switch (kind) {
             case UPRIGHT_CYLINDER, CYLINDER -> true;
@@ -305,7 +311,7 @@ final class Branches {
         return column;
     }
 
-    /** Whether two objects have to be taken the other way round to make (a, b) and (b, a) one question. */
+    /** Whether two objects have to be swapped so that (a, b) and (b, a) become the same query. */
     static boolean isReversed(LeafColumn a, LeafColumn b) {
         int order = Integer.compare(a.size(), b.size());
         for (int part = 0; order == 0 && part < a.size(); part++) {

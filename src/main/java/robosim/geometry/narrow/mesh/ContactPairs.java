@@ -11,9 +11,9 @@ import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.ConvexOverlap;
 
 /**
- * The pairs of convex leaves and triangles of two objects that have a point in common, found by descending both trees at
- * once. Which pairs are found first does not depend on the order of the two objects. An instance belongs to one owner of
- * queries; nothing is allocated once its arrays have grown, but by exact decisions.
+ * The pairs of convex leaves and triangles of two objects that have a point in common, found by descending both trees
+ * at once. Which pairs are found first does not depend on the order of the two objects. An instance belongs to one
+ * owner of queries; nothing is allocated once its arrays have grown, except in exact decisions.
  */
 public final class ContactPairs {
     private static final int NO_SIDE = 0;
@@ -34,7 +34,10 @@ public final class ContactPairs {
     private long[] stackB = new long[64];
     private int depth;
 
-    /** Five numbers a pair: part and triangle (-1 where none) of the first, then of the second, then who holds whom. */
+    /**
+     * Five numbers per pair: part and triangle (-1 if none) of the first, then of the second, then which contains the
+     * other.
+     */
     private int[] found = new int[80];
 
     private boolean[] certain = new boolean[16];
@@ -59,7 +62,7 @@ public final class ContactPairs {
         return count > 0;
     }
 
-    /** Finds all pairs, or as many as the limit says, at least one. */
+    /** Finds all pairs, up to the limit, which must be at least 1. */
     public void find(Dimension dimension, LeafColumn a, LeafColumn b, int limit) {
         this.dimension = dimension;
         this.limit = limit;
@@ -89,7 +92,7 @@ public final class ContactPairs {
         return BoxGap.meet(boxA, boxB);
     }
 
-    /** Lets go of the objects and of the pairs. */
+    /** Releases the objects and the pairs. */
     public void close() {
         first.close();
         second.close();
@@ -109,7 +112,7 @@ public final class ContactPairs {
         return found[5 * k + (isReversed ? 0 : 2)];
     }
 
-    /** The face of that part, -1 where it is no mesh or counts with its inside. */
+    /** The face of that part; -1 if it is not a mesh or is in contact by its inside. */
     public int faceA(int k) {
         return face(isReversed ? second : first, partA(k), found[5 * k + (isReversed ? 3 : 1)]);
     }
@@ -118,7 +121,7 @@ public final class ContactPairs {
         return face(isReversed ? first : second, partB(k), found[5 * k + (isReversed ? 1 : 3)]);
     }
 
-    /** Which triangle of the face it is, 0 or 1; -1 where there is no face. */
+    /** Which triangle of the face it is, 0 or 1; -1 if there is no face. */
     public int halfA(int k) {
         return half(isReversed ? second : first, partA(k), found[5 * k + (isReversed ? 3 : 1)]);
     }
@@ -145,9 +148,10 @@ public final class ContactPairs {
     }
 
     /**
-     * Where a pair touches.
+     * Writes the contact of a pair.
      *
-     * @param out seven numbers: a point, a unit normal from b towards a, and how far the point is at most from either
+     * @param out seven numbers: a point, a unit normal from b towards a, and an upper bound of the point's distance
+     *     from either
      */
     public void witness(int k, double[] out) {
         int at = 5 * k;
@@ -164,7 +168,7 @@ public final class ContactPairs {
         ContactPoint.of(dimension, a.kind, a.row, a.at, b.kind, b.row, b.at, out, s);
     }
 
-    /** A point of what is held by a solid, which is a point of both. */
+    /** Writes a point of a piece inside a solid, which is a point of both. */
     private void inside(Branches held, int at, double[] out) {
         held.loadTriangle(found[at], found[at + 1]);
         System.arraycopy(held.row, held.at, out, 0, 3);
@@ -199,7 +203,7 @@ public final class ContactPairs {
         }
     }
 
-    /** Two parts whose surfaces do not meet: one of them may be inside the other. */
+    /** For two parts whose surfaces do not meet, finds whether one is inside the other. */
     private void findInside(int a, int b) {
         if (first.kindOf(a) == LeafKind.SOLID_MESH) {
             int vertex = first.heldVertex(a, second, b, s);

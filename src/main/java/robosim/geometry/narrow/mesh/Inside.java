@@ -13,19 +13,22 @@ import robosim.geometry.narrow.leaf.LeafScratch;
  * Whether a point lies inside a closed mesh: a ray from it crosses the surface an odd number of times. Exact for the
  * placed vertices.
  *
- * <p>The ray goes along +X and is thought of as moved by less than any number, first up and then along +Z, so that it
- * meets no edge and no vertex (Edelsbrunner and Muecke 1990): in the YZ plane an edge counts where one end is above the
- * ray and the other is not.
+ * <p>The ray goes along +X and is symbolically perturbed, first up and then along +Z, so that it meets no edge and no
+ * vertex (Edelsbrunner and Muecke 1990): in the YZ plane an edge counts if one end is above the ray and the other is
+ * not.
  */
 public final class Inside {
     private Inside() {}
 
-    /** Whether the inside of the leaf adds to its surface; what lies above a point inside is seen in projection too. */
+    /**
+     * Whether the inside of the leaf must be considered in addition to its surface; in a projection the surface above a
+     * point inside covers it anyway.
+     */
     public static boolean counts(Dimension dimension, LeafColumn column, int leaf) {
         return dimension == Dimension.SPATIAL && column.kind(leaf) == LeafKind.SOLID_MESH;
     }
 
-    /** Whether some point of the leaf, which does not meet the surface, lies inside the mesh. */
+    /** Whether a leaf that does not meet the surface lies inside the mesh. */
     public static boolean holdsLeaf(LeafColumn mesh, int leaf, LeafKind kind, double[] row, int at, LeafScratch s) {
         double x = Support.originX(kind, row, at);
         double y = Support.originY(kind, row, at);
@@ -80,11 +83,11 @@ public final class Inside {
         if (!through) {
             return false;
         }
-        // The crossing lies ahead where the point is on that side of the plane on which -X is.
+        // The crossing is ahead if the point is on the -X side of the plane.
         int side = Orientation.volume(t[0], t[1], t[2], t[3], t[4], t[5], t[6], t[7], t[8], px, py, pz);
         int facing = Orientation.side(t[1], t[2], t[4], t[5], t[7], t[8]);
         if (facing == 0) {
-            return false; // edge on: the moved ray passes it by
+            return false; // edge-on: the perturbed ray misses it
         }
         int behind = Orientation.volume(
                 t[0], t[1], t[2], t[3], t[4], t[5], t[6], t[7], t[8], least(t) - 1 - Math.abs(least(t)), py, pz);
@@ -102,7 +105,8 @@ public final class Inside {
         if (aboveA == aboveB) {
             return false;
         }
-        // From the lower to the upper end, whichever way the triangle goes, so that two triangles agree.
+        // From the lower to the upper end, regardless of the triangle's orientation, so that both triangles of an edge
+        // agree.
         int low = aboveB ? a : b;
         int high = aboveB ? b : a;
         return Orientation.side(t[low + 1], t[low + 2], t[high + 1], t[high + 2], py, pz) < 0;

@@ -12,19 +12,19 @@ import robosim.geometry.narrow.overlap.OverlapScratch;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
 
 /**
- * Whether the surfaces of two placed meshes have a point in common: both trees are descended together, the likelier pair
- * of parts first, and the first pair of triangles that the exact kernel finds to meet ends it.
+ * Whether the surfaces of two placed meshes have a point in common: both trees are descended together, the more likely
+ * pair of nodes first, until the exact kernel finds a pair of triangles that meet.
  *
- * <p>Boxes stand in their meshes' own frames and so are turned to each other, by one rotation for all pairs: what is b's is
- * taken into a's frame, and a pair is passed by where an own axis of either separates it (six of the fifteen of Gottschalk,
- * Lin and Manocha 1996; the other nine cost more than they save). {@link #pad} is more than all roundings on the way, of
- * the placed corners too, so that no pair that meets is lost. An instance belongs to one owner of queries; nothing is
- * allocated once the stacks have grown, but by exact decisions.
+ * <p>Boxes are in their meshes' own frames and so are rotated relative to each other, by one rotation for all pairs:
+ * b's boxes are transformed to a's frame, and a pair is skipped if an own axis of either separates it (six of the
+ * fifteen axes of Gottschalk, Lin and Manocha 1996; the other nine cost more than they save). {@link #pad} is more than
+ * all rounding errors, including those of the placed corners, so that no pair that meets is missed. An instance belongs
+ * to one owner of queries; nothing is allocated once the stacks have grown, except in exact decisions.
  */
 public final class MeshPairs {
     private static final double APART = Double.POSITIVE_INFINITY;
 
-    /** Of two boxes, one smaller than this share of the other waits. */
+    /** A box smaller than this fraction of the other is not split yet. */
     private static final double ALIKE = 0.5;
 
     private static final double FARTHEST = Double.MAX_VALUE;
@@ -65,10 +65,13 @@ public final class MeshPairs {
     private double treeY;
     private double treeZ;
 
-    /** Units of a's tree to one of b's. */
+    /** Units of a's tree per unit of b's. */
     private double ratio;
 
-    /** More than two coordinates that are taken from b's frame to a's can be off; in a's own lengths and in its tree's. */
+    /**
+     * An upper bound of the error of coordinates transformed from b's frame to a's; in a's own lengths and in its
+     * tree's units.
+     */
     private double pad;
 
     private double treePad;
@@ -92,7 +95,7 @@ public final class MeshPairs {
     }
 
     public boolean touch(LeafColumn a, int i, LeafColumn b, int j) {
-        // In the larger one's units, so that what is taken there stays within about 1.
+        // In the units of the larger one, so that transformed numbers stay within about 1.
         return a.mesh(i).tree().scale() <= b.mesh(j).tree().scale() ? descend(a, i, b, j) : descend(b, j, a, i);
     }
 
@@ -150,7 +153,7 @@ public final class MeshPairs {
         return (double) nodes[at] + nodes[at + 1] + nodes[at + 2];
     }
 
-    /** A box of a: middle, half sizes, and half of its lengths along b's axes. */
+    /** Loads a box of a: centre, half sizes, and half of its extents along b's axes. */
     private void loadA(float[] nodes, int node, int to) {
         int at = BoxTree.STRIDE * node;
         double x = nodes[at + 3];
@@ -167,7 +170,9 @@ public final class MeshPairs {
         partA[to + 8] = m02 * x + m12 * y + m22 * z + treePad;
     }
 
-    /** A box of b in the frame and units of a's tree: middle, half sizes, and half of its lengths along a's axes. */
+    /**
+     * Loads a box of b in the frame and units of a's tree: centre, half sizes, and half of its extents along a's axes.
+     */
     private void loadB(float[] nodes, int node, int to) {
         int at = BoxTree.STRIDE * node;
         double px = nodes[at] * ratio;
@@ -187,7 +192,7 @@ public final class MeshPairs {
         partB[to + 8] = m20 * x + m21 * y + m22 * z + treePad;
     }
 
-    /** Puts down the pairs of parts that may meet, the one with the nearest middles last. */
+    /** Pushes the pairs of children that may meet, the one with the nearest centres last. */
     private void pushAll(int a, int partsA, int b, int partsB) {
         int base = depth;
         if (depth + 4 > stackA.length) {
@@ -214,7 +219,7 @@ public final class MeshPairs {
         }
     }
 
-    /** The square of the distance of the middles of two boxes, or {@link #APART} where the side of one separates them. */
+    /** The squared distance of the centres of two boxes, or {@link #APART} if a side of one separates them. */
     private double apart(int i, int j) {
         double x = partB[j] - partA[i];
         double y = partB[j + 1] - partA[i + 1];
@@ -228,7 +233,7 @@ public final class MeshPairs {
             return APART;
         }
         double square = x * x + y * y + z * z;
-        return square < FARTHEST ? square : FARTHEST; // beyond that, or no number, nothing is known
+        return square < FARTHEST ? square : FARTHEST; // if beyond that or NaN, nothing is known
     }
 
     private static int number(float[] nodes, int node, int which) {
@@ -284,7 +289,7 @@ public final class MeshPairs {
         double[] corners = meshA.leafCorners();
         int k = 9 * firstA;
         take(meshB.leafCorners(), 9 * firstB, 9 * countB, corners[k], corners[k + 1], corners[k + 2]);
-        // No two corners of the two leaves, whose boxes meet, are farther apart than both boxes are long.
+        // Since the boxes meet, no two corners of the two leaves are farther apart than the sum of both boxes' lengths.
         double d = 4 * reach + pad;
         // A volume is a normal's dot product with an offset. Each coordinate is off by a quarter of a pad, a
         // side and an offset by twice that; so the normal by 2 pads d, the volume by 3 pads d^2, and by less
@@ -326,7 +331,7 @@ public final class MeshPairs {
         return SpatialOverlap.test(LeafKind.TRIANGLE, s.triangleA, 0, LeafKind.TRIANGLE, s.triangleB, 0, s);
     }
 
-    /** Whether the triangle of a in hand is surely on one side of the plane of one of b. */
+    /** Whether the current triangle of a is certainly on one side of the plane of one of b's. */
     private boolean isBesideOf(int q) {
         plane(taken, 9 * q, planeB);
         return isBeside(planeB, one, 0);

@@ -9,31 +9,34 @@ import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.MeshWalk;
 
 /**
- * A line of sight through the tree of a placed mesh, front to back: finds the triangles of which one is the nearest, and
- * puts each of them to the exact kernel. Most others are passed by without it, by bounds that only ever let too many in.
+ * Casts a line through the tree of a placed mesh, front to back: finds the triangles that may be the nearest, and
+ * passes each of them to the exact kernel. Most others are ruled out by conservative bounds.
  *
- * <p>The tree and the triangles stand in the mesh's own frame, where the line is taken; what is asked of the exact kernel
- * is asked of the placed corners in the world. {@link #pad} is more than the two can differ by, see {@link MeshWalk}. An
- * instance belongs to one owner of queries and allocates nothing.
+ * <p>The tree and the triangles are in the mesh's own frame, to which the line is transformed; the exact kernel uses
+ * the placed corners in the world. {@link #pad} is more than the two can differ by, see {@link MeshWalk}. An instance
+ * belongs to one owner of queries and allocates nothing.
  */
 public final class MeshRay {
-    /** Where the answers come from: the exact kernel. */
+    /** The exact kernel. */
     public interface Judge {
-        /** Puts the triangle at a place of the leaves' order to the exact kernel and answers the nearest distance so far. */
+        /**
+         * Passes a triangle, given its position in the order of the leaves, to the exact kernel and returns the nearest
+         * distance so far.
+         */
         double judge(int place);
     }
 
     /**
-     * How much the boxes are widened in the tree's units for what is reckoned in floats. All coordinates are below 1.1
-     * there: with u = 2^-24, the inverse is off by u of an offset of 2.2, the start times the inverse by u of 1.1, the
-     * two sums by u of 2.2 and 3.4, the half size times the inverse by 2u of 1.1: less than 12u, this is 16u.
+     * How much the boxes are widened, in the tree's units, for the errors of computing in floats. All coordinates are
+     * below 1.1 there: with u = 2^-24, the inverse is off by u of an offset of 2.2, the start times the inverse by u of
+     * 1.1, the two sums by u of 2.2 and 3.4, the half size times the inverse by 2u of 1.1: less than 12u, this is 16u.
      */
     private static final double FLOAT_PAD = 0x1p-19;
 
-    /** The least slope along an axis; what is flatter leaves its slab nowhere near the mesh. */
+    /** The smallest direction component along an axis; a smaller one does not leave its slab anywhere near the mesh. */
     private static final double FLATTEST = 0x1p-60;
 
-    /** No line that meets the tree's box, which is widened by no more than 1, is farther from its middle where it does. */
+    /** A bound of the distance from the centre at which a line enters the tree's box, which is widened by at most 1. */
     private static final double FARTHEST = 4;
 
     private static final int INFINITE = Float.floatToRawIntBits(Float.POSITIVE_INFINITY);
@@ -42,7 +45,7 @@ public final class MeshRay {
 
     private final long[] stack = new long[3 * BoxTree.MAX_DEPTH];
 
-    // The line in the own frame, the unit direction of which is a world unit's length long.
+    // The line in the own frame; its unit direction is one world unit long.
     private double ox;
     private double oy;
     private double oz;
@@ -50,28 +53,29 @@ public final class MeshRay {
     private double dy;
     private double dz;
 
-    /** One over the direction. */
+    /** The reciprocal of the direction. */
     private double ix;
 
     private double iy;
     private double iz;
 
-    /** No coordinate of the line or of a placed corner, taken into the own frame, is off by more. */
+    /** An upper bound of the error of any coordinate of the line or of a placed corner transformed to the own frame. */
     private double pad;
 
-    /** No point of the mesh is farther from the start on any axis. */
+    /** An upper bound of the distance of any point of the mesh from the start, on any axis. */
     private double farthest;
 
-    /** The most that any triangle's {@link #doubt} can be. */
+    /** An upper bound of any triangle's {@link #doubt}. */
     private double mostDoubt;
 
-    // The line in the tree's units, from where it enters the root's box, at the distance `ahead`.
+    // The line in the tree's units, from its entry into the root's box, at the distance `ahead`.
     private double ahead;
     private double startX;
     private double startY;
     private double startZ;
 
-    // For the boxes: the inverse and its size, by how much that widens them, and the start times the inverse, negated.
+    // For the box tests: the inverse direction and its magnitude, the widening times that, and the start times the
+    // inverse, negated.
     private float fx;
     private float fy;
     private float fz;
@@ -85,7 +89,7 @@ public final class MeshRay {
     private float cy;
     private float cz;
 
-    // Two directions across the line and the line's place along them.
+    // Two directions perpendicular to the line, and the line's position along them.
     private double px;
     private double py;
     private double pz;
@@ -96,8 +100,8 @@ public final class MeshRay {
     private double qLine;
     private double dLine;
 
-    // The triangle that is surely met, and nearest so far, and has not been put to the exact kernel: between two
-    // bounds.
+    // The nearest triangle so far that is certainly hit, between two bounds, and has not been passed to the exact
+    // kernel.
     private int pending;
     private double pendingFrom;
 
@@ -153,7 +157,7 @@ public final class MeshRay {
                 && place[r + 7] == 0;
     }
 
-    /** Two directions square to the line and to each other, without a branch (Duff and others 2017). */
+    /** Computes two directions perpendicular to the line and to each other, without a branch (Duff and others 2017). */
     private void setAcross() {
         double sign = Math.copySign(1, dz);
         double a = -1 / (sign + dz);
@@ -170,13 +174,13 @@ public final class MeshRay {
         dLine = dx * ox + dy * oy + dz * oz;
     }
 
-    /** Puts the triangles that may be nearest within a limit, at least 0, to the judge; all of these that are. */
+    /** Passes all triangles that may be the nearest within a limit, at least 0, to the judge. */
     public void find(TriangleMesh mesh, double limit, Judge judge) {
         BoxTree tree = mesh.tree();
         double scale = tree.scale();
         reach = limit;
         pending = -1;
-        if (!(pad * scale < 1)) { // the mesh is smaller than what rounding leaves of the question
+        if (!(pad * scale < 1)) { // the mesh is smaller than the rounding error of the query
             for (int k = 0; k < tree.size(); k++) {
                 judge.judge(k);
             }
@@ -197,7 +201,7 @@ public final class MeshRay {
         }
     }
 
-    /** Takes what the boxes are asked about into floats. */
+    /** Converts the line to floats for the box tests. */
     private void setLine(float widen) {
         fx = (float) ix;
         fy = (float) iy;
@@ -226,8 +230,8 @@ public final class MeshRay {
                 long b = key(nodes, link + WideTree.PART, within);
                 long c = key(nodes, link + 2 * WideTree.PART, within);
                 long d = key(nodes, link + 3 * WideTree.PART, within);
-                // The nearest without branches, which no one could predict; the others about in order, which is no
-                // worse.
+                // The nearest is found without branches, which would be unpredictable; the others are roughly in order,
+                // which is good enough.
                 long ab = lesser(a, b);
                 long cd = lesser(c, d);
                 long nearest = lesser(ab, cd);
@@ -264,7 +268,10 @@ public final class MeshRay {
         }
     }
 
-    /** Where the line enters a part, as the bits of a float at least 0, above its link; or {@link #MISSED} above it. */
+    /**
+     * Where the line enters a child, as the bits of a float of at least 0, with the link in the lower half; or {@link
+     * #MISSED} in place of the former.
+     */
     private long key(float[] nodes, int at, int within) {
         float tx = Math.fma(nodes[at], fx, cx);
         float ty = Math.fma(nodes[at + 1], fy, cy);
@@ -278,12 +285,12 @@ public final class MeshRay {
         int leave = Math.min(
                 Math.min(Float.floatToRawIntBits(tx + hx), Float.floatToRawIntBits(ty + hy)),
                 Math.min(Float.floatToRawIntBits(tz + hz), within));
-        int missed = ((leave - enter) | leave) >> 31; // the difference may only overflow where `leave` is below 0
+        int missed = ((leave - enter) | leave) >> 31; // the difference can overflow only if `leave` is below 0
         return (((long) (enter | (missed >>> 1))) << 32)
                 | (Float.floatToRawIntBits(nodes[at + WideTree.LINK]) & 0xffffffffL);
     }
 
-    /** The bits of a number, in its order; of 0 where it is below. */
+    /** The bits of a number, which sort like the number; those of 0 if it is negative. */
     private static long positive(double value) {
         long bits = Double.doubleToRawLongBits(value);
         return bits & ~(bits >> 63);
@@ -305,7 +312,7 @@ public final class MeshRay {
         return Math.abs(slope) < FLATTEST ? Math.copySign(1 / FLATTEST, slope) : 1 / slope;
     }
 
-    /** Goes ahead to the root's box, so that the floats are asked about what is near. */
+    /** Advances to the root's box, so that the floats are small. */
     private void enter(BoxTree tree) {
         float[] nodes = tree.numbers();
         double scale = tree.scale();
@@ -316,8 +323,8 @@ public final class MeshRay {
         long farX = positive((Math.abs(x) - nodes[3] - slack) * Math.abs(ix));
         long farY = positive((Math.abs(y) - nodes[4] - slack) * Math.abs(iy));
         long farZ = positive((Math.abs(z) - nodes[5] - slack) * Math.abs(iz));
-        // Where the box is met at all, that is not before the line has come to each of its sides, and where it is then
-        // already past the place nearest to the middle, that is no farther from it than the corners.
+        // If the box is hit at all, the line enters it only after reaching each of its slabs; if it is then already
+        // past the point nearest to the centre, it is no farther from the centre than the corners.
         long nearest = positive(-(x * dx + y * dy + z * dz));
         ahead = Double.longBitsToDouble(lesser(greater(greater(farX, farY), farZ), nearest));
         startX = x + ahead * dx;
@@ -325,7 +332,9 @@ public final class MeshRay {
         startZ = z + ahead * dz;
     }
 
-    /** The reach in the tree's units, rounded up, as the bits of a float that is at least 0; -1 where it ends before. */
+    /**
+     * The reach in the tree's units, rounded up, as the bits of a float of at least 0; -1 if it ends before the box.
+     */
     private int within(double scale) {
         double left = ((reach + 4 * pad) * scale - ahead) * (1 + 0x1p-20) + FLOAT_PAD;
         return left >= 0 ? left < 0x1p100 ? Float.floatToRawIntBits((float) left) : INFINITE : -1;
@@ -343,7 +352,7 @@ public final class MeshRay {
         double v = cx * ay - cy * ax;
         double w = ax * by - ay * bx;
         double most = mostDoubt;
-        long below = sign(u + most) | sign(v + most) | sign(w + most); // some is surely below 0
+        long below = sign(u + most) | sign(v + most) | sign(w + most); // one is certainly below 0
         long above = sign(most - u) | sign(most - v) | sign(most - w);
         if ((below & above) < 0) {
             return;
@@ -369,7 +378,7 @@ public final class MeshRay {
         if (distance - error > reach || distance + error < 0) {
             return;
         }
-        if (!(distance - error >= 0)) { // the line may begin beyond it
+        if (!(distance - error >= 0)) { // the line may start beyond it
             reach = Math.min(reach, judge.judge(place));
             return;
         }
@@ -385,8 +394,9 @@ public final class MeshRay {
     }
 
     /**
-     * How far an area of two of a triangle's corners may be off, by the sum of all six coordinates across the line: each of
-     * these is off by 4 pads at most, and the two products and their difference by 3u of a quarter of the sum's square.
+     * The error of the area spanned by two of a triangle's corners, given the sum of all six coordinates across the
+     * line: each of these is off by 4 pads at most, and the two products and their difference by 3u of a quarter of the
+     * sum's square.
      */
     private double doubt(double sum) {
         return Filter.bound(sum * (4 * pad + 0x1p-51 * sum) + 32 * pad * pad);

@@ -11,7 +11,7 @@ public class MeshScratch extends TurnScratch {
     private @Nullable MeshPairs meshPairs;
     private @Nullable ContactPairs pairs;
 
-    /** Two meshes in space, descended at once. */
+    /** Descends two meshes in space at once. */
     public MeshPairs meshPairs() {
         if (meshPairs == null) {
             meshPairs = new MeshPairs(this);
@@ -19,7 +19,7 @@ public class MeshScratch extends TurnScratch {
         return meshPairs;
     }
 
-    /** Two meshes seen from above, descended at once. */
+    /** Descends the projections of two meshes at once. */
     public ContactPairs pairs() {
         if (pairs == null) {
             pairs = new ContactPairs(this);

@@ -8,18 +8,18 @@ import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.MeshWalk;
 
 /**
- * A planar line of sight or a cone, planar or in space, through the tree of a placed mesh, nearest first: puts the
- * triangles that may be met within a limit to the exact kernel, and passes by boxes and triangles that surely lie beyond
- * the beam or its limit. The bounds only ever let too many in.
+ * Casts a planar line, a sector or a cone through the tree of a placed mesh, nearest first: passes the triangles that
+ * may be hit within a limit to the exact kernel, and skips boxes and triangles that are certainly outside the beam or
+ * its limit. The bounds are conservative.
  *
- * <p>In the plane a beam is a sector, of no width for a line. Each of its directions g is taken once to where the tree
- * stands: with {@code x = R v + c - o} seen from the start, {@code g.x = (R'g).v + g.(c - o)} for every point v of the
- * mesh, whatever R is. In space the cone is taken into the own frame, see {@link #isBeyondCone}. {@link #pad} is more
- * than what is reckoned here and what the kernel answers can differ by. An instance belongs to one owner of queries and
- * allocates nothing.
+ * <p>In the plane a beam is a sector, of width zero for a line. Each of its directions g is transformed once to the
+ * tree's frame: with {@code x = R v + c - o} relative to the start, {@code g.x = (R'g).v + g.(c - o)} for every point v
+ * of the mesh, whatever R is. In space the cone is transformed to the own frame, see {@link #isBeyondCone}. {@link
+ * #pad} is more than the difference between the numbers here and those of the kernel. An instance belongs to one owner
+ * of queries and allocates nothing.
  */
 public final class MeshSight {
-    /** Where the numbers of a planar direction stand: three in the own frame, and its product with {@code c - o}. */
+    /** The offsets of a planar direction's numbers: three in the own frame, and its product with {@code c - o}. */
     private static final int AHEAD = 0;
 
     private static final int LEFT = 4;
@@ -30,10 +30,10 @@ public final class MeshSight {
 
     private static final int SOUTH = 16;
 
-    /** Where squares may overflow, nothing is passed by. */
+    /** If squares may overflow, nothing is skipped. */
     private static final double HUGE = 0x1p400;
 
-    /** Below this a square may have lost bits. */
+    /** Below this a square may have lost bits to underflow. */
     private static final double TINY_SQUARE = 0x1p-900;
 
     private final int[] stack = new int[BoxTree.MAX_DEPTH + 2];
@@ -54,22 +54,26 @@ public final class MeshSight {
     private double sin;
 
     /**
-     * How far what is reckoned of a point may be from what the kernel answers of it. With u = 2^-53 and all that it comes
-     * from, a planar product is off by 10 u, its direction by 8 u, a placed corner by 16 u and the kernel's distance by
-     * 8 ulp, 16 u; 128 u are taken. In space a rotation that is not quite one adds to it, see {@link #isBeyondCone}.
+     * The largest difference between a number computed here for a point and that of the kernel. With u = 2^-53,
+     * relative to all operands, a planar product is off by 10 u, its direction by 8 u, a placed corner by 16 u and the
+     * kernel's distance by 8 ulp, 16 u; 128 u are used. In space a rotation that is not exactly orthonormal adds to it,
+     * see {@link #isBeyondCone}.
      */
     private double pad;
 
-    /** By what distances in the own frame are shortened for the world. */
+    /** The factor that makes distances in the own frame lower bounds in the world. */
     private double shrink;
 
-    /** A line in the plane; the direction has length 1. */
+    /** Starts a line in the plane; the direction has length 1. */
     public void startLine(LeafColumn column, int leaf, double wx, double wz, double dx, double dz) {
         startSector(column, leaf, wx, wz, dx, dz, 1);
         isLine = true;
     }
 
-    /** A sector about a direction of length 1. The cosine of its half angle decides, so that the sine is taken from it. */
+    /**
+     * Starts a sector about a direction of length 1, defined by the cosine of its half angle, from which the sine is
+     * computed.
+     */
     public void startSector(LeafColumn column, int leaf, double wx, double wz, double dx, double dz, double halfCos) {
         isPlanar = true;
         isLine = false;
@@ -100,7 +104,7 @@ public final class MeshSight {
         directions[to + 3] = gx * cx + gz * cz;
     }
 
-    /** A cone in space about a direction of length 1; the cosine of its half angle decides. */
+    /** Starts a cone in space about a direction of length 1, defined by the cosine of its half angle. */
     public void startCone(
             LeafColumn column,
             int leaf,
@@ -183,7 +187,7 @@ public final class MeshSight {
         }
     }
 
-    /** A lower bound of the distance of what a node holds; infinite where that is surely beyond the beam. */
+    /** A lower bound of the distance of everything in a node; infinite if that is certainly outside the beam. */
     private double boxKey(BoxTree tree, int node) {
         double mx = tree.middle(node, 0);
         double my = tree.middle(node, 1);
@@ -208,7 +212,7 @@ public final class MeshSight {
         if (isLine) {
             return notBelow0(key);
         }
-        // No nearer than along the direction of its middle.
+        // At least its distance along the direction of its centre.
         double east = middle(EAST, mx, my, mz);
         double south = middle(SOUTH, mx, my, mz);
         double square = east * east + south * south;
@@ -236,7 +240,7 @@ public final class MeshSight {
         return Math.abs(d[direction]) * hx + Math.abs(d[direction + 1]) * hy + Math.abs(d[direction + 2]) * hz;
     }
 
-    /** The key, or 0 where it is less or no number. */
+    /** The key, or 0 if it is negative or NaN. */
     private static double notBelow0(double key) {
         return key > 0 ? key : 0;
     }
@@ -258,8 +262,9 @@ public final class MeshSight {
     }
 
     /**
-     * Whether a box about a middle seen from the apex lies beyond the plane that touches the cone along the line nearest to
-     * the middle: with e the unit vector from the axis to the middle, the plane's normal is {@code n = e cos - u sin}.
+     * Whether a box, given by its centre relative to the apex, lies beyond the plane that touches the cone along the
+     * line nearest to the centre: with e the unit vector from the axis to the centre, the plane's normal is {@code n =
+     * e cos - u sin}.
      *
      * <p>Let a placed point x be in the cone: {@code x.u >= cos |x|} and no farther than {@code sin |x|} from the axis. In
      * the own frame it is y; there {@code R'x - y} is as long as {@code (R'R - I) v} at most, and with s the most that
@@ -286,7 +291,7 @@ public final class MeshSight {
         return gap > 0x1p-28 * size + pad;
     }
 
-    /** The same bound for the triangle whose corners are there: beyond an edge with all of them, or as its box. */
+    /** The same bound for a triangle, given its corners: all beyond one side of the beam, or by its box. */
     private double triangleKey(double[] c, int k) {
         if (isPlanar && (isBeyond(LEFT, c, k) || isBeyond(RIGHT, c, k))) {
             return Double.POSITIVE_INFINITY;

@@ -10,12 +10,12 @@ import robosim.geometry.narrow.overlap.ConvexOverlap;
 import robosim.geometry.narrow.overlap.OverlapScratch;
 
 /**
- * Whether two objects touch and how far apart they are, step by step: pairs of boxes, nearest first, are opened until
- * leaves are left, and after each step a bracket holds the distance. More steps never widen it.
+ * Finds step by step whether two objects touch and how far apart they are: pairs of boxes are opened, nearest first,
+ * down to the leaves, and after each step a bracket contains the distance. More steps never widen it.
  *
- * <p>The lower end is the least distance of a pair that is still to be opened or that was measured; the upper end that
- * of two points, one on each. (a, b) and (b, a) give the same bits after each step. An instance belongs to one owner of
- * queries; a step allocates nothing once the queue has grown, but for exact decisions.
+ * <p>The lower end is the minimum distance of the pairs that are still to be opened or have been measured; the upper
+ * end that of two points, one on each object. (a, b) and (b, a) give the same bits after each step. An instance belongs
+ * to one owner of queries; a step allocates nothing once the queue has grown, except in exact decisions.
  */
 public final class NearestPairs {
     private static final int COMPARE = 0;
@@ -42,7 +42,7 @@ public final class NearestPairs {
         s = scratch;
     }
 
-    /** Begins: the bracket is then that of two boxes and of a point on each. */
+    /** Begins a query; the bracket is then that of the two boxes and of a point on each object. */
     public void start(Dimension dimension, LeafColumn a, LeafColumn b) {
         this.dimension = dimension;
         flat = dimension == Dimension.PLANAR;
@@ -63,13 +63,13 @@ public final class NearestPairs {
         bracket();
     }
 
-    /** Lets go of the objects; the answers stay. */
+    /** Releases the objects; the results stay. */
     public void close() {
         first.close();
         second.close();
     }
 
-    /** Whether it is known if the two touch. */
+    /** Whether it is known whether the two touch. */
     public boolean isDecided() {
         return certain || queue.leastKey() > 0;
     }
@@ -89,12 +89,12 @@ public final class NearestPairs {
         return certain;
     }
 
-    /** The two are at least so far apart. */
+    /** The lower end of the bracket. */
     public double low() {
         return low;
     }
 
-    /** The two are at most so far apart. */
+    /** The upper end of the bracket. */
     public double high() {
         return high;
     }
@@ -104,7 +104,7 @@ public final class NearestPairs {
         return steps;
     }
 
-    /** Opens the nearest pair, measures it where both are leaves, or asks whether a point lies inside a solid mesh. */
+    /** Opens the nearest pair, measures it if both are leaves, or tests whether a point lies inside a solid mesh. */
     public void step() {
         steps++;
         queue.take();
@@ -177,7 +177,10 @@ public final class NearestPairs {
         }
     }
 
-    /** Parts are reached on both sides before any is opened; then the larger box is opened. */
+    /**
+     * Whether to open the first place: both sides are descended to parts before any part is opened; then the larger box
+     * is opened.
+     */
     static boolean opensFirst(Branches p, long a, double[] boxA, Branches q, long b, double[] boxB) {
         if (Branches.isAboveParts(a) != Branches.isAboveParts(b)) {
             return Branches.isAboveParts(a);
@@ -188,7 +191,7 @@ public final class NearestPairs {
         return BoxGap.size(boxA) >= BoxGap.size(boxB);
     }
 
-    /** Puts down what has to be asked about the inside of solid meshes. */
+    /** Plans the tests of points inside solid meshes. */
     private void plan(long a, long b) {
         plan(first, a, second, b, 1);
         plan(second, b, first, a, -1);

@@ -3,8 +3,8 @@ package robosim.geometry.narrow.mesh;
 import java.util.Arrays;
 
 /**
- * Pairs of places by their least key; of equal keys the one that came last, so that a descent among boxes that all meet
- * goes down before it goes wide. Grows, never shrinks.
+ * A priority queue of pairs of places, smallest key first; of equal keys the one added last, so that among boxes that
+ * all meet the descent is depth first. Grows, never shrinks.
  */
 final class PairQueue {
     private double[] keys = new double[64];
@@ -15,7 +15,7 @@ final class PairQueue {
     private int size;
     private long turn;
 
-    // The pair that was taken last.
+    // The pair removed last.
     long first;
     long second;
     int task;
@@ -25,7 +25,7 @@ final class PairQueue {
         turn = 0;
     }
 
-    /** The least key; +Infinity where there is none. */
+    /** The smallest key; +Infinity if the queue is empty. */
     double leastKey() {
         return size == 0 ? Double.POSITIVE_INFINITY : keys[0];
     }
@@ -50,7 +50,7 @@ final class PairQueue {
         }
     }
 
-    /** Takes the pair with the least key out of a queue that is not empty. */
+    /** Removes the pair with the smallest key; the queue must not be empty. */
     void take() {
         first = firsts[0];
         second = seconds[0];

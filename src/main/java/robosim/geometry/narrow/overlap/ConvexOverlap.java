@@ -23,7 +23,7 @@ public final class ConvexOverlap {
                 : SpatialOverlap.test(kindA, a, i, kindB, b, j, s);
     }
 
-    /** Whether they certainly overlap by more than rounding; false where that is not told. */
+    /** Whether they certainly overlap by more than rounding; false if that is not known. */
     public static boolean isDeep(
             Dimension dimension,
             LeafKind kindA,

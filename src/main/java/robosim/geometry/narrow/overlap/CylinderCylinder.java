@@ -8,26 +8,26 @@ import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.sat.ExactCylinders;
 
-/** Two cylinders in space, of which at least one is turned. */
+/** Overlap of two cylinders in space, of which at least one is turned. */
 public final class CylinderCylinder {
     /**
-     * Roundoff of what lies along parallel axes, in u = 2^-53 of the magnitudes that go in: an offset 1, its products 1 and
+     * Rounding error along parallel axes, in u = 2^-53 of the operands' magnitudes: an offset 1, its products 1 and
      * their sum 2. The last difference keeps its sign.
      */
     private static final double ALONG_ERROR = Filter.bound(4.01 * 0x1p-53);
 
-    /** Of the half heights: a.a and a.b 3, their products 1, the sum 1. */
+    /** Rounding error of the half heights: a.a and a.b 3, their products 1, the sum 1. */
     private static final double HEIGHTS_ERROR = Filter.bound(5.01 * 0x1p-53);
 
     /**
-     * Of the squared permanents of w x a: a product 2, a coordinate 3, its square 7, the sum of three 9. Of the squared
-     * reach: the sum of the radii 1, its square 3, a.a 3, the product 7.
+     * Rounding error of the squared permanents of w x a: a product 2, a coordinate 3, its square 7, the sum of three 9.
+     * Of the squared reach: the sum of the radii 1, its square 3, a.a 3, the product 7.
      */
     private static final double ACROSS_ERROR = Filter.bound(9.01 * 0x1p-53);
 
     private static final double REACH_ERROR = Filter.bound(7.01 * 0x1p-53);
 
-    /** More than underflow may lose. */
+    /** More than the error that underflow may add. */
     private static final double UNDERFLOW = 0x1p-960;
 
     private static final Stages.Counter EXACT = Stages.counter("CylinderCylinder");
@@ -37,10 +37,10 @@ public final class CylinderCylinder {
     /**
      * Whether two cylinders touch or overlap.
      *
-     * <p>Exact where the stored axes are parallel. Else certified: apart only with a slab between the two (by more than the
-     * roundoff of doubles, or with exact numbers), touching with a common point (so deep that no rounding matters, or
-     * exactly one), and where neither is found touching, and {@link OverlapScratch#uncertain} set. That happens only where the
-     * gap is below 2^-40 of the sizes, or the depth.
+     * <p>Exact where the stored axes are parallel. Otherwise certified: apart only if a slab separates the two (by more
+     * than the rounding of doubles, or in exact arithmetic); touching if a common point is found (so deep that no
+     * rounding matters, or exactly). If neither is found the answer is touching, with {@link OverlapScratch#uncertain}
+     * set; this happens only if the gap or the depth is below 2^-40 of the sizes.
      */
     public static boolean touch(
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
@@ -83,7 +83,7 @@ public final class CylinderCylinder {
                 0.5 * gjk.ax() + 0.5 * gjk.bx(), 0.5 * gjk.ay() + 0.5 * gjk.by(), 0.5 * gjk.az() + 0.5 * gjk.bz())) {
             return true;
         }
-        // Trees go by bounds: what these prove apart is, or an answer would depend on which tree was asked.
+        // If bounds prove them apart, they are: otherwise an answer would depend on which tree was used.
         if (LeafBounds.areApart(Dimension.SPATIAL, kindA, a, i, kindB, b, j, s.boundsA, s.boundsB)) {
             return false;
         }
@@ -95,7 +95,7 @@ public final class CylinderCylinder {
         return new ExactCylinders(kindA, a, i, kindB, b, j).areParallel();
     }
 
-    // Products round the same way where their difference is 0, and to a double next to it otherwise.
+    // If the difference is 0, both products round to the same double, and otherwise to neighbouring ones at worst.
     private static boolean maybeParallel(double ax, double ay, double az, double bx, double by, double bz) {
         double least = 0x1p-50;
         return Math.abs(ay * bz - az * by) < least
@@ -103,7 +103,7 @@ public final class CylinderCylinder {
                 && Math.abs(ax * by - ay * bx) < least;
     }
 
-    /** +1 touch, -1 apart, 0 where doubles cannot tell; {@code cosine} is |a.b|. */
+    /** Returns +1 for touching, -1 for apart, 0 if doubles cannot decide; {@code cosine} is |a.b|. */
     private static int parallel(double[] a, int i, double ax, double ay, double az, double[] b, int j, double cosine) {
         double wx = b[j] - a[i];
         double wy = b[j + 1] - a[i + 1];

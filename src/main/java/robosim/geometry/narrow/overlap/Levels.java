@@ -4,7 +4,7 @@ import robosim.geometry.exact.Dyadic;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
-/** Where a leaf begins and ends in height, if both are sums of two doubles: exact, and nothing is allocated. */
+/** The range of heights of a leaf, if its top and bottom are sums of two doubles: exact, without allocation. */
 public final class Levels {
     private Levels() {}
 
@@ -21,7 +21,7 @@ public final class Levels {
         };
     }
 
-    /** The second term of the top; less it, that of the bottom. */
+    /** The second term of the top, and negated that of the bottom. */
     public static double half(LeafKind kind, double[] row, int at) {
         return switch (kind) {
             case TRIANGLE, PRISM -> 0;
@@ -36,7 +36,10 @@ public final class Levels {
         return isBeyond(kindA, a, i, middle(kindB, b, j, 1), half(kindB, b, j), 1);
     }
 
-    /** 1 where all of a is at or above the top of b, -1 at or below its bottom, 0 where neither is or may be told here. */
+    /**
+     * 1 if all of a is at or above the top of b, -1 if at or below its bottom, 0 if neither or if it cannot be decided
+     * here.
+     */
     public static int side(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         if (!kindA.hasLevels() || !kindB.hasLevels()) {
             return 0;
@@ -44,13 +47,13 @@ public final class Levels {
         return isAbove(kindA, a, i, kindB, b, j) ? 1 : isAbove(kindB, b, j, kindA, a, i) ? -1 : 0;
     }
 
-    /** Whether all of a leaf is at or above (side 1), at or below (side -1) a level that is a sum of two. */
+    /** Whether all of a leaf is at or above (side 1) or at or below (side -1) a height that is a sum of two doubles. */
     public static boolean isBeyond(LeafKind kind, double[] row, int at, double middle, double half, int side) {
         double mine = middle(kind, row, at, -side);
         return side * Dyadic.signOfSum(mine, -side * half(kind, row, at), -middle, -half) >= 0;
     }
 
-    /** Whether the top and the bottom are as wide as the leaf as seen from above. */
+    /** Whether the top and the bottom have the same projection as the whole leaf. */
     static boolean isFlat(LeafKind kind, double[] row, int at) {
         return switch (kind) {
             case UPRIGHT_BOX, UPRIGHT_CYLINDER, PRISM -> true;
@@ -83,8 +86,7 @@ public final class Levels {
     }
 
     /**
-     * Whether leaf a stays above or below b for as long as it goes up or down by dy, or level: it does where there is a gap
-     * between them in height, and where there is none, but they touch.
+     * Whether leaf a stays above or below b while it moves by dy in height.
      */
     public static boolean parts(
             LeafKind kindA, double[] a, int i, double dy, LeafKind kindB, double[] b, int j, OverlapScratch s) {
@@ -102,13 +104,13 @@ public final class Levels {
                 && PlanarOverlap.test(kindA, a, i, kindB, b, j, s);
     }
 
-    /** Sign of the gap from the top of b up to the bottom of a. */
+    /** The sign of the gap from the top of b up to the bottom of a. */
     private static int sign(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
         return Dyadic.signOfSum(
                 middle(kindA, a, i, -1), -half(kindA, a, i), -middle(kindB, b, j, 1), -half(kindB, b, j));
     }
 
-    /** Whether two leaves touch, where that is known by their heights and as seen from above: 1, -1, or 0 where it is not. */
+    /** Whether two leaves touch, if heights and projections decide it: 1 if they do, -1 if not, 0 if undecided. */
     public static int touch(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
         if (!kindA.hasLevels() || !kindB.hasLevels()) {
             return 0;

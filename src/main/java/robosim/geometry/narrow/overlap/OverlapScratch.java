@@ -3,18 +3,18 @@ package robosim.geometry.narrow.overlap;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.sat.SatScratch;
 
-/** The working memory of overlaps. */
+/** The working memory of overlap tests. */
 public class OverlapScratch extends SatScratch {
     /**
      * Whether a kernel has answered "touch" or 0 without a proof since this was last set to false.
      *
-     * <p>Only certified pairs do that (see {@link SpatialOverlap#test} and {@link PlanarOverlap#test}), and only where the
-     * true gap is below their stated bound. Kernels only set it; whoever wants to know sets it to false before the
-     * question. A question that ends with "apart" may have set it on the way, from a part that did not decide.
+     * <p>Only certified pairs set it (see {@link SpatialOverlap#test} and {@link PlanarOverlap#test}), and only if the
+     * true gap is below their stated bound. Kernels only set it; a caller that needs it clears it before the query. A
+     * query whose result is "apart" may have set it on the way, in a part that did not decide.
      */
     public boolean uncertain;
 
-    /** What two leaves in contact have in one level. */
+    /** The part of a leaf in a horizontal contact plane. */
     public final double[] triangleC = new double[Leaf.STRIDE];
 
     public final double[] triangleD = new double[Leaf.STRIDE];

@@ -20,10 +20,11 @@ public final class PlanarOverlap {
     /**
      * Whether the projections of two leaves touch or overlap; the same for (a, b) and (b, a).
      *
-     * <p>Exact for the stored numbers where boxes, triangles, spheres and upright cylinders are concerned. Octagons (they
-     * are enclosures; two of them are exact) and turned cylinders are certified: apart only where a line between the two is beyond the rounding
-     * error, some 2^-46 of the sizes and the offset. With a turned cylinder {@link OverlapScratch#uncertain} is set where the two
-     * touch and are not so deep in each other that no rounding could matter; octagons only have to miss nothing.
+     * <p>Exact for the stored numbers of boxes, triangles, spheres and upright cylinders, and for two octagons. Other
+     * pairs with an octagon (an enclosure) and turned cylinders are certified: apart only if a line separates the two
+     * by more than the rounding error, some 2^-46 of the sizes and the offset. For a turned cylinder {@link
+     * OverlapScratch#uncertain} is set if the answer is touching and the overlap is not so deep that rounding cannot
+     * matter; octagons only must not miss anything.
      */
     public static boolean test(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
         if (Order.isReversed(kindA, a, i, kindB, b, j)) {
@@ -99,7 +100,7 @@ public final class PlanarOverlap {
         if (isDeep(kindA, a, i, kindB, b, j, s)) {
             return true;
         }
-        // Trees go by bounds: what these prove apart is, or an answer would depend on which tree was asked.
+        // If bounds prove them apart, they are: otherwise an answer would depend on which tree was used.
         if (LeafBounds.areApart(Dimension.PLANAR, kindA, a, i, kindB, b, j, s.boundsA, s.boundsB)) {
             return false;
         }
@@ -107,7 +108,7 @@ public final class PlanarOverlap {
         return true;
     }
 
-    /** Whether the two have a point in common that no rounding can have brought there. */
+    /** Whether the two certainly have a point in common, despite rounding. */
     private static boolean isDeep(
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
         s.gjk.planar(kindA, a, i, kindB, b, j);

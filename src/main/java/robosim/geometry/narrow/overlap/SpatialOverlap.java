@@ -17,8 +17,8 @@ import robosim.geometry.narrow.sat.ExactSphere;
 /** Whether two leaves touch or overlap in space. */
 public final class SpatialOverlap {
     /**
-     * Squares compared, with u = 2^-53: an offset 1u, which counts twice in its square, that 1u, the sum of three 2u, so 5u;
-     * the reach likewise 3u; their difference keeps its sign.
+     * For the comparison of squares, with u = 2^-53: an offset 1u, which counts twice in its square, the square 1u, the
+     * sum of three 2u, so 5u; the reach likewise 3u; their difference keeps its sign.
      */
     private static final double SPHERES_FILTER = Filter.bound(5.01 * 0x1p-53);
 

@@ -5,9 +5,9 @@ import robosim.geometry.exact.DoubleDoubleSum;
 import robosim.geometry.narrow.sat.DoubleDoubleCorners;
 
 /**
- * When a ball, or a disc in the plane, that moves straight on meets a corner, an edge or a face: in pairs of doubles, and
- * rounded down. Everything is relative to the ball's centre at the start; what is asked about lies outside the ball and
- * is known to be met.
+ * The time at which a translated sphere, or a disc in the plane, hits a corner, an edge or a face: in double-doubles,
+ * rounded down. Everything is relative to the sphere's centre at the start; the feature lies outside the sphere and is
+ * known to be hit.
  *
  * <p>A coordinate is off by 2^-102 of the magnitudes that it is made of, a product by 2^-100 and a sum by 2^-104: 2^-92,
  * named {@link #SHARE}, of the sums of magnitudes covers all that is made of up to six such. What is lost to underflow is

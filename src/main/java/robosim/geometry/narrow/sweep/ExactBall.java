@@ -10,8 +10,8 @@ import robosim.geometry.narrow.sat.ExactPolytope;
 import robosim.geometry.narrow.sat.ExactSphere;
 
 /**
- * A sphere moved straight on against a sphere, box or triangle at rest, decided without rounding: its centre meets what
- * is as near as the radius to a corner, an edge or a side. Roots are compared by squaring. Slow.
+ * A sphere translated against a sphere, box or triangle at rest, decided without rounding: its centre hits the set of
+ * points within the radius of a corner, an edge or a side. Roots are compared by squaring. Slow.
  */
 final class ExactBall {
     private static final Stages.Counter EXACT = Stages.counter("MovingBall");

@@ -7,8 +7,8 @@ import robosim.geometry.exact.Stages;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
- * A disc, or an upright cylinder, moved straight on against an upright disc or polygon at rest: decided without rounding,
- * as a segment's distance from the outline.
+ * A disc, or an upright cylinder, translated against an upright disc or polygon at rest: decided without rounding, as a
+ * segment's distance from the outline.
  *
  * <p>All coordinates are relative to the disc's centre at the start.
  */

@@ -9,8 +9,8 @@ import robosim.geometry.narrow.sat.DoubleDoubleCorner;
 import robosim.geometry.narrow.sat.DoubleDoubleCorners;
 
 /**
- * When a sphere that moves straight on meets a sphere, a box, a triangle or an upright cylinder: the second stage, asked
- * about what {@link TranslationAdvancement} could not prove free, from a time shortly before contact.
+ * The time at which a translated sphere hits a sphere, a box, a triangle or an upright cylinder: the second stage, for
+ * cases that {@link TranslationAdvancement} could not prove free, from a time shortly before contact.
  *
  * <p>The nearest corner, edge or side at that time is chosen in plain doubles and its time of contact found by
  * {@link DoubleDoubleBall}. What makes it certain is the proof at that time: the foot lies on the edge or side, and all that is

@@ -8,13 +8,13 @@ import robosim.geometry.narrow.sat.DoubleDoubleCorner;
 import robosim.geometry.narrow.sat.MovingAxes;
 
 /**
- * A disc moved straight on against a disc or a convex polygon at rest: a ray against a circle or a rounded polygon.
+ * A disc translated against a disc or a convex polygon at rest: a ray against a circle or a rounded polygon.
  *
  * <p>Positions are relative to the disc's centre at the start. Plain doubles are followed by bounds of their error, as
- * in {@link MovingAxes}: a corner carries 8 units of roundoff u = 2^-53 of the outline's size, a product and a sum three
- * more, squaring doubles them: 32 u of the magnitudes covers all; that no tenth of it is seen to fail has the reasons that
- * {@link MovingAxes} gives. A time of contact that is certain is then computed in
- * pairs of doubles by {@link DoubleDoubleBall}. What the two leave open goes to {@link ExactDisc}.
+ * in {@link MovingAxes}: a corner carries 8 units of roundoff u = 2^-53 of the outline's size, a product and a sum
+ * three more, squaring doubles them: 32 u of the magnitudes covers all; that no tenth of it is seen to fail has the
+ * reasons that {@link MovingAxes} gives. A time of contact that is certain is then computed in double-doubles by {@link
+ * DoubleDoubleBall}. Cases that both leave open go to {@link ExactDisc}.
  */
 final class MovingDisc {
     private static final double ROUNDOFF = AxisBody.ROUNDOFF;
@@ -29,7 +29,7 @@ final class MovingDisc {
     /** Below this squares of coordinates would underflow; so would those of a side's normal, however large the rest is. */
     private static final double MINUTE = 0x1p-200;
 
-    /** Whether the last question found the two in contact at the start, for certain. */
+    /** Whether the last query found the two certainly in contact at the start. */
     boolean contact;
 
     /** Then: how deep in the plane, within these bounds. */
@@ -50,7 +50,7 @@ final class MovingDisc {
     private final double[] length = new double[Outline.MOST_CORNERS];
     private final double[] height = new double[Outline.MOST_CORNERS];
 
-    /** Time of contact of a disc with another; NaN where pairs of doubles cannot tell. */
+    /** Time of contact of two discs; NaN if double-doubles cannot decide. */
     double discs(double[] a, int i, double dx, double dz, double[] b, int j, Outline o) {
         set(LeafKind.SPHERE, b, j, a[i], a[i + 2]);
         ball.move(a[i + 3], b[j + 3], dx, 0, dz);
@@ -58,7 +58,7 @@ final class MovingDisc {
         return corner(o, 0, a[i + 3] + b[j + 3], dx, dz);
     }
 
-    /** Time of contact of a disc with a polygon, with the outline to fill; NaN where pairs of doubles cannot tell. */
+    /** Time of contact of a disc with a polygon, whose outline is filled in; NaN if double-doubles cannot decide. */
     double polygon(double[] a, int i, double dx, double dz, LeafKind kindB, double[] b, int j, Outline o) {
         set(kindB, b, j, a[i], a[i + 2]);
         ball.move(a[i + 3], 0, dx, 0, dz);

@@ -9,15 +9,15 @@ public final class PlanarSweep {
     private PlanarSweep() {}
 
     /**
-     * Time of the first touch when leaf a moves straight on by (dx, dz) during the time from 0 to 1.
+     * Time of the first contact when leaf a is translated by (dx, dz) during the time from 0 to 1.
      *
-     * <p>What touches or overlaps at the start meets nothing later, as convex things that part on a line stay apart; it is
-     * only asked whether the motion goes deeper at once, against every direction of least penetration.
+     * <p>If the two touch or overlap at the start there is no later contact, since convex sets that separate along a
+     * line stay apart; then it is only decided whether the motion goes deeper at once, against every direction of least
+     * penetration.
      *
      * @param dy ignored: heights do not count
-     * @return the time of impact, from 0 to 1, rounded down; 0 where a motion from contact goes deeper;
-     *     {@code +Infinity} where nothing is met by time 1 (touching at time 1 is meeting), or a motion from contact goes
-     *     along or away
+     * @return the time of impact, from 0 to 1, rounded down; 0 if a motion from contact goes deeper; {@code +Infinity}
+     *     if there is no contact up to time 1 (touching at time 1 counts), or a motion from contact goes along or away
      */
     public static double translation(
             LeafKind kindA,
@@ -53,7 +53,7 @@ public final class PlanarSweep {
         return ExactDisc.of(a, i, dx, dz, kindB, b, j, null).time();
     }
 
-    /** Time of contact of a disc in the plane; NaN where pairs of doubles cannot tell. */
+    /** Time of contact of a disc in the plane; NaN if double-doubles cannot decide. */
     static double roughly(double[] a, int i, double dx, double dz, LeafKind kindB, double[] b, int j, SweepScratch s) {
         MovingDisc disc = s.sweep().disc;
         return kindB.isDisc()

@@ -12,14 +12,14 @@ public final class SpatialSweep {
     private SpatialSweep() {}
 
     /**
-     * Time of the first touch when leaf a moves straight on by (dx, dy, dz) during the time from 0 to 1.
+     * Time of the first contact when leaf a is translated by (dx, dy, dz) during the time from 0 to 1.
      *
-     * <p>What touches or overlaps at the start meets nothing later, as convex things that part on a line stay apart; it is
-     * only asked whether the motion goes deeper at once, against every direction of least penetration.
+     * <p>If the two touch or overlap at the start there is no later contact, since convex sets that separate along a
+     * line stay apart; then it is only decided whether the motion goes deeper at once, against every direction of least
+     * penetration.
      *
-     * @return the time of impact, from 0 to 1, rounded down; 0 where a motion from contact goes deeper;
-     *     {@code +Infinity} where nothing is met by time 1 (touching at time 1 is meeting), or a motion from contact goes
-     *     along or away
+     * @return the time of impact, from 0 to 1, rounded down; 0 if a motion from contact goes deeper; {@code +Infinity}
+     *     if there is no contact up to time 1 (touching at time 1 counts), or a motion from contact goes along or away
      */
     public static double translation(
             LeafKind kindA,
@@ -55,7 +55,9 @@ public final class SpatialSweep {
         return s.sweep().move.time(false, kindA, a, i, dx, dy, dz, kindB, b, j, s);
     }
 
-    /** A sphere against anything: what held axes do not prove free is found in closed form, but on a rim. */
+    /**
+     * A sphere against anything: unless fixed axes prove it free, the time is found in closed form, except on a rim.
+     */
     private static double sphere(
             double[] a, int i, double dx, double dy, double dz, LeafKind kindB, double[] b, int j, SweepScratch s) {
         boolean exact = switch (kindB) {

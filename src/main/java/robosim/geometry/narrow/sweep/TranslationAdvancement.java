@@ -14,17 +14,19 @@ import robosim.geometry.narrow.sat.AxisBody;
 import robosim.geometry.narrow.sat.ExactFeatures;
 
 /**
- * A leaf of any kind moved straight on against one at rest: held axes (conservative advancement, van den Bergen 2004).
+ * A leaf of any kind translated against one at rest: conservative advancement with fixed separating axes (van den
+ * Bergen 2004).
  *
- * <p>The gap along a fixed axis changes evenly, so an axis that tells the two apart proves them apart until that gap is
- * closed; there the next axis is looked for. Convex things' gap is a convex function of time, of which this is Newton's
- * method from the near side: it never oversteps.
+ * <p>The gap along a fixed axis changes linearly, so a separating axis proves the two apart until that gap is closed;
+ * there the next axis is searched. The gap of convex sets is a convex function of time, and this is Newton's method
+ * from the near side, which never overshoots.
  *
- * <p><b>What is certain.</b> A time is never late, and what starts apart is free only by proof: a held axis whose gap,
- * less the {@link Gjk#ROUNDOFF} of the extents and what may underflow, stays open to the end. A time may be early, and a motion that passes by may
- * be stopped, by as much as {@link Gjk} leaves open: at the time answered the gap is at most {@link #EARLY} of the sum of
- * sizes, distances and way. Where the two are closer than that at the start they count as in contact, and the least ways
- * out of {@link Penetration}, to rounding, decide whether the motion is against them.
+ * <p><b>What is certain.</b> A time is never late, and leaves that start apart are free only by proof: a fixed axis
+ * whose gap, less the {@link Gjk#ROUNDOFF} of the extents and what may underflow, stays open to the end. A time may be
+ * early, and a motion that passes by may be stopped, by as much as {@link Gjk} leaves open: at the time answered the
+ * gap is at most {@link #EARLY} of the sum of sizes, distances and way. Where the two are closer than that at the start
+ * they count as in contact, and the least ways out of {@link Penetration}, to rounding, decide whether the motion is
+ * against them.
  */
 final class TranslationAdvancement {
     /** The widest gap left at the time of contact, as a share of the sum of all sizes and coordinates; seen: 2^-47. */
@@ -35,7 +37,7 @@ final class TranslationAdvancement {
     /** Edges this close to parallel have no direction across both. */
     private static final double PARALLEL = 0x1p-40;
 
-    /** Whether the last question found the two in contact at the start, or in doubt of it. */
+    /** Whether the last query found the two in contact at the start, or possibly so. */
     boolean contact;
 
     private final Support mover = new Support();

@@ -4,13 +4,13 @@ import robosim.geometry.exact.Radians;
 import robosim.geometry.narrow.sat.AxisBody;
 
 /**
- * Two edges, one of which turns: how long the direction across both tells their leaves apart.
+ * Two edges, one of which turns: how long the direction perpendicular to both separates their leaves.
  *
- * <p>With an edge e1 at rest and an edge e2 of the mover that direction is {@code n(t) = e1 x Re2}; where an edge passes
- * another it follows them, and a direction held would be square to both for an instant only. For a point p of the mover
- * and a point q at rest {@code n.Rp = e1.R(e2 x p)} and {@code n.q = (q x e1).Re2}: sinusoids, of degree one, as all that
- * {@link TurnBody} asks. A cylinder's edge is its axis; its rims reach |n| times their radius, of which {@link RimReach}
- * has bounds of the same form.
+ * <p>With an edge e1 at rest and an edge e2 of the mover that direction is {@code n(t) = e1 x Re2}; while one edge
+ * passes another it follows them, whereas a fixed direction would be perpendicular to both only for an instant. For a
+ * point p of the mover and a point q at rest {@code n.Rp = e1.R(e2 x p)} and {@code n.q = (q x e1).Re2}: sinusoids, of
+ * degree one, as all that {@link TurnBody} asks. A cylinder's edge is its axis; its rims reach |n| times their radius,
+ * of which {@link RimReach} has bounds of the same form.
  *
  * <p>Edges that are nearly along the turn's axis w make a short n, of the size of d1 and d2 in {@code e1 = c1 w + d1} and
  * {@code e2 = c2 w + d2}. So {@code n = c1 w x Rd2 + c2 d1 x w + d1 x Rd2} is taken in these parts, of which
@@ -103,7 +103,7 @@ final class AcrossTurn {
         }
     }
 
-    /** The angle until which the direction goes on telling the two apart; t where it does not at t. */
+    /** The angle until which the direction continues to separate the two; t if it does not at t. */
     double until(double t) {
         double cos = Radians.cos(t);
         double sin = Radians.sin(t);

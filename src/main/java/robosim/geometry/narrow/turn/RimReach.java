@@ -3,8 +3,8 @@ package robosim.geometry.narrow.turn;
 import robosim.geometry.exact.Radians;
 
 /**
- * How far a rim of radius 1 reaches along a direction n while its axis u turns about w: the length of n x Ru, and bounds
- * of it that are {@code constant + cosine cos t + sine sin t} themselves.
+ * How far a rim of radius 1 extends along a direction n while its axis u turns about w: the length of n x Ru, and
+ * bounds of it that are {@code constant + cosine cos t + sine sin t} themselves.
  *
  * <p>With n = c w + d and u = c' w + d', d and d' square to w, and D(t) = d.Rd', the square of that length is
  * {@code y = Q - 2 c c' D - D^2} with {@code Q = c^2 d'^2 + c'^2 d^2 + d^2 d'^2}: nothing is lost where both are nearly
@@ -12,13 +12,13 @@ import robosim.geometry.exact.Radians;
  * so that {@code (e^2 + Q + D0^2 - 2 (c c' + D0) D) / (2 e)} is a bound, a touching one where e = sqrt(y) and D0 = D.
  */
 final class RimReach {
-    /** How many bounds there are to choose from. */
+    /** The number of bounds to choose from. */
     static final int BOUNDS = 4;
 
     /** Of the squares' sum, 16 units of roundoff and as many again for the axes' lengths; halved by the quotient. */
     private static final double ROUNDOFF = 32 * 0x1p-53;
 
-    /** The bound asked for last. */
+    /** The bound computed last. */
     double constant;
 
     double cosine;

@@ -9,14 +9,15 @@ public final class SpatialTurnSweep {
     private SpatialTurnSweep() {}
 
     /**
-     * The free share of a turn of leaf a by {@code degrees}, of any size and sign, about the axis of unit length
+     * The free fraction of a turn of leaf a by {@code degrees}, of any size and sign, about the axis of unit length
      * (wx, wy, wz) through (px, py, pz).
      *
-     * <p>What touches or overlaps at the start blocks where the depth anywhere on the arc is above that at the start.
+     * <p>If the two touch or overlap at the start, the turn is blocked if the depth anywhere on the arc is above that
+     * at the start.
      *
-     * @return the share that is free, from 0 up to, not including, 1, rounded down: the turn so far is proven free, and
-     *     contact may be a gap of 2^-30 of the mover's radius and 2^-43 of both leaves' distances from the pivot away;
-     *     {@code +Infinity} where all of the turn is free
+     * @return the free fraction, from 0 up to, not including, 1, rounded down: the turn so far is proven free, and at
+     *     its end a gap of up to 2^-30 of the mover's radius and 2^-43 of both leaves' distances from the pivot may
+     *     remain; {@code +Infinity} if the whole turn is free
      */
     public static double free(
             LeafKind kindA,

@@ -5,13 +5,13 @@ import robosim.geometry.exact.Outward;
 import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafKind;
 
-/** Axis-aligned bounds of a leaf over a whole motion, rounded outward: the leaf never leaves them, to the bit. */
+/** Axis-aligned bounds of a leaf over a whole motion, rounded outward: the leaf never leaves them. */
 public final class SweptBounds {
     private static final double HALF_ROOT = 0.7071067811865476;
 
     private SweptBounds() {}
 
-    /** Writes least x, y, z and greatest x, y, z of a leaf anywhere on a straight way. */
+    /** Writes minimum x, y, z and maximum x, y, z of a leaf over a translation. */
     public static void translation(
             LeafKind kind, double[] row, int at, double dx, double dy, double dz, double[] out6) {
         LeafBounds.of(kind, row, at, out6);
@@ -19,8 +19,8 @@ public final class SweptBounds {
     }
 
     /**
-     * Writes the bounds, anywhere on a straight way, of what has these bounds at its start. Rounding outward keeps an
-     * order, so the bounds of many leaves may be moved, or those of each be taken together: the same bits.
+     * Writes the bounds over a translation, given those at its start. Outward rounding is monotonic, so sweeping the
+     * joint bounds of many leaves gives the same bits as joining the swept bounds of each.
      */
     private static void moved(double[] bounds, int at, double dx, double dy, double dz, double[] out6) {
         for (int k = 0; k < 3; k++) {
@@ -31,11 +31,11 @@ public final class SweptBounds {
     }
 
     /**
-     * Writes least x, y, z and greatest x, y, z of a leaf anywhere on a turn by {@code degrees} about the axis of unit
-     * length (wx, wy, wz) through (px, py, pz).
+     * Writes minimum x, y, z and maximum x, y, z of a leaf over a turn by {@code degrees} about the axis of unit length
+     * (wx, wy, wz) through (px, py, pz).
      *
-     * <p>A bound that the turn does not push out is that of the leaf as it stands; others are tight to rounding, for
-     * cylinders that tilt to a 2^-36th of their distance from the pivot.
+     * <p>A bound that the turn does not extend is that of the leaf at the start; others are tight to within rounding,
+     * for cylinders that tilt to 2^-36 of their distance from the pivot.
      */
     public static void turn(
             LeafKind kind,
@@ -57,7 +57,7 @@ public final class SweptBounds {
         TurnBody body = s.turns().body;
         double sign = degrees < 0 ? -1 : 1;
         body.load(kind, row, at, px, py, pz, wx, wy, wz);
-        // The stored end is that angle to rounding.
+        // The stored end is at that angle to within rounding.
         double angle = Degrees.toRadians(Math.abs(degrees)) * (1 + 0x1p-50) + TurnOutline.MARGIN;
         for (int k = 0; k < 3; k++) {
             double x = k == 0 ? 1 : 0;
@@ -72,8 +72,8 @@ public final class SweptBounds {
     }
 
     /**
-     * Widens the bounds of x + z (two numbers) and of x - z (two more), which hold the leaf and whatever it is a part of as
-     * they stand, to hold it anywhere on a turn.
+     * Extends the bounds of x + z (two numbers) and of x - z (two more), which hold at the start, to hold for the leaf
+     * anywhere on a turn.
      */
     public static void turnDiagonals(
             LeafKind kind,

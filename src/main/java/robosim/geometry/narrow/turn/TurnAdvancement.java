@@ -11,35 +11,38 @@ import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.Poses;
 
 /**
- * A leaf of any kind turned about any axis, against one at rest: held axes.
+ * A leaf of any kind turned about any axis, against one at rest: conservative advancement with fixed separating axes.
  *
- * <p>At an angle an axis that tells the two apart is found, and held, once in the world, where the mover's points run on
- * sinusoids, and once in the mover, where the other's do. The turn is free for as long as the better of the two goes on
- * telling them apart; there the next axis is looked for. Where that is soon, the normals of sides, the directions across an
- * edge of each ({@link AcrossTurn}), which turn with both, and what of the axis is square to each edge are tried too. For
- * polytopes these are all axes of the method of separating axes, each for as long as it holds; for round things what is
- * lost by holding an axis grows with the square of the angle. Only these axes prove anything, with all rounding counted;
- * how they are found does not matter. From contact the same is done with the depth at the start allowed for.
+ * <p>At an angle a separating axis is found and kept fixed, once in the world, where the mover's points follow
+ * sinusoids, and once in the mover, where the other's do. The turn is free for as long as the better of the two still
+ * separates; then the next axis is searched. If that is soon, the normals of sides, the directions perpendicular to an
+ * edge of each ({@link AcrossTurn}), which turn with both, and the axis made perpendicular to each edge are tried too.
+ * For polytopes these are all axes of the separating-axis theorem, each for as long as it separates; for round shapes
+ * the loss from a fixed axis grows with the square of the angle. Only these axes prove anything, with all rounding
+ * counted; how they are found does not matter. From contact the same is done with the depth at the start allowed for.
  *
- * <p>Where no axis leads on there is contact, or a gap of at most 2^-30 of the mover's radius, its largest distance from
- * the pivot, and 2^-43 of both leaves' distances from it.
+ * <p>If no axis makes progress there is contact, or a gap of at most 2^-30 of the mover's radius, its largest distance
+ * from the pivot, and 2^-43 of both leaves' distances from it.
  */
 final class TurnAdvancement {
     private static final double FULL = 2 * Math.PI;
     private static final int MOST_STEPS = 1000;
 
-    /** An axis that is held for an arc as long as this is good enough; else those of the sides and edges are tried. */
+    /**
+     * An axis that separates for an arc as long as this is good enough; else those of the sides and edges are tried.
+     */
     private static final double FAR = 0.1;
 
-    /** A gap of this share of the mover's size that hardly lets it go on counts as contact. */
+    /** A gap of this fraction of the mover's size that allows hardly any progress counts as contact. */
     private static final double CLOSE = 0x1p-34;
 
     private static final double STALLED = 0x1p-16;
 
-    /** An edge this close to a direction is not one that it is square to. */
+    /** An edge this close to a direction is not considered perpendicular to it. */
     private static final double SQUARE = 0.5;
 
-    // Edges that are nearly parallel: the direction across them is held too, as one that turns is told too roughly.
+    // For nearly parallel edges the direction perpendicular to both is kept fixed too, as the turning one is too
+    // inaccurate.
     private static final double NEARLY = 0x1p-8;
     private static final double PARALLEL = 0x1p-40;
 
@@ -111,7 +114,7 @@ final class TurnAdvancement {
             if (gjk.lower() > 0) {
                 next = found(gjk, kindA, a, i, kindB, b, j, t, wanted, depth);
             }
-            // A place where nothing goes on is contact, or a bracket of round things that is still open.
+            // Without progress there is contact, or a bracket of round shapes that is still open.
             boolean isClose = gjk.upper() + depth < CLOSE * mover.extent;
             if (!(next - t > STALLED) && depth == 0 && !isClose && !gjk.isClosed() && gjk.close() > 0) {
                 next = Math.max(next, found(gjk, kindA, a, i, kindB, b, j, t, wanted, depth));
@@ -131,7 +134,7 @@ final class TurnAdvancement {
         return Math.min(Math.nextDown(1.0), Math.max(0, t / angle * (1 - 0x1p-50)));
     }
 
-    /** How far the axis that was found, and others near it, are good for. */
+    /** How far the axis found, and others near it, separate. */
     private double found(
             Gjk gjk,
             LeafKind kindA,
@@ -155,7 +158,7 @@ final class TurnAdvancement {
         return next;
     }
 
-    /** Steps that the last question took. */
+    /** The number of steps of the last query. */
     int steps() {
         return steps;
     }
@@ -176,7 +179,7 @@ final class TurnAdvancement {
         double cos = Radians.cos(t);
         double sin = Radians.sin(t);
         if (kind == LeafKind.PRISM) {
-            // Its box, which is good enough to find axes by.
+            // Its box, which is good enough for finding axes.
             boxOf(row, at);
             Poses.turned(LeafKind.UPRIGHT_BOX, box, 0, px, py, pz, wx, wy, wz, cos, sin, pose);
         } else {
@@ -184,7 +187,9 @@ final class TurnAdvancement {
         }
     }
 
-    /** The angle until which a direction from the other to the mover, found at t, tells of no more than a depth. */
+    /**
+     * The angle until which the depth along a direction from the other to the mover, found at t, stays within a limit.
+     */
     private double hold(double nx, double ny, double nz, double t, double depth) {
         rest.aim(-nx, -ny, -nz, 1);
         double place = -rest.least(0) + rest.error() - depth;
@@ -250,13 +255,13 @@ final class TurnAdvancement {
         return end;
     }
 
-    /** Holds a side's normal. */
+    /** Tries a side's normal as a fixed axis. */
     private double side(double nx, double ny, double nz, double x, double y, double z, double t, double depth) {
         double way = nx * x + ny * y + nz * z < 0 ? -1 : 1;
         return hold(way * x, way * y, way * z, t, depth);
     }
 
-    /** Holds what of a direction is square to an edge. */
+    /** Tries the component of a direction perpendicular to an edge as a fixed axis. */
     private double square(double nx, double ny, double nz, double ex, double ey, double ez, double t, double depth) {
         double along = nx * ex + ny * ey + nz * ez;
         double x = nx - along * ex;

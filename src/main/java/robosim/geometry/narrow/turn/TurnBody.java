@@ -6,7 +6,7 @@ import robosim.geometry.narrow.leaf.PrismCorners;
 import robosim.geometry.narrow.sat.AxisBody;
 
 /**
- * A leaf relative to a pivot, as a turn about an axis through it sees it: how long the leaf stays beyond a plane.
+ * A leaf relative to the pivot of a turn; computes how long the leaf stays beyond a plane.
  *
  * <p>A point q at angle t lies {@code k + a cos t + b sin t} along a direction n, with k = (n.w)(w.q), a = n.q - k and
  * b = n.(w x q). Corners and centres are such points; a cylinder is its two caps' centres with rims, which reach
@@ -18,16 +18,16 @@ final class TurnBody {
     static final int MOST_POINTS = 16;
     private static final int MOST_STEPS = 12;
 
-    /** An arc, and the share of it that is tried next, for rims that lie almost flat. */
+    /** An arc, and the fraction of it that is tried next, for rims that lie almost flat. */
     private static final double SOON = 0x1p-6;
 
-    /** What of sqrt(1 - s^2) is lost where s is 1 to rounding. */
+    /** The error of sqrt(1 - s^2) if s is 1 to within rounding. */
     private static final double LOST = 0x1p-25;
 
-    /** Whether heights are left out: for turns about the vertical of what is seen from above. */
+    /** Whether heights are ignored, for turns about the vertical in the plane. */
     boolean level;
 
-    /** At least the distance from the pivot of every point, and all that coordinates are made of. */
+    /** An upper bound of the distance of every point from the pivot, and of the terms of coordinates. */
     double extent;
 
     /** Corners, or the centres of a sphere or of two caps. */
@@ -38,7 +38,7 @@ final class TurnBody {
     final double[] z = new double[MOST_POINTS];
     private double margin;
 
-    /** Radius of the rims around the points; 0 where there are none. */
+    /** Radius of the rims around the points; 0 if there are none. */
     double radius;
 
     // A cylinder's unit axis.
@@ -110,8 +110,7 @@ final class TurnBody {
         measure();
     }
 
-    private void capsule(
-            double[] row, int at, double px, double py, double pz, double ax, double ay, double az) {
+    private void capsule(double[] row, int at, double px, double py, double pz, double ax, double ay, double az) {
         double h = row[at + 4];
         add(row[at] - px + h * ax, row[at + 1] - py + h * ay, row[at + 2] - pz + h * az);
         add(row[at] - px - h * ax, row[at + 1] - py - h * ay, row[at + 2] - pz - h * az);
@@ -159,7 +158,7 @@ final class TurnBody {
         extent = 2 * extent + margin + (rims ? radius : 0);
     }
 
-    /** How wrong a place along a unit direction may be. */
+    /** The error of a position along a unit direction. */
     double error() {
         return ROUNDOFF * extent + AxisBody.TINY;
     }
@@ -188,7 +187,7 @@ final class TurnBody {
         }
     }
 
-    /** The least place along the direction at angle t. */
+    /** The minimum position along the direction at angle t. */
     double least(double t) {
         double cos = Radians.cos(t);
         double sin = Radians.sin(t);
@@ -203,7 +202,7 @@ final class TurnBody {
         return Math.sqrt(Math.max(0, (1 - s) * (1 + s)));
     }
 
-    /** The angle until which all of the leaf stays beyond a place along the direction, t if it does not at t. */
+    /** The angle until which all of the leaf stays beyond a position along the direction; t if it does not at t. */
     double until(double place, double t) {
         double limit = place + error();
         if (!(least(t) > limit)) {
@@ -330,10 +329,10 @@ final class TurnBody {
     }
 
     /**
-     * How far the leaf reaches along the direction anywhere from angle 0 to {@code angle}, rounded up.
+     * How far the leaf extends along the direction anywhere from angle 0 to {@code angle}, rounded up.
      *
-     * @param pivot where the pivot lies along the direction
-     * @param start how far the leaf reaches at angle 0, rounded up
+     * @param pivot the position of the pivot along the direction
+     * @param start how far the leaf extends at angle 0, rounded up
      */
     double greatest(double angle, double pivot, double start) {
         if (rims && (sa != 0 || sb != 0)) {

@@ -19,7 +19,7 @@ final class TurnDisc {
     /** Distance of the point from the polygon at the start, 0 inside it. */
     double distance;
 
-    /** How wrong that may be. */
+    /** The error of that distance. */
     double error;
 
     /** Whether the point lies outside the polygon at the start. */
@@ -56,7 +56,7 @@ final class TurnDisc {
     }
 
     /**
-     * How far the point goes before it comes within the radius, radians; infinite where it never does.
+     * How far the point goes before it comes within the radius, radians; infinite if it never does.
      *
      * @param from the distance from the polygon at which features count as met: the sum of radii, or the distance at the
      *     start where the turn begins in contact
@@ -92,7 +92,7 @@ final class TurnDisc {
         return entry(vx, vz, limit + error);
     }
 
-    /** When the point comes within a reach of a corner, at a turn that begins beyond that. */
+    /** When the point comes within a distance of a corner, for a turn that begins beyond it. */
     private double entry(double vx, double vz, double reach) {
         double v = TurnOutline.length(vx, vz);
         double cross = px * vz - pz * vx;

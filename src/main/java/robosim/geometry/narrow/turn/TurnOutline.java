@@ -7,10 +7,10 @@ import robosim.geometry.narrow.sat.AxisBody;
 /**
  * A polygon (or a point) turned about a pivot against one at rest, in the plane: closed form.
  *
- * <p>Two convex polygons are apart exactly while some edge normal of either tells them apart. A normal of the polygon at
+ * <p>Two convex polygons are apart exactly while some edge normal of either separates them. A normal of the polygon at
  * rest stays fixed in the world while the mover's corners go round; a normal of the mover stays fixed in the mover, for
- * which the other's corners go round backwards. Either way each corner is beyond the normal's line while
- * {@code rho cos(t - phase) > c}: an arc of angles. The turn is free up to the first angle that no normal covers.
+ * which the other's corners go round backwards. Either way each corner is beyond the normal's line while {@code rho
+ * cos(t - phase) > c}: an arc of angles. The turn is free up to the first angle that no normal covers.
  *
  * <p>All coordinates are relative to the pivot, and so mirrored that the turn goes from x towards z. A margin of 128 units
  * of roundoff (2^-53) of all sizes is kept from every line, and {@link #MARGIN} from every end of an arc: coordinates carry
@@ -26,13 +26,13 @@ final class TurnOutline {
     private static final int MOST_NORMALS = 2 * Outline.MOST_CORNERS;
     private static final int MOST_STEPS = 4 * MOST_NORMALS * Outline.MOST_CORNERS;
 
-    /** Whether the last question found contact, or less than a safe gap, at the start. */
+    /** Whether the last query found contact, or less than a safe gap, at the start. */
     boolean near;
 
     /** The greatest gap along a normal at the start; below 0 the depth. */
     double gap;
 
-    /** How wrong that may be. */
+    /** The error of that gap. */
     double error;
 
     // Along normal k the corner m of the other polygon is cosine cos t + sine sin t - offset beyond the line.
@@ -108,7 +108,7 @@ final class TurnOutline {
         usable[k] = false;
     }
 
-    /** The free part of a turn, radians up to {@code angle} or a little more; infinite where all of it is free. */
+    /** The free part of a turn, radians up to {@code angle} or slightly more; infinite if all of it is free. */
     double free(double angle) {
         double t = near ? fromContact() : 0;
         double threshold = near ? Math.min(gap, 0) : 0;

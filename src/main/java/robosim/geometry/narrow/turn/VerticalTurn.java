@@ -8,8 +8,8 @@ import robosim.geometry.narrow.sat.ExactAxes;
 import robosim.geometry.narrow.sweep.ExactDisc;
 
 /**
- * A leaf turned about a vertical line against one at rest, in the plane: chooses between polygons and discs, and judges
- * what touches at the start.
+ * A leaf turned about a vertical line against one at rest, in the plane: chooses between polygons and discs, and
+ * decides contacts at the start.
  */
 final class VerticalTurn {
     private final Outline mover = new Outline();

@@ -1,4 +1,4 @@
-/** How far a leaf may turn beside another at rest, and the bounds of what moves. */
+/** How far a leaf may turn next to another at rest, and the bounds of moving leaves. */
 @NullMarked
 package robosim.geometry.narrow.turn;
 

@@ -9,12 +9,12 @@ import java.util.function.BooleanSupplier;
 import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.ProtocolException;
 
-/** A peer's bytes: patient between messages, impatient inside one. */
+/** The input from a peer, with a long timeout between messages and short ones within a message. */
 public final class PacedInput extends InputStream implements MessagePace {
-    /** How long a peer may be silent before it gets our stream header, for which it may be waiting. */
+    /** How long a new peer may be silent before it is sent our stream header, for which it may be waiting. */
     private static final int SILENCE_MILLIS = 300;
 
-    /** Messages below that take no part of the room that all have. */
+    /** Messages smaller than this are not counted against the shared memory. */
     private static final int LARGE_BYTES = 1 << 18;
 
     private final Socket socket;
@@ -32,7 +32,7 @@ public final class PacedInput extends InputStream implements MessagePace {
     private long messageBytes;
 
     /**
-     * Reads.
+     * Reads from a socket.
      *
      * @param socket   whose time-outs are set
      * @param in       its bytes, deciphered where they are ciphered
@@ -86,7 +86,7 @@ public final class PacedInput extends InputStream implements MessagePace {
         turn.hold();
     }
 
-    /** From now on the peer may be idle for so long between two messages. */
+    /** Sets how long the peer may be idle between two messages. */
     public void mayIdle(Duration time) {
         idleTime = time;
     }
@@ -127,14 +127,14 @@ public final class PacedInput extends InputStream implements MessagePace {
         }
     }
 
-    /** Has the turn; what a message waits for that is not its peer's fault. */
+    /** Takes the turn. The wait for it is not counted as the peer's time. */
     private void compute() {
         long start = System.nanoTime();
         turn.hold();
         deadline += System.nanoTime() - start;
     }
 
-    /** What is large waits for its room. */
+    /** Counts bytes; a large message waits for its share of memory. */
     private void count(int got) throws IOException {
         messageBytes += Math.max(0, got);
         if (messageBytes < LARGE_BYTES) {
@@ -145,7 +145,7 @@ public final class PacedInput extends InputStream implements MessagePace {
             turn.give();
             long start = System.nanoTime();
             room.growTo(wanted);
-            deadline += System.nanoTime() - start; // others made it wait
+            deadline += System.nanoTime() - start; // the wait was not its fault
         }
     }
 
@@ -158,7 +158,7 @@ public final class PacedInput extends InputStream implements MessagePace {
                 throw e;
             }
             throw new ProtocolException(
-                    "a peer must say something now and then, a ping or an empty MoveBundle if need be"
+                    "a peer must send something from time to time, a ping or an empty MoveBundle if need be"
                             + " (got: silence for " + idleTime + ")");
         }
     }
@@ -169,7 +169,7 @@ public final class PacedInput extends InputStream implements MessagePace {
             throw new SocketTimeoutException();
         }
         socket.setSoTimeout(millis(Math.min(left, stallNanos)));
-        guard.begin(deadline); // one read of a cipher is several of the socket, each with that time-out
+        guard.begin(deadline); // one read through TLS may be several reads of the socket, each with that timeout
         try {
             return in.read(into, at, length);
         } catch (IOException e) {
@@ -179,7 +179,7 @@ public final class PacedInput extends InputStream implements MessagePace {
         }
     }
 
-    /** At least 1 because 0 would be for ever. */
+    /** At least 1, because 0 would mean no timeout. */
     private static int millis(long nanos) {
         return (int) Math.max(1, Duration.ofNanos(nanos).toMillis());
     }

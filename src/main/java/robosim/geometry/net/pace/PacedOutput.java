@@ -5,12 +5,12 @@ import java.io.OutputStream;
 import java.time.Duration;
 
 /**
- * The way out to a peer. A message is gathered, so that a small one is one write and one segment; what is written goes to
- * the socket's own queue, which is bounded. While that is full the writer waits, without its {@link Turn}, and reads no
- * further request of that peer.
+ * The output to a peer. A message is buffered, so that a small one is a single write and a single segment; data goes to
+ * the socket's send buffer, whose size is limited. While that is full the writer waits, without holding its {@link
+ * Turn}, and reads no further request of that peer.
  */
 public final class PacedOutput extends OutputStream {
-    /** One step of the progress that is watched. */
+    /** The number of bytes after which progress is checked. */
     static final int STEP_BYTES = 1 << 14;
 
     private final OutputStream out;
@@ -22,7 +22,7 @@ public final class PacedOutput extends OutputStream {
     private int count;
     private long messageDue;
 
-    /** What is written next begins a message; each ends with a flush. */
+    /** Whether the next byte written begins a message; each message ends with a flush. */
     private boolean between = true;
 
     public PacedOutput(OutputStream out, Watchdog.Guard guard, Duration stall, Duration message, Turn turn) {
@@ -48,7 +48,7 @@ public final class PacedOutput extends OutputStream {
                 if (computing) {
                     long start = System.nanoTime();
                     turn.take();
-                    messageDue += System.nanoTime() - start; // no fault of the peer
+                    messageDue += System.nanoTime() - start; // not the peer's fault
                 }
             }
             int part = Math.min(STEP_BYTES - count, end - from);
@@ -82,7 +82,7 @@ public final class PacedOutput extends OutputStream {
                 : "the peer did not read a message within " + message.toMillis() + " ms";
     }
 
-    /** The end of a message, after which there is nothing to compute until another one has come. */
+    /** Ends a message. After it there is nothing to compute until the next one comes. */
     @Override
     public void flush() throws IOException {
         if (count > 0) {

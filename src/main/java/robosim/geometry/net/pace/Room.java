@@ -5,48 +5,48 @@ import java.util.LinkedHashSet;
 import java.util.Set;
 
 /**
- * The memory that messages of all connections may take together while they are read, carried out and answered. Who wants
- * more than there is waits until others are done, in the meantime unread by the module; the one that has waited or held
- * longest may always go on, so that all get there.
+ * The memory that the messages of all connections may take together while they are read, processed and answered. A
+ * connection that needs more than is left waits until others are done; meanwhile it is not read. The connection that
+ * has waited or held memory longest may always go on, so that none waits forever.
  */
 public final class Room {
-    /** Bytes of memory for each byte of a message: a sonar request of 41 bytes takes, with its answer, some 140. */
+    /** Memory per byte of a message: a sonar request of 41 bytes takes, with its answer, some 140. */
     static final int MEMORY_FOR_A_BYTE = 4;
 
     private final long most;
     private long taken;
 
-    /** Those that hold some or wait for it, the eldest first. */
+    /** The shares that hold memory or wait for it, oldest first. */
     private final Set<Share> shares = new LinkedHashSet<>();
 
-    /** Of so many bytes of memory. */
+    /** Takes the limit in bytes of memory. */
     public Room(long most) {
         this.most = most;
     }
 
-    /** An eighth of what the process may have. */
+    /** An eighth of the maximum memory of the process. */
     public static Room ofThisProcess() {
         return new Room(Runtime.getRuntime().maxMemory() / 8);
     }
 
-    /** Of one connection, nothing yet. */
+    /** A share for one connection, empty at first. */
     public Share share() {
         return new Share();
     }
 
-    /** How much is taken, in bytes of memory. */
+    /** The memory in use, bytes. */
     public synchronized long taken() {
         return taken;
     }
 
-    /** What one connection has of it. */
+    /** The share of one connection. */
     public final class Share {
         private long own;
         private boolean closed;
 
         private Share() {}
 
-        /** Whether it is so large already. */
+        /** Whether it has at least the given size. */
         boolean holds(long bytes) {
             return bytes <= own;
         }
@@ -56,9 +56,9 @@ public final class Room {
         }
 
         /**
-         * Makes it so large; waits for that.
+         * Grows to the given size; waits until that is possible.
          *
-         * @throws IOException where it is closed
+         * @throws IOException if it is closed
          */
         public void growTo(long bytes) throws IOException {
             synchronized (Room.this) {
@@ -86,7 +86,7 @@ public final class Room {
             return !shares.isEmpty() && shares.iterator().next() == this;
         }
 
-        /** Gives all of it back. */
+        /** Returns all of it. */
         public void free() {
             if (own == 0 && !closed) {
                 return; // as after nearly every message
@@ -100,7 +100,7 @@ public final class Room {
             }
         }
 
-        /** Gives all of it back, for good; whoever waits for some is told. */
+        /** Returns all of it for good and wakes those that wait. */
         public void close() {
             synchronized (Room.this) {
                 closed = true;

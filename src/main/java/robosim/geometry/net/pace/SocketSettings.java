@@ -4,12 +4,16 @@ import java.io.IOException;
 import java.net.Socket;
 import java.net.SocketOption;
 
-/** What every connection's socket is set to. */
+/** The settings of every connection's socket. */
 public final class SocketSettings {
-    /** How much of an answer may be on its way; more waits, and so does its peer's next request. */
+    /**
+     * How many bytes of answers may be in transit; beyond that the answer waits, and so does the peer's next request.
+     */
     static final int QUEUE_BYTES = 1 << 17;
 
-    /** An idle peer is asked for a sign of life after a minute, then every 10 seconds, and is gone after 6 of them. */
+    /**
+     * TCP keep-alive: an idle peer is probed after a minute, then every 10 seconds, and counts as gone after 6 probes.
+     */
     private static final int ALIVE_AFTER_SECONDS = 60;
 
     private static final int ALIVE_EVERY_SECONDS = 10;
@@ -18,10 +22,10 @@ public final class SocketSettings {
     private SocketSettings() {}
 
     public static void apply(Socket socket) throws IOException {
-        socket.setTcpNoDelay(true); // answers are small and waited for
+        socket.setTcpNoDelay(true); // answers are small and the peer waits for them
         socket.setSendBufferSize(QUEUE_BYTES);
         socket.setKeepAlive(true);
-        // By name: their class is in the module jdk.net, which need not be there; nor need the system have them.
+        // Looked up by name: their class is in the module jdk.net, which may be missing, and the system may lack them.
         for (SocketOption<?> option : socket.supportedOptions()) {
             switch (option.name()) {
                 case "TCP_KEEPIDLE" -> set(socket, option, ALIVE_AFTER_SECONDS);
@@ -33,10 +37,10 @@ public final class SocketSettings {
     }
 
     /**
-     * Has the system acknowledge at once what has come. A peer that hands over a message in parts, as a bare
-     * ObjectOutputStream does, and has not switched Nagle's algorithm off, holds each part back until the one before it is
-     * acknowledged; which a system else puts off for 40 ms, in the hope of an answer that could carry it (RFC 1122,
-     * 4.2.3.2 and 4.2.3.4).
+     * Makes the system acknowledge received data at once. A peer that writes a message in parts, as a bare
+     * ObjectOutputStream does, and has not disabled Nagle's algorithm, holds each part back until the previous one is
+     * acknowledged. By default the system delays that for 40 ms, in case an answer can carry the acknowledgement (RFC
+     * 1122, 4.2.3.2 and 4.2.3.4).
      */
     static void acknowledge(Socket socket) throws IOException {
         for (SocketOption<?> option : socket.supportedOptions()) {

@@ -3,19 +3,22 @@ package robosim.geometry.net.pace;
 import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
-/** One connection's right to compute, now and then. All but {@link #cutOff} is called by the connection's own thread. */
+/**
+ * The right of one connection to compute, which it takes and gives back. All methods except {@link #cutOff} are called
+ * by the connection's own thread.
+ */
 public final class Turn {
-    /** How many turns one counts as heavy after it did heavy work. */
+    /** For how many turns a connection counts as heavy after heavy work. */
     private static final int HEAVY_TURNS = 8;
 
     private final Turns turns;
 
-    /** Whether it must compute no more. */
+    /** Whether it must stop computing. */
     private volatile boolean isCutOff;
 
     private volatile @Nullable Thread thread;
 
-    // What follows is guarded by the turns.
+    // The following fields are guarded by the lock of turns.
 
     enum State {
         IDLE,
@@ -25,7 +28,7 @@ public final class Turn {
 
     volatile State state = State.IDLE;
 
-    /** When it last began to wait, and the how-manieth that was. */
+    /** When it last began to wait, and the sequence number of that wait. */
     long asked;
 
     long ticket;
@@ -41,14 +44,14 @@ public final class Turn {
     /** Nanoseconds computed since it last had nothing to do. */
     private long burst;
 
-    /** What a burst took on average; of a new one nothing is known. */
+    /** The average duration of a burst; an assumption for a new connection. */
     private long usual = Turns.SLICE_NANOS;
 
     Turn(Turns turns) {
         this.turns = turns;
     }
 
-    /** Thrown by {@link #breathe} where a connection must compute no more. */
+    /** Thrown by {@link #breathe} if a connection must stop computing. */
     public static final class CutOff extends RuntimeException {
         private static final long serialVersionUID = 1;
 
@@ -57,14 +60,14 @@ public final class Turn {
         }
     }
 
-    /** Waits for the turn. Returns early, without it, where this is cut off. */
+    /** Waits for the turn. Returns early, without it, if this is cut off. */
     void take() {
         thread = Thread.currentThread();
         turns.ask(this);
         await();
     }
 
-    /** Has the turn, from now or from before; gives way to others in time. */
+    /** Takes the turn unless it is held already; gives way to others when it is time. */
     void hold() {
         if (state == State.IDLE) {
             take();
@@ -74,14 +77,14 @@ public final class Turn {
         }
     }
 
-    /** Computes no more, for a while. */
+    /** Gives the turn back for a while. */
     public void give() {
         if (state != State.IDLE) {
             turns.leave(this);
         }
     }
 
-    /** There is nothing to do: what comes next is something new. */
+    /** Gives the turn back because there is nothing to do; the next burst starts anew. */
     void rest() {
         synchronized (turns) {
             usual += (burst - usual) / 4;
@@ -90,9 +93,9 @@ public final class Turn {
     }
 
     /**
-     * Called often while computing: gives way to others in time.
+     * Called often while computing; gives way to others when it is time.
      *
-     * @throws CutOff where nothing more must be computed
+     * @throws CutOff if computing must stop
      */
     public void breathe() {
         if (turns.areWanted()) {
@@ -115,14 +118,14 @@ public final class Turn {
         }
     }
 
-    /** What it does now may take long without giving way. */
+    /** Announces work that may take long without giving way. */
     public void heavy() {
         synchronized (turns) {
             heavyTurns = HEAVY_TURNS;
         }
     }
 
-    /** Nothing more is computed, from the next breath on. Any thread may say so. */
+    /** Stops computing at the next call of {@link #breathe}. May be called by any thread. */
     public void cutOff() {
         isCutOff = true;
         wake();
@@ -144,7 +147,7 @@ public final class Turn {
         return heavyTurns > 0;
     }
 
-    /** What it is expected to compute before it rests, or has computed already. */
+    /** The time it is expected to compute before it rests, or has already computed, whichever is more; nanoseconds. */
     long need() {
         return Math.max(usual, burst);
     }

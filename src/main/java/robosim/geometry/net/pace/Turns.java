@@ -6,34 +6,35 @@ import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Who may compute, so that what one connection asks costs the others a short wait and no more. Waiting for a peer's bytes,
- * or for a peer to take some, is no computing.
+ * Schedules which connections may compute, so that the requests of one delay the others only briefly. Waiting for a
+ * peer to send or to receive bytes does not count as computing.
  *
  * <ul>
- *   <li>What a connection needs is what it has computed since it last had nothing to do, or what it computed before in
- *       such a time on average, whichever is more. Below a millisecond that is short, else long.
- *   <li>There are as many turns for short work as there are processors, and as many for long work. So short questions need
- *       not wait until a long one gives way; which of the two runs then is decided by the system, which prefers threads
+ *   <li>The need of a connection is the time it has computed since it was last idle, or the average of earlier such
+ *       bursts, whichever is more. Below a millisecond it is short, else long.
+ *   <li>There are as many turns for short work as processors, and as many for long work. So short requests need not
+ *       wait until a long one gives way; which of the two runs is left to the operating system, which prefers threads
  *       that have slept.
- *   <li>A turn of long work is over after a slice where others wait. Of those that wait, the one is first that needs the
- *       least; every fourth turn goes to whoever has waited longest, so that each has at least a quarter of a fair share.
- *   <li>Heavy work (the first questions to a large world, and what did not give way in time before) has all turns for long
- *       work but one, and always at least one.
- *   <li>Whoever does not give way for long, within one long question, keeps computing, and another may have its turn.
- *       That holds for as many as there are processors.
+ *   <li>A turn of long work ends after a time slice if others wait. Among those waiting, the one with the smallest need
+ *       is next; every fourth turn goes to the one that has waited longest, so each gets at least a quarter of a fair
+ *       share.
+ *   <li>Heavy work (the first queries of a large world, and connections that did not give way in time before) may use
+ *       all turns for long work except one, but always at least one.
+ *   <li>A connection that does not give way for long, within one long query, keeps computing, and its turn is lent to
+ *       another one. This is possible for as many connections as there are processors.
  * </ul>
  */
 public final class Turns {
     /** How long a turn lasts while others wait. */
     static final long SLICE_NANOS = 2_000_000;
 
-    /** How long one that waits lets a turn overrun before it has the turn lent. */
+    /** How long a waiting connection lets a turn overrun before the turn is lent to it. */
     static final long PATIENCE_NANOS = 10_000_000;
 
-    /** Whoever needs less has turns of his own. */
+    /** Connections that need less than this use the turns for short work. */
     static final long SHORT_NANOS = 1_000_000;
 
-    /** One turn in so many goes to whoever has waited longest. */
+    /** One turn in this many goes to the connection that has waited longest. */
     private static final int EVERY = 4;
 
     private final int most;
@@ -42,7 +43,7 @@ public final class Turns {
     private final List<Turn> waiting = new ArrayList<>();
     private final List<Turn> running = new ArrayList<>();
 
-    /** How many of those that run do short work, how many of the others heavy work, and how many have lent their turn. */
+    /** Of the running connections, how many do short work, how many heavy work, and how many have lent their turn. */
     private int brief;
 
     private int heavy;
@@ -52,24 +53,24 @@ public final class Turns {
     private long tickets;
     private volatile boolean wanted;
 
-    /** Of that many at a time; a clock as {@link System#nanoTime}. */
+    /** Takes the number of turns of each sort, and a clock like {@link System#nanoTime}. */
     public Turns(int most, LongSupplier clock) {
         this.most = most;
         this.mostHeavy = Math.max(1, most - 1);
         this.clock = clock;
     }
 
-    /** As many as there are processors. */
+    /** As many turns as there are processors. */
     public static Turns ofThisMachine() {
         return new Turns(Runtime.getRuntime().availableProcessors(), System::nanoTime);
     }
 
-    /** For one connection, which has no turn yet. */
+    /** The turn of one connection, not held yet. */
     public Turn turn() {
         return new Turn(this);
     }
 
-    /** It wants to compute; {@link Turn#isWaiting} tells whether it must wait. */
+    /** Requests the turn; {@link Turn#isWaiting} tells whether the connection must wait. */
     synchronized void ask(Turn turn) {
         turn.state = Turn.State.WAITING;
         turn.ticket = tickets++;
@@ -78,7 +79,7 @@ public final class Turns {
         grant();
     }
 
-    /** It computes no more, or waits no more. */
+    /** Gives the turn back, or stops waiting for it. */
     synchronized void leave(Turn turn) {
         end(turn);
         waiting.remove(turn);
@@ -86,7 +87,7 @@ public final class Turns {
         grant();
     }
 
-    /** Gives way where its slice is over and others wait; it then waits among them. */
+    /** Gives way if its time slice is over and others wait; it then waits among them. */
     synchronized void giveWay(Turn turn) {
         long slice = turn.isBrief ? SHORT_NANOS : SLICE_NANOS;
         if (turn.state == Turn.State.RUNNING && (turn.isLent || clock.getAsLong() - turn.since >= slice)) {
@@ -158,7 +159,7 @@ public final class Turns {
         return first;
     }
 
-    /** Has the turns lent of those that should have given way to this one long ago. */
+    /** Lends turns of connections that should have given way to this one long ago. */
     synchronized void lend(Turn impatient) {
         long now = clock.getAsLong();
         if (impatient.state != Turn.State.WAITING || now - impatient.asked < PATIENCE_NANOS) {
@@ -175,7 +176,7 @@ public final class Turns {
         grant();
     }
 
-    /** Whether anybody waits; may be a moment old. */
+    /** Whether any connection waits; may be slightly out of date. */
     boolean areWanted() {
         return wanted;
     }

@@ -5,7 +5,9 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
 
-/** Breaks off what takes too long and has no time-out of its own: writing to a socket, a handshake, a TLS end. */
+/**
+ * Aborts operations that take too long and have no timeout of their own: writing to a socket, a handshake, closing TLS.
+ */
 public final class Watchdog implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger("robosim.geometry.net");
     private static final long MOST_TICK_MILLIS = 1000;
@@ -16,10 +18,10 @@ public final class Watchdog implements AutoCloseable {
     private final long tickMillis;
 
     /**
-     * Watches from now on, on a thread of its own.
+     * Starts to watch, on a thread of its own.
      *
-     * @param name   the thread's
-     * @param finest the shortest time that will be watched; the watchdog is late by at most a quarter of it
+     * @param name   the thread's name
+     * @param finest the shortest duration that will be watched; the watchdog is late by at most a quarter of it
      */
     public Watchdog(String name, Duration finest) {
         this.name = name;
@@ -29,13 +31,13 @@ public final class Watchdog implements AutoCloseable {
         thread.start();
     }
 
-    @SuppressWarnings("BusyWait") // it looks again and again, that is its task
+    @SuppressWarnings("BusyWait") // polling is its task
     private void watch() {
         Throwable failure = null;
         while (true) {
             try {
                 Thread.sleep(tickMillis);
-                if (failure != null) { // told where another one is caught: there may be no memory to tell it
+                if (failure != null) { // logged in the next iteration: there may be no memory to log it now
                     LOG.log(System.Logger.Level.ERROR, name + ": goes on after an error of the module itself", failure);
                     failure = null;
                 }
@@ -44,12 +46,12 @@ public final class Watchdog implements AutoCloseable {
             } catch (InterruptedException e) {
                 return; // closed
             } catch (RuntimeException | Error e) {
-                failure = e; // the others are still watched
+                failure = e; // go on watching the others
             }
         }
     }
 
-    /** A guard over one thing at a time; {@code breakOff} must make it fail at once. */
+    /** A guard over one operation at a time; {@code breakOff} must make that operation fail at once. */
     public Guard guard(Runnable breakOff) {
         Guard guard = new Guard(breakOff);
         guards.add(guard);
@@ -70,14 +72,14 @@ public final class Watchdog implements AutoCloseable {
         }
     }
 
-    /** Of one connection. */
+    /** The guard of one connection. */
     public final class Guard implements AutoCloseable {
         private static final long NOTHING = 0;
         private static final long BROKEN = -1;
 
         private final Runnable breakOff;
 
-        /** When it must be done, odd and positive on a clock that begins with the guard; or one of the above. */
+        /** The deadline, odd and positive, on a clock that starts with the guard; or one of the constants above. */
         private final AtomicLong due = new AtomicLong(NOTHING);
 
         private final long origin = System.nanoTime();
@@ -86,7 +88,7 @@ public final class Watchdog implements AutoCloseable {
             this.breakOff = breakOff;
         }
 
-        /** What begins now must be done by then, a {@link System#nanoTime}. */
+        /** Begins an operation that must be done by the deadline, a {@link System#nanoTime}. */
         public void begin(long deadline) {
             long last = due.get();
             if (last != BROKEN) {
@@ -94,7 +96,7 @@ public final class Watchdog implements AutoCloseable {
             }
         }
 
-        /** It is done. */
+        /** Ends the operation. */
         public void end() {
             long last = due.get();
             if (last != BROKEN) {
@@ -102,7 +104,7 @@ public final class Watchdog implements AutoCloseable {
             }
         }
 
-        /** Whether something was broken off. */
+        /** Whether an operation was aborted. */
         public boolean isBroken() {
             return due.get() == BROKEN;
         }

@@ -2,42 +2,42 @@ package robosim.geometry.net.pace;
 
 import org.jspecify.annotations.Nullable;
 
-/** The memory that the worlds of all connections may take together, as far as their messages tell it. */
+/** Limits the memory of the worlds of all connections together, as estimated from the sizes of their messages. */
 public final class Worlds {
-    /** Bytes of memory for each byte of a message: a box of 50 bytes takes some 400, a triangle of 34 some 240. */
+    /** Memory per byte of a message: a box of 50 bytes takes some 400, a triangle of 34 some 240. */
     static final int MEMORY_FOR_A_BYTE = 8;
 
-    /** Worlds from messages below that are not counted: 256 of them take 32 MiB. */
+    /** Worlds from smaller messages are not counted: 256 of them take 32 MiB. */
     public static final int SMALL_BYTES = 1 << 14;
 
     private final long most;
     private long taken;
 
-    /** Of so many bytes of memory. */
+    /** Takes the limit in bytes of memory. */
     public Worlds(long most) {
         this.most = most;
     }
 
-    /** Half of what the process may have. */
+    /** Half of the maximum memory of the process. */
     public static Worlds ofThisProcess() {
         return new Worlds(Runtime.getRuntime().maxMemory() / 2);
     }
 
-    /** Of one connection. */
+    /** The plot of one connection. */
     public Plot plot() {
         return new Plot();
     }
 
-    /** What the world of one connection takes; its connection's thread calls it. */
+    /** The memory of one connection's world; called by the connection's thread. */
     public final class Plot {
         private long own;
 
         private Plot() {}
 
         /**
-         * There shall be a world from so many bytes of a message beside the one that is there.
+         * Claims memory for a new world from a message of the given size, in addition to the present world.
          *
-         * @return null where there may; else why not
+         * @return null if it is granted; else why not
          */
         @Nullable
         public String claim(int messageBytes) {
@@ -55,7 +55,7 @@ public final class Worlds {
             }
         }
 
-        /** There is no world any more. */
+        /** Releases the memory: there is no world any more. */
         public void free() {
             synchronized (Worlds.this) {
                 taken -= own;

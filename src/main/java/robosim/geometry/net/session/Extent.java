@@ -6,7 +6,9 @@ import robosim.geometry.model.GeometryObject;
 
 /** The size of a world of which only the objects are known. */
 public final class Extent {
-    /** The room beside the farthest object, as a share of its reach; and in world units where that is less. */
+    /**
+     * The margin beyond the farthest object, as a fraction of its distance; and the smallest margin, in world units.
+     */
     private static final double ROOM = 0.25;
 
     private static final double LEAST_ROOM = 1;
@@ -15,8 +17,8 @@ public final class Extent {
     private Extent() {}
 
     /**
-     * Width, height and length of a world, centred at the origin, that holds all the objects with room to spare: beside
-     * the farthest of them a quarter of its reach, at least 1 world unit.
+     * Width, height and length of a world, centred at the origin, that holds all objects with a margin: a quarter of
+     * the distance of the farthest one, at least 1 world unit.
      */
     public static double[] worldFor(List<GeometryObject> objects) {
         double[] sizes = Bounds.reach(objects);

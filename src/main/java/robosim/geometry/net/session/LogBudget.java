@@ -3,11 +3,11 @@ package robosim.geometry.net.session;
 import java.util.function.LongSupplier;
 
 /**
- * How many lines a log may get: so many at once, then so many a second. What is beyond is counted, and the count told with
- * the next line that is written.
+ * Limits the rate of log lines: a number at once, then a number per second. Lines beyond that are only counted, and the
+ * count is added to the next line written.
  */
 public final class LogBudget {
-    /** Of one end, over all its connections: some 7 kB a second for ever, where peers do all they can. */
+    /** The limit of one server or client, over all its connections: in the worst case some 7 kB a second. */
     private static final int LINES = 2000;
 
     private static final int LINES_A_SECOND = 10;
@@ -17,16 +17,16 @@ public final class LogBudget {
     private long full;
     private long leftOut;
 
-    /** A clock as {@link System#nanoTime}. */
+    /** Takes a clock like {@link System#nanoTime}. */
     public LogBudget(LongSupplier clock) {
         this.clock = clock;
         this.full = clock.getAsLong();
     }
 
     /**
-     * Takes a line's place.
+     * Claims the right to write one line.
      *
-     * @return how many lines were left out before this one; -1 where this one is left out too
+     * @return how many lines were left out before this one; -1 if this one must be left out too
      */
     public synchronized long take() {
         long now = clock.getAsLong();
@@ -44,7 +44,7 @@ public final class LogBudget {
         return before;
     }
 
-    /** Writes a line, or counts it. */
+    /** Writes a line, or only counts it. */
     public void log(System.Logger log, System.Logger.Level level, String words) {
         long before = take();
         if (before >= 0) {

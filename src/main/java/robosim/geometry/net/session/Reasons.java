@@ -6,7 +6,7 @@ import robosim.geometry.exact.NumberText;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.protocol.Text;
 
-/** Why a move was refused, in words. */
+/** Describes in words why a move was refused. */
 public final class Reasons {
     private Reasons() {}
 

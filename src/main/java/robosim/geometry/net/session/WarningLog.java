@@ -4,7 +4,10 @@ import java.util.HashSet;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
-/** Log lines of one session, each said once for a world, and not without end: a peer must not fill the disk. */
+/**
+ * The warnings of one session: each is logged once per world, and their number is limited, so that a peer cannot fill
+ * the disk.
+ */
 public final class WarningLog {
     private static final int MOST = 1000;
 
@@ -19,17 +22,17 @@ public final class WarningLog {
         this.session = session;
     }
 
-    /** As many lines as that has left for them, from now on. */
+    /** Limits the lines from now on by a shared budget. */
     public void within(LogBudget shared) {
         budget = shared;
     }
 
-    /** The next message: what is said from now on is about that one. */
+    /** Starts the next message, to which warnings from now on refer. */
     public void next() {
         message++;
     }
 
-    /** A new world: what was said about the last one may be said again. */
+    /** Starts a new world: warnings about the last one may be logged again. */
     public void forget() {
         said.clear();
     }

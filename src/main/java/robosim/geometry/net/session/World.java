@@ -7,33 +7,33 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.protocol.WorldSettings;
 
-/** What a session asks of a world; angles in degrees. */
+/** The operations that a session needs of a world; angles in degrees. */
 public interface World {
-    /** False where the object would leave the world. */
+    /** Adds an object; returns false if it would leave the world. */
     boolean add(GeometryObject object);
 
     MoveResult move(String name, Move move);
 
     double sonar(String name, double x, double z, double min, double max, double width);
 
-    /** What it is made of; null where it is none of the module's own. */
+    /** The geometry behind it; null if it is not one of this module's worlds. */
     default @Nullable Geometry geometry() {
         return null;
     }
 
-    /** Makes worlds. */
+    /** Creates worlds. */
     @FunctionalInterface
     interface Maker {
         World make(WorldSettings settings);
     }
 
-    /** The module's own. */
+    /** A new world of this module. */
     static World of(WorldSettings settings) {
         return over(new Geometry(
                 settings.width(), settings.height(), settings.length(), settings.dimension(), settings.accuracy()));
     }
 
-    /** One that is there already. */
+    /** A world over an existing geometry. */
     static World over(Geometry geometry) {
         return new World() {
             @Override

@@ -6,14 +6,14 @@ import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Reply;
 
-/** One encoding over one connection. */
+/** Reads and writes the messages of one connection in one encoding. */
 interface Codec {
-    /** The next bundle; null at the end of the stream, between two messages. */
+    /** Reads the next bundle; null if the stream ends between two messages. */
     @Nullable
     Bundle read() throws ProtocolException;
 
     void write(Reply reply) throws IOException;
 
-    /** Bytes of the message that was read last. */
+    /** The size of the message that was read last, bytes. */
     int messageBytes();
 }

@@ -24,19 +24,19 @@ import robosim.geometry.protocol.json.JsonCodec;
 import robosim.geometry.protocol.json.JsonLines;
 
 /**
- * Both directions of one connection, in the encoding that the peer chooses: the first byte that it sends tells, {@code AC}
- * of Java serialization or <code>&#123;</code> of {@linkplain JsonLines JSON lines}.
+ * Both directions of one connection, in the encoding that the peer chooses by its first byte: {@code AC} of Java
+ * serialization or <code>&#123;</code> of {@linkplain JsonLines JSON lines}.
  *
- * <p>A Java peer that opens its input first waits for our stream header before it sends a byte. So the header is written
- * when the peer's first byte has told that it speaks Java, or when nothing has come for as long as {@link
- * MessagePace#opening} waits. A peer that speaks JSON but is later than that is served too: the first line that it gets is
- * then the four bytes of that header, to be skipped.
+ * <p>A Java peer that opens its input first waits for our stream header before it sends a byte. So the header is
+ * written when the peer's first byte is that of Java serialization, or when nothing has come for as long as {@link
+ * MessagePace#opening} waits. A JSON peer that begins later than that is served too: the first line that it receives is
+ * then the four bytes of that header, which it must skip.
  *
- * <p>{@link #read} itself answers a JSON peer's hello and pings. One thread reads and one writes, the same or another: a
- * message goes out whole. After an exception nothing more can be read.
+ * <p>{@link #read} itself answers a JSON peer's hello and pings. One thread may read and one may write, the same or
+ * another; messages are written without interleaving. After an exception nothing more can be read.
  */
 public final class MessageChannel {
-    /** How a peer's messages are written. */
+    /** The encoding of a peer's messages. */
     public enum Encoding {
         /** Java serialization. */
         JAVA,
@@ -52,13 +52,13 @@ public final class MessageChannel {
     private final MessagePace pace;
     private final Gate gate;
 
-    /** Made, and our stream header with it, before the peer has said a word. */
+    /** The writer, if it was created, and our stream header sent, before the peer had sent anything. */
     private @Nullable MessageWriter early;
 
     private volatile @Nullable Codec speech;
     private volatile @Nullable Encoding encoding;
 
-    /** Nothing is read or written yet. */
+    /** Reads and writes nothing yet. */
     public MessageChannel(InputStream in, OutputStream out, MessageTranslator translator, MessagePace pace, Gate gate) {
         this.in = Checks.present("in", in);
         this.out = Checks.present("out", out);
@@ -70,9 +70,9 @@ public final class MessageChannel {
     /**
      * Waits for the next bundle.
      *
-     * @return null where the stream ends, between two messages
-     * @throws ProtocolException where bytes are no message, the peer is not admitted, or the stream fails or ends inside
-     *     of a message. A peer that speaks JSON has been told why
+     * @return null if the stream ends between two messages
+     * @throws ProtocolException if the bytes are not a message, the peer is not admitted, or the stream fails or ends
+     *     inside a message. A JSON peer has been told why
      */
     public @Nullable Bundle read() throws ProtocolException {
         try {
@@ -85,9 +85,9 @@ public final class MessageChannel {
     }
 
     /**
-     * Answers in the peer's encoding: one message, whole and flushed.
+     * Writes an answer in the peer's encoding: one complete message, flushed.
      *
-     * @throws IllegalStateException where nothing has been read, so that there is no encoding yet
+     * @throws IllegalStateException if nothing has been read, so that the encoding is not known yet
      */
     public void write(Reply reply) throws IOException {
         Checks.present("reply", reply);
@@ -99,8 +99,8 @@ public final class MessageChannel {
     }
 
     /**
-     * Tells the peer why its connection is about to be closed, where its encoding has a word for that; once, without an
-     * exception where it cannot be told any more.
+     * Tells the peer why its connection is about to be closed, if its encoding has a message for that. Does so only
+     * once, and throws nothing if the peer cannot be reached.
      */
     public void refuse(String reason) {
         Checks.present("reason", reason);
@@ -113,11 +113,11 @@ public final class MessageChannel {
                 out.flush();
             }
         } catch (IOException e) {
-            encoding = null; // who is gone need not be told
+            encoding = null; // the peer is gone
         }
     }
 
-    /** What a peer that speaks JSON is told before its connection is closed, with its line feed. Needs no Jackson. */
+    /** The line that a JSON peer gets before its connection is closed, with its line feed. Does not need Jackson. */
     public static byte[] errorLine(String reason) {
         String words = Text.line(Checks.present("reason", reason))
                 .replace("\\", "\\\\")
@@ -125,12 +125,12 @@ public final class MessageChannel {
         return ("{\"type\":\"error\",\"message\":\"" + words + "\"}\n").getBytes(StandardCharsets.UTF_8);
     }
 
-    /** What the peer speaks; null until it has said a word. */
+    /** The peer's encoding; null until it has sent something. */
     public @Nullable Encoding encoding() {
         return encoding;
     }
 
-    /** Bytes of the message that was read last; 0 before the first. */
+    /** The size of the message that was read last, bytes; 0 before the first. */
     public int messageBytes() {
         Codec spoken = speech;
         return spoken == null ? 0 : spoken.messageBytes();
@@ -202,7 +202,7 @@ public final class MessageChannel {
     private Codec json(InputStream whole) throws IOException {
         encoding = Encoding.JSON;
         if (early != null) {
-            out.write('\n'); // the header is a line of its own
+            out.write('\n'); // makes the header a separate line
             out.flush();
         }
         try {

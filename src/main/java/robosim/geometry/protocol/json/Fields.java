@@ -3,7 +3,7 @@ package robosim.geometry.protocol.json;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The fields that one kind of JSON object has; at most 64. */
+/** The fields of one kind of JSON object; at most 64. */
 final class Fields {
     private final List<String> names;
     private final int required;
@@ -13,7 +13,7 @@ final class Fields {
         this.required = required;
     }
 
-    /** Names with a space between them; their numbers count on from the required ones to the optional ones. */
+    /** Takes names separated by spaces; required fields are numbered first, then optional ones. */
     static Fields of(String required, String optional) {
         List<String> names = new ArrayList<>(List.of(required.split(" ")));
         int count = names.size();
@@ -32,7 +32,7 @@ final class Fields {
         return names.get(index);
     }
 
-    /** The first of the required fields that is not among those seen, a bit each; -1 where none is missing. */
+    /** The first required field whose bit is not set in {@code seen}; -1 if none is missing. */
     int missing(long seen) {
         int first = Long.numberOfTrailingZeros(~seen);
         return first < required ? first : -1;

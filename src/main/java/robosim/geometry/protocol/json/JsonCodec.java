@@ -19,7 +19,7 @@ import robosim.geometry.protocol.Text;
 public final class JsonCodec {
     private final LineInput lines;
 
-    /** Also the lock under which a message is written. */
+    /** The output, which is also the lock for writing a message. */
     private final OutputStream target;
 
     private final OutputStream buffered;
@@ -35,12 +35,12 @@ public final class JsonCodec {
     }
 
     /**
-     * A connection of which nothing has been read.
+     * A codec for a connection of which nothing has been read.
      *
-     * @throws LinkageError where there is no Jackson
+     * @throws LinkageError if Jackson is missing
      */
     public static JsonCodec open(InputStream in, OutputStream out, MessagePace pace, Gate gate) {
-        JsonInput.FACTORY.version(); // here, and not in the midst of a message
+        JsonInput.FACTORY.version(); // fails here rather than within a message
         return new JsonCodec(in, out, pace, gate);
     }
 
@@ -70,7 +70,7 @@ public final class JsonCodec {
         }
     }
 
-    /** Null for a message that is answered here. */
+    /** Reads one message; null if it was answered here. */
     private @Nullable Bundle message() throws IOException {
         if (!admitted) {
             hello();
@@ -91,7 +91,7 @@ public final class JsonCodec {
             return decode(lines.buffer(), lines.start(), lines.length());
         }
         String type = JsonInput.firstTypeOf(JsonInput.of(lines.buffer(), lines.start(), lines.length()));
-        if (type == null) { // it may stand at the end
+        if (type == null) { // it may be at the end
             byte[] line = lines.gather();
             return decode(line, 0, line.length);
         }

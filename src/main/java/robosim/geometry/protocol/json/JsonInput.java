@@ -22,14 +22,14 @@ import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Text;
 
 /**
- * One line of JSON, read strictly: an object's fields are those that it must and may have, each once; a value is of its
- * kind and within the limits. What is refused is named with its place, a JSON pointer.
+ * One line of JSON, read strictly: an object must have its required fields and may have its optional ones, each once; a
+ * value must be of its type and within the limits. Errors name the place as a JSON pointer.
  */
 final class JsonInput implements Closeable {
-    /** Longest number: the exact digits of the longest double are some 1,080. */
+    /** Maximum length of a number: the longest double has some 1,080 exact digits. */
     static final int MAX_NUMBER_LENGTH = 1_100;
 
-    /** Longest whole number with a point or an exponent in it. */
+    /** Maximum length of a whole number that has a decimal point or an exponent. */
     private static final int MAX_WHOLE_LENGTH = 40;
 
     static final JsonFactory FACTORY = JsonFactory.builder()
@@ -39,13 +39,13 @@ final class JsonInput implements Closeable {
                     .maxStringLength(Limits.MAX_TEXT_BYTES)
                     .maxNameLength(Limits.MAX_TEXT_BYTES)
                     .build())
-            // Names come from a peer: none stays.
+            // Names come from a peer, so none are cached.
             .disable(JsonFactory.Feature.INTERN_FIELD_NAMES)
             .disable(JsonFactory.Feature.CANONICALIZE_FIELD_NAMES)
-            // The shortest digits that mean the double, on every JVM.
+            // The shortest digits that identify the double, on every JVM.
             .enable(StreamWriteFeature.USE_FAST_DOUBLE_WRITER)
             .disable(StreamWriteFeature.AUTO_CLOSE_TARGET)
-            // A line goes out with its line feed, at once.
+            // A line is written with its line feed, at once.
             .disable(StreamWriteFeature.FLUSH_PASSED_TO_STREAM)
             .build();
 
@@ -53,7 +53,7 @@ final class JsonInput implements Closeable {
     private final boolean discreet;
     private int containers;
 
-    /** The text that was read last. */
+    /** The string that was read last. */
     private @Nullable String lastText;
 
     private JsonInput(JsonParser parser, boolean discreet) {
@@ -61,23 +61,23 @@ final class JsonInput implements Closeable {
         this.discreet = discreet;
     }
 
-    /** A line whose words may be repeated where it is refused. */
+    /** A line whose contents may be quoted in errors. */
     static JsonInput of(byte[] bytes, int at, int length) throws IOException {
         return new JsonInput(parser(bytes, at, length), false);
     }
 
-    /** A line whose words may be repeated, as it comes. */
+    /** A line whose contents may be quoted in errors, read as it arrives. */
     static JsonInput of(Reader line) throws IOException {
         return new JsonInput(FACTORY.createParser(line), false);
     }
 
-    /** A line that may hold a secret: nothing of it is repeated. */
+    /** A line that may contain a secret: nothing of it is quoted. */
     static JsonInput discreet(byte[] bytes, int at, int length) throws IOException {
         return new JsonInput(parser(bytes, at, length), true);
     }
 
-    // Not createParser(bytes, at, length): where names are not canonicalized, that of Jackson 2.22 takes at + length
-    // for the length of more than 8,000 bytes, and reads what stands behind the line.
+    // Not createParser(bytes, at, length): if names are not canonicalized, Jackson 2.22 takes at + length as the length
+    // when it exceeds 8,000 bytes, and reads beyond the line.
     private static JsonParser parser(byte[] bytes, int at, int length) throws IOException {
         return length <= LineInput.BUFFER
                 ? FACTORY.createParser(new String(bytes, at, length, StandardCharsets.UTF_8))
@@ -85,7 +85,7 @@ final class JsonInput implements Closeable {
                         new InputStreamReader(new ByteArrayInputStream(bytes, at, length), StandardCharsets.UTF_8));
     }
 
-    /** The {@code type} of the message, wherever in it that stands; what comes behind it is not looked at. */
+    /** The {@code type} of a message, at any position; the rest behind it is not read. */
     static String typeOf(JsonInput message) throws IOException {
         try (JsonInput in = message) {
             if (in.find("type")) {
@@ -95,17 +95,17 @@ final class JsonInput implements Closeable {
         }
     }
 
-    /** The {@code type} of the message of which this is the beginning, where it stands first; null elsewhere. */
+    /** The {@code type} of a message, given its beginning, if that field is the first; else null. */
     static @Nullable String firstTypeOf(JsonInput beginning) {
         try (JsonInput in = beginning) {
             in.begin();
             return in.isObject() && "type".equals(in.nextField()) && in.isText() ? in.text() : null;
         } catch (IOException e) {
-            return null; // who reads all of it tells what is wrong with it
+            return null; // reading all of it will report what is wrong
         }
     }
 
-    /** Goes to a field of the line's object, wherever in it that stands. */
+    /** Goes to a field of the line's object, at any position; returns whether it exists. */
     boolean find(String field) throws IOException {
         if (advance() == null) {
             throw new ProtocolException("a line must hold a message (got: a blank line)");
@@ -122,7 +122,7 @@ final class JsonInput implements Closeable {
         return false;
     }
 
-    /** Goes to the value of the current object's next field, and tells its name; null at the object's end. */
+    /** Goes to the value of the current object's next field and returns the name; null at the object's end. */
     @Nullable
     String nextField() throws IOException {
         if (advance() != JsonToken.FIELD_NAME) {
@@ -141,18 +141,18 @@ final class JsonInput implements Closeable {
         }
     }
 
-    /** Begins the line's value. */
+    /** Begins reading the line's value. */
     void begin() throws IOException {
         advance();
     }
 
-    /** Begins the line's object. */
+    /** Begins reading the line's object. */
     Members message(Fields fields) throws IOException {
         advance();
         return object(fields);
     }
 
-    /** Ends the line. */
+    /** Checks that the line ends here. */
     void end() throws IOException {
         if (advance() != null) {
             throw refused("nothing may follow a message on its line (got: " + kind() + ")");
@@ -167,7 +167,7 @@ final class JsonInput implements Closeable {
         }
     }
 
-    /** Begins the object that is the current value. */
+    /** Begins reading the current value as an object. */
     Members object(Fields fields) throws IOException {
         if (parser.currentToken() != JsonToken.START_OBJECT) {
             throw refused("must be an object, {...} (got: " + kind() + ")");
@@ -204,7 +204,7 @@ final class JsonInput implements Closeable {
         }
     }
 
-    /** Begins the list that is the current value; {@link #more} leads to its items. */
+    /** Begins reading the current value as a list; {@link #more} goes to its items. */
     void list() throws IOException {
         if (parser.currentToken() != JsonToken.START_ARRAY) {
             throw refused("must be a list, [...] (got: " + kind() + ")");
@@ -215,7 +215,7 @@ final class JsonInput implements Closeable {
     /**
      * Goes to the next item of a list.
      *
-     * @param sofar items that have been read
+     * @param sofar number of items read so far
      * @return false at its end
      */
     boolean more(int sofar, int most) throws IOException {
@@ -228,13 +228,13 @@ final class JsonInput implements Closeable {
         return true;
     }
 
-    /** The finite number that is the current value, its nearest double. */
+    /** The current value as a finite number: the nearest double. */
     double number() throws IOException {
         if (!isNumber()) {
             throw refused("must be a number (got: " + kind() + ")");
         }
         String digits = scalar();
-        if (digits.length() > MAX_NUMBER_LENGTH) { // the parser itself does not count the sign, nor the point
+        if (digits.length() > MAX_NUMBER_LENGTH) { // the parser's own limit counts neither the sign nor the point
             throw refused(numberTooLong());
         }
         double value = Double.parseDouble(digits);
@@ -244,7 +244,7 @@ final class JsonInput implements Closeable {
         return value;
     }
 
-    /** The whole number that is the current value. */
+    /** The current value as a whole number. */
     long whole(long least, long most) throws IOException {
         double value = number();
         if (!(value >= least && value <= most) || !isWhole()) {
@@ -254,14 +254,15 @@ final class JsonInput implements Closeable {
         return (long) value;
     }
 
-    // 1.0 and 1e0 are whole numbers too, as in the schema; what only rounds to one is not, nor what takes long to tell.
+    // 1.0 and 1e0 are whole numbers too, as in the schema; a number that only rounds to one is not, nor one too long to
+    // check quickly.
     private boolean isWhole() throws IOException {
         return parser.currentToken() == JsonToken.VALUE_NUMBER_INT
                 || (parser.getTextLength() <= MAX_WHOLE_LENGTH
                         && new BigDecimal(scalar()).stripTrailingZeros().scale() <= 0);
     }
 
-    /** That many numbers in a list, which is the current value. */
+    /** The current value as a list of the given number of numbers. */
     double[] numbers(int count) throws IOException {
         double[] numbers = new double[count];
         list();
@@ -282,14 +283,14 @@ final class JsonInput implements Closeable {
         return parser.currentToken() == JsonToken.VALUE_TRUE;
     }
 
-    /** The text that is the current value; whole characters, no longer than a Java stream can hold. */
+    /** The current value as a string without unpaired surrogates, no longer than a Java stream can hold. */
     String text() throws IOException {
         if (!isText()) {
             throw refused("must be a text (got: " + kind() + ")");
         }
         String last = lastText;
         if (last != null && isAgain(last)) {
-            return last; // one robot's name stands in many requests of a bundle
+            return last; // a bundle repeats a robot's name in many requests
         }
         String text = scalar();
         int bytes = 0;
@@ -324,7 +325,7 @@ final class JsonInput implements Closeable {
         }
     }
 
-    /** One of the names of an enum. */
+    /** The current value as a constant of an enum. */
     <E extends Enum<E>> E constant(Class<E> type) throws IOException {
         String text = text();
         for (E constant : type.getEnumConstants()) {
@@ -335,7 +336,7 @@ final class JsonInput implements Closeable {
         throw refused("must be one of " + Arrays.toString(type.getEnumConstants()) + " (got: " + told(text) + ")");
     }
 
-    /** What came, for a message. */
+    /** Quotes a value for a message, unless it may be secret. */
     String told(String text) {
         return discreet ? "another" : Text.quoted(text);
     }
@@ -348,7 +349,7 @@ final class JsonInput implements Closeable {
         }
     }
 
-    /** Makes a value; what its constructor refuses is refused here. */
+    /** Constructs a value; an exception of its constructor becomes one of this input. */
     <T> T make(Supplier<T> constructor) throws ProtocolException {
         try {
             return constructor.get();
@@ -357,7 +358,7 @@ final class JsonInput implements Closeable {
         }
     }
 
-    /** What is wrong with the current value. */
+    /** An exception about the current value. */
     ProtocolException refused(String what) {
         return new ProtocolException(place() + what);
     }
@@ -376,7 +377,7 @@ final class JsonInput implements Closeable {
         return "a text must have at most " + Limits.MAX_TEXT_BYTES + " bytes (got: more)";
     }
 
-    /** The parser's words without its advice, which is for who configures it. */
+    /** The parser's message without its advice, which is meant for programmers. */
     private ProtocolException noJson(JsonProcessingException e) {
         String words = String.valueOf(e.getOriginalMessage());
         if (e instanceof StreamConstraintsException) {
@@ -404,7 +405,7 @@ final class JsonInput implements Closeable {
         return words.startsWith("String value length") || words.startsWith("Name length") ? tooLong() : words;
     }
 
-    /** What the current value is, for a message. */
+    /** The type of the current value, for a message. */
     String kind() {
         JsonToken token = parser.currentToken();
         if (token == null) {
@@ -436,7 +437,7 @@ final class JsonInput implements Closeable {
             this.fields = fields;
         }
 
-        /** Goes to the value of the next field, and tells its number; -1 at the end, when nothing is missing. */
+        /** Goes to the value of the next field and returns its number; -1 at the end, if no field is missing. */
         int next() throws IOException {
             if (advance() != JsonToken.FIELD_NAME) {
                 int missing = fields.missing(seen);

@@ -17,41 +17,41 @@ import robosim.geometry.protocol.Reply;
 import robosim.geometry.protocol.Text;
 
 /**
- * Messages as lines of JSON, in both directions: what an environment in any language writes and reads, and what a
- * scenario's file holds. {@code docs/protocol.schema.json} is their schema. Every double keeps its bits.
+ * Messages as lines of JSON, in both directions: for environments in any language, and for scenario files. {@code
+ * docs/protocol.schema.json} is their schema. Every double keeps its bits.
  *
- * <p>Reading is strict, and within the {@link Limits}. A line is without its line feed. Needs Jackson's core
- * ({@code com.fasterxml.jackson.core:jackson-core}) beside the module, which nothing else does.
+ * <p>Reading is strict, and within the {@link Limits}. Lines are passed without their line feed. Requires Jackson's
+ * core ({@code com.fasterxml.jackson.core:jackson-core}).
  */
 public final class JsonLines {
-    /** Of the protocol, as a hello tells it. */
+    /** The version of the protocol, as given in a hello. */
     public static final int VERSION = 1;
 
-    /** This module and its version, as its hello tells it. */
+    /** This module's name and version, as given in its hello. */
     public static final String MODULE = "robosim-geometry 1.0.0-SNAPSHOT";
 
     private JsonLines() {}
 
     /**
-     * An {@code init}, {@code moves} or {@code sonars} line.
+     * Writes an {@code init}, {@code moves} or {@code sonars} line.
      *
-     * @throws IllegalArgumentException where it is a {@link DistanceBundle}, which is no request
+     * @throws IllegalArgumentException if it is a {@link DistanceBundle}, which is not a request
      */
     public static String write(Bundle request) {
         Checks.present("request", request);
         return text(output -> output.write(request));
     }
 
-    /** A {@code moves} line with what was refused, or a {@code distances} line. */
+    /** Writes a {@code moves} line with the refusals, or a {@code distances} line. */
     public static String write(Reply reply) {
         Checks.present("reply", reply);
         return text(output -> output.write(reply));
     }
 
     /**
-     * A request that an environment may send.
+     * Reads a request that an environment may send.
      *
-     * @throws ProtocolException where the line is none; the message names the place
+     * @throws ProtocolException if the line is none; the message names the place
      */
     public static Bundle readRequest(String line) throws ProtocolException {
         byte[] bytes = bytes(line);
@@ -64,9 +64,9 @@ public final class JsonLines {
     }
 
     /**
-     * An answer that a module may send.
+     * Reads an answer that a module may send.
      *
-     * @throws ProtocolException where the line is none; the message names the place
+     * @throws ProtocolException if the line is none; the message names the place
      */
     public static Reply readReply(String line) throws ProtocolException {
         byte[] bytes = bytes(line);
@@ -85,9 +85,9 @@ public final class JsonLines {
     }
 
     /**
-     * The {@code type} of a line's object, whatever else that holds.
+     * The {@code type} of a line's object; its other fields are not checked.
      *
-     * @throws ProtocolException where the line is no object that has one
+     * @throws ProtocolException if the line is not an object with a {@code type}
      */
     public static String typeOf(String line) throws ProtocolException {
         byte[] bytes = bytes(line);
@@ -95,9 +95,9 @@ public final class JsonLines {
     }
 
     /**
-     * Whether a line is an answer and no request: {@code distances}, or {@code moves} that tell what was refused.
+     * Whether a line is an answer rather than a request: {@code distances}, or {@code moves} with refusals.
      *
-     * @throws ProtocolException where the line is no object that has a {@code type}
+     * @throws ProtocolException if the line is not an object with a {@code type}
      */
     public static boolean isReply(String line) throws ProtocolException {
         String type = typeOf(line);
@@ -142,13 +142,13 @@ public final class JsonLines {
         return bytes;
     }
 
-    /** Reads something. */
+    /** An operation that reads. */
     @FunctionalInterface
     interface Reading<T> {
         T read() throws IOException;
     }
 
-    /** Whatever goes wrong in reading is the peer's fault and has one type. */
+    /** Reads; any failure is the peer's fault and becomes a ProtocolException. */
     static <T> T guarded(Reading<T> reading) throws ProtocolException {
         try {
             return reading.read();
@@ -159,7 +159,7 @@ public final class JsonLines {
         }
     }
 
-    /** Whatever goes wrong in reading a line that comes over a connection, but for the connection itself. */
+    /** The same for a line that is read as it arrives; failures of the connection itself are passed on. */
     static <T> T guardedAsItComes(Reading<T> reading) throws IOException {
         try {
             return reading.read();
@@ -181,7 +181,7 @@ public final class JsonLines {
                 e);
     }
 
-    /** Writes something. */
+    /** An operation that writes. */
     @FunctionalInterface
     interface Writing {
         void write(JsonOutput output) throws IOException;
@@ -197,7 +197,7 @@ public final class JsonLines {
         return wellFormed(text.toString());
     }
 
-    /** A name of a Java peer may hold half a surrogate pair, which UTF-8 cannot; it is escaped, and no line is broken. */
+    /** Escapes unpaired surrogates, which a Java peer's name may contain but UTF-8 cannot. */
     static String wellFormed(String text) {
         if (text.chars().noneMatch(c -> Character.isSurrogate((char) c))) {
             return text;

@@ -19,7 +19,7 @@ import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.WorldSettings;
 
-/** Messages from JSON, whose type is known. */
+/** Reads messages of known type from JSON. */
 final class JsonMessages {
     private static final Fields INIT = Fields.of("type objects", "settings");
     private static final Fields SETTINGS = Fields.of("width height length dimension accuracy", "");
@@ -52,9 +52,9 @@ final class JsonMessages {
     }
 
     /**
-     * Asks whether anybody is there.
+     * A ping: asks whether the peer is alive.
      *
-     * @param id a text, a Long, or null for none
+     * @param id a String, a Long, or null for none
      */
     record Ping(@Nullable Object id) {}
 

@@ -5,8 +5,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
@@ -17,7 +17,7 @@ import robosim.geometry.model.SphereObject;
 import robosim.geometry.protocol.Limits;
 import robosim.geometry.protocol.ProtocolException;
 
-/** Objects from JSON. The fields come in any order, so an object is noted whole before its kind decides. */
+/** Reads objects from JSON. Their fields come in any order, so all are read before the kind is evaluated. */
 final class JsonObjects {
     private static final Fields FIELDS = Fields.of(
             "kind",
@@ -40,14 +40,14 @@ final class JsonObjects {
     private final JsonInput in;
     private long parts;
 
-    /** Parts of the object or list that was read last. */
+    /** The number of parts of the object or list that was read last. */
     private long weight;
 
     JsonObjects(JsonInput in) {
         this.in = in;
     }
 
-    /** The list of objects that is the current value. */
+    /** The current value as a list of objects. */
     List<GeometryObject> list() throws IOException {
         List<GeometryObject> objects = new ArrayList<>();
         long sum = 0;
@@ -161,7 +161,7 @@ final class JsonObjects {
         return Arrays.copyOf(corners, count);
     }
 
-    /** What an object of a kind is called, and which fields it must and may have. */
+    /** The name of a kind of object, and its required and optional fields. */
     private record Form(GeometryObject.Kind kind, String word, List<String> must, List<String> may) {
         static Form of(GeometryObject.Kind kind, String word, String must, String more) {
             List<String> may = new ArrayList<>(COMMON);
@@ -180,7 +180,7 @@ final class JsonObjects {
         throw in.refused("must be box, cylinder, sphere, mesh or group (got: " + in.told(text) + ")");
     }
 
-    /** What has been read of an object. */
+    /** The fields of an object read so far. */
     private static final class Draft {
         private Form form = FORMS.get(0);
         private long weight = 1;

@@ -5,8 +5,8 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
@@ -28,7 +28,7 @@ import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.WorldSettings;
 
-/** Messages to JSON; every double in the shortest digits that mean its bits. */
+/** Writes messages as JSON; every double in the shortest digits that identify it. */
 final class JsonOutput {
     private static final double[] FORWARD = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 
@@ -38,7 +38,7 @@ final class JsonOutput {
         this.out = out;
     }
 
-    /** A request. */
+    /** Writes a request. */
     void write(Bundle request) throws IOException {
         if (request instanceof InitBundle init) {
             begin("init");
@@ -59,7 +59,7 @@ final class JsonOutput {
         }
     }
 
-    /** An answer. */
+    /** Writes an answer. */
     void write(Reply reply) throws IOException {
         if (reply.bundle() instanceof MoveBundle made) {
             begin("moves");
@@ -79,7 +79,7 @@ final class JsonOutput {
         out.writeEndObject();
     }
 
-    /** The answer to a peer's hello. */
+    /** Writes the answer to a peer's hello. */
     void writeHello() throws IOException {
         begin("hello");
         out.writeNumberField("version", JsonLines.VERSION);
@@ -96,7 +96,7 @@ final class JsonOutput {
         out.writeEndObject();
     }
 
-    /** The answer to a ping. */
+    /** Writes the answer to a ping. */
     void writePong(@Nullable Object id) throws IOException {
         begin("pong");
         if (id instanceof Long number) {

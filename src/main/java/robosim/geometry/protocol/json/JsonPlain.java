@@ -5,11 +5,11 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
-/** A line's object whose fields are not known beforehand: texts, Doubles, Booleans, nulls and objects like it. */
+/** Reads an object whose fields are not known beforehand: Strings, Doubles, Booleans, nulls and nested objects. */
 final class JsonPlain {
     private JsonPlain() {}
 
-    /** All of the line. */
+    /** Reads the whole line. */
     static Map<String, @Nullable Object> read(JsonInput in) throws IOException {
         in.begin();
         Map<String, @Nullable Object> fields = fields(in);

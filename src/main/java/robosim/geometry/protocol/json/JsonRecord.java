@@ -13,8 +13,8 @@ import robosim.geometry.protocol.ProtocolException;
 import robosim.geometry.protocol.Text;
 
 /**
- * A line of JSON that is no message of the wire's: an object whose fields are asked for by their names, as strictly as a
- * message is read. A scenario's file has such lines beside the wire's.
+ * A line of JSON that is not a protocol message: an object whose fields are read by name, as strictly as a message.
+ * Scenario files contain such lines in addition to messages.
  */
 public final class JsonRecord {
     private final String place;
@@ -28,7 +28,7 @@ public final class JsonRecord {
     /**
      * Reads a line.
      *
-     * @throws ProtocolException where it is no object of texts, numbers, flags, nulls and objects like it
+     * @throws ProtocolException if it is not an object of strings, numbers, booleans, nulls and nested objects
      */
     public static JsonRecord read(String line) throws ProtocolException {
         byte[] bytes = JsonLines.bytes(line);
@@ -40,10 +40,10 @@ public final class JsonRecord {
     }
 
     /**
-     * Holds the record to its fields.
+     * Checks the record's fields.
      *
-     * @param required names with a space between them
-     * @param optional names with a space between them, or empty
+     * @param required names separated by spaces
+     * @param optional names separated by spaces, or empty
      * @return this
      * @throws ProtocolException naming a field that is missing or unknown
      */
@@ -89,7 +89,7 @@ public final class JsonRecord {
         return value(field, Double.class, "a number");
     }
 
-    /** A whole number, from {@code least} to {@code most}, which a double can hold. */
+    /** A whole number from {@code least} to {@code most}, within the range that a double holds exactly. */
     public long whole(String field, long least, long most) throws ProtocolException {
         double number = number(field);
         if (!(number >= least && number <= most) || number != Math.rint(number)) {
@@ -98,7 +98,7 @@ public final class JsonRecord {
         return (long) number;
     }
 
-    /** One of the names of an enum. */
+    /** A constant of an enum. */
     public <E extends Enum<E>> E constant(String field, Class<E> type) throws ProtocolException {
         Checks.present("type", type);
         String text = text(field);
@@ -112,7 +112,7 @@ public final class JsonRecord {
                         + ")");
     }
 
-    /** A record within this one. */
+    /** A nested record. */
     @SuppressWarnings("unchecked") // JsonPlain makes no other maps
     public JsonRecord record(String field) throws ProtocolException {
         return new JsonRecord(
@@ -131,17 +131,17 @@ public final class JsonRecord {
         return new JsonRecord(place + "/" + field, fields);
     }
 
-    /** What is wrong here, with its place. */
+    /** An exception about this record, with its place. */
     public ProtocolException refused(String what) {
         Checks.present("what", what);
         return new ProtocolException((place.isEmpty() ? "the line: " : "at " + Text.line(place) + ": ") + what);
     }
 
     /**
-     * A line, without its line feed.
+     * Writes a line, without its line feed.
      *
-     * @param fields in the order of the map; texts, Longs and Integers, Doubles, Booleans, enums, nulls and maps like it.
-     *               An infinite Double becomes null, as on the wire
+     * @param fields the fields, in the order of the map: Strings, Longs, Integers, Doubles, Booleans, enums, nulls and
+     *               nested maps. An infinite Double becomes null, as in messages
      */
     public static String write(Map<String, ? extends @Nullable Object> fields) {
         Checks.present("fields", fields);

@@ -18,11 +18,11 @@ import robosim.geometry.protocol.MessagePace;
 import robosim.geometry.protocol.ProtocolException;
 
 /**
- * Lines of UTF-8, each bounded before it is believed. A line that fits into the buffer is there whole; of a longer one its
- * beginning is, and the rest is read as it comes, so that no line has to be in memory at once.
+ * Reads lines of UTF-8, each of limited length. A line that fits into the buffer is read completely; of a longer one
+ * only the beginning, and the rest as it arrives, so that long lines need not be in memory at once.
  */
 final class LineInput {
-    /** Bytes of a line that are there whole; more than a hello may have. */
+    /** The size of the buffer: the largest line that is read completely; more than a hello may have. */
     static final int BUFFER = 2 * Limits.MAX_HELLO_BYTES;
 
     private static final int LEAST = ' ';
@@ -31,7 +31,7 @@ final class LineInput {
     private final MessagePace pace;
     private final byte[] buffer = new byte[BUFFER];
 
-    /** The line, as far as it is in the buffer, then what has been read beyond it. */
+    /** The part of the line in the buffer, then bytes read beyond it. */
     private int start;
 
     private int length;
@@ -41,7 +41,7 @@ final class LineInput {
     private int number;
     private int mostBytes;
 
-    /** Bytes of the line that have been looked at. */
+    /** The number of bytes of the line that have been examined. */
     private int count;
 
     private boolean whole;
@@ -52,10 +52,10 @@ final class LineInput {
     }
 
     /**
-     * Waits for the next line, or the beginning of a long one, of which the last must have been read to its end.
+     * Waits for the next line, or the beginning of a long one. The previous line must have been read to its end.
      *
-     * @return whether there is one; false at the end of the stream, between two lines
-     * @throws ProtocolException where it has more bytes, is no text or lacks its end
+     * @return whether there is one; false if the stream ends between two lines
+     * @throws ProtocolException if it has more bytes than allowed, is not valid text or lacks its end
      */
     boolean await(int most) throws IOException {
         pace.idle();
@@ -67,7 +67,7 @@ final class LineInput {
         }
         pace.begun();
         number++;
-        if (next >= BUFFER / 2) { // what has come of the line moves to the front, where it has room
+        if (next >= BUFFER / 2) { // moves the beginning of the line to the front to make room
             end -= next;
             System.arraycopy(buffer, next, buffer, 0, end);
             next = 0;
@@ -97,7 +97,7 @@ final class LineInput {
         return true;
     }
 
-    /** Counts the line's bytes in the buffer, from there on. */
+    /** Examines the line's bytes in the buffer from an index on. */
     private void count(int from) throws ProtocolException {
         int at = from;
         int last = (int) Math.min(end, (long) from + mostBytes - count + 1);
@@ -131,15 +131,15 @@ final class LineInput {
     }
 
     /**
-     * The characters of a line that is not whole; to be read to their end before the next line is awaited. Reading fails
-     * as {@link #await} does.
+     * The characters of a line that is not completely in the buffer; must be read to the end before the next line is
+     * awaited. Reading throws the same exceptions as {@link #await}.
      */
     Reader characters() {
         InputStream rest = new Rest();
         return new InputStreamReader(rest, StandardCharsets.UTF_8.newDecoder()); // reports what is malformed
     }
 
-    /** All bytes of a line that is not whole, where its characters have not been asked for. */
+    /** All bytes of a line that is not completely in the buffer; only if {@link #characters} was not called. */
     byte[] gather() throws IOException {
         ByteArrayOutputStream all = new ByteArrayOutputStream(4 * BUFFER);
         new Rest().transferTo(all);
@@ -148,7 +148,7 @@ final class LineInput {
         return bytes;
     }
 
-    /** A line that is longer than the buffer: what of it is there, then the rest. */
+    /** The bytes of a line that is longer than the buffer: the part in the buffer, then the rest. */
     private final class Rest extends InputStream {
         private ByteArrayInputStream part = new ByteArrayInputStream(buffer, start, length);
         private boolean ended;
@@ -168,7 +168,7 @@ final class LineInput {
             return part.available();
         }
 
-        /** Makes the next bytes of the line the part that is there. */
+        /** Reads the next part of the line into the buffer. */
         private boolean more() throws IOException {
             while (!ended) {
                 if (next == end && !fill()) {
@@ -190,7 +190,10 @@ final class LineInput {
         }
     }
 
-    /** Jackson would take other encodings than UTF-8 for JSON, all of which hold zeros, and overlong forms. */
+    /**
+     * Checks for valid UTF-8. Jackson would also accept other encodings, all of which contain zero bytes, and overlong
+     * forms.
+     */
     static void checkText(byte[] bytes, int start, int length) throws ProtocolException {
         checkBeginning(bytes, start, length);
         checkControls(bytes, start, length, 0);
@@ -241,32 +244,32 @@ final class LineInput {
         }
     }
 
-    /** The buffer in which the line is, to be read at once. */
+    /** The buffer that contains the line; valid until the next read. */
     byte[] buffer() {
         return buffer;
     }
 
-    /** Where in the buffer the line begins. */
+    /** The index in the buffer at which the line begins. */
     int start() {
         return start;
     }
 
-    /** Bytes of the line that are in the buffer, without its line feed. */
+    /** The number of bytes of the line in the buffer, without its line feed. */
     int length() {
         return length;
     }
 
-    /** Bytes of the line that have come, without its line feed. */
+    /** The number of bytes of the line read so far, without its line feed. */
     int count() {
         return count;
     }
 
-    /** Of this line, from 1. */
+    /** The number of this line, from 1. */
     int number() {
         return number;
     }
 
-    /** Forgets what the line held, where that must not stay in memory. */
+    /** Erases the line's contents from memory. */
     void wipe() {
         Arrays.fill(buffer, start, start + length, (byte) 0);
     }

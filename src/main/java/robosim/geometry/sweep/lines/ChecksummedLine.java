@@ -4,20 +4,20 @@ import java.nio.charset.StandardCharsets;
 import java.util.zip.CRC32C;
 import org.jspecify.annotations.Nullable;
 
-/** Lines with a check sum as their last field: the CRC-32C of all that is before it. */
+/** Lines with a checksum as their last field: the CRC-32C of everything before it. */
 public final class ChecksummedLine {
     private static final String FIELD = ",\"check\":\"";
     private static final String FORM = "[0-9a-f]{8}\"}";
 
     private ChecksummedLine() {}
 
-    /** An object's line with its check sum. */
+    /** Adds the checksum to the line of an object. */
     public static String seal(String line) {
         String open = line.substring(0, line.length() - 1);
         return open + FIELD + check(open) + "\"}";
     }
 
-    /** The line that was sealed; null where this is none, or not as it was. */
+    /** Removes the checksum; returns null if the line has none, or has been altered. */
     public static @Nullable String open(String sealed) {
         int at = sealed.lastIndexOf(FIELD);
         if (at < 0) {

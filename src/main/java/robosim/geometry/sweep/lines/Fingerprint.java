@@ -7,8 +7,8 @@ import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.List;
 import robosim.geometry.Snapshot;
-import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
@@ -16,7 +16,7 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 
-/** A digest of numbers by their bits and of texts: the same on every JVM, whatever it writes numbers like. */
+/** A digest of strings and of numbers by their bits: the same on every JVM. */
 public final class Fingerprint {
     private final MessageDigest digest;
 
@@ -28,7 +28,7 @@ public final class Fingerprint {
         }
     }
 
-    /** Of a world's settings and objects. */
+    /** The digest of a world's settings and objects. */
     public static String of(Snapshot world) {
         Fingerprint print = new Fingerprint();
         print.add(world.width()).add(world.height()).add(world.length());
@@ -94,7 +94,7 @@ public final class Fingerprint {
         }
     }
 
-    /** All so far. */
+    /** The digest so far, in hexadecimal. */
     public String hex() {
         return HexFormat.of().formatHex(digest.digest());
     }

@@ -2,7 +2,7 @@ package robosim.geometry.sweep.lines;
 
 import java.nio.file.Path;
 
-/** What worlds, parameters and their values may be called: words that stand beside each other in a line. */
+/** Checks the names of worlds and parameters and the values of parameters: words that can be listed in a line. */
 public final class Names {
     public static final int MOST = 200;
 
@@ -16,12 +16,12 @@ public final class Names {
         return name;
     }
 
-    /** Whether a text has half of a surrogate pair, which UTF-8 cannot hold. */
+    /** Whether a string has an unpaired surrogate, which UTF-8 cannot represent. */
     public static boolean hasHalf(String text) {
         return text.codePoints().anyMatch(c -> c >= Character.MIN_SURROGATE && c <= Character.MAX_SURROGATE);
     }
 
-    /** A file's name up to its first point. */
+    /** A file's name up to its first dot, as a valid name. */
     public static String of(Path file) {
         Path last = file.getFileName();
         String name = last == null ? "" : last.toString();

@@ -13,7 +13,7 @@ import robosim.geometry.protocol.SonarRequest;
 import robosim.geometry.protocol.SonarRequestBundle;
 import robosim.geometry.protocol.WorldSettings;
 
-/** A digest of a conversation: its options, its world, what is asked and what was answered. */
+/** A digest of a conversation: its options, its world, its requests and answers. */
 public final class ScenarioPrint {
     private final Fingerprint print = new Fingerprint();
 

@@ -4,7 +4,10 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 
-/** Appends lines, from many threads at once, each whole: where one could not be written, none follows its first half. */
+/**
+ * Appends complete lines from many threads at once; after a line that could not be written completely, no more are
+ * written.
+ */
 public final class SweepLines {
     private final OutputStream out;
     private boolean isBroken;
@@ -13,7 +16,7 @@ public final class SweepLines {
         this.out = out;
     }
 
-    /** Whether the line stands there now; false where an earlier one could not be written. */
+    /** Appends a line; returns false if an earlier one could not be written. */
     public synchronized boolean append(String line) throws IOException {
         if (isBroken) {
             return false;

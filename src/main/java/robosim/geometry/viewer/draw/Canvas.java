@@ -2,27 +2,27 @@ package robosim.geometry.viewer.draw;
 
 import java.util.List;
 
-/** What the painter draws on; pixels, x to the right and y down. */
+/** A surface that the painter draws on; in pixels, x to the right and y down. */
 public interface Canvas {
-    /** Where a text stands from its place. */
+    /** How a text is placed relative to its point. */
     enum Anchor {
         START,
         MIDDLE,
         END
     }
 
-    /** Begins a part of the picture, which has a role and, where it stands for one thing, that thing's name. */
+    /** Begins a part of the picture, with a role and, if it represents one object, that object's name. */
     void open(String role, String name);
 
     /** Ends the part begun last. */
     void close();
 
-    /** What follows shows only inside this rectangle, until {@link #unclip}. */
+    /** Clips what follows to this rectangle, until {@link #unclip}. */
     void clip(double x, double y, double width, double height);
 
     void unclip();
 
-    /** Closed polygons of x, y, x, y ... that are filled as one: what several of them cover is covered once. */
+    /** Closed polygons of x, y, x, y ... that are filled as their union. */
     void polygons(List<double[]> corners, Style style);
 
     /** An open line of x, y, x, y ... */
@@ -31,17 +31,17 @@ public interface Canvas {
     void circle(double x, double y, double radius, Style style);
 
     /**
-     * A piece of pie.
+     * A circular sector.
      *
      * @param from  degrees from the page's right, counter-clockwise as seen
      * @param sweep degrees counter-clockwise, above 0 and below 360
      */
     void sector(double x, double y, double radius, double from, double sweep, Style style);
 
-    /** The outer line of a piece of pie. */
+    /** The arc of a circular sector. */
     void arc(double x, double y, double radius, double from, double sweep, Style style);
 
-    /** A line of text on its base line, with a rim of paper around it. */
+    /** A line of text on its base line, with an outline in the background colour. */
     void text(double x, double y, String text, Anchor anchor, double size, Ink ink);
 
     /** A rectangle. */

@@ -3,9 +3,9 @@ package robosim.geometry.viewer.draw;
 import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.exact.NumberText;
-import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
@@ -15,10 +15,10 @@ import robosim.geometry.protocol.Text;
 import robosim.geometry.viewer.scene.MapFrame;
 
 /**
- * What is told of one object.
+ * The description of one object.
  *
- * @param heading its name
- * @param lines   the rest
+ * @param heading the object's name
+ * @param lines   the other lines
  */
 public record Card(String heading, List<String> lines) {
     private static final double MARGIN = 12;
@@ -74,7 +74,7 @@ public record Card(String heading, List<String> lines) {
         return number(bounds.width()) + " by " + number(bounds.length());
     }
 
-    /** In the upper right corner of a map. */
+    /** Paints the card in the upper right corner of a map. */
     public void paint(MapFrame frame, Canvas canvas) {
         double widest = StrokeFont.width(heading, HEADING_SIZE);
         for (String line : lines) {

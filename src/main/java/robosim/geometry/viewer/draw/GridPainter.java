@@ -4,7 +4,7 @@ import robosim.geometry.exact.NumberText;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Scene;
 
-/** The floor, lines at round coordinates with their numbers, the world's border, and the title. */
+/** Paints the floor, lines at round coordinates with their numbers, the world's bounds, and the title. */
 final class GridPainter {
     /** Of a multiple of a round length, without the noise of the product. */
     static final int DIGITS = 15;
@@ -47,7 +47,7 @@ final class GridPainter {
         canvas.close();
     }
 
-    /** The world's edge; on a window's map only where it is to be seen. */
+    /** Paints the world's bounds; on a window's map only the visible part. */
     private void border(double left, double top, double right, double bottom) {
         Scene.View world = scene.view();
         boolean whole = world.equals(frame.visible());

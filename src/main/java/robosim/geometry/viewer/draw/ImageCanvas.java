@@ -15,14 +15,14 @@ import java.util.function.Consumer;
 
 /** Draws on an image, in one theme. */
 public final class ImageCanvas implements Canvas {
-    /** Pixels; a longer line is unbroken. */
+    /** The maximum length in pixels of a dashed line; longer ones are drawn solid. */
     private static final double LONGEST_DASHED = 10_000;
 
     private final Graphics2D graphics;
     private final Theme theme;
     private final Shape whole;
 
-    /** On what a part of a window or an image is drawn with; its settings are this one's from now on. */
+    /** A canvas over the graphics of a window or an image, whose settings it changes. */
     public ImageCanvas(Graphics2D graphics, double width, double height, Theme theme) {
         this.graphics = graphics;
         this.theme = theme;
@@ -128,7 +128,7 @@ public final class ImageCanvas implements Canvas {
         }
     }
 
-    /** Whether its dashes can be counted: those far outside of a window that is zoomed into are drawn as well. */
+    /** Whether a shape is small enough to be dashed; dashes far outside a zoomed window are computed too. */
     private static boolean isSmall(Shape shape) {
         Rectangle2D bounds = shape.getBounds2D();
         return bounds.getWidth() < LONGEST_DASHED && bounds.getHeight() < LONGEST_DASHED;

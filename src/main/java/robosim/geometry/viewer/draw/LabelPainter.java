@@ -8,15 +8,15 @@ import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Outline;
 import robosim.geometry.viewer.scene.Scene;
 
-/** Names beside or upon their objects, where there is room: no label covers another. */
+/** Paints names next to or on their objects where there is room; no label covers another. */
 final class LabelPainter {
     private static final double ROBOT_SIZE = 12;
     private static final double STATIC_SIZE = 10;
 
-    /** The mean advance of a letter in its size; the page is laid out by it, whatever the font. */
+    /** The mean width of a letter as a fraction of the font size, used for layout with any font. */
     private static final double ADVANCE = 0.6;
 
-    /** Places along a name at which it is asked whether something lies over it. */
+    /** Number of points along a name that are tested for being covered. */
     private static final int SAMPLES = 5;
 
     private final MapFrame frame;
@@ -40,7 +40,7 @@ final class LabelPainter {
                 beside(thing.object());
             }
         }
-        // The uppermost first: what it covers has no name there.
+        // Topmost first: objects under it get no name there.
         List<Cover> above = new ArrayList<>();
         for (int k = things.size() - 1; k >= 0; k--) {
             GeometryObject object = things.get(k).object();
@@ -51,7 +51,7 @@ final class LabelPainter {
         canvas.close();
     }
 
-    /** No name may cover a robot. */
+    /** Reserves the area of a robot, which no name may cover. */
     private void reserve(GeometryObject robot) {
         Bounds bounds = robot.bounds();
         double halfWidth = frame.scale * bounds.width() / 2;
@@ -68,7 +68,7 @@ final class LabelPainter {
         }
         Bounds bounds = robot.bounds();
         double half = frame.scale * Math.max(bounds.width(), bounds.length()) / 2;
-        // The arrow of a small one stands beside it.
+        // A small robot's arrow is next to it.
         double reach = (half < ThingPainter.SMALL_ARROW ? half + 2 * ThingPainter.SMALL_ARROW : half) + 5;
         double x = frame.x(bounds.middleX());
         double y = frame.y(bounds.middleZ());
@@ -85,14 +85,14 @@ final class LabelPainter {
         canvas.text(places[0][0], places[0][1], name, Canvas.Anchor.START, ROBOT_SIZE, Palette.TEXT);
     }
 
-    /** What lies over the things that are still to come. */
+    /** An object that lies over those still to be labelled. */
     private record Cover(List<Outline> outlines, Bounds bounds) {
         boolean isApart(double fromX, double fromZ, double toX, double toZ) {
             return toX < bounds.minX() || bounds.maxX() < fromX || toZ < bounds.minZ() || bounds.maxZ() < fromZ;
         }
     }
 
-    /** A static object's name stands on it, where it fits and nothing lies over it. */
+    /** Paints a static object's name on it if it fits and is not covered. */
     private void upon(GeometryObject object, List<Cover> above) {
         Bounds bounds = object.bounds();
         String name = object.name();

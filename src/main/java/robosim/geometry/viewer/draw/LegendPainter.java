@@ -5,7 +5,7 @@ import robosim.geometry.exact.NumberText;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Scene;
 
-/** Below the map: the scale bar, the ramp of distances, and what the marks mean. */
+/** Paints the legend below the map: the scale bar, the colour ramp of distances, and the meaning of marks. */
 final class LegendPainter {
     private static final double TEXT_SIZE = 12;
 
@@ -59,7 +59,7 @@ final class LegendPainter {
         canvas.open("ramp", "");
         for (int k = 0; k < Palette.RAMP; k++) {
             Ink ink = Palette.distance(k / (Palette.RAMP - 1.0));
-            // A little wider than its step, so that no seam shows between two of them.
+            // Slightly wider than a step, so that no gap shows between two.
             canvas.rectangle(x + k * step, y - 9, step + 0.5, 9, Style.filled(ink, 1));
         }
         double tick = MapFrame.roundLength(farthest / 2);

@@ -23,7 +23,7 @@ public final class Painter {
     private final Canvas canvas;
     private final double farthest;
 
-    /** A colour for each object that moves, in the order in which they stand in the scene. */
+    /** A colour for each moveable object, in the order of the scene. */
     private final Map<String, Ink> robots = new LinkedHashMap<>();
 
     private Painter(Scene scene, MapFrame frame, Canvas canvas) {
@@ -45,7 +45,7 @@ public final class Painter {
         }
     }
 
-    /** The scene as an SVG document that follows its reader's choice of a light or dark page. */
+    /** The scene as an SVG document that follows the viewer's light or dark theme. */
     public static String svg(Scene scene) {
         Checks.present("scene", scene);
         MapFrame frame = new MapFrame(scene.view());
@@ -54,7 +54,7 @@ public final class Painter {
         return canvas.document();
     }
 
-    /** The scene as an image; this needs the JDK's {@code java.desktop}, but no screen. */
+    /** The scene as an image; requires the JDK's {@code java.desktop}, but no display. */
     public static BufferedImage image(Scene scene, Theme theme) {
         Checks.present("scene", scene);
         Checks.present("theme", theme);
@@ -63,10 +63,10 @@ public final class Painter {
     }
 
     /**
-     * Writes the scene to a file, as its name ends: {@code .svg} or {@code .png}. It writes all of it or nothing.
+     * Writes the scene to a file, {@code .svg} or {@code .png} by its ending; atomically.
      *
-     * @throws IllegalArgumentException where it ends otherwise
-     * @throws IOException where the file cannot be written
+     * @throws IllegalArgumentException if it ends otherwise
+     * @throws IOException if the file cannot be written
      */
     public static void write(Scene scene, Theme theme, Path file) throws IOException {
         Checks.present("scene", scene);
@@ -84,7 +84,7 @@ public final class Painter {
         }
     }
 
-    /** Draws what changes with the place that is looked at alone: the floor, what cannot move, its names. */
+    /** Draws what depends only on the visible area: the floor and the static objects with their names. */
     public static void ground(Scene scene, MapFrame frame, Canvas canvas) {
         Painter painter = new Painter(scene, frame, canvas);
         painter.paintFloor();
@@ -94,7 +94,9 @@ public final class Painter {
         new LabelPainter(frame, canvas).paint(painter.statics());
     }
 
-    /** Draws over that what changes with each step: what moves, what is measured and refused, and the legend. */
+    /**
+     * Draws on top of that what changes with each step: moveable objects, measurements, refused moves, and the legend.
+     */
     public static void life(Scene scene, MapFrame frame, Canvas canvas) {
         Painter painter = new Painter(scene, frame, canvas);
         painter.clip();

@@ -2,7 +2,7 @@ package robosim.geometry.viewer.draw;
 
 import robosim.geometry.model.GeometryObject;
 
-/** The colours: what stands is quiet, what moves and what is measured is not. */
+/** The colours: muted for static objects, vivid for moveable objects and measurements. */
 public final class Palette {
     public static final Ink PAPER = new Ink(0xfbfaf7, 0x14171c);
     public static final Ink FLOOR = new Ink(0xffffff, 0x1b1f26);
@@ -23,7 +23,7 @@ public final class Palette {
     private static final Ink MESH = new Ink(0xa795b5, 0x6c5a7b);
     private static final Ink GROUP = new Ink(0xa3ab88, 0x666e4c);
 
-    /** Hues apart in lightness too, so that they differ for readers who see few colours (after Okabe and Ito). */
+    /** Hues that differ in lightness too, for colour-blind readers (after Okabe and Ito). */
     private static final Ink[] ROBOTS = {
         new Ink(0x0067a8, 0x56b4e9), new Ink(0xc85a00, 0xff9f45), new Ink(0x00805a, 0x2fd0a0),
                 new Ink(0xa8447f, 0xf19fcf),
@@ -53,13 +53,16 @@ public final class Palette {
         return ROBOTS[Math.floorMod(number, ROBOTS.length)];
     }
 
-    /** The colour of a share of the largest distance, from 0 to 1: the nearer, the stronger against the paper. */
+    /**
+     * The colour of a distance as a fraction of the largest, from 0 to 1: nearer ones contrast more with the
+     * background.
+     */
     static Ink distance(double share) {
         double step = Math.max(0, Math.min(1, share)) * (RAMP - 1);
         return DISTANCES[(int) Math.round(step)];
     }
 
-    /** Even steps of lightness and of hue in OKLCh (Ottosson 2020), so that the order of the colours is seen. */
+    /** Even steps of lightness and of hue in OKLCh (Ottosson 2020), so that the order of the colours is visible. */
     private static Ink[] ramp() {
         Ink[] ramp = new Ink[RAMP];
         for (int k = 0; k < RAMP; k++) {

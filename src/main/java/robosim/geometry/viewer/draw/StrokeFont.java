@@ -6,11 +6,11 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * A font of pen strokes for images: no machine lacks it, and its pictures are the same everywhere. What it has no letter
- * for is a box.
+ * A stroke font for images: available on every machine, with the same pictures everywhere. A character without a glyph
+ * is drawn as a box.
  */
 final class StrokeFont {
-    /** Units of the table below in a font size; capitals are 7 units high. */
+    /** Units of the table below per font size; capitals are 7 units high. */
     private static final double UNITS = 9.6;
 
     /** Units between two letters. */
@@ -122,7 +122,7 @@ final class StrokeFont {
 
     private StrokeFont() {}
 
-    /** A letter: how wide it is and its lines. */
+    /** A glyph: its width and its lines. */
     private static final class Glyph {
         private final double width;
         private final List<double[]> lines;
@@ -133,7 +133,7 @@ final class StrokeFont {
         }
     }
 
-    /** How long a text is in pixels. */
+    /** The width of a text in pixels. */
     static double width(String text, double size) {
         double units = 0;
         for (int c : text.codePoints().toArray()) {
@@ -142,7 +142,7 @@ final class StrokeFont {
         return Math.max(0, units - GAP) * size / UNITS;
     }
 
-    /** The lines of a text whose base line begins at a place; x, y, x, y ... with y down. */
+    /** The lines of a text whose base line begins at a point; x, y, x, y ... with y down. */
     static List<double[]> lines(String text, double size, double x, double y) {
         List<double[]> lines = new ArrayList<>();
         double scale = size / UNITS;

@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
  * @param fill    the ink inside; null for none
  * @param fillOpacity from 0 to 1
  * @param stroke  the ink of the outline; null for none
- * @param width   of the outline, pixels
+ * @param width   width of the outline, pixels
  * @param strokeOpacity from 0 to 1
  * @param dash    pixels drawn and pixels left out, in turn; 0 for an unbroken outline
  */

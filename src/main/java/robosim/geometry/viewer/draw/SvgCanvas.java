@@ -6,7 +6,7 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.protocol.Text;
 
-/** Writes SVG whose colours stand in a style sheet, for light and for dark paper. */
+/** Writes SVG whose colours are in a style sheet, for light and dark themes. */
 final class SvgCanvas implements Canvas {
     private final double width;
     private final double height;
@@ -207,7 +207,7 @@ final class SvgCanvas implements Canvas {
         return body.append(" ".repeat(depth));
     }
 
-    /** Two places behind the point at most; the same on every machine. */
+    /** A number with at most two decimals; the same on every machine. */
     static String number(double value) {
         long hundredths = Math.round(value * 100);
         long whole = Math.abs(hundredths) / 100;

@@ -1,9 +1,9 @@
 package robosim.geometry.viewer.draw;
 
-/** On what an image is drawn. An SVG holds both themes and follows its reader's choice. */
+/** The theme of an image. An SVG contains both and follows its viewer's. */
 public enum Theme {
-    /** Dark ink on light paper. */
+    /** Dark on a light background. */
     LIGHT,
-    /** Light ink on dark paper. */
+    /** Light on a dark background. */
     DARK
 }

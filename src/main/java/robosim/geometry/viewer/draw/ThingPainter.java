@@ -8,18 +8,18 @@ import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Outline;
 import robosim.geometry.viewer.scene.Scene;
 
-/** Objects: what they cover of the floor, and for those that move where forward is. */
+/** Paints objects: the area that they cover, and for moveable ones the forward direction. */
 final class ThingPainter {
-    /** Pixels of the light edge around what moves. */
+    /** Width in pixels of the light edge around moveable objects. */
     private static final double HALO = 1;
 
-    /** Pixels from the middle of the smallest dot that can be seen. */
+    /** Radius in pixels of the smallest visible dot. */
     private static final double DOT = 2.5;
 
-    /** Pixels ahead of the centre: below that, an arrow upon a part is a speck. */
+    /** The smallest length in pixels of an arrow drawn on an object. */
     private static final double LEAST_ARROW = 4;
 
-    /** Pixels ahead of its middle, of an arrow on the floor. */
+    /** The length in pixels of an arrow on the floor. */
     static final double SMALL_ARROW = 8;
 
     private ThingPainter() {}
@@ -38,7 +38,7 @@ final class ThingPainter {
         GeometryObject object = thing.object();
         List<Outline> outlines = Outline.of(object);
         canvas.open("moveable " + object.kind().word(), text(object));
-        // The light edge lies below the colour and can hide none of it, however small the object is.
+        // The light edge lies below the colour, so it cannot hide even a small object.
         draw(outlines, Style.line(Palette.FLOOR, 2 * HALO, 1), frame, canvas);
         draw(outlines, Style.filled(ink, 0.92), frame, canvas);
         Bounds bounds = object.bounds();
@@ -52,13 +52,13 @@ final class ThingPainter {
     }
 
     /**
-     * An arrow about the object's own centre: light on the part that is there, if it has room for one, and no larger than
-     * that part; else a small one in the object's colour, which can be seen on the floor.
+     * Paints an arrow at the object's own centre: light, on the part there and no larger than it, if there is room;
+     * else a small one in the object's colour, visible on the floor.
      */
     private static void paintHeading(
             GeometryObject object, List<Outline> outlines, Ink ink, MapFrame frame, Canvas canvas) {
         double[] rotation = object.rotation();
-        // Forward is the own X; what looks straight up shows no arrow.
+        // Forward is the object's own X; if it points straight up there is no arrow.
         double fx = rotation[0];
         double fz = rotation[6];
         double length = Math.sqrt(fx * fx + fz * fz);
@@ -79,14 +79,14 @@ final class ThingPainter {
                     List.of(arrow(x, y, fx / length * room, fz / length * room)), Style.filled(Palette.FLOOR, 0.95));
             return;
         }
-        // Beside a small part, so that it does not cover it; upon the centre where nothing is there.
+        // Next to a small part, so as not to cover it; at the centre if there is no part.
         double away = depth > 0 ? frame.scale * depth + SMALL_ARROW + 1 : 0;
         double[] small = arrow(
                 x + fx / length * away, y + fz / length * away, fx / length * SMALL_ARROW, fz / length * SMALL_ARROW);
         canvas.polygons(List.of(small), Style.filled(ink, 0.92));
     }
 
-    /** An arrow head about a place of the page, so far ahead along each axis. */
+    /** An arrow head at a point of the page, with the given extent along each axis. */
     private static double[] arrow(double x, double y, double ux, double uz) {
         return new double[] {
             x + ux,
@@ -108,7 +108,7 @@ final class ThingPainter {
         List<double[]> polygons = new ArrayList<>();
         for (Outline outline : outlines) {
             if (outline instanceof Outline.Disc disc) {
-                // No smaller than a dot that can be seen.
+                // At least as large as the smallest visible dot.
                 double radius = Math.max(1.2, disc.radius() * frame.scale);
                 canvas.circle(frame.x(disc.x()), frame.y(disc.z()), radius, style);
             } else if (outline instanceof Outline.Polygon polygon) {
@@ -127,11 +127,11 @@ final class ThingPainter {
         return name == null ? "" : name;
     }
 
-    /** Mixtures of colours, for edges and for dark paper. */
+    /** Mixes colours, for edges and for dark backgrounds. */
     static final class Shade {
         private Shade() {}
 
-        /** A share of one colour and the rest of another. */
+        /** Mixes a fraction of one colour with another. */
         static int mix(int rgb, int other, double share) {
             int mixed = 0;
             for (int shift = 16; shift >= 0; shift -= 8) {

@@ -13,7 +13,7 @@ import robosim.geometry.protocol.Text;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Scene;
 
-/** What happened: trails, measured distances, refused moves. */
+/** Paints what happened: trails, measured distances, refused moves. */
 final class TracePainter {
     private final Scene scene;
     private final MapFrame frame;
@@ -45,7 +45,7 @@ final class TracePainter {
         canvas.close();
     }
 
-    /** A path on the page without the places that are less than half a pixel from the one before. */
+    /** A path on the page without points that are less than half a pixel from the previous one. */
     private double[] thinned(List<Point> path) {
         double[] page = new double[2 * path.size()];
         int size = 0;
@@ -104,7 +104,7 @@ final class TracePainter {
         canvas.close();
     }
 
-    /** What refused the moves that are fresh, and who they were. */
+    /** Paints what blocked recent moves, and the objects that were blocked. */
     void blocked() {
         canvas.open("blocked", "");
         for (Scene.Blocked each : scene.blocked()) {
@@ -134,7 +134,7 @@ final class TracePainter {
         canvas.close();
     }
 
-    /** What is pointed at. */
+    /** Paints the highlighted objects. */
     void marks() {
         canvas.open("marks-on-objects", "");
         for (Scene.Mark mark : scene.marks()) {
@@ -161,7 +161,7 @@ final class TracePainter {
         return Style.filled(ink, 0.12).outlined(ink, 1.8, 0.9).dashed(5);
     }
 
-    /** A goal may be smaller than anything that could be seen. */
+    /** Paints the centre of a goal, which may itself be too small to see. */
     private void middle(GeometryObject goal) {
         Bounds bounds = goal.bounds();
         double x = frame.x(bounds.middleX());
@@ -177,7 +177,7 @@ final class TracePainter {
         for (Scene.Refusal refusal : scene.refusals()) {
             double x = frame.x(refusal.place());
             double y = frame.y(refusal.place());
-            // A robot that is stuck asks again and again; one mark tells it.
+            // A robot that is stuck tries repeatedly; one mark is enough.
             if (drawn.add(List.of(Math.round(x), Math.round(y), Math.round(refusal.heading() / 10)))) {
                 cross(canvas, x, y, refusal.heading());
             }
@@ -185,7 +185,7 @@ final class TracePainter {
         canvas.close();
     }
 
-    /** A cross where the object stayed, and a tick towards where it wanted to go. */
+    /** Paints a cross where the object stayed, and a tick in the direction of the refused move. */
     static void cross(Canvas canvas, double x, double y, double heading) {
         double angle = StrictMath.toRadians(heading);
         double ux = StrictMath.cos(angle);

@@ -8,8 +8,8 @@ import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.World;
 
 /**
- * The colours that a world file has for its objects. One with a name keeps its colour wherever it went and whatever else
- * changed about it; one without is known by all that it is.
+ * The colours that a world file gives its objects. An object with a name keeps its colour wherever it moves and
+ * whatever else changes; one without is identified by all its properties.
  */
 public final class Colours {
     public static final Colours NONE = new Colours();
@@ -33,7 +33,7 @@ public final class Colours {
         return colours;
     }
 
-    /** 0xRRGGBB; null where the file has none for it. */
+    /** The colour 0xRRGGBB; null if the file has none for the object. */
     @Nullable
     public Integer of(GeometryObject object) {
         String name = object.name();

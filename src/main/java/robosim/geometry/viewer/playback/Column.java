@@ -5,12 +5,15 @@ import java.util.Arrays;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** Values that hold from a frame on until the next one's, in the order of the frames. */
+/** Values by frame, each valid until the frame of the next value. */
 final class Column<T> {
     private int[] numbers = new int[16];
     private final List<T> values = new ArrayList<>();
 
-    /** From a frame on, at least the last one's; a second value of one frame takes the first one's place. */
+    /**
+     * Adds a value from a frame on, which must not be before the last one's; a second value for the same frame replaces
+     * the first.
+     */
     void add(int number, T value) {
         int size = values.size();
         if (size > 0 && numbers[size - 1] == number) {
@@ -24,13 +27,13 @@ final class Column<T> {
         values.add(value);
     }
 
-    /** Of the value that holds in a frame; -1 before the first. */
+    /** The index of the value that is valid in a frame; -1 before the first. */
     int index(int number) {
         int found = Arrays.binarySearch(numbers, 0, values.size(), number);
         return found >= 0 ? found : -found - 2;
     }
 
-    /** Lets go what holds no more in a frame and from there on. */
+    /** Drops the values that are no longer valid in a frame and later. */
     void forget(int before) {
         int keep = Math.max(0, index(before));
         values.subList(0, keep).clear();
@@ -41,7 +44,7 @@ final class Column<T> {
         return values.get(index);
     }
 
-    /** The value that holds in a frame; null before the first. */
+    /** The value that is valid in a frame; null before the first. */
     @Nullable
     T at(int number) {
         int index = index(number);

@@ -10,11 +10,11 @@ import robosim.geometry.scenario.ScenarioHeader;
 import robosim.geometry.scenario.Step;
 import robosim.geometry.scenario.StepReader;
 
-/** Reads a conversation on a thread of its own, so that nobody waits for it. */
+/** Reads a conversation on a thread of its own. */
 public final class Feed implements AutoCloseable {
     private static final int QUEUE = 2048;
 
-    /** Weight of what may wait; a single frame may have more. */
+    /** Maximum total weight of waiting frames; a single frame may have more. */
     private static final int ROOM = 1_000_000;
 
     private final StepReader reader;
@@ -34,8 +34,8 @@ public final class Feed implements AutoCloseable {
     /**
      * Begins to read; closes the reader at its end.
      *
-     * @param colours of objects that a world file has a colour for
-     * @param state what is wrong with the reader for now, for people; empty where nothing is
+     * @param colours the colours of a world file's objects
+     * @param state what is currently wrong with the reader, as text for people; empty if nothing is
      */
     public Feed(StepReader reader, Colours colours, Supplier<String> state) {
         this.reader = reader;
@@ -51,7 +51,7 @@ public final class Feed implements AutoCloseable {
             ScenarioHeader header = reader.header();
             Replayer stage = new Replayer(header.options(), colours);
             for (Step step = reader.next(); step != null; step = reader.next()) {
-                if (!header.equals(reader.header())) { // another server, which leaves open something else
+                if (!header.equals(reader.header())) { // another server, with other defaults
                     header = reader.header();
                     stage = new Replayer(header.options(), colours);
                 }
@@ -73,9 +73,9 @@ public final class Feed implements AutoCloseable {
     }
 
     /**
-     * Moves to a film what has been read, so many frames at most.
+     * Moves the frames read so far to a history, at most the given number.
      *
-     * @return how many
+     * @return the number of frames moved
      */
     public int drain(StateHistory film, int most) {
         int drained = 0;
@@ -95,13 +95,13 @@ public final class Feed implements AutoCloseable {
         return ended && queue.isEmpty();
     }
 
-    /** Why no more could be read, or cannot for now; empty where nothing is wrong. */
+    /** Why reading ended or is interrupted; empty if nothing is wrong. */
     public String problem() {
         String end = problem;
         return end != null ? end : state.get();
     }
 
-    /** Reads no more. */
+    /** Stops reading. */
     @Override
     public void close() {
         thread.interrupt();

@@ -22,13 +22,13 @@ import robosim.geometry.world.World;
 /**
  * What one step of a conversation changed.
  *
- * @param opening the new world; null where it is the one before
- * @param placed  where moveable objects went, by name, in the order in which they did
+ * @param opening the new world; null if it has not changed
+ * @param placed  the new places of moveable objects, by name, in the order of their moves
  * @param bumps   moves that were refused
- * @param heard   measured distances by the name of who measured; none where that is not what the step was about
- * @param words   what happened, for people
- * @param notes   of the step
- * @param timing  null where it was not recorded
+ * @param heard   measured distances by the name of the measuring object; empty for other steps
+ * @param words   what happened, as text for people
+ * @param notes   the step's notes
+ * @param timing  the timing; null if it was not recorded
  */
 public record Frame(
         @Nullable Setting opening,
@@ -39,12 +39,15 @@ public record Frame(
         List<String> notes,
         @Nullable Timing timing) {
 
-    /** Of nothing but a world. */
+    /** A frame that only begins a world. */
     public static Frame of(Setting opening, String words) {
         return new Frame(opening, Map.of(), List.of(), Map.of(), words, List.of(), null);
     }
 
-    /** How much of memory it takes, in places, distances, and objects of its world with their vertices and triangles. */
+    /**
+     * An estimate of its memory: the number of places, distances, and objects of its world with their vertices and
+     * triangles.
+     */
     long weight() {
         long weight = 1L + placed.size() + bumps.size();
         if (opening != null) {
@@ -59,9 +62,9 @@ public record Frame(
     /**
      * A move that was refused.
      *
-     * @param mover   where it stayed
-     * @param heading degrees about the vertical from the world's X to where it wanted to go
-     * @param result  what blocked it; null where that cannot be told
+     * @param mover   the object, where it stayed
+     * @param heading direction of the refused move, degrees about the vertical from the world's X
+     * @param result  what blocked it; null if unknown
      */
     record Bump(
             GeometryObject mover, double heading, @Nullable MoveResult result) {
@@ -81,8 +84,8 @@ public record Frame(
      * @param width   of the world, along X
      * @param height  along Y
      * @param length  along Z
-     * @param statics what cannot move
-     * @param movers  what can, where it begins
+     * @param statics the static objects
+     * @param movers  the moveable objects, at their first places
      */
     public record Setting(
             double width,
@@ -98,7 +101,7 @@ public record Frame(
         }
 
         /**
-         * As it is.
+         * The setting of a world in its present state.
          *
          * @param colours of objects that a world file has a colour for
          */
@@ -118,7 +121,7 @@ public record Frame(
                     List.copyOf(movers));
         }
 
-        /** As a file has it. */
+        /** The setting of a world file. */
         public static Setting of(World world) {
             List<Scene.Thing> statics = new ArrayList<>();
             List<Scene.Thing> movers = new ArrayList<>();
@@ -135,7 +138,7 @@ public record Frame(
                     List.copyOf(movers));
         }
 
-        /** Its objects with their members, vertices and triangles. */
+        /** The number of its objects with their members, vertices and triangles. */
         private long weight() {
             Deque<GeometryObject> left = new ArrayDeque<>();
             things().forEach(thing -> left.push(thing.object()));
@@ -158,7 +161,7 @@ public record Frame(
             return Scene.View.world(width, length);
         }
 
-        /** All of it, what can move last. */
+        /** All objects, moveable ones last. */
         public List<Scene.Thing> things() {
             List<Scene.Thing> things = new ArrayList<>(statics);
             things.addAll(movers);

@@ -19,14 +19,14 @@ import robosim.geometry.world.Unit;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 
-/** From world files and conversations to what the painter draws. */
+/** Makes scenes for the painter from world files and conversations. */
 public final class Pictures {
-    /** Steps that are the last moments of a conversation. */
+    /** Number of steps in a picture of the last moments of a conversation. */
     private static final int MOMENTS = 60;
 
     private Pictures() {}
 
-    /** A world as its file has it. */
+    /** The scene of a world file. */
     public static Scene of(World world, String title) {
         Checks.present("world", world);
         Checks.present("title", title);
@@ -37,7 +37,7 @@ public final class Pictures {
         return Scene.of(title, view, things).described(subtitle, unit(world));
     }
 
-    /** What a world unit is called beside a scale bar; empty where that is open. */
+    /** The name of the world unit for the scale bar; empty if unspecified. */
     public static String unit(World world) {
         Unit unit = world.unit();
         return unit == null ? "" : unit.symbol();
@@ -63,9 +63,9 @@ public final class Pictures {
     }
 
     /**
-     * The whole of a conversation in a world that is drawn already: its trails, its last distances, its refused moves.
+     * Adds a whole conversation to the scene of its world: its trails, its last distances, its refused moves.
      *
-     * @param world its things take the places that they have at the end
+     * @param world the scene, whose objects move to their final places
      */
     public static Scene whole(StepReader conversation, Scene world) throws IOException {
         StateHistory film = new StateHistory();
@@ -77,8 +77,8 @@ public final class Pictures {
     }
 
     /**
-     * The end of a conversation: the robots where it left them, with the way of their last steps, their last distances and
-     * what refused their last moves. The same conversation gives the same picture.
+     * The end of a conversation: the robots at their final places, with the trails of their last steps, their last
+     * distances and what blocked their last moves. The same conversation gives the same picture.
      */
     public static Scene lastMoments(Scenario scenario) {
         StateHistory film = new StateHistory();
@@ -91,11 +91,11 @@ public final class Pictures {
     }
 
     /**
-     * Draws the end of a conversation, as {@link #lastMoments(Scenario)} has it, to a file whose name ends in {@code .svg}
+     * Draws the end of a conversation, as in {@link #lastMoments(Scenario)}, to a file whose name ends in {@code .svg}
      * or {@code .png}.
      *
-     * @param goals where something was to come; within the picture
-     * @throws IOException where the file cannot be written
+     * @param goals goals of robots, which the picture includes
+     * @throws IOException if the file cannot be written
      */
     public static void lastMoments(Scenario scenario, List<GeometryObject> goals, Path file) throws IOException {
         Scene scene = lastMoments(scenario);

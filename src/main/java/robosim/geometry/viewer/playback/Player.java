@@ -1,11 +1,11 @@
 package robosim.geometry.viewer.playback;
 
 /**
- * Where in a film one is, and how it goes on. Time comes from outside, so that it is the same each time. It belongs to one
+ * The position in a history, and its playback. Time is passed in, so playback is reproducible. May be used by one
  * thread at a time.
  */
 public final class Player {
-    /** Steps a second to choose from. */
+    /** The speeds to choose from, steps per second. */
     static final double[] SPEEDS = {0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000};
 
     private static final int USUAL = 5;
@@ -16,7 +16,7 @@ public final class Player {
     private double share;
     private boolean playing;
 
-    /** Whether it goes along with a film that grows: where it is at its end and playing. */
+    /** Whether it follows a growing history while it is playing at the end. */
     private final boolean live;
 
     private Player(StateHistory film, boolean live) {
@@ -30,12 +30,12 @@ public final class Player {
         return new Player(film, false);
     }
 
-    /** Shows what happens as it happens, until it is paused. */
+    /** Follows a live session until it is paused. */
     public static Player ofLive(StateHistory film) {
         return new Player(film, true);
     }
 
-    /** The frame that is shown; -1 where there is none yet. */
+    /** The frame shown; -1 if there is none yet. */
     public int position() {
         int last = film.size() - 1;
         return last < 0 ? -1 : Math.max(film.first(), Math.min(position, last));
@@ -45,7 +45,7 @@ public final class Player {
         return playing;
     }
 
-    /** Whether what is shown is the newest of something that goes on. */
+    /** Whether it shows the newest frame of a live session. */
     public boolean isFollowing() {
         return live && playing;
     }
@@ -55,7 +55,7 @@ public final class Player {
         return SPEEDS[speed];
     }
 
-    /** So much time went by. */
+    /** Advances the time. */
     public void tick(long nanos) {
         if (!playing || film.size() == 0) {
             return;
@@ -70,12 +70,12 @@ public final class Player {
         position = (int) Math.min(film.size() - 1.0, position() + whole);
     }
 
-    /** Whether a recording is at its end; one that is still read may go on. */
+    /** Whether playback is at the end of what has been read so far. */
     boolean isAtEnd() {
         return position() == film.size() - 1;
     }
 
-    /** Pauses or goes on; at the end of a recording, from its beginning. */
+    /** Pauses or resumes; at the end of a recording, restarts from its beginning. */
     public void toggle() {
         playing = !playing;
         if (playing && !live && isAtEnd()) {
@@ -89,12 +89,12 @@ public final class Player {
         share = 0;
     }
 
-    /** Goes so many steps forward or back, and pauses. */
+    /** Goes a number of steps forward or back, and pauses. */
     public void step(int steps) {
         seek((int) Math.max(Integer.MIN_VALUE, Math.min(Integer.MAX_VALUE, (long) position() + steps)));
     }
 
-    /** Goes to a frame, or the nearest that there is, and pauses. */
+    /** Goes to a frame, or the nearest that exists, and pauses. */
     public void seek(int number) {
         pause();
         position = Math.max(film.first(), Math.min(number, Math.max(0, film.size() - 1)));

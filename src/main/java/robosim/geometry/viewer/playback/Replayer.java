@@ -29,8 +29,8 @@ import robosim.geometry.scenario.Step;
 import robosim.geometry.viewer.scene.Scene;
 
 /**
- * Carries a conversation out beside its record, to see what the record does not tell: where the robots are, and what
- * refused them. Where the two differ, as with a record by another version, the record is shown.
+ * Replays a recorded conversation to find what the record does not contain: the places of the robots, and what blocked
+ * them. If the two differ, as for a record by another version, the record is shown.
  */
 public final class Replayer {
     private final SessionOptions options;
@@ -43,9 +43,9 @@ public final class Replayer {
     }
 
     /**
-     * With colours.
+     * A replayer with colours.
      *
-     * @param colours of objects that a world file has a colour for
+     * @param colours the colours of a world file's objects
      */
     public Replayer(SessionOptions options, Colours colours) {
         this.options = options;
@@ -59,7 +59,7 @@ public final class Replayer {
         this.session = new Session(options, listener, "viewer", new Silence());
     }
 
-    /** Carries out a step and tells what it changed. */
+    /** Carries out a step and returns what it changed. */
     public Frame play(Step step) {
         try {
             if (step.request() instanceof InitBundle init) {
@@ -68,7 +68,7 @@ public final class Replayer {
             return step.request() instanceof MoveBundle moves
                     ? move(step, moves.moves())
                     : measure(step, (SonarRequestBundle) step.request());
-        } catch (RuntimeException | StackOverflowError e) { // a recording may be of just that: a failure of the module
+        } catch (RuntimeException | StackOverflowError e) { // the recording may be of exactly such a failure
             return frame(step, null, Map.of(), List.of(), Map.of(), "the module failed at this: " + e);
         }
     }
@@ -130,7 +130,7 @@ public final class Replayer {
         return answer instanceof MoveBundle made && !made.moves().isEmpty();
     }
 
-    /** Where a move leads, without asking what is in the way. */
+    /** Where a move leads, without checking for obstacles. */
     private static Pose went(Pose pose, MoveRequest move) {
         Point c = pose.center();
         Point place =
@@ -142,7 +142,7 @@ public final class Replayer {
         return pose.rotation(row) * move.x() + pose.rotation(row + 1) * move.y() + pose.rotation(row + 2) * move.z();
     }
 
-    /** Where it wanted to go; where it only turns, its heading. */
+    /** The direction of a move; for a pure turn, the heading. */
     private static double direction(Pose pose, MoveRequest move) {
         double dx = along(pose, 0, move);
         double dz = along(pose, 6, move);
@@ -154,7 +154,7 @@ public final class Replayer {
         return StrictMath.toDegrees(StrictMath.atan2(0 - dz, dx));
     }
 
-    /** Puts an object where the record has it, whatever stands there. */
+    /** Puts an object at its recorded place, even in contact. */
     private void put(GeometryObject object) {
         Geometry world = session.world();
         if (world != null && world.removeObject(String.valueOf(object.name()))) {
@@ -221,7 +221,7 @@ public final class Replayer {
         return object;
     }
 
-    /** What a session warns of was told when it was held. */
+    /** Suppresses the warnings of a session, which were given when it was recorded. */
     private static final class Silence implements System.Logger {
         @Override
         public String getName() {

@@ -14,24 +14,24 @@ import robosim.geometry.protocol.Text;
 import robosim.geometry.viewer.scene.Scene;
 
 /**
- * A world of the viewer's own, in which robots can be pushed about: a world file's, or a copy of a moment of a
- * conversation. What happens here happens nowhere else.
+ * The viewer's own world, in which the user can push robots: that of a world file, or a copy of a moment of a
+ * conversation. Changes affect nothing else.
  */
 public final class Sandbox {
     private final Geometry geometry;
     private final Frame.Setting setting;
 
-    /** Those that can move and stand beyond the border, by name; each is no part of the world until it is put there. */
+    /** Moveable objects outside the world's bounds, by name; none is part of the world until it is put into it. */
     private final Map<String, GeometryObject> outside = new LinkedHashMap<>();
 
-    /** What was refused last; null where nothing was. */
+    /** What was refused last; null if nothing was. */
     private @Nullable Refused refused;
 
     /**
      * A place that was refused.
      *
-     * @param ghost     the object as it would stand there
-     * @param obstacles what is in the way; empty where that is the world's border
+     * @param ghost     the object at that place
+     * @param obstacles what is in the way; empty for the world's bounds
      */
     public record Refused(GeometryObject ghost, List<GeometryObject> obstacles) {
         /** What is in the way, in words. */
@@ -46,9 +46,9 @@ public final class Sandbox {
 
     /** How a robot is pushed. */
     public enum Push {
-        /** Put there, whatever is between. */
+        /** Put there, whatever is in between. */
         PLACE,
-        /** Moved there straight, where the whole way is free. */
+        /** Moved there in a straight line, if the whole way is free. */
         MOVE
     }
 
@@ -57,7 +57,7 @@ public final class Sandbox {
         this.setting = setting;
     }
 
-    /** A world of its own with those movers where they are. */
+    /** A separate world with the given moveable objects at their places. */
     public static Sandbox of(Frame.Setting setting, List<Scene.Thing> movers) {
         Geometry geometry = empty(setting);
         for (Scene.Thing thing : setting.statics()) {
@@ -78,7 +78,7 @@ public final class Sandbox {
                 setting.width(), setting.height(), setting.length(), setting.dimension(), setting.accuracy());
     }
 
-    /** Pushes a robot to a place on its own height; where that is refused it stays. */
+    /** Pushes a robot to a point at its own height; if that is refused it stays. */
     public void push(String name, double x, double z, Push push) {
         GeometryObject beyond = outside.get(name);
         if (beyond != null) {
@@ -97,7 +97,7 @@ public final class Sandbox {
         refused = result.allowed() ? null : refusal(before.movedTo(to), result);
     }
 
-    /** Turns a robot in place; where that is refused it stays. */
+    /** Turns a robot in place; if that is refused it stays. */
     public void turn(String name, double degrees) {
         GeometryObject beyond = outside.get(name);
         if (beyond != null) {
@@ -109,7 +109,7 @@ public final class Sandbox {
         refused = result.allowed() ? null : refusal(before.turned(0, degrees), result);
     }
 
-    /** Puts one that stands beyond the border into the world, however it is pushed: it has no way there. */
+    /** Puts an object from outside into the world without checking a path, since there is none. */
     private void enter(String name, GeometryObject there) {
         if (geometry.addObject(there)) {
             outside.remove(name);
@@ -124,7 +124,7 @@ public final class Sandbox {
         return new Refused(ghost, obstacle == null ? List.of() : List.of(obstacle));
     }
 
-    /** Asks each object whether it would touch the ghost. */
+    /** Finds which objects the ghost would touch. */
     private Refused refusal(GeometryObject ghost) {
         List<GeometryObject> obstacles = new ArrayList<>();
         Geometry alone = empty(setting);
@@ -139,7 +139,7 @@ public final class Sandbox {
         return new Refused(ghost, obstacles);
     }
 
-    /** Forgets what was refused. */
+    /** Clears the last refusal. */
     public void release() {
         refused = null;
     }
@@ -149,12 +149,12 @@ public final class Sandbox {
         return refused;
     }
 
-    /** The objects that can move and stand beyond the border of the world. */
+    /** The moveable objects outside the world's bounds. */
     public List<GeometryObject> outside() {
         return List.copyOf(outside.values());
     }
 
-    /** The objects that can move, where they are. */
+    /** The moveable objects at their present places. */
     public List<Scene.Thing> movers() {
         List<Scene.Thing> movers = new ArrayList<>();
         for (Scene.Thing thing : setting.movers()) {

@@ -12,14 +12,14 @@ import robosim.geometry.model.Pose;
 import robosim.geometry.viewer.scene.Scene;
 
 /**
- * A conversation to go back and forth in: frames by their number, from 0, and the world at any of them without playing it
- * from its beginning. It belongs to one thread at a time.
+ * The state history of a conversation: frames by number, from 0, and the world at any of them without replaying from
+ * the beginning. May be used by one thread at a time.
  */
 public final class StateHistory {
-    /** Frames for which a refused move is seen to be fresh. */
+    /** Number of frames for which a refused move counts as recent. */
     static final int FRESH = 8;
 
-    /** Places and distances that are kept, some 400 MB; the oldest quarter of a longer film is let go. */
+    /** Maximum number of places and distances kept, some 400 MB; of a longer history the oldest quarter is dropped. */
     private static final int MOST = 4_000_000;
 
     private final List<Frame> frames = new ArrayList<>();
@@ -36,28 +36,29 @@ public final class StateHistory {
         this(MOST);
     }
 
-    /** That keeps another number of places and distances. */
+    /** A history with another maximum number of places and distances. */
     public StateHistory(int most) {
         this.most = most;
     }
 
     /**
-     * How much of the past a picture shows.
+     * How much of the past to show.
      *
-     * @param trail    frames of the ways, {@code Integer.MAX_VALUE} for all of them
-     * @param refusals frames of the marks of refused moves
-     * @param most     places of a way and marks, at least 4; of a longer way's older part every so many places are left
+     * @param trail    number of frames of trails, {@code Integer.MAX_VALUE} for all
+     * @param refusals number of frames of refused moves
+     * @param most     maximum number of points of a trail and of marks, at least 4; the older part of a longer trail is
+     *     thinned out
      */
     public record Look(int trail, int refusals, int most) {
         static final Look WHOLE = new Look(Integer.MAX_VALUE, Integer.MAX_VALUE);
 
-        /** All places. */
+        /** Without a maximum. */
         Look(int trail, int refusals) {
             this(trail, refusals, Integer.MAX_VALUE);
         }
     }
 
-    /** Adds what happened last. */
+    /** Appends a frame. */
     public void append(Frame frame) {
         int number = size();
         frames.add(frame);
@@ -76,7 +77,7 @@ public final class StateHistory {
         }
     }
 
-    /** Lets all frames before one go. */
+    /** Drops all frames before a given one. */
     private void forget(int before) {
         List<Frame> past = frames.subList(0, before - first);
         for (Frame frame : past) {
@@ -95,12 +96,12 @@ public final class StateHistory {
         }
     }
 
-    /** One more than the number of the last frame. */
+    /** The number of the last frame plus one. */
     public int size() {
         return first + frames.size();
     }
 
-    /** The number of the first frame that is kept. */
+    /** The number of the first frame kept. */
     public int first() {
         return first;
     }
@@ -109,13 +110,13 @@ public final class StateHistory {
         return frames.get(number - first);
     }
 
-    /** The first frame from one on in which a move was refused; {@link #size()} where there is none. */
+    /** The first frame from a given one on in which a move was refused; {@link #size()} if there is none. */
     public int nextRefused(int from) {
         int at = at(refused, from);
         return at < refused.size() ? refused.get(at) : size();
     }
 
-    /** Where in a sorted list without twins a number stands or would stand. */
+    /** The index in a sorted list without duplicates at which a number is or would be inserted. */
     private static int at(List<Integer> sorted, int number) {
         int found = Collections.binarySearch(sorted, number);
         return found >= 0 ? found : -found - 1;
@@ -127,13 +128,13 @@ public final class StateHistory {
         return chapter == null ? null : chapter.setting;
     }
 
-    /** Which world that is: the number of the frame that it began with; -1 before the first. */
+    /** Identifies the world of a frame by the number of the frame with which it began; -1 before the first. */
     public int world(int number) {
         Chapter chapter = chapter(number);
         return chapter == null ? -1 : chapter.begin;
     }
 
-    /** The objects that can move, where they are after a frame. */
+    /** The moveable objects at their places after a frame. */
     public List<Scene.Thing> movers(int number) {
         Chapter chapter = chapter(number);
         return chapter == null ? List.of() : chapter.movers(number);
@@ -153,7 +154,7 @@ public final class StateHistory {
         return from == 0 ? null : chapters.get(from - 1);
     }
 
-    /** All that there is to see after a frame; nothing before the first world. */
+    /** The complete scene after a frame; empty before the first world. */
     Scene at(int number, Look look) {
         Chapter chapter = chapter(number);
         if (chapter == null) {
@@ -165,7 +166,7 @@ public final class StateHistory {
         return happened(chapter, number, look, Scene.of("", view, things)).described(moment(number), "");
     }
 
-    /** What there is to see of what moves, after a frame; nothing before the first world. */
+    /** The moving part of the scene after a frame; empty before the first world. */
     public Scene life(int number, Look look) {
         Chapter chapter = chapter(number);
         if (chapter == null) {
@@ -175,7 +176,7 @@ public final class StateHistory {
         return happened(chapter, number, look, movers).marked(List.of(), chapter.farthest);
     }
 
-    /** All that happened up to a frame, in a world that is drawn already: its things take their places. */
+    /** Adds everything that happened up to a frame to the scene of a world, whose objects move to their places. */
     Scene over(Scene world, int number) {
         Chapter chapter = chapter(number);
         if (chapter == null) {
@@ -195,7 +196,7 @@ public final class StateHistory {
         return happened(chapter, number, Look.WHOLE, placed).blocked(List.of());
     }
 
-    /** A scene with trails, distances, refused moves and what refused those that are fresh. */
+    /** Adds trails, distances, refused moves and what blocked recent ones to a scene. */
     private static Scene happened(Chapter chapter, int number, Look look, Scene scene) {
         List<Scene.Trail> trails = new ArrayList<>();
         List<Scene.Ping> pings = new ArrayList<>();
@@ -224,17 +225,17 @@ public final class StateHistory {
         return scene.with(trails, pings, refusals).blocked(blocked);
     }
 
-    /** The first of so many frames up to a number. */
+    /** The first of {@code count} frames up to a number. */
     private static int earliest(int number, int count) {
         return (int) Math.max(0, (long) number + 1 - count);
     }
 
-    /** Which frame that is and what happened, for people. */
+    /** The frame's number and what happened, as text for people. */
     public String moment(int number) {
         return "step " + (number + 1) + " of " + size() + ": " + story(number);
     }
 
-    /** What happened in a frame; where nothing was refused there, also the last refusal while it is fresh. */
+    /** What happened in a frame; if nothing was refused there, also the last refusal while it is recent. */
     private String story(int number) {
         Frame frame = frame(number);
         StringBuilder story = new StringBuilder(frame.words());
@@ -298,7 +299,7 @@ public final class StateHistory {
             }
         }
 
-        /** How many of its bumps were in a frame or before it. */
+        /** The number of its bumps up to a frame. */
         int bumpsUpTo(int number) {
             int from = 0;
             int to = bumps.size();
@@ -324,7 +325,7 @@ public final class StateHistory {
         }
     }
 
-    /** One object that can move. */
+    /** One moveable object. */
     private static final class Track {
         private final Column<Pose> poses = new Column<>();
         private final Column<List<Scene.Ping>> pings = new Column<>();
@@ -334,9 +335,9 @@ public final class StateHistory {
         }
 
         /**
-         * Its places from before a frame to another. Where there are more than so many, the newer half of them are as they
-         * are, and of the older ones the first and those whose number a power of two divides, so that they stay the same
-         * ones as the way goes on.
+         * Its places from before one frame to another. If there are more than {@code most}, the newer half is complete,
+         * and of the older ones only the first and those whose number is divisible by a power of two are kept, so that
+         * the selection is stable as the trail grows.
          */
         List<Point> path(int from, int to, int most) {
             List<Point> path = new ArrayList<>();
@@ -356,7 +357,7 @@ public final class StateHistory {
             return path;
         }
 
-        /** The distances that it heard last. */
+        /** The distances that it measured last. */
         List<Scene.Ping> heard(int number) {
             List<Scene.Ping> heard = pings.at(number);
             return heard == null ? List.of() : heard;

@@ -3,8 +3,8 @@ package robosim.geometry.viewer.scene;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
@@ -13,13 +13,13 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.model.TriangleMesh;
 
-/** How high things reach: seen from above, what reaches higher covers what lies below it. In plain doubles. */
+/** Orders objects by height: seen from above, a higher object covers a lower one. In plain doubles. */
 public final class Heights {
     private Heights() {}
 
     private record Ranked(Scene.Thing thing, double top) {}
 
-    /** Things in the order in which they are painted: the lowest top first, and as they came where tops are equal. */
+    /** Objects in painting order: the lowest top first, in the given order for equal tops. */
     public static List<Scene.Thing> fromBelow(List<Scene.Thing> things) {
         List<Ranked> ranked = new ArrayList<>();
         for (Scene.Thing thing : things) {

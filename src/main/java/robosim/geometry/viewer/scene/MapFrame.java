@@ -2,7 +2,9 @@ package robosim.geometry.viewer.scene;
 
 import robosim.geometry.model.Point;
 
-/** Where the world stands on the page: a scale, and margins for the title, the marks along the edge and the legend. */
+/**
+ * The position of the world on the page: a scale, and margins for the title, the marks along the edge and the legend.
+ */
 public final class MapFrame {
     /** The longest sides of the map; a page then fits a screen. */
     private static final double MAX_WIDTH = 1500;
@@ -57,12 +59,12 @@ public final class MapFrame {
                 centerX - across / 2, centerZ - down / 2, centerX + across / 2, centerZ + down / 2, false);
     }
 
-    /** A window of that size in pixels, with a place of the world in the middle of its map. */
+    /** The frame of a window of a size in pixels, with a given point of the world at the centre of its map. */
     public static MapFrame screen(double width, double height, double centerX, double centerZ, double scale) {
         return new MapFrame(width, height, centerX, centerZ, scale);
     }
 
-    /** What a window of that size leaves for its map, in pixels. */
+    /** The space in pixels that a window of a given size has for its map. */
     public static double screenWidth(double width) {
         return Math.max(1, width - SCREEN_LEFT - SCREEN_RIGHT);
     }
@@ -116,7 +118,7 @@ public final class MapFrame {
         return y(visible.maxZ());
     }
 
-    /** The line on which the legend stands, below the map. */
+    /** The vertical position of the legend, below the map. */
     public double legend() {
         return bottom() + below;
     }
@@ -131,7 +133,9 @@ public final class MapFrame {
         return page;
     }
 
-    /** The largest of 1, 2 and 5 times a power of ten that is at most so many world units; at least the least double. */
+    /**
+     * The largest of 1, 2 and 5 times a power of ten that is at most the given length; at least the smallest double.
+     */
     public static double roundLength(double atMost) {
         double power = StrictMath.pow(10, Math.floor(StrictMath.log10(atMost)));
         for (double factor : new double[] {10, 5, 2, 1}) {

@@ -3,8 +3,8 @@ package robosim.geometry.viewer.scene;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
@@ -13,7 +13,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.model.TriangleMesh;
 
-/** A convex piece of what an object covers of the XZ plane; for pictures, in plain doubles. */
+/** A convex piece of an object's projection on the XZ plane; for pictures, in plain doubles. */
 public sealed interface Outline {
     /** A disc. */
     record Disc(double x, double z, double radius) implements Outline {}
@@ -35,7 +35,8 @@ public sealed interface Outline {
     int RIM = 64;
 
     /**
-     * How far a place is within a piece: its distance from the piece's edge, below 0 outside, where it is only a bound.
+     * How deep a point is within a piece: its distance from the piece's edge; negative outside, where it is only a
+     * bound.
      */
     static double depth(Outline outline, double x, double z) {
         if (outline instanceof Disc disc) {
@@ -176,7 +177,7 @@ public sealed interface Outline {
         return n + 1;
     }
 
-    /** Where an own frame is in the world. */
+    /** An object's own frame, placed in the world. */
     final class Frame {
         private final double[] rotation;
         private final Point origin;
@@ -209,17 +210,17 @@ public sealed interface Outline {
             return rotation[1] == 0 && rotation[7] == 0;
         }
 
-        /** The world's Y of an own place. */
+        /** The world's Y of a point of the frame. */
         double height(double x, double y, double z) {
             return rotation[3] * x + rotation[4] * y + rotation[5] * z + origin.y();
         }
 
-        /** The largest Y of a box of these half sizes about the own origin. */
+        /** The largest Y of a box of these half sizes around the frame's origin. */
         double reach(double x, double y, double z) {
             return origin.y() + Math.abs(rotation[3]) * x + Math.abs(rotation[4]) * y + Math.abs(rotation[5]) * z;
         }
 
-        /** The largest Y of a cylinder about the own origin. */
+        /** The largest Y of a cylinder around the frame's origin. */
         double top(double radius, double half) {
             double across = Math.sqrt(rotation[3] * rotation[3] + rotation[5] * rotation[5]);
             return origin.y() + Math.abs(rotation[4]) * half + across * radius;

@@ -8,19 +8,20 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 
 /**
- * Everything that a picture shows, in world units: what the painter draws, whoever asks.
+ * Everything that a picture shows, in world units.
  *
  * @param title    above the picture
  * @param subtitle below the title; may be empty
- * @param unit     what a world unit is called beside the scale bar; may be empty
+ * @param unit     name of the world unit for the scale bar; may be empty
  * @param view     the part of the world that is shown
- * @param things   objects at their present places, drawn in this order, those that move last
+ * @param things   objects at their present places, drawn in this order, moveable ones last
  * @param trails   where moveable objects have been
  * @param pings    measured distances
  * @param refusals moves that were not made
- * @param blocked  what refused those of them that are fresh
- * @param marks    objects that a viewer points at
- * @param farthest the least distance at the end of the ramp of colours, so that it does not change with each step; or 0
+ * @param blocked  what blocked the recent ones of them
+ * @param marks    objects to highlight
+ * @param farthest the minimum distance at the end of the colour ramp, so that the ramp does not change with each step;
+ *     or 0
  */
 public record Scene(
         String title,
@@ -49,7 +50,7 @@ public record Scene(
         marks = Checks.list("marks", marks);
     }
 
-    /** A world and what stands in it. */
+    /** The scene of a world with its objects. */
     public static Scene of(String title, View view, List<Thing> things) {
         return new Scene(title, "", "", view, things, List.of(), List.of(), List.of(), List.of(), List.of(), 0);
     }
@@ -75,12 +76,12 @@ public record Scene(
                 title, subtitle, unit, view, things, newTrails, newPings, newRefusals, blocked, marks, farthest);
     }
 
-    /** This scene with what refused its fresh moves. */
+    /** This scene with what blocked its recent moves. */
     public Scene blocked(List<Blocked> newBlocked) {
         return new Scene(title, subtitle, unit, view, things, trails, pings, refusals, newBlocked, marks, farthest);
     }
 
-    /** This scene with objects pointed at, and with a ramp of colours that ends no nearer than that. */
+    /** This scene with highlighted objects, and with a minimum for the end of the colour ramp. */
     public Scene marked(List<Mark> newMarks, double newFarthest) {
         return new Scene(title, subtitle, unit, view, things, trails, pings, refusals, blocked, newMarks, newFarthest);
     }
@@ -88,7 +89,7 @@ public record Scene(
     /**
      * A rectangle of the XZ plane; closed, and larger than a point.
      *
-     * @param bordered whether its edge is the world's border
+     * @param bordered whether its edge is that of the world
      */
     public record View(double minX, double minZ, double maxX, double maxZ, boolean bordered) {
         /** Refuses a rectangle without an area. */
@@ -104,7 +105,7 @@ public record Scene(
             return new View(-width / 2, -length / 2, width / 2, length / 2, true);
         }
 
-        /** A whole world; where its things fill less than a quarter of it, only what holds them. */
+        /** A whole world; if its objects fill less than a quarter of it, only the area around them. */
         public static View of(double width, double length, List<Thing> things) {
             View around = around(things.stream().map(Thing::object).toList());
             double across = around.maxX() - around.minX();
@@ -113,7 +114,7 @@ public record Scene(
             return whole ? world(width, length) : around;
         }
 
-        /** This part, and where an object is not within it as much more as holds the object too. */
+        /** This area, extended to include an object. */
         public View with(GeometryObject object) {
             Bounds b = object.bounds();
             boolean isWithin = minX <= b.minX() && minZ <= b.minZ() && b.maxX() <= maxX && b.maxZ() <= maxZ;
@@ -153,7 +154,7 @@ public record Scene(
      * @param colour 0xRRGGBB; null for a colour by its kind
      */
     public record Thing(GeometryObject object, @Nullable Integer colour) {
-        /** Refuses nothing for an object. */
+        /** Refuses null for an object. */
         public Thing {
             Checks.present("object", object);
         }
@@ -162,8 +163,8 @@ public record Scene(
     /**
      * Where a moveable object has been.
      *
-     * @param name of the object
-     * @param path its places in order; at least one
+     * @param name name of the object
+     * @param path its places, in order; at least one
      */
     public record Trail(String name, List<Point> path) {
         /** Copies the path. */
@@ -178,11 +179,11 @@ public record Scene(
     /**
      * A measured distance.
      *
-     * @param start    where the sensor is
+     * @param start    position of the sensor
      * @param heading  degrees about the vertical from the world's X to the middle of the beam
      * @param width    full opening angle in degrees, from 0 (a line) up to, not including, 180
      * @param range    the largest distance that can be measured; may be infinite
-     * @param distance what was answered; infinite where nothing echoed
+     * @param distance the measured distance; infinite if nothing echoed
      */
     public record Ping(Point start, double heading, double width, double range, double distance) {}
 
@@ -190,19 +191,19 @@ public record Scene(
      * A move that was not made.
      *
      * @param place   where the object stayed
-     * @param heading degrees about the vertical from the world's X to where it wanted to go
+     * @param heading direction of the refused move, degrees about the vertical from the world's X
      */
     public record Refusal(Point place, double heading) {}
 
     /**
-     * What refused a move just now.
+     * What blocked a recent move.
      *
-     * @param mover    where it stayed
-     * @param obstacle null for the border of the world
-     * @param strength from 0 to 1; the fresher, the stronger it is marked
+     * @param mover    the object, where it stayed
+     * @param obstacle what blocked it; null for the world's bounds
+     * @param strength strength of the mark, from 0 to 1; stronger for more recent moves
      */
     public record Blocked(GeometryObject mover, @Nullable GeometryObject obstacle, double strength) {
-        /** Refuses a strength that is none. */
+        /** Refuses an invalid strength. */
         public Blocked {
             if (!(strength >= 0 && strength <= 1)) {
                 throw new IllegalArgumentException("strength must be 0 to 1 (got: " + strength + ")");
@@ -210,15 +211,15 @@ public record Scene(
         }
     }
 
-    /** An object that a viewer points at. */
+    /** A highlighted object. */
     public record Mark(GeometryObject object, Why why) {
-        /** What for. */
+        /** Why it is highlighted. */
         public enum Why {
-            /** It is looked at. */
+            /** It is selected. */
             PICKED,
-            /** It may not stand there. */
+            /** It must not be placed there. */
             REFUSED,
-            /** Something is to come there. */
+            /** It is a goal. */
             GOAL
         }
     }

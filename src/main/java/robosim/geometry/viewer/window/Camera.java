@@ -4,14 +4,14 @@ import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Scene;
 
 /**
- * Where a window looks: a place of the world in the middle of its map, and a scale. Pixels are those of the window, from
- * its upper left corner.
+ * The view of a window: the point of the world at the centre of its map, and a scale. Pixels are counted from the
+ * window's upper left corner.
  */
 public final class Camera {
-    /** A step of the wheel or of a key. */
+    /** The zoom factor of a step of the wheel or of a key press. */
     static final double STEP = 1.2;
 
-    /** How far beyond the size that shows all of it a world can be made smaller, and larger. */
+    /** The limits of zooming out and in, relative to the scale that shows the whole world. */
     private static final double LEAST = 0.2;
 
     private static final double MOST = 5000;
@@ -23,14 +23,14 @@ public final class Camera {
     private double centerZ;
     private double scale;
 
-    /** Whether it shows all of it, whatever the size of the window. */
+    /** Whether it always shows the whole world. */
     private boolean fitting = true;
 
     public Camera() {
         fit();
     }
 
-    /** The window has another size; what was in the middle stays there. */
+    /** Changes the window's size; the centre of the view is kept. */
     public void resize(double newWidth, double newHeight) {
         width = newWidth;
         height = newHeight;
@@ -39,7 +39,7 @@ public final class Camera {
         }
     }
 
-    /** There is another world: all of it is shown, but where it has the extent of the one before. */
+    /** Changes the world: shows all of it, unless its extent is the same as before. */
     public void look(Scene.View all) {
         if (!all.equals(whole)) {
             whole = all;
@@ -47,7 +47,7 @@ public final class Camera {
         }
     }
 
-    /** Shows all of it, from now on. */
+    /** Shows the whole world from now on. */
     void fit() {
         fitting = true;
         centerX = (whole.minX() + whole.maxX()) / 2;
@@ -61,7 +61,7 @@ public final class Camera {
         return 0.98 * Math.min(MapFrame.screenWidth(width) / across, MapFrame.screenHeight(height) / down);
     }
 
-    /** Makes the world larger by a factor, or smaller; what is at a pixel stays there. */
+    /** Zooms by a factor; the point of the world at the given pixel stays there. */
     void zoom(double x, double y, double factor) {
         MapFrame before = frame();
         double fitted = fittingScale();
@@ -74,7 +74,7 @@ public final class Camera {
         scale = wanted;
     }
 
-    /** Moves the world by pixels; its middle is never lost. */
+    /** Moves the view by pixels; the centre stays within the world. */
     void pan(double dx, double dy) {
         fitting = false;
         centerX = clamp(centerX - dx / scale, whole.minX(), whole.maxX());
@@ -85,12 +85,12 @@ public final class Camera {
         return Math.max(least, Math.min(most, value));
     }
 
-    /** Pixels for a world unit. */
+    /** Pixels per world unit. */
     double scale() {
         return scale;
     }
 
-    /** Where everything stands on the window. */
+    /** The layout of the window's map. */
     public MapFrame frame() {
         return MapFrame.screen(width, height, centerX, centerZ, scale);
     }

@@ -7,7 +7,7 @@ import java.awt.RenderingHints;
 import java.awt.geom.Path2D;
 import javax.swing.Icon;
 
-/** The signs on the buttons, in the ink of the button's text. */
+/** The icons on the buttons, in the colour of the button's text. */
 record ControlIcon(Shape shape) implements Icon {
     private static final int SIZE = 16;
 

@@ -21,7 +21,7 @@ import robosim.geometry.viewer.playback.Sandbox;
 import robosim.geometry.viewer.scene.MapFrame;
 import robosim.geometry.viewer.scene.Scene;
 
-/** The map of a window: draws what a {@link ViewerModel} shows, and tells it what the mouse does. */
+/** The map of a window: draws what a {@link ViewerModel} shows, and passes it mouse events. */
 public final class MapPanel extends JComponent {
     @Serial
     private static final long serialVersionUID = 1;
@@ -30,12 +30,12 @@ public final class MapPanel extends JComponent {
     private final transient Runnable changed;
     private Theme theme;
 
-    /** What does not move, as it was drawn last, and of what. */
+    /** The last drawn image of the static part, and what it depends on. */
     private transient @Nullable BufferedImage ground;
 
     private transient @Nullable Drawn drawn;
 
-    /** All that the ground depends on. */
+    /** Everything that the static image depends on. */
     private record Drawn(int world, Scene.View visible, int width, int height, double pixels, Theme theme) {}
 
     MapPanel(ViewerModel viewing, Theme theme, Runnable changed) {
@@ -110,7 +110,7 @@ public final class MapPanel extends JComponent {
         page.dispose();
     }
 
-    /** Drawn anew where anything about it is other than the last time. */
+    /** The static image, redrawn if anything that it depends on has changed. */
     private BufferedImage ground(MapFrame frame, double pixels) {
         Drawn now = new Drawn(viewing.world(), frame.visible(), getWidth(), getHeight(), pixels, theme);
         BufferedImage last = ground;

@@ -7,15 +7,15 @@ import robosim.geometry.viewer.scene.Heights;
 import robosim.geometry.viewer.scene.Outline;
 import robosim.geometry.viewer.scene.Scene;
 
-/** Finds what is at a place of the floor. */
+/** Finds the object at a point of the floor. */
 final class Picker {
     private Picker() {}
 
     /**
-     * The object there that is drawn last: one that can move before one that cannot.
+     * The topmost object there; moveable ones take precedence over static ones.
      *
-     * @param slack world units by which one may miss it; what is hit goes before what is missed
-     * @return null where there is none
+     * @param slack world units by which the point may miss an object; an object that is hit takes precedence
+     * @return null if there is none
      */
     static @Nullable GeometryObject at(List<Scene.Thing> things, double x, double z, double slack) {
         GeometryObject found = null;
@@ -31,12 +31,15 @@ final class Picker {
         return found;
     }
 
-    /** Whether of two things at the same place the second to come is painted over the first. */
+    /** Whether of two objects at the same place the later one is painted over the earlier. */
     private static boolean isOver(GeometryObject later, GeometryObject earlier) {
         return later.isMoveable() || Heights.top(later) >= Heights.top(earlier);
     }
 
-    /** The lower, the sooner it is taken: what is hit, then what is missed by little; each time what moves first. */
+    /**
+     * The rank of an object, smaller is better: first objects that are hit, then near misses, and in each case moveable
+     * objects first.
+     */
     private static double rank(boolean moveable, double distance, double slack) {
         if (distance > slack) {
             return Double.POSITIVE_INFINITY;
@@ -44,7 +47,7 @@ final class Picker {
         return (distance == 0 ? 0 : 2 + distance / slack) + (moveable ? 0 : 1.5);
     }
 
-    /** From a place to what an object covers of the floor; 0 on it. Only what is below {@code limit} is exact. */
+    /** The distance of a point from an object's projection on the floor; 0 on it. Exact only below {@code limit}. */
     private static double distance(GeometryObject object, double x, double z, double limit) {
         double least = Double.POSITIVE_INFINITY;
         for (Outline outline : Outline.of(object)) {
@@ -60,7 +63,7 @@ final class Picker {
         return least <= limit ? least : Double.POSITIVE_INFINITY;
     }
 
-    /** To a convex polygon of x, z, x, z ..., a segment or a point. */
+    /** The distance of a point from a convex polygon of x, z, x, z ..., a segment or a point. */
     private static double distance(double[] corners, double x, double z) {
         int count = corners.length / 2;
         boolean left = false;

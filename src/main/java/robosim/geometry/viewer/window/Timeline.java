@@ -15,7 +15,7 @@ import robosim.geometry.viewer.draw.Style;
 import robosim.geometry.viewer.draw.Theme;
 import robosim.geometry.viewer.playback.StateHistory;
 
-/** All steps as a line, with a mark where a move was refused; press and drag goes to a step. */
+/** A slider over all steps, with a mark where a move was refused; press and drag to go to a step. */
 final class Timeline extends JComponent {
     @Serial
     private static final long serialVersionUID = 1;
@@ -23,7 +23,7 @@ final class Timeline extends JComponent {
     private static final int SIDE = 10;
     private static final int HEIGHT = 26;
 
-    /** Pixels from one mark to the next. */
+    /** Minimum distance in pixels from one mark to the next. */
     private static final double MARK = 2.5;
 
     private final transient ViewerModel viewing;
@@ -91,10 +91,13 @@ final class Timeline extends JComponent {
         page.dispose();
     }
 
-    /** A mark for each step where a move was refused; where there is no room, none for those just after one that has it. */
+    /**
+     * Draws a mark for each step in which a move was refused; if there is no room, skips those just after one with a
+     * mark.
+     */
     private void refusals(Canvas canvas, double y) {
         StateHistory film = viewing.film;
-        double room = MARK * (film.size() - 1.0 - film.first()) / inside(); // steps to a mark
+        double room = MARK * (film.size() - 1.0 - film.first()) / inside(); // steps per mark
         int next = film.nextRefused(film.first());
         while (next < film.size()) {
             double x = x(next);

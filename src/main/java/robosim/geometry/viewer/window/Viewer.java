@@ -21,15 +21,15 @@ import robosim.geometry.viewer.playback.Pictures;
 import robosim.geometry.world.World;
 
 /**
- * The window from above: of a world whose robots can be dragged, of a recording to go back and forth in, or of a session
- * as it is held. It alone needs a display.
+ * Opens a window with a view from above: of a world whose robots can be dragged, of a recording, or of a live session.
+ * Only this class needs a display.
  */
 public final class Viewer {
     private static final int TICK_MILLIS = 33;
 
     private Viewer() {}
 
-    /** Whether there is a display to show a window on. */
+    /** Whether there is a display. */
     public static boolean hasDisplay() {
         try {
             return !GraphicsEnvironment.isHeadless()
@@ -63,7 +63,7 @@ public final class Viewer {
     }
 
     /**
-     * Shows a session as it is held until the window is closed, and closes the reader. Nothing is told to the session.
+     * Shows a live session until the window is closed, then closes the reader. Nothing is sent to the session.
      *
      * @param world lends its colours and its unit; null for none
      */

@@ -20,23 +20,23 @@ import robosim.geometry.viewer.scene.Scene;
 import robosim.geometry.world.World;
 
 /**
- * What somebody looks at and does: a film or a world, a camera on it, an object that is picked, a robot that is dragged.
- * It knows no window: pixels and time come from outside. It belongs to one thread at a time.
+ * The state of a viewer: a history or a world, a camera, a selected object, a robot being dragged. Independent of any
+ * window: pixels and time are passed in. May be used by one thread at a time.
  */
 final class ViewerModel {
-    /** Frames read at a time, so that the window stays awake. */
+    /** Maximum number of frames read at a time, so that the window stays responsive. */
     private static final int AT_ONCE = 500;
 
-    /** Pixels within which a press is no drag, and a miss is a hit. */
+    /** Pixels within which a press is not a drag, and a near miss counts as a hit. */
     private static final double SLACK = 4;
 
-    /** Places of all ways together that are drawn, so that a long conversation is drawn as soon as a short one. */
+    /** Maximum number of points of all trails together, so that a long conversation is drawn as fast as a short one. */
     private static final int MARKS = 20_000;
 
-    /** Of one of many robots. */
+    /** Minimum number of points of the trail of one of many robots. */
     private static final int LEAST_MARKS = 100;
 
-    /** Times the size of a world that is shown at most to show what stands beyond it. */
+    /** The maximum size of the view, in sizes of the world, to include objects outside the world. */
     private static final double FAR = 3;
 
     private static final int[] TRAILS = {400, Integer.MAX_VALUE, 0};
@@ -49,7 +49,7 @@ final class ViewerModel {
     private final @Nullable Feed feed;
     private final boolean live;
 
-    /** What was told of the feed's end last. */
+    /** The last text about the end of the feed. */
     private String told = "";
 
     private int trails;
@@ -57,15 +57,15 @@ final class ViewerModel {
     private int world = -1;
     private @Nullable Sandbox sandbox;
 
-    /** What is picked: an object with a name is found again where it went, one without stays where it is. */
+    /** The selected object; if it has a name it is tracked as it moves. */
     private @Nullable GeometryObject picked;
 
-    /** The world in which it was. */
+    /** The world in which it was selected. */
     private int pickedIn;
 
     private @Nullable Grip grip;
 
-    /** A button that is held: where it was pressed and where the mouse was last, and what is dragged by it. */
+    /** A pressed button: where it was pressed, where the mouse was last, and what is being dragged. */
     private static final class Grip {
         private final double beginX;
         private final double beginY;
@@ -93,7 +93,7 @@ final class ViewerModel {
         this.player = live ? Player.ofLive(film) : Player.ofRecording(film);
     }
 
-    /** A world's own; its robots can be dragged. */
+    /** A model of a world, whose robots can be dragged. */
     static ViewerModel ofWorld(World world, String title) {
         ViewerModel viewing = new ViewerModel(title, Pictures.unit(world), null, false);
         Frame.Setting setting = Frame.Setting.of(world);
@@ -104,12 +104,12 @@ final class ViewerModel {
         return viewing;
     }
 
-    /** A recording, from its beginning. */
+    /** A model of a recording, from its beginning. */
     static ViewerModel ofRecording(Feed feed, String title, String unit) {
         return new ViewerModel(title, unit, feed, false);
     }
 
-    /** A session that is held, as it goes. */
+    /** A model of a live session. */
     static ViewerModel ofLive(Feed feed, String title, String unit) {
         return new ViewerModel(title, unit, feed, true);
     }
@@ -124,9 +124,9 @@ final class ViewerModel {
     }
 
     /**
-     * So much time went by.
+     * Advances the time.
      *
-     * @return whether there is anything new to be seen
+     * @return whether anything visible has changed
      */
     boolean tick(long nanos) {
         int before = player.position();
@@ -150,7 +150,10 @@ final class ViewerModel {
         return changed;
     }
 
-    /** A world with those of its robots that stand beyond its border, unless they are so far off that it would be small. */
+    /**
+     * The view of a world including robots outside its bounds, unless they are so far away that the world would be too
+     * small.
+     */
     private Scene.View seen(Frame.Setting setting) {
         Scene.View view = Scene.View.of(setting.width(), setting.length(), setting.things());
         if (sandbox == null || sandbox.outside().isEmpty()) {
@@ -163,12 +166,12 @@ final class ViewerModel {
         return near ? Scene.View.around(bounds) : view;
     }
 
-    /** Which world is shown; another number where it is another world, -1 for none. */
+    /** A number that identifies the world shown; -1 for none. */
     int world() {
         return world;
     }
 
-    /** The floor and what cannot move. */
+    /** The floor and the static objects. */
     Scene ground() {
         Frame.Setting setting = shown;
         return setting == null
@@ -176,7 +179,7 @@ final class ViewerModel {
                 : Scene.of("", setting.border(), setting.statics()).described("", unit);
     }
 
-    /** What moves, where it is now, and all that is told about it. */
+    /** The moveable objects at their present places, with what happened to them. */
     Scene life() {
         Scene scene;
         if (sandbox != null && shown != null) {
@@ -223,7 +226,7 @@ final class ViewerModel {
         return sandbox != null ? sandbox.movers() : film.movers(player.position());
     }
 
-    /** What is picked, where it is now; null where nothing is, or it is no longer there. */
+    /** The selected object at its present place; null if nothing is selected or it no longer exists. */
     @Nullable
     GeometryObject picked() {
         GeometryObject before = picked;
@@ -238,14 +241,14 @@ final class ViewerModel {
         return null;
     }
 
-    /** What is told of the picked object; null where nothing is picked. */
+    /** The card of the selected object; null if nothing is selected. */
     @Nullable
     Card card() {
         GeometryObject object = picked();
         return object == null ? null : Card.of(object, unit);
     }
 
-    /** A line for people about what is shown. */
+    /** A status line about what is shown. */
     String status() {
         if (sandbox != null) {
             Sandbox.Refused refused = sandbox.refused();
@@ -276,7 +279,7 @@ final class ViewerModel {
                         + " more are not in the world, they stand beyond its border: drag them in";
     }
 
-    /** How fast it goes, for people. */
+    /** The speed as text for people. */
     String pace() {
         if (live) {
             return player.isFollowing() ? "live" : "paused";
@@ -292,12 +295,12 @@ final class ViewerModel {
         return live && feed != null && feed.isEnded() ? "; the session is over" : "";
     }
 
-    /** The wheel was turned at a pixel; up is in. */
+    /** Handles the mouse wheel at a pixel; up zooms in. */
     void wheel(double x, double y, double notches) {
         camera.zoom(x, y, StrictMath.pow(Camera.STEP, -notches));
     }
 
-    /** A button was pressed at a pixel: what is there is picked. */
+    /** Handles a button press at a pixel: selects the object there. */
     void press(double x, double y) {
         MapFrame frame = camera.frame();
         double worldX = frame.worldX(x);
@@ -315,7 +318,7 @@ final class ViewerModel {
         grip = held;
     }
 
-    /** The mouse moved with its button held: a robot is pushed, or the ground. */
+    /** Handles a mouse drag: pushes a robot or moves the view. */
     void drag(double x, double y, Sandbox.Push push) {
         Grip held = grip;
         if (held == null) {
@@ -338,7 +341,7 @@ final class ViewerModel {
         held.y = y;
     }
 
-    /** The button was let go; where nothing was hit or dragged, nothing is picked any more. */
+    /** Handles the release of the button; if nothing was hit or dragged, clears the selection. */
     void release() {
         Grip held = grip;
         grip = null;
@@ -360,7 +363,7 @@ final class ViewerModel {
         return object == null ? null : Picker.at(List.of(new Scene.Thing(object, null)), x, z, SLACK / camera.scale());
     }
 
-    /** Turns the picked robot in place. */
+    /** Turns the selected robot in place. */
     void turnPicked(double degrees) {
         GeometryObject object = picked();
         Sandbox own = object == null || !object.isMoveable() ? null : own();
@@ -369,7 +372,7 @@ final class ViewerModel {
         }
     }
 
-    /** The world in which robots can be pushed; of a conversation it is a copy of the moment that is shown. */
+    /** The world in which robots can be pushed; for a conversation, a copy of the moment shown. */
     private @Nullable Sandbox own() {
         if (sandbox == null && shown != null) {
             player.pause();
@@ -378,7 +381,7 @@ final class ViewerModel {
         return sandbox;
     }
 
-    /** Leaves the local copy; where there is none, picks nothing. */
+    /** Leaves the local copy; if there is none, clears the selection. */
     void escape() {
         if (sandbox != null && feed != null) {
             sandbox = null;
@@ -387,14 +390,14 @@ final class ViewerModel {
         }
     }
 
-    /** Before going elsewhere in a conversation: its local copy is left. */
+    /** Leaves the local copy, before going elsewhere in a conversation. */
     void leaveCopy() {
         if (feed != null) {
             sandbox = null;
         }
     }
 
-    /** Longer trails, all of them, none, and so on. */
+    /** Switches to the next trail length: longer, all, none, and so on. */
     void nextTrails() {
         trails = (trails + 1) % TRAILS.length;
     }

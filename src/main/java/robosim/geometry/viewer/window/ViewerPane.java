@@ -21,7 +21,7 @@ import javax.swing.KeyStroke;
 import robosim.geometry.viewer.draw.Palette;
 import robosim.geometry.viewer.draw.Theme;
 
-/** All that is in a viewer's window: the map, below it a line of words, and for a conversation its controls. */
+/** The contents of a viewer's window: the map, a status line below it, and for a conversation its controls. */
 final class ViewerPane extends JPanel {
     @Serial
     private static final long serialVersionUID = 1;
@@ -57,7 +57,7 @@ final class ViewerPane extends JPanel {
     private void lay() {
         status.setName("status");
         for (JLabel label : List.of(status, speed)) {
-            label.putClientProperty("html.disable", true); // a name is shown as it is, whatever a peer put in it
+            label.putClientProperty("html.disable", true); // names from peers are shown as plain text
         }
         speed.setName("speed");
         below.setLayout(new BoxLayout(below, BoxLayout.Y_AXIS));
@@ -180,14 +180,14 @@ final class ViewerPane extends JPanel {
         }
     }
 
-    /** So much time went by; shows what is new. */
+    /** Advances the time and shows what has changed. */
     void tick(long nanos) {
         if (viewing.tick(nanos)) {
             refresh();
         }
     }
 
-    /** Shows all as it is now. */
+    /** Updates everything shown. */
     private void refresh() {
         String words = viewing.status();
         if (!words.equals(status.getText())) {

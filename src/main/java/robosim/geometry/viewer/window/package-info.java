@@ -1,4 +1,4 @@
-/** The window; all Swing is here. */
+/** The viewer's window; all code that uses Swing is here. */
 @NullMarked
 package robosim.geometry.viewer.window;
 

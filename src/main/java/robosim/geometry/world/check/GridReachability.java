@@ -13,27 +13,32 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Move;
 import robosim.geometry.model.Point;
-import robosim.geometry.model.SphereObject;
 import robosim.geometry.world.World;
 
-/** Where one robot gets to on a grid of straight moves and turns by 45 degrees, among static objects alone. */
+/** The cells of a grid that one robot reaches by straight moves and turns of 45 degrees, among static objects only. */
 public final class GridReachability {
     private static final int TURNS = 8;
     private static final double TURN = 360.0 / TURNS;
 
-    /** Most places and headings of a grid: some seconds among boxes and cylinders, most of a minute among large meshes. */
+    /**
+     * Maximum number of places and headings of a grid: some seconds among boxes and cylinders, most of a minute among
+     * large meshes.
+     */
     private static final double MOST = 60_000;
 
-    /** Most places and headings that are looked at near the start, where all of a world would need too coarse a step. */
+    /**
+     * Maximum number of places and headings explored near the start, where the whole world would need too coarse a
+     * step.
+     */
     static final int NEAR = 20_000;
 
-    /** Most places and headings of the whole grid of such a search; it has a bit for each. */
+    /** Maximum number of places and headings of the whole grid of such a search, which has a bit for each. */
     private static final double MOST_NEAR = 1 << 28;
 
-    /** So many of the places that it got to are kept for other questions. */
+    /** How many of the places reached are kept for other queries. */
     private static final int KEPT = 500;
 
-    /** A robot without an extent goes in steps of this share of the world. */
+    /** The step of a robot without extent, as a fraction of the world. */
     private static final double POINT_STEP = 1.0 / 256;
 
     private final World world;
@@ -50,7 +55,7 @@ public final class GridReachability {
     /** Places and headings after which it gives up. */
     private final int limit;
 
-    /** Places along X and Z, and how many of them come before the robot's own. */
+    /** Number of places along X and Z, and how many of them come before the robot's own. */
     private final int countX;
 
     private final int countZ;
@@ -69,9 +74,9 @@ public final class GridReachability {
     private boolean isWhole = true;
 
     /**
-     * A trip through all of the world, at a step that can be afforded.
+     * A search of the whole world, at the finest step that is affordable.
      *
-     * @param halvings of the first step
+     * @param halvings how often the first step is halved
      */
     static GridReachability far(World world, Geometry geometry, GeometryObject robot, int halvings) {
         double wanted = wanted(world, robot);
@@ -83,7 +88,7 @@ public final class GridReachability {
         return new GridReachability(world, geometry, robot, step, Integer.MAX_VALUE);
     }
 
-    /** A trip at the step that is wanted, which ends where it has seen {@link #NEAR}; null in a world too large for it. */
+    /** A search at the desired step, which ends after {@link #NEAR} places; null in a world too large for it. */
     static @Nullable GridReachability near(World world, Geometry geometry, GeometryObject robot) {
         double step = wanted(world, robot);
         double states = (world.width() / step + 1) * (world.length() / step + 1) * turns(robot);
@@ -148,22 +153,22 @@ public final class GridReachability {
         return places;
     }
 
-    /** Whether it was made in steps as fine as wanted; none is for what has no extent, so for that any is. */
+    /** Whether its step is as fine as desired; for a robot without extent, any step is. */
     boolean isFine() {
         return step <= wanted || narrow == 0;
     }
 
-    /** Whether it got everywhere that its steps lead to, and did not give up before. */
+    /** Whether it explored everything that is reachable, and did not give up before. */
     boolean isWhole() {
         return isWhole;
     }
 
-    /** How many places with their headings are kept of it, for {@link #reached}. */
+    /** The number of places with headings that are kept, for {@link #reached}. */
     int kept() {
         return queued;
     }
 
-    /** A robot at one of the places that were kept, turned from how it stands as the traveller was. */
+    /** A robot at one of the kept places, turned relative to its own heading as the searching robot was. */
     GeometryObject reached(int k, GeometryObject robot) {
         int place = queue[k] / turns;
         GeometryObject there =
@@ -199,10 +204,10 @@ public final class GridReachability {
     }
 
     /**
-     * Goes everywhere.
+     * Runs the search.
      *
-     * @param others robots to be met
-     * @param met    told the number of each that is
+     * @param others robots that may be reached
+     * @param met    called with the index of each robot that is reached
      */
     void go(List<GeometryObject> others, IntConsumer met, Watch watch) {
         if (!geometry.addObjectUnchecked(body)) {
@@ -228,7 +233,7 @@ public final class GridReachability {
                 }
                 meet(state, others, missing, met);
                 spread(state);
-                // Turns cost most: only where no straight way leads on.
+                // Turns cost most, so they are tried only if no straight move leads on.
                 while (turns > 1 && at == queued - 1 && turned < queued) {
                     turn(queue[turned++]);
                 }
@@ -239,7 +244,7 @@ public final class GridReachability {
         }
     }
 
-    /** Forgets all but a few places, evenly from first to last. */
+    /** Drops all but a few places, spread evenly from first to last. */
     private void keep() {
         int kept = Math.min(queued, KEPT);
         int[] some = new int[kept];
@@ -256,7 +261,7 @@ public final class GridReachability {
         leastZ = mostZ = beforeZ;
         heading = body.heading();
         double square = Math.rint(heading / TURN) * TURN;
-        // A crooked start is put straight where there is room for that.
+        // A start heading that is off the grid is aligned if there is room for that.
         if (turns > 1 && square != heading && geometry.simpleTurn(name, square - heading)) {
             heading = square;
         }
@@ -305,20 +310,20 @@ public final class GridReachability {
     }
 
     private void attemptTurn(int from, int to, double degrees) {
-        // Whether it may stand there at all is soon told.
+        // Checking whether it may stand there at all is fast.
         if (!seen.get(to) && put(to) && put(from) && geometry.simpleTurn(name, degrees)) {
             enqueue(to);
         }
     }
 
-    /** Puts the robot at a place of the grid with a heading; false where it may not stand there by a rounding. */
+    /** Puts the robot at a place of the grid with a heading; returns false if rounding makes that place not free. */
     private boolean put(int state) {
         int place = state / turns;
         Point at = new Point(x(place / countZ), body.center().y(), z(place % countZ));
         if (upright) {
             return geometry.placeObject(name, at, heading + TURN * (state % turns));
         }
-        // Only what is upright can be placed.
+        // Only upright objects can be placed.
         geometry.removeObject(name);
         boolean free = geometry.addObject(body.movedTo(at));
         if (!free) {
@@ -342,8 +347,8 @@ public final class GridReachability {
     }
 
     /**
-     * Whether the body, going straight from there to where the other stands, meets the other before anything else: at its
-     * own height first, and then up or down where that passes the other by.
+     * Whether the body, moving straight from there to the other's place, hits the other before anything else: at its
+     * own height first, and then up or down if it has passed the other.
      */
     private boolean meets(int state, GeometryObject other) {
         if (!put(state) || !geometry.addObjectUnchecked(other)) {
@@ -351,7 +356,7 @@ public final class GridReachability {
         }
         try {
             if (!put(state)) {
-                return true; // it stands in the other
+                return true; // it overlaps the other
             }
             Point from = geometry.getObject(name).center();
             Point to = other.center();

@@ -18,10 +18,10 @@ import robosim.geometry.world.WorldObject;
 
 /** The pairs of a world's objects that are in contact, in the order of the objects. */
 public final class Overlaps {
-    /** A way out that is shorter than this share of the smaller object is a touch. */
+    /** A penetration depth below this fraction of the smaller object counts as touching. */
     private static final double TOUCH = 0x1p-30;
 
-    /** Halvings of a way out that is known to within a factor of two. */
+    /** Number of bisections of a depth that is known to within a factor of two. */
     private static final int HALVINGS = 7;
 
     private final List<WorldObject> objects;
@@ -61,7 +61,7 @@ public final class Overlaps {
         return a.minY() <= b.maxY() && b.minY() <= a.maxY();
     }
 
-    /** All with a moveable object, and as many of two static ones as are told. */
+    /** All overlaps with a moveable object, and those of two static objects up to the limit. */
     List<Overlap> found() {
         return found;
     }
@@ -97,7 +97,7 @@ public final class Overlaps {
         return ContactQuery.ask(a, b, dimension, Budget.UNLIMITED).answer() == Verdict.Answer.YES;
     }
 
-    /** How far the first must go along the normal until it is clear of the second. */
+    /** How far the first must move along the normal until it is clear of the second. */
     private double depth(GeometryObject first, GeometryObject second, Point normal, double size) {
         double reach = TOUCH * (size > 0 ? size : 1);
         if (isClear(first, second, normal, reach)) {

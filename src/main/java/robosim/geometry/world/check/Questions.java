@@ -15,26 +15,26 @@ import robosim.geometry.world.SonarRing;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 
-/** The same seeded questions to a world at every setting, as {@link WorldCheck} defines them. */
+/** Asks a world the same seeded queries at every setting, as {@link WorldCheck} defines them. */
 public final class Questions {
     private static final long SEED = 1;
 
-    /** Free places from which moves and sonars are asked, of all robots together. */
+    /** Number of free places from which moves and sonars are queried, over all robots. */
     private static final int PLACES = 2000;
 
-    /** A robot that is a mesh moves slowly, and is asked so much less. */
+    /** A robot that is a mesh is slow to move, so it gets fewer queries by this factor. */
     private static final int FEWER = 20;
 
-    /** So many places are tried for each that is free, at most. */
+    /** Maximum number of places tried for each free one. */
     private static final int TRIES = 10;
 
-    /** One of so many places that are tried is one that the robot's trip got to. */
+    /** One place tried in this many is one that the robot's search reached. */
     private static final int OF_TRIP = 4;
 
-    /** A move goes up to so many times the robot's diagonal. */
+    /** The largest length of a move, in diagonals of the robot. */
     private static final double FAR = 5;
 
-    /** Distances are the same that differ by no more than this share of the world's diagonal. */
+    /** Distances count as equal if they differ by at most this fraction of the world's diagonal. */
     private static final double SAME = 1e-9;
 
     private final World world;
@@ -45,10 +45,10 @@ public final class Questions {
     private final Sheet truth;
     private final double slack;
 
-    /** Questions to which the truth is that something is there. */
+    /** Number of queries whose true answer is a hit. */
     private int met;
 
-    /** What one setting is asked and answers. */
+    /** One setting, with its answers. */
     private static final class Sheet {
         final Dimension dimension;
         final Accuracy accuracy;
@@ -82,7 +82,7 @@ public final class Questions {
         }
     }
 
-    /** @param rooms that were found */
+    /** @param rooms the rooms found */
     Questions(World world, Rooms rooms, Watch watch) {
         this.world = world;
         this.rooms = rooms;
@@ -105,7 +105,7 @@ public final class Questions {
                 .toList();
         int each = Math.max(1, PLACES / Math.max(1, robots.size()));
         int few = Math.max(1, each / FEWER);
-        // In a crowd not everybody is asked.
+        // If there are many robots, not all are used.
         int asked = Math.min(robots.size(), PLACES);
         for (int k = 0; k < asked; k++) {
             ask(robots.get(k), Rooms.isMany(robots.get(k).object()) ? few : each, k, asked);
@@ -157,7 +157,9 @@ public final class Questions {
         return home.pose().isUpright() ? body.turned(0, turn) : body;
     }
 
-    /** Asks everybody; true where the truth is yes, and the body then stands there in every world. */
+    /**
+     * Queries all settings; returns true if the true answer is yes, and the body has then been added to every world.
+     */
     private boolean mayStand(GeometryObject body) {
         if (!truth.geometry.addObjectUnchecked(body)) {
             return false; // half outside
@@ -185,7 +187,7 @@ public final class Questions {
         }
     }
 
-    /** Puts the body there, even in contact, and takes it away again. */
+    /** Adds the body, even in contact, tries the move and removes the body again. */
     private static boolean moves(Sheet sheet, GeometryObject body, String name, Move move) {
         boolean stands = sheet.geometry.addObjectUnchecked(body);
         boolean allowed = stands && sheet.geometry.move(name, move).allowed();
@@ -222,13 +224,13 @@ public final class Questions {
         try {
             return sheet.geometry.getSonarDistance(name, mount, ring.min(), ring.max(), ring.width());
         } catch (IllegalArgumentException vertical) {
-            return Double.NaN; // a sonar of a robot that lies on its side; in PLANAR it cannot look up
+            return Double.NaN; // a sonar of a robot lying on its side; in PLANAR it cannot point up
         } finally {
             sheet.geometry.removeObject(name);
         }
     }
 
-    /** Whether heights can make no difference to anything that is level. */
+    /** Whether heights can make no difference to any level move or sonar. */
     private boolean isProven(List<WorldObject> robots) {
         List<Bounds> bounds = new ArrayList<>();
         for (WorldObject object : world.objects()) {

@@ -14,7 +14,7 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 
-/** Which robots of a world can get to each other, as {@link WorldCheck} defines it. */
+/** Finds which robots of a world can reach each other, as {@link WorldCheck} defines it. */
 public final class Rooms {
     /** How often the step is halved. */
     private static final int HALVINGS = 2;
@@ -23,15 +23,15 @@ public final class Rooms {
     private final Watch watch;
     private final List<GeometryObject> robots = new ArrayList<>();
 
-    /** Of each robot, one that it shares a room with, and in the end the same one for all of a room. */
+    /** By robot, one with which it shares a room; in the end the same one for all robots of a room. */
     private final int[] leaders;
 
-    /** Of each robot, its last trip; null where it has not been sent out. */
+    /** By robot, its last search; null if there was none. */
     private final @Nullable GridReachability[] trips;
 
     private final Map<String, GridReachability> byName = new HashMap<>();
 
-    /** @param touching the names of robots that are not asked */
+    /** @param touching names of robots that start in contact and are not tested */
     Rooms(World world, Set<String> touching, Watch watch) {
         this.world = world;
         this.watch = watch;
@@ -71,7 +71,7 @@ public final class Rooms {
         return rooms();
     }
 
-    /** The trip that tells most of where a robot gets to; null where it starts in contact. */
+    /** The most informative search of a robot; null if it starts in contact. */
     @Nullable
     GridReachability trip(String name) {
         if (byName.isEmpty()) {
@@ -88,7 +88,10 @@ public final class Rooms {
         return byName.get(name);
     }
 
-    /** Where the step of all trips was too coarse to tell, a finer one may find that there is no way out near the start. */
+    /**
+     * If the step of all searches was too coarse to decide, a finer one near the start may find that there is no way
+     * out.
+     */
     private void lookNear(Geometry statics) {
         for (List<Integer> group : groups()) {
             GridReachability far = largest(group);
@@ -101,7 +104,7 @@ public final class Rooms {
                 continue;
             }
             go(near, k);
-            // What came to no end says less than the coarse trip through all of the world.
+            // An unfinished search says less than the coarse one through the whole world.
             if (near.isWhole()) {
                 group.forEach(each -> trips[each] = null);
                 trips[k] = near;
@@ -110,8 +113,8 @@ public final class Rooms {
     }
 
     /**
-     * At first all, later one of each room: those that fit through most doors before the others. Who has been met by one of
-     * them need not go himself.
+     * The robots to search for, at first all, later one of each room, in order of how well they fit through doors. A
+     * robot that has been reached by another need not search.
      */
     private List<Integer> toBeSent(int halvings) {
         Comparator<Integer> order = narrowestFirst();
@@ -133,7 +136,7 @@ public final class Rooms {
                 .thenComparingDouble(k -> GridReachability.narrow(robots.get(k)));
     }
 
-    /** Whether it has so many parts that it moves slowly. */
+    /** Whether it has so many parts that moving it is slow. */
     static boolean isMany(GeometryObject robot) {
         return switch (robot.kind()) {
             case MESH -> true;
@@ -190,7 +193,7 @@ public final class Rooms {
         return at;
     }
 
-    /** The robots by room: the most first, then those with the largest trip, then in the world's order. */
+    /** The robots by room: most robots first, then the largest search, then in the world's order. */
     private List<List<Integer>> groups() {
         List<List<Integer>> groups = new ArrayList<>();
         for (int k = 0; k < robots.size(); k++) {

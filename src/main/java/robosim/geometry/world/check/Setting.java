@@ -25,7 +25,7 @@ public record Setting(
         int distances,
         int distancesOtherwise,
         double shortest) {
-    /** So many moves and as many distances must be asked for a setting to be called enough. */
+    /** Minimum number of moves, and of distances, that must be queried to call a setting enough. */
     public static final int MIN_ANSWERS = 50;
 
     /** Whether there were enough moves and distances to compare. */

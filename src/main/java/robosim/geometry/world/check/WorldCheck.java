@@ -18,21 +18,22 @@ import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 
 /**
- * What there is to know of a world before robots are let loose in it: what stands in what, who starts in contact, who can
- * get to whom, and which accuracy and dimension its questions need. The same world has the same check.
+ * Examines a world before robots are simulated in it: which objects overlap, which robots start in contact, which
+ * robots can reach each other, and which accuracy and dimension its queries need. The same world always gives the same
+ * result.
  *
- * <p><b>Rooms.</b> A robot, which is every moveable object, is taken through the world on a grid that begins at its own
- * place: from each place that it can get to by straight moves of one step along the world's X and Z at its own height. What
- * is not round also turns in place, by 45 degrees at a time. Each of these moves is one that a {@link
- * robosim.geometry.Geometry} of the static objects allows, so what is reached is reached; what is not may be reached by
- * moves between those of the grid, and the step is told. The first step is half of the robot's smaller extent, or coarser
- * in a large world; it is halved twice where not everything is reached. All other moveable objects are taken out, as they
- * may drive away. A robot can get to another where, from so near that the bodies would touch but for two steps, its body goes straight
- * to the other and meets nothing else first; two robots share a room where one of them can get to the other, also by way of
- * further ones. The narrowest go first, and who has been met need not go. Who starts in contact or outside of the world is
- * not asked. Where the step had to be coarser than half of the smaller extent, a search near the start goes in steps of
- * that half; where it comes to no end either, it could not be told whether the robots are shut in, and {@link Room#isTold}
- * is false.
+ * <p><b>Rooms.</b> Each robot, that is, each moveable object, explores the world on a grid that begins at its own
+ * place, by straight moves of one step along the world's X and Z at its own height. A robot that is not round also
+ * turns in place, by 45 degrees at a time. Each of these moves is checked by a {@link robosim.geometry.Geometry} of the
+ * static objects, so everything reached is truly reachable; what is not reached may still be reachable by moves off the
+ * grid, so the step is reported. The first step is half of the robot's smaller extent, or coarser in a large world; it
+ * is halved twice if not every robot is reached. All other moveable objects are removed, as they may drive away. A
+ * robot reaches another if, from a place at which the bodies are within two steps of touching, its body moves straight
+ * to the other and hits nothing else first. Two robots share a room if one of them reaches the other, directly or
+ * through further ones. The narrowest robots search first, and a robot that has been reached does not search. Robots
+ * that start in contact or outside the world are not tested. If the step had to be coarser than half of the smaller
+ * extent, a search near the start uses steps of that half; if that does not finish either, it is unknown whether the
+ * robots are shut in, and {@link Room#isTold} is false.
  *
  * <p><b>Needs.</b> The same questions, drawn from a fixed seed, are put to the world in both dimensions at each accuracy:
  * may a robot stand at a place, may it make a random move or turn from there, what does one of its sonars hear (in
@@ -41,17 +42,17 @@ import robosim.geometry.world.WorldObject;
  * fewer than {@link Setting#MIN_ANSWERS} moves or distances could be asked, as nobody has room or there is no robot, and where none
  * of them met anything, nothing can be told. A robot that is a mesh, and so slow, asks a twentieth of what others do.
  *
- * @param world           what was checked
- * @param counts          how many objects of each kind, for the kinds that there are
- * @param members         objects that the groups are made of
- * @param triangles       of all meshes, a quad being two
+ * @param world           the world checked
+ * @param counts          number of objects of each kind that occurs
+ * @param members         number of members of groups
+ * @param triangles       number of triangles of all meshes, a quad counting as two
  * @param robots          the moveable objects
- * @param sonars          sensors of all rings
- * @param outside         objects that reach beyond the border; none of what follows knows them
- * @param overlaps        pairs in contact: all that a moveable object takes part in, and the first of static objects
+ * @param sonars          number of sensors in all rings
+ * @param outside         objects that extend beyond the world's bounds; they are ignored in the rest of the check
+ * @param overlaps        pairs in contact: all with a moveable object, and the first ones of two static objects
  * @param staticOverlaps  how many pairs of static objects are in contact, those in {@code overlaps} included
- * @param rooms           the robots that can get to each other; the first room is the one with most of them
- * @param needs           which accuracy and dimension is enough
+ * @param rooms           groups of robots that can reach each other; the first room has the most
+ * @param needs           which accuracy and dimension are enough
  */
 public record WorldCheck(
         World world,
@@ -66,7 +67,7 @@ public record WorldCheck(
         List<Room> rooms,
         Needs needs) {
 
-    /** Most pairs of static objects that are told one by one. */
+    /** Maximum number of pairs of static objects in {@code overlaps}. */
     public static final int MAX_STATIC_OVERLAPS = 100;
 
     /** Copies the collections. */
@@ -83,7 +84,7 @@ public record WorldCheck(
         return of(world, (work, done, total) -> {});
     }
 
-    /** Checks a world and tells how far that is. */
+    /** Checks a world and reports progress. */
     public static WorldCheck of(World world, Watch watch) {
         Checks.present("world", world);
         Checks.present("watch", watch);
@@ -137,7 +138,10 @@ public record WorldCheck(
                 world.objects().stream().filter(o -> !left.contains(o)).toList());
     }
 
-    /** Robots that cannot get to where most are: all rooms but the first, and but those of which that cannot be told. */
+    /**
+     * Robots that cannot reach the room with the most robots: all rooms except the first and those for which this is
+     * unknown.
+     */
     public List<Room> shutIn() {
         return rooms.stream().skip(1).filter(Room::isTold).toList();
     }
@@ -149,7 +153,9 @@ public record WorldCheck(
                 .toList();
     }
 
-    /** Robots that got to no others or nowhere at a step that is too coarse to say that there is no way. */
+    /**
+     * Rooms of robots that reached no others, or no other place, at a step too coarse to conclude that there is no way.
+     */
     public List<Room> untold() {
         return IntStream.range(0, rooms.size())
                 .filter(k -> k > 0 || rooms.get(k).places() == 1)
@@ -164,15 +170,15 @@ public record WorldCheck(
     }
 
     /**
-     * Whether nothing was found that keeps robots from what they are there for: nothing is outside, no robot starts in
-     * contact, none is shut in or cannot make a step. Static objects may overlap, as the walls of a plan do, and {@link
-     * #untold} is no finding.
+     * Whether nothing was found that hinders robots: nothing is outside, no robot starts in contact, is shut in or is
+     * unable to make a step. Static objects may overlap, as the walls of a plan do, and {@link #untold} rooms are not
+     * findings.
      */
     public boolean isFine() {
         return outside.isEmpty() && startingContacts().isEmpty() && shutIn().isEmpty() && stuck().isEmpty();
     }
 
-    /** What groups and meshes are made of. */
+    /** Counts the parts of groups and meshes. */
     private static final class Pieces {
         int members;
         long triangles;

@@ -40,7 +40,7 @@ public final class ObjSurface {
             "shadow_obj",
             "trace_obj");
 
-    /** That of UTF-8, read as Latin-1. */
+    /** The byte order mark of UTF-8, read as Latin-1. */
     private static final String BYTE_ORDER_MARK = "\u00ef\u00bb\u00bf";
 
     private final double scale;
@@ -57,7 +57,7 @@ public final class ObjSurface {
     public static MeshObject read(InputStream in, String source, double scale) throws FileProblem {
         ObjSurface reader = new ObjSurface(scale);
         try {
-            // Latin-1 takes every byte; all that is looked at is ASCII.
+            // Latin-1 accepts every byte; everything that is evaluated is ASCII.
             reader.readLines(new BufferedReader(
                     new InputStreamReader(new Bounded(new BufferedInputStream(in)), StandardCharsets.ISO_8859_1)));
             return new MeshObject(reader.vertices, reader.faces.toArray(int[][]::new));
@@ -73,7 +73,7 @@ public final class ObjSurface {
     private void readLines(Reader in) throws IOException {
         while (!ended) {
             StringBuilder text = new StringBuilder();
-            int begin = line + 1; // errors name the line at which a statement begins
+            int begin = line + 1; // errors name the line on which a statement begins
             readLine(in, text);
             while (text.length() > 0 && text.charAt(text.length() - 1) == '\\' && !ended) {
                 text.setCharAt(text.length() - 1, ' ');
@@ -90,7 +90,10 @@ public final class ObjSurface {
         }
     }
 
-    /** Appends one line without its comment and its end; a file without line ends is not read into memory. */
+    /**
+     * Appends one line without its comment and line end; long lines are refused, so a file without line ends is not
+     * read into memory.
+     */
     private void readLine(Reader in, StringBuilder text) throws IOException {
         line++;
         boolean comment = false;

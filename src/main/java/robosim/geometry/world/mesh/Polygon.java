@@ -5,10 +5,11 @@ import robosim.geometry.exact.Orientation;
 import robosim.geometry.model.Point;
 
 /**
- * Cuts a polygon into the triangles and quads of a mesh by clipping ears, seen along the axis on which it is largest.
+ * Cuts a polygon into the triangles and quads of a mesh by ear clipping, projected along the axis along which its area
+ * is largest.
  *
- * <p>Only triangles that turn the polygon's way are cut off. Their outlines add up to the polygon's, so for one that does
- * not cross itself they can but tile it; holes that are joined to the outline by a doubled edge are kept.
+ * <p>Only triangles with the polygon's orientation are cut off. Their boundaries add up to the polygon's, so they tile
+ * any polygon that does not cross itself; holes that are joined to the outline by a doubled edge are kept.
  */
 public final class Polygon {
     private Polygon() {}
@@ -28,8 +29,8 @@ public final class Polygon {
     }
 
     /**
-     * The corners that are left, and what is known of each: its ear may hold one of them, which stays true until that one
-     * or a neighbour goes. So each triangle is looked at once, and all looks together are quadratic in the corners.
+     * The remaining corners, and for each a corner that its ear contains, if known; this stays valid until that corner
+     * or a neighbour is removed. So the total work is quadratic in the number of corners.
      */
     private static final class Clipping {
         private static final int UNKNOWN = 2;
@@ -41,13 +42,13 @@ public final class Polygon {
         private final int[] left;
         private int count;
 
-        /** Where a corner turns, 1 the polygon's way, 0 nowhere, -1 against it; or {@link #UNKNOWN}. */
+        /** The turn at each corner: 1 in the polygon's orientation, 0 straight, -1 opposite; or {@link #UNKNOWN}. */
         private final int[] turn;
 
-        /** No corner before this one, of all that there were, lies in the triangle of a corner. */
+        /** For each corner: no original corner before this index lies in its triangle. */
         private final int[] within;
 
-        /** Whether that one does. */
+        /** Whether the corner at that index does. */
         private final boolean[] held;
 
         private final boolean[] gone;
@@ -86,7 +87,9 @@ public final class Polygon {
             faces.add(new int[] {corners[left[0]], corners[left[1]], corners[left[2]]});
         }
 
-        /** A corner whose triangle holds no other; else one between two edges in line, which leaves a flat triangle. */
+        /**
+         * A corner whose triangle contains no other; else one between two collinear edges, which gives a flat triangle.
+         */
         private int ear() {
             int inLine = -1;
             for (int k = 0; k < count; k++) {
@@ -146,7 +149,8 @@ public final class Polygon {
         }
     }
 
-    // A mesh cuts a quad on the diagonal 0-2; where that one lies outside, the other is made the first.
+    // A mesh cuts a quad along the diagonal 0-2; if that lies outside, the corners are rotated to use the other
+    // diagonal.
     private static int[] quad(int[] corners, double[][] flat) {
         boolean first = side(flat, 0, 1, 2) >= 0 && side(flat, 0, 2, 3) >= 0;
         boolean second = side(flat, 1, 2, 3) >= 0 && side(flat, 1, 3, 0) >= 0;

@@ -59,7 +59,8 @@ public final class StlSurface {
         return bytes.length >= HEADER && bytes.length == HEADER + TRIANGLE * triangles(bytes);
     }
 
-    // Unsigned; no text passes for one, since four of its bytes count more triangles than a file can hold.
+    // Unsigned; no text file is mistaken for a binary one, since four of its bytes give more triangles than a file can
+    // have.
     private static long triangles(byte[] bytes) {
         return Integer.toUnsignedLong(
                 ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN).getInt(HEADER - 4));
@@ -114,7 +115,7 @@ public final class StlSurface {
     private void facet(AsciiScanner words) throws FileProblem {
         words.expect("normal", "normal");
         for (int k = 0; k < 3; k++) {
-            words.any("a number of the normal"); // which may be nan where the triangle has none
+            words.any("a number of the normal"); // which may be nan if the triangle has none
         }
         words.expect("outer", "outer");
         words.expect("loop", "loop");

@@ -23,19 +23,19 @@ import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Numbers;
 
 /**
- * What the YAML file of a ROS map says about its image.
+ * The settings in the YAML file of a ROS map.
  *
- * @param image      path of the image from the file's folder
- * @param imageLine  where the file says so
- * @param resolution metres to a cell
- * @param x          of the lower left corner in the map's frame, metres
- * @param y          of the same
+ * @param image      path of the image, relative to the file's folder
+ * @param imageLine  the line of that setting
+ * @param resolution metres per cell
+ * @param x          x of the lower left corner in the map's frame, metres
+ * @param y          y of that corner
  * @param yaw        radians, counter-clockwise from above
- * @param isNegated  whether white is a wall
- * @param mode       how a pixel becomes a cell
- * @param occupied   the share above which a cell is a wall
- * @param free       the share below which a cell is free, where it is no wall
- * @param freeLine   where the file says so
+ * @param isNegated  whether white means a wall
+ * @param mode       how a pixel is converted to a cell
+ * @param occupied   the fraction above which a cell is a wall
+ * @param free       the fraction below which a cell is free, if it is not a wall
+ * @param freeLine   the line of that setting
  */
 public record MapSettings(
         String image,
@@ -50,7 +50,7 @@ public record MapSettings(
         double free,
         int freeLine) {
 
-    /** As ROS calls them. */
+    /** The modes, by their ROS names. */
     enum Mode {
         TRINARY,
         SCALE,
@@ -97,7 +97,7 @@ public record MapSettings(
             return settings();
         }
 
-        /** Refuses what is nested without end: a composer calls itself for each level. */
+        /** Refuses deep nesting, since a composer recurses for each level. */
         private void shallow(Parser events) throws FileProblem {
             int depth = 0;
             while (events.hasNext()) {

@@ -40,7 +40,7 @@ public final class MapWalls {
         return walls;
     }
 
-    /** A wall of one cell around the image, for the map ends there and the world may not. */
+    /** A wall one cell thick around the image, since the map ends there although the world may not. */
     public List<BoxObject> edges() {
         int width = grid.width;
         int rows = grid.height;
@@ -71,7 +71,7 @@ public final class MapWalls {
         return Degrees.toDegrees(settings.yaw());
     }
 
-    /** Where in the world a place of the image is, in metres right and up from its lower left corner. */
+    /** The world coordinates of a point of the image, given in metres right and up from its lower left corner. */
     private Point place(double right, double up) {
         double cos = Degrees.cos(heading());
         double sin = Degrees.sin(heading());
@@ -80,7 +80,7 @@ public final class MapWalls {
         return new Point(x, 0, -y);
     }
 
-    /** How far the image with its edges reaches from the origin along X (0) or Z (2), and one cell more. */
+    /** How far the image with its edges extends from the origin along X (0) or Z (2), plus one cell. */
     public double extent(int axis) {
         double farthest = 0;
         for (int corner = 0; corner < 4; corner++) {

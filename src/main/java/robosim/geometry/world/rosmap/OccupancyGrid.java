@@ -3,9 +3,9 @@ package robosim.geometry.world.rosmap;
 import java.util.BitSet;
 import robosim.geometry.world.shared.Limits;
 
-/** The cells of a ROS map, row by row from the top of its image, and what the pixels made of them. */
+/** The cells of a ROS map, row by row from the top of its image. */
 public final class OccupancyGrid {
-    /** Of a cell's value, as ROS has it: 0 is free, and this is a wall for certain. */
+    /** The ROS value of a cell that is certainly a wall; 0 is free. */
     private static final int CERTAIN = 100;
 
     private static final int UNKNOWN = -1;
@@ -19,7 +19,7 @@ public final class OccupancyGrid {
     private final MapSettings settings;
     private int unknown;
 
-    /** Free to begin with; the size must have passed {@link #checkSize}. */
+    /** A grid of free cells; the size must have passed {@link #checkSize}. */
     OccupancyGrid(int width, int height, MapSettings settings) {
         this.width = width;
         this.height = height;
@@ -27,7 +27,7 @@ public final class OccupancyGrid {
         this.occupied = new BitSet(width * height);
     }
 
-    /** Refuses an image of no cell or of too many, before memory is given to it. */
+    /** Refuses an image with no or too many cells, before memory is allocated. */
     static void checkSize(int width, int height) {
         if (width < 1 || height < 1 || (long) width * height > Limits.MAX_CELLS) {
             throw new IllegalArgumentException(
@@ -41,12 +41,12 @@ public final class OccupancyGrid {
     }
 
     /**
-     * Makes a cell of a pixel.
+     * Converts a pixel to a cell.
      *
-     * @param sum      of its colours
-     * @param whole    the sum that white has
+     * @param sum      the sum of its colour values
+     * @param whole    that sum for white
      * @param alpha    its opacity, 0 to {@code opaque}
-     * @param opaque   the opacity of what is not transparent at all; 0 where the image has no such channel
+     * @param opaque   the value of full opacity; 0 if the image has no alpha channel
      */
     void pixel(int x, int row, long sum, long whole, int alpha, int opaque) {
         int value = value(sum, whole, alpha, opaque);

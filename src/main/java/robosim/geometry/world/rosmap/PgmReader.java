@@ -4,7 +4,7 @@ import robosim.geometry.world.shared.AsciiScanner;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Limits;
 
-/** Reads the cells of a map from a PGM image, of text (P2) or bytes (P5), with 1 or 2 bytes to a pixel. */
+/** Reads the cells of a map from a PGM image, text (P2) or binary (P5), with 1 or 2 bytes per pixel. */
 public final class PgmReader {
     private static final int MOST = 65_535;
 

@@ -22,7 +22,7 @@ public final class PngReader {
     static OccupancyGrid read(byte[] bytes, String source, MapSettings settings) throws FileProblem {
         ImageReader reader = ImageIO.getImageReadersByFormatName("png").next();
         try (var in = new MemoryCacheImageInputStream(new ByteArrayInputStream(bytes))) {
-            reader.setInput(in, true, true); // without the texts beside the pixels, which may be of any size
+            reader.setInput(in, true, true); // without metadata, which may be of any size
             OccupancyGrid.checkSize(reader.getWidth(0), reader.getHeight(0));
             BufferedImage image = reader.read(0);
             OccupancyGrid grid = new OccupancyGrid(image.getWidth(), image.getHeight(), settings);
@@ -32,7 +32,7 @@ public final class PngReader {
                 fromSamples(image.getRaster(), image.getColorModel(), grid);
             }
             return grid;
-        } catch (IOException | RuntimeException e) { // broken images come as either
+        } catch (IOException | RuntimeException e) { // invalid images throw either
             throw new FileProblem(source, 0, 0, "the PNG image could not be read: " + e.getMessage(), e);
         } finally {
             reader.dispose();

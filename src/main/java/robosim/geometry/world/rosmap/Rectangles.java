@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 
-/** Few rectangles that cover the set cells of a grid exactly, and no cell twice. */
+/** Covers the set cells of a grid exactly by a small number of disjoint rectangles. */
 public final class Rectangles {
     /** Cells of columns {@code [fromX, toX)} in rows {@code [fromRow, toRow)}. */
     record Rectangle(int fromX, int fromRow, int toX, int toRow) {}
@@ -12,10 +12,10 @@ public final class Rectangles {
     private Rectangles() {}
 
     /**
-     * Greedy: the longest run to the right of the first cell that is not covered, then as many rows down as have all of
-     * it. Not the fewest there could be; a straight wall is one.
+     * A greedy cover: the longest run to the right of the first uncovered cell, then as many rows down as contain all
+     * of it. Not always the minimum, but a straight wall becomes one rectangle.
      *
-     * @throws IllegalArgumentException where it takes more than {@code most}
+     * @throws IllegalArgumentException if it takes more than {@code most}
      */
     static List<Rectangle> cover(BitSet cells, int width, int height, int most) {
         BitSet left = (BitSet) cells.clone();

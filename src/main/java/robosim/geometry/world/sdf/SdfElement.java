@@ -10,7 +10,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Numbers;
 
-/** An element of an SDFormat file that matters to its geometry; the rest of the file is only counted. */
+/** An element of an SDFormat file that is relevant to its geometry; all others are only counted. */
 public final class SdfElement {
     final SdfFile file;
     final String name;
@@ -20,10 +20,10 @@ public final class SdfElement {
     final List<SdfElement> children = new ArrayList<>(2);
     final StringBuilder text = new StringBuilder(0);
 
-    /** Children that say nothing about what is solid, by name. */
+    /** Children irrelevant to the geometry, counted by name. */
     final Map<String, Integer> passedOver = new TreeMap<>();
 
-    /** Children that are left out although they might matter, each with the reason. */
+    /** Children that are left out although they may be relevant, each with the reason. */
     final List<LeftOut> skipped = new ArrayList<>(0);
 
     SdfElement(SdfFile file, String name, int line, int column, Map<String, String> attributes) {
@@ -45,7 +45,7 @@ public final class SdfElement {
         return null;
     }
 
-    /** The only child of a name. */
+    /** The only child of a name, which must exist. */
     SdfElement required(String child) throws FileProblem {
         SdfElement found = child(child);
         if (found == null) {
@@ -54,12 +54,12 @@ public final class SdfElement {
         return found;
     }
 
-    /** An attribute without the space around it, empty where it was left out. */
+    /** An attribute without surrounding white space; empty if it was left out. */
     String attribute(String attribute) {
         return attributes.getOrDefault(attribute, "").strip();
     }
 
-    /** The name by which others speak of this; there must be one. */
+    /** The name of this element, which must have one. */
     String givenName() throws FileProblem {
         String given = attribute("name");
         if (given.isEmpty()) {
@@ -73,13 +73,13 @@ public final class SdfElement {
         return text.toString().strip();
     }
 
-    /** The text of a child, empty where there is none. */
+    /** The text of a child; empty if there is none. */
     String valueOf(String child) {
         SdfElement found = child(child);
         return found == null ? "" : found.value();
     }
 
-    /** So many numbers, and no more. */
+    /** The text of this element as exactly the given number of numbers. */
     double[] numbers(int count) throws FileProblem {
         String[] words = Numbers.words(value());
         if (words.length != count || words[0].isEmpty()) {
@@ -97,12 +97,12 @@ public final class SdfElement {
         return numbers;
     }
 
-    /** The number in a child that must be there. */
+    /** The number in a child, which must exist. */
     double number(String child) throws FileProblem {
         return required(child).numbers(1)[0];
     }
 
-    /** Three numbers in a child, SDFormat's x y z. */
+    /** The three numbers in a child, SDFormat's x y z. */
     Point vector(String child, Point otherwise) throws FileProblem {
         SdfElement found = child(child);
         if (found == null) {
@@ -116,7 +116,7 @@ public final class SdfElement {
         }
     }
 
-    /** Yes or no. */
+    /** Parses a boolean. */
     static boolean isTrue(SdfElement place, String what, String value) throws FileProblem {
         return switch (value.toLowerCase(Locale.ROOT)) {
             case "true", "1" -> true;

@@ -3,10 +3,10 @@ package robosim.geometry.world.sdf;
 import java.nio.file.Path;
 
 /**
- * A file of SDFormat.
+ * An SDFormat file.
  *
  * @param path   the file, links followed
- * @param folder the folder from which it names others
- * @param shown  what messages call it
+ * @param folder the folder relative to which it names other files
+ * @param shown  its name in messages
  */
 public record SdfFile(Path path, Path folder, String shown) {}

@@ -17,21 +17,21 @@ import robosim.geometry.world.shared.Folder;
 import robosim.geometry.world.shared.Limits;
 
 /**
- * The files that a file of SDFormat names: beside it, or in folders of models that were given. Nothing outside their trees
- * is opened, and no address in a network is followed.
+ * Finds the files that an SDFormat file names: relative to it, or in given model folders. Nothing outside their trees
+ * is opened, and no network address is followed.
  */
 public final class SdfFiles {
     private static final Pattern REMOTE = Pattern.compile("(?i)(https?|ftp|fuel)://");
 
     private final Path main;
     private final List<Path> folders = new ArrayList<>();
-    /** The file of a model, by what was included: it, or its folder. */
+    /** The file of a model, by the included path: the file itself or its folder. */
     private final Map<Path, Path> models = new HashMap<>();
 
     private final Map<Path, SdfElement> roots = new HashMap<>();
     private final Map<Path, Boolean> counted = new HashMap<>();
 
-    /** What was looked for, and found or not: a model is included a thousand times, and a disk is slow. */
+    /** A cache of lookups, found or not: a model may be included a thousand times, and file access is slow. */
     private final Map<Name, Optional<Path>> known = new HashMap<>();
 
     private final List<String> remarks = new ArrayList<>();
@@ -39,7 +39,7 @@ public final class SdfFiles {
 
     private record Name(String uri, Path from) {}
 
-    /** For a file of SDFormat, with folders whose subfolders are models. */
+    /** For an SDFormat file, with folders whose subfolders are models. */
     public SdfFiles(Path main, List<Path> given) throws FileProblem {
         try {
             this.main = main.toRealPath();
@@ -52,7 +52,7 @@ public final class SdfFiles {
         }
     }
 
-    /** What is worth a word about the files, and nothing is missing for. */
+    /** Remarks about the files, none of which means that something is missing. */
     public List<String> remarks() {
         return remarks;
     }
@@ -62,7 +62,7 @@ public final class SdfFiles {
         return folder == null ? file : folder;
     }
 
-    /** The file itself, under the name that its user gave. */
+    /** The main file, under the name that the user gave. */
     public SdfElement main(String shown) throws FileProblem {
         return open(main, shown);
     }
@@ -76,14 +76,14 @@ public final class SdfFiles {
         return known;
     }
 
-    /** Whether a file is where no reader goes: an address in a network. */
+    /** Whether a URI is a network address, which is never read. */
     static boolean isRemote(String uri) {
         return REMOTE.matcher(uri).lookingAt();
     }
 
     /**
-     * The root of an included model: of a file, or of the file that a folder's model.config names. Null where it is not
-     * there.
+     * The root element of an included model: of the file itself, or of the one that a folder's model.config names. Null
+     * if it does not exist.
      */
     @Nullable
     SdfElement included(SdfElement uri) throws FileProblem {
@@ -103,7 +103,7 @@ public final class SdfFiles {
     /**
      * The file of the model in a folder.
      *
-     * @param remarks takes what is worth a word
+     * @param remarks receives remarks
      */
     public static Path modelOf(Path folder, Consumer<String> remarks) throws FileProblem {
         Path manifest = folder.resolve(SdfManifest.NAME);
@@ -125,7 +125,7 @@ public final class SdfFiles {
         }
     }
 
-    /** A file that is named and there; null where it is nowhere. */
+    /** Finds a file by name; null if it does not exist. */
     @Nullable
     Path find(SdfElement uri) throws FileProblem {
         Name name = new Name(uri.value(), uri.file.folder());
@@ -189,7 +189,7 @@ public final class SdfFiles {
         return candidates;
     }
 
-    /** Says where a file was looked for in vain. */
+    /** An exception that says where a file was searched for. */
     FileProblem missing(SdfElement uri) {
         StringBuilder searched = new StringBuilder();
         for (Path folder : folders) {
@@ -199,7 +199,7 @@ public final class SdfFiles {
                 + " that holds the model (got: " + uri.value() + ")");
     }
 
-    /** Counts the bytes of a file that is going to be read. */
+    /** Counts the bytes of a file that is about to be read. */
     void count(SdfElement uri, Path file) throws FileProblem {
         if (counted.putIfAbsent(file, true) != null) {
             return;

@@ -18,12 +18,12 @@ import robosim.geometry.world.shared.RegularFile;
 import robosim.geometry.world.xml.SafeXml;
 import robosim.geometry.world.xml.XmlGuard;
 
-/** The file model.config of a model's folder, which says which file holds the model: that of the highest version. */
+/** The file model.config of a model's folder, which names the model's file: that of the highest version. */
 public final class SdfManifest extends DefaultHandler {
     /** Its name in each folder. */
     public static final String NAME = "model.config";
 
-    /** The model's file where nothing says otherwise. */
+    /** The model's default file. */
     static final String DEFAULT = "model.sdf";
 
     private final Path file;
@@ -34,7 +34,7 @@ public final class SdfManifest extends DefaultHandler {
     private int best = -1;
     private @Nullable String model;
 
-    /** Whether it is no well-formed XML. */
+    /** Whether it is not well-formed XML. */
     private boolean broken;
 
     private SdfManifest(Path file) {
@@ -42,8 +42,8 @@ public final class SdfManifest extends DefaultHandler {
     }
 
     /**
-     * The name of the model's file. Where the XML breaks off, as many a description does with its {@code &}, it is what
-     * stands before that, or model.sdf where that is there.
+     * The name of the model's file. If the XML is not well-formed, as in many descriptions with an unescaped {@code &},
+     * it is the name found before the error, or model.sdf if that exists.
      *
      * @param remarks takes what is worth a word
      */
@@ -79,7 +79,7 @@ public final class SdfManifest extends DefaultHandler {
                 throw refusal;
             }
             throw new FileProblem(file.toString(), 0, 0, "the XML was refused: " + e, e);
-        } catch (CharConversionException e) { // bytes that are no character
+        } catch (CharConversionException e) { // invalid bytes
             broken = true;
             throw FileProblem.unreadable(file, e);
         } catch (IOException e) {
@@ -87,7 +87,7 @@ public final class SdfManifest extends DefaultHandler {
         }
     }
 
-    /** The second number of a version that begins with 1; -1 where it is none. */
+    /** The minor number of a version 1.x; -1 if it is not such a version. */
     static int minor(String version) {
         if (!version.matches("1\\.\\d{1,3}")) {
             return -1;

@@ -5,13 +5,13 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The elements of SDFormat 1.4 to 1.12, as far as they matter: which are read, which say nothing about what is solid and
- * where, and which would, but cannot be read.
+ * The relevant elements of SDFormat 1.4 to 1.12: which are read, which are irrelevant to solid geometry, and which are
+ * relevant but not supported.
  */
 public final class SdfNames {
     private static final Set<String> ALL = Set.of();
 
-    /** Below each element, the children that are read. */
+    /** By element, the children that are read. */
     private static final Map<String, Set<String>> READ = Map.ofEntries(
             Map.entry("sdf", Set.of("world", "model")),
             Map.entry("world", Set.of("model", "include", "frame")),
@@ -43,7 +43,7 @@ public final class SdfNames {
             Map.entry("plane", Set.of("normal")),
             Map.entry("mesh", Set.of("uri", "scale", "submesh")));
 
-    /** Below each element, the children that are passed over; all others where the set is {@link #ALL}. */
+    /** By element, the children that are ignored; all others if the set is {@link #ALL}. */
     private static final Map<String, Set<String>> PASSED_OVER = Map.ofEntries(
             Map.entry("sdf", Set.of("light", "plugin")),
             Map.entry(
@@ -104,7 +104,7 @@ public final class SdfNames {
         return READ.getOrDefault(parent, Set.of()).contains(child);
     }
 
-    /** Whether an element may have any number of these; of all others that are read it has one. */
+    /** Whether an element may have any number of these children; of all others it has at most one. */
     static boolean isRepeated(String child) {
         return switch (child) {
             case "world", "model", "include", "link", "frame", "joint", "collision" -> true;
@@ -117,7 +117,7 @@ public final class SdfNames {
         return names != null && (names.isEmpty() || names.contains(child));
     }
 
-    /** Whether what is passed over below an element is something of its own, and no mere property. */
+    /** Whether ignored children of an element are things of their own rather than mere properties. */
     static boolean isCounted(String parent) {
         return switch (parent) {
             case "sdf", "world", "model", "include", "link", "collision" -> true;
@@ -125,7 +125,7 @@ public final class SdfNames {
         };
     }
 
-    /** Why a child that is neither read nor passed over is left out. */
+    /** Why a child that is neither read nor ignored is left out. */
     static String reason(String parent, String child) {
         String known = known(child);
         if (known != null) {

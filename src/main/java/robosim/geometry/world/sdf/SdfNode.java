@@ -3,32 +3,32 @@ package robosim.geometry.world.sdf;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.world.shared.Placement;
 
-/** Something that has a frame of its own in a scope: a model, a link, a frame or a joint. */
+/** Something with its own frame in a scope: a model, a link, a frame or a joint. */
 public final class SdfNode {
     final SdfElement element;
 
-    /** Where it stands, as its element says or whoever includes it; null leaves it at its base. */
+    /** Its pose, given by its element or the including one; null leaves it at its base. */
     final @Nullable SdfElement pose;
 
-    /** The frame that its pose counts from where the pose names none; empty for the scope's own. */
+    /** The frame to which its pose is relative if the pose names none; empty for the scope's own. */
     final String base;
 
-    /** What stands for the scope's own frame, for what was merged into the scope; else null. */
+    /** For a node merged into the scope, what stands for its original scope's own frame; else null. */
     final @Nullable SdfNode home;
 
-    /** What is inside a model; of a merged one, only where its placement frame is. */
+    /** The scope inside a model; for a merged one, only used to locate its placement frame. */
     final @Nullable SdfScope inner;
 
-    /** The frame inside that the pose is about; empty for the model's own. */
+    /** The inner frame that the pose places; empty for the model's own. */
     final String placementFrame;
 
     final boolean isStatic;
 
-    /** In the scope's frame, once that is known. */
+    /** Its pose in the scope's frame, once computed. */
     @Nullable
     Placement local;
 
-    /** Whether somebody is working it out. */
+    /** Whether it is being computed. */
     boolean isOpen;
 
     SdfNode(SdfElement element, @Nullable SdfElement pose, String base, @Nullable SdfNode home) {
@@ -52,13 +52,13 @@ public final class SdfNode {
         this.isStatic = isStatic;
     }
 
-    /** The name of the frame that the pose counts from; empty for the scope's own. */
+    /** The name of the frame to which the pose is relative; empty for the scope's own. */
     String relativeTo() {
         String named = pose == null ? "" : pose.attribute("relative_to");
         return named.isEmpty() ? base : named;
     }
 
-    /** Where the frame is named, for messages. */
+    /** The element that names the frame, for messages. */
     SdfElement place() {
         return pose == null ? element : pose;
     }

@@ -16,8 +16,8 @@ import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Placement;
 
 /**
- * Makes objects of models. What is static becomes objects that rest, one for each collision; any other model becomes one
- * object that the world may move, with all that is in it, in the pose in which the file shows it.
+ * Creates objects from models. A static model becomes static objects, one for each collision; any other model becomes
+ * one moveable object with everything in it, in the pose given by the file.
  */
 public final class SdfObjects {
     private final SdfTree tree;
@@ -29,11 +29,11 @@ public final class SdfObjects {
     private final List<String> remarks = new ArrayList<>();
     private int collisions;
 
-    /** A model that moves as one: what was found in it so far, in its own frame. */
+    /** A moveable model: the shapes found in it so far, in its own frame. */
     private static final class Body {
         final List<GeometryObject> members = new ArrayList<>();
 
-        /** Where in the body its first member stands. */
+        /** The placement of its first member. */
         @Nullable
         Placement first;
     }
@@ -55,7 +55,7 @@ public final class SdfObjects {
         return remarks;
     }
 
-    /** Adds all that is in a world. */
+    /** Adds everything in a world. */
     public void add(SdfScope world) throws FileProblem {
         for (SdfNode model : world.models) {
             Placement place = world.placement(model);
@@ -87,7 +87,7 @@ public final class SdfObjects {
         }
     }
 
-    /** What moves with a body goes into it; static models in it become objects of their own. */
+    /** Collects the shapes that move with a body; static models in it become separate objects. */
     private void gather(SdfNode model, Placement inWorld, Placement inBody, Body body) throws FileProblem {
         SdfScope scope = inner(model);
         counts.merge("model", 1, Integer::sum);
@@ -114,7 +114,7 @@ public final class SdfObjects {
         }
     }
 
-    /** All of a model that rests; the models in it rest too. */
+    /** Adds all of a static model; models within it are static too. */
     private void statics(SdfNode model, Placement inWorld) throws FileProblem {
         Map<SdfElement, GeometryObject> found = new LinkedHashMap<>();
         Map<SdfElement, String> paths = new HashMap<>();
@@ -164,7 +164,7 @@ public final class SdfObjects {
         return scope.pathOf(link.element.givenName() + "::" + collision.givenName());
     }
 
-    /** Where a collision stands in its model: it counts from its link, unless its pose names another frame. */
+    /** The placement of a collision in its model: relative to its link, unless its pose names another frame. */
     private static Placement local(SdfScope scope, SdfNode link, SdfElement collision) throws FileProblem {
         SdfElement pose = collision.child("pose");
         if (pose == null) {
@@ -197,7 +197,7 @@ public final class SdfObjects {
         }
     }
 
-    /** Refuses a name that leaves no room for a number behind it. */
+    /** Refuses a name that is too long to append a number. */
     static void checkName(String name, SdfElement place) throws FileProblem {
         if (name.length() > Limits.MAX_ATTRIBUTE - 20) {
             throw place.wrong("a name with those of the models around it must have at most "

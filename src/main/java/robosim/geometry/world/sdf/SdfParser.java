@@ -20,7 +20,7 @@ import robosim.geometry.world.shared.RegularFile;
 import robosim.geometry.world.xml.SafeXml;
 import robosim.geometry.world.xml.XmlGuard;
 
-/** Reads a file of SDFormat into elements: those that matter to what is solid and where, and counts of the others. */
+/** Parses an SDFormat file into elements: those relevant to solid geometry, and counts of the others. */
 public final class SdfParser extends DefaultHandler {
     private static final int FIRST_VERSION = 4;
     private static final int LAST_VERSION = 12;
@@ -29,10 +29,10 @@ public final class SdfParser extends DefaultHandler {
     private @Nullable Locator locator;
     private @Nullable SdfElement root;
 
-    /** The elements that are open and kept, from the root. */
+    /** The open elements that are kept, from the root. */
     private final Deque<SdfElement> open = new ArrayDeque<>();
 
-    /** How deep the parser is within something that is not kept. */
+    /** The depth of the parser within an element that is not kept. */
     private int outside;
 
     private int count;
@@ -42,7 +42,7 @@ public final class SdfParser extends DefaultHandler {
         this.file = file;
     }
 
-    /** The root of a file: an sdf element of a version that is known. */
+    /** Reads the root element of a file: an sdf element of a supported version. */
     static SdfElement read(SdfFile file) throws FileProblem {
         SdfParser parser = new SdfParser(file);
         try (InputStream in = RegularFile.open(file.path())) {
@@ -115,7 +115,8 @@ public final class SdfParser extends DefaultHandler {
             throw refusal("models must be at most " + Limits.MAX_GROUPS + " within each other (got: one more)");
         }
         if (parent != null) {
-            // Else who looks for the collisions of a link would go through all of its poses, at each include anew.
+            // Otherwise a search for the collisions of a link would go through all of its poses, again for each
+            // include.
             if (!SdfNames.isRepeated(name) && parent.child(name) != null) {
                 throw refusal(
                         "<" + parent.name + "> must have only one <" + name + ">; remove this or the other (got: two)");

@@ -7,18 +7,18 @@ import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Placement;
 
 /**
- * A pose of SDFormat in the world's axes. SDFormat has Z up: its (x, y, z) is (x, z, -y) here. Its angles turn about its
- * fixed X, then Y, then Z; about its own axes that is yaw, then pitch, then roll, which are our Y, -Z and X.
+ * Converts SDFormat poses to the world's axes. SDFormat has Z up: its (x, y, z) is (x, z, -y) here. Its angles turn
+ * about its fixed X, then Y, then Z; about its own axes that is yaw, then pitch, then roll, which are our Y, -Z and X.
  */
 public final class SdfPose {
     private SdfPose() {}
 
-    /** A place or a direction of SDFormat in the world's axes. */
+    /** Converts a point or a direction of SDFormat to the world's axes. */
     static Point place(double x, double y, double z) {
         return new Point(x, z, -y);
     }
 
-    /** What a pose element says; its {@code relative_to} is not looked at here. */
+    /** Reads a pose element; its {@code relative_to} is not evaluated here. */
     static Placement read(SdfElement pose) throws FileProblem {
         String format = pose.attribute("rotation_format");
         if (pose.attributes.containsKey("frame") && !pose.attribute("frame").isEmpty()) {

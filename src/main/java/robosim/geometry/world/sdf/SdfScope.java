@@ -11,8 +11,8 @@ import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Placement;
 
 /**
- * The names that can see each other: those directly in a world or in a model. It works out where each of them stands in
- * its frame, whichever of them counts from which.
+ * A scope of names that can refer to each other: those directly in a world or in a model. Computes the placement of
+ * each in the scope's frame, whichever of them is relative to which.
  */
 public final class SdfScope {
     /** The scope's own frame, by its reserved name. */
@@ -20,7 +20,7 @@ public final class SdfScope {
 
     private static final String WORLD = "world";
 
-    /** Names of the models around what is in here, and of this one, parted by {@code ::}; empty for a world. */
+    /** The names of the enclosing models and of this one, separated by {@code ::}; empty for a world. */
     final String path;
 
     final List<SdfNode> models = new ArrayList<>();
@@ -32,25 +32,25 @@ public final class SdfScope {
         this.path = path;
     }
 
-    /** The path of something in here. */
+    /** The path of something in this scope. */
     String pathOf(String name) {
         return path.isEmpty() ? name : path + "::" + name;
     }
 
-    /** Adds a name, and answers whether it was not there before. */
+    /** Adds a name; returns false if it exists already. */
     boolean add(String name, SdfNode node) {
         return nodes.putIfAbsent(name, node) == null;
     }
 
-    /** What has a name here already. */
+    /** The node of a name in this scope. */
     @Nullable
     SdfNode named(String name) {
         return nodes.get(name);
     }
 
-    /** Where a node of this scope stands in its frame. */
+    /** The placement of a node in this scope's frame. */
     Placement placement(SdfNode node) throws FileProblem {
-        // One after the other, not each calling the next: a file may hang a hundred thousand frames on each other.
+        // Iterative, not recursive: a file may chain a hundred thousand frames.
         Deque<SdfNode> waiting = new ArrayDeque<>();
         for (SdfNode at = node; at != null && at.local == null; at = next(at)) {
             if (at.isOpen) {
@@ -88,7 +88,7 @@ public final class SdfScope {
         }
     }
 
-    /** The node of this scope that must be known before a node is; null where that is the scope's own frame. */
+    /** The node of this scope on which a node's placement depends; null if that is the scope's own frame. */
     private @Nullable SdfNode next(SdfNode node) throws FileProblem {
         String name = node.relativeTo();
         return isOwn(name) ? node.home : first(name, node.place());
@@ -98,7 +98,9 @@ public final class SdfScope {
         return name.isEmpty() || name.equals(path.isEmpty() ? WORLD : OWN) || (path.isEmpty() && name.equals(OWN));
     }
 
-    /** Where the first part of a name ends; -1 where it is one name, which in older files may hold {@code ::} too. */
+    /**
+     * Where the first part of a name ends; -1 if it is a single name, which in older files may contain {@code ::} too.
+     */
     private int end(String name) {
         return nodes.containsKey(name) ? -1 : name.indexOf("::");
     }
@@ -114,10 +116,10 @@ public final class SdfScope {
     }
 
     /**
-     * Where a named frame is in this scope's frame.
+     * The placement of a named frame in this scope's frame.
      *
      * @param home  what stands for this scope's own frame; null for itself
-     * @param place who asks, for messages
+     * @param place the referring element, for messages
      */
     Placement placement(String name, @Nullable SdfNode home, SdfElement place) throws FileProblem {
         if (isOwn(name)) {

@@ -6,12 +6,11 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
-import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 import robosim.geometry.world.mesh.MeshFiles;
@@ -19,7 +18,7 @@ import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Placement;
 
-/** Makes shapes of SDFormat's geometries, at the origin and in the world's axes: its Z is our Y. */
+/** Creates shapes from SDFormat's geometries, at the origin and in the world's axes: its Z is our Y. */
 public final class SdfShapes {
     private final SdfTree tree;
     private final SdfFiles files;
@@ -35,9 +34,9 @@ public final class SdfShapes {
     }
 
     /**
-     * The shape of a collision; null where it has none or is left out.
+     * The shape of a collision; null if it has none or is left out.
      *
-     * @param owner the collision's name with those around it
+     * @param owner the collision's name with those of the enclosing elements
      * @param place where it stands in the world
      */
     @Nullable
@@ -144,7 +143,9 @@ public final class SdfShapes {
         return known;
     }
 
-    /** In the world's axes and size; a scale that mirrors turns the faces round again. */
+    /**
+     * A mesh scaled and in the world's axes; if the scale mirrors, the faces are reversed to keep their orientation.
+     */
     private MeshObject scaled(MeshObject surface, Point scale, SdfElement uri) throws FileProblem {
         vertices += surface.vertices().size();
         if (vertices > Limits.MAX_VERTICES) {

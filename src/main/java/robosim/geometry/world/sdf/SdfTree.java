@@ -11,9 +11,9 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Limits;
 
-/** The scopes of a world, with everything that it includes in its place, and the account of what is not read. */
+/** Builds the scopes of a world, with included models in place, and a report of what is not read. */
 public final class SdfTree {
-    /** What most worlds include of that which every Gazebo has with it, and why nothing is missing without it. */
+    /** Models that come with Gazebo and that most worlds include, and why nothing is missing without them. */
     private static final Map<String, String> WELL_KNOWN = Map.of(
             "model://sun", "it is a light",
             "model://ground_plane",
@@ -25,7 +25,7 @@ public final class SdfTree {
     private final Set<String> remarks = new LinkedHashSet<>();
     private final Set<SdfFile> wellKnown = new HashSet<>();
 
-    /** The files that are being included, one by the other. */
+    /** The chain of files that are being included. */
     private final Set<SdfFile> open;
 
     private int nodes;
@@ -36,7 +36,7 @@ public final class SdfTree {
         this.open = new HashSet<>();
     }
 
-    /** To look at something for itself, within the limits that are left. */
+    /** A separate tree for looking at a part on its own, within the remaining limits. */
     private SdfTree(SdfTree outer) {
         this.files = outer.files;
         this.open = new HashSet<>(outer.open);
@@ -52,12 +52,12 @@ public final class SdfTree {
         return skipped;
     }
 
-    /** What is worth a word, and is not missing. */
+    /** Remarks, none of which means that something is missing. */
     public List<String> remarks() {
         return List.copyOf(remarks);
     }
 
-    /** Leaves out ground: what every Gazebo has with it, and most worlds include, is not missed. */
+    /** Leaves out a ground plane; Gazebo's own, which most worlds include, is not reported as missing. */
     void ground(SdfElement plane, String what, String reason) throws FileProblem {
         if (wellKnown.contains(plane.file)) {
             remarks.add(new LeftOut(plane.file.shown(), plane.line, what, reason).toString());
@@ -66,7 +66,7 @@ public final class SdfTree {
         }
     }
 
-    /** The scope of the one world of a file, or of its models where it has no world. */
+    /** Reads the scope of a file's only world, or of its models if it has no world. */
     public SdfScope read(SdfElement sdf) throws FileProblem {
         account(sdf);
         open.add(sdf.file);
@@ -90,7 +90,7 @@ public final class SdfTree {
         return world;
     }
 
-    /** Adds what is not read of an element to the account. */
+    /** Adds what is not read of an element to the report. */
     void account(SdfElement element) throws FileProblem {
         element.passedOver.forEach((name, count) -> passedOver.merge(name, count, Integer::sum));
         for (LeftOut each : element.skipped) {
@@ -109,10 +109,11 @@ public final class SdfTree {
         skipped.add(each);
     }
 
-    /** Fills a scope with all that is in an element, and works out where that stands. */
+    /** Fills a scope with the contents of an element, and computes their placements. */
     private void fill(SdfScope scope, SdfElement element) throws FileProblem {
         add(scope, element, null);
-        // Only now is everybody there from whom somebody may count; also what nobody counts from must stand somewhere.
+        // Only now do all frames exist that others may refer to. Frames that none refers to must have a valid placement
+        // too.
         for (SdfNode model : scope.models) {
             scope.placement(model);
         }
@@ -158,7 +159,10 @@ public final class SdfTree {
         named(scope, frame.givenName(), new SdfNode(frame, frame.child("pose"), base, home));
     }
 
-    /** A joint is only a frame, which stands at its child; older files give it the name of a link, and mean no frame. */
+    /**
+     * A joint is only a frame, placed at its child; in older files it may have the name of a link, and is then not a
+     * frame.
+     */
     private void joint(SdfScope scope, SdfElement joint, @Nullable SdfNode home) throws FileProblem {
         passedOver.merge("joint", 1, Integer::sum);
         String name = joint.givenName();
@@ -240,7 +244,7 @@ public final class SdfTree {
         open.remove(root.file);
     }
 
-    /** The one model of an included file; null where it holds only what is not read. */
+    /** The only model of an included file; null if it contains only what is not read. */
     private static @Nullable SdfElement theModel(SdfElement root, SdfElement uri) throws FileProblem {
         if (root.children.isEmpty() && !(root.passedOver.isEmpty() && root.skipped.isEmpty())) {
             return null;
@@ -265,7 +269,7 @@ public final class SdfTree {
             account(model);
             String placementFrame = frame.isEmpty() ? model.attribute("placement_frame") : frame;
             SdfScope alone = placementFrame.isEmpty() ? null : alone(model);
-            // Stands for the frame of the model that is no more.
+            // Stands for the frame of the merged model, which no longer exists.
             SdfNode proxy = new SdfNode(include, pose, "", home, alone, placementFrame, false);
             add(scope, model, proxy);
             return;
@@ -275,7 +279,7 @@ public final class SdfTree {
         model(scope, model, include, home, name.isEmpty() ? model.givenName() : name, pose, isStatic);
     }
 
-    /** The scope of a model for itself; nothing of it goes to the account. */
+    /** The scope of a model on its own; nothing of it is added to the report. */
     private SdfScope alone(SdfElement model) throws FileProblem {
         SdfTree aside = new SdfTree(this);
         SdfScope scope = new SdfScope(model.givenName());

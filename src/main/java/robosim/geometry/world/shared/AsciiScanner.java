@@ -2,7 +2,7 @@ package robosim.geometry.world.shared;
 
 import java.nio.charset.StandardCharsets;
 
-/** Words between white space in the bytes of a file, with the line on which each stands. */
+/** Scans the bytes of a file for words separated by white space, and keeps the line of each. */
 public final class AsciiScanner {
     private final byte[] bytes;
     private final String source;
@@ -12,8 +12,8 @@ public final class AsciiScanner {
     private int line = 1;
 
     /**
-     * A comment mark ends a word and hides the rest of its line, to the next line feed or carriage return; -1 where the
-     * format has no comments.
+     * Takes the character that begins a comment, which ends a word and hides the rest of the line up to the next line
+     * feed or carriage return; -1 if the format has no comments.
      */
     public AsciiScanner(byte[] bytes, String source, int comment) {
         this.bytes = bytes;
@@ -53,19 +53,19 @@ public final class AsciiScanner {
         return new String(bytes, from, to - from, StandardCharsets.ISO_8859_1);
     }
 
-    /** Whether the current word is this one, in capitals or not. */
+    /** Whether the current word is this one, ignoring case. */
     public boolean is(String word) {
         return to - from == word.length() && word().equalsIgnoreCase(word);
     }
 
-    /** Passes over the rest of the line. */
+    /** Skips the rest of the line. */
     public void skipLine() {
         while (to < bytes.length && bytes[to] != '\n') {
             to++;
         }
     }
 
-    /** Where the bytes begin behind the current word: after the one white space, or the comment, that ends it. */
+    /** The index of the bytes behind the current word: after the single white space, or the comment, that ends it. */
     public int behind() {
         if (to < bytes.length && bytes[to] == comment) {
             skipComment();
@@ -73,7 +73,7 @@ public final class AsciiScanner {
         return Math.min(to, bytes.length) + 1;
     }
 
-    /** Goes to the next word, which is one of these; answers which. */
+    /** Goes to the next word, which must be one of these; returns its index among them. */
     public int expect(String what, String... words) throws FileProblem {
         next();
         for (int k = 0; k < words.length; k++) {
@@ -84,7 +84,7 @@ public final class AsciiScanner {
         throw missing(what);
     }
 
-    /** The current word is this one; always true. */
+    /** Checks that the current word is this one; always returns true. */
     public boolean expectCurrent(String what, String word) throws FileProblem {
         if (is(word)) {
             return true;
@@ -99,7 +99,7 @@ public final class AsciiScanner {
         }
     }
 
-    /** Goes to the next word, a number. */
+    /** Goes to the next word, which must be a number. */
     public double number(String what) throws FileProblem {
         any(what);
         try {
@@ -113,7 +113,7 @@ public final class AsciiScanner {
         }
     }
 
-    /** Goes to the next word, digits of a number from a least one to a most one. */
+    /** Goes to the next word, which must be the digits of a number from {@code least} to {@code most}. */
     public int digits(String what, int least, int most) throws FileProblem {
         any(what);
         int value = 0;

@@ -4,7 +4,7 @@ import java.io.FilterInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 
-/** A stream that fails when it turns out larger than a file may be. */
+/** A stream that fails when it exceeds the maximum size of a file. */
 public final class Bounded extends FilterInputStream {
     private long left = Limits.MAX_BYTES;
 

@@ -6,12 +6,12 @@ import robosim.geometry.exact.NumberText;
 
 /** Doubles as people write them: the fewest digits that read back to the same bits, the same on every JDK. */
 public final class Decimal {
-    /** A decimal of so many digits is the shortest one of its double. */
+    /** A decimal with at most this many digits is the shortest one of its double. */
     private static final int SURE = 15;
 
     private Decimal() {}
 
-    /** As in {@code 5}, {@code 0.0001}, {@code 1.5e-9}; of a finite number. */
+    /** A finite number as text, as in {@code 5}, {@code 0.0001}, {@code 1.5e-9}. */
     public static String of(double value) {
         long whole = (long) value;
         if (whole == value && whole != 0 && Math.abs(whole) < 1_000_000_000_000_000L) {

@@ -9,7 +9,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
-/** What a file is by its first bytes, for who was given one of another format than its name says. */
+/** Recognizes the format of a file by its first bytes, to explain files whose name suggests another format. */
 public final class FileKind {
     private static final int HEAD = 1000;
 
@@ -21,8 +21,8 @@ public final class FileKind {
     private FileKind() {}
 
     /**
-     * What a file is and what to do with it, where that is not what it was read as; null where that cannot be told, or the
-     * file is what it was read as.
+     * What a file really is and what to do with it, if it is not in the format it was read as; null if that is unknown,
+     * or it is in that format.
      *
      * @param readAs the ending that its reader is for: {@code xml}, {@code sdf}, {@code yaml}, {@code obj} or {@code stl}
      */

@@ -31,7 +31,7 @@ public final class FileProblem extends IOException {
         this(source, line, column, problem, null);
     }
 
-    /** The failure of a file that could not be read: as it is, where it already says what is wrong. */
+    /** The exception for a file that could not be read: the failure itself if it already says what is wrong. */
     public static FileProblem unreadable(Path file, IOException failure) {
         if (failure instanceof FileProblem told) {
             return told;

@@ -5,12 +5,12 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 
-/** Files that a file names: in the tree of its folder, and nowhere else. */
+/** Locates files that another file names: only within the tree of its folder. */
 public final class Folder {
     private Folder() {}
 
     /**
-     * A file that is there and within the tree of a folder, also where links lead.
+     * Locates a file that exists and is within the tree of a folder, also after following links.
      *
      * @param owner what kind of file names it, for messages
      * @param kind  what kind of file it is, for messages

@@ -7,8 +7,8 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.Pose;
 
 /**
- * Where one frame stands in another, in the world's axes: first turned, then moved. Quarter turns are exact; turns about
- * the vertical are summed as angles, not multiplied as matrices, so that two of 45 degrees are one of 90.
+ * The pose of one frame in another, in the world's axes: first rotated, then translated. Quarter turns are exact; turns
+ * about the vertical are added as angles, not multiplied as matrices, so that two of 45 degrees make exactly one of 90.
  */
 public final class Placement {
     public static final Placement NONE = upright(new Point(), 0, 0);
@@ -42,7 +42,7 @@ public final class Placement {
         return new Placement(origin, rotation.clone(), false, 0, 0);
     }
 
-    /** A frame within this one, as seen from outside. */
+    /** The pose of a frame within this one, relative to the outer frame. */
     public Placement then(Placement inner) {
         Point place = apply(inner.origin);
         if (upright && inner.upright) {
@@ -59,7 +59,7 @@ public final class Placement {
         return new Placement(place, product, false, 0, 0);
     }
 
-    /** The outer frame as seen from this one. */
+    /** The pose of the outer frame in this one. */
     public Placement inverse() {
         double[] back = new double[Rotations.SIZE];
         for (int k = 0; k < Rotations.SIZE; k++) {
@@ -69,13 +69,13 @@ public final class Placement {
         return upright ? upright(place, -heading, -lost) : new Placement(place, back, false, 0, 0);
     }
 
-    /** Where a place of this frame is, seen from outside. */
+    /** Transforms a point of this frame to the outer frame. */
     public Point apply(Point place) {
         Point turned = apply(rotation, place.x(), place.y(), place.z());
         return new Point(origin.x() + turned.x(), origin.y() + turned.y(), origin.z() + turned.z());
     }
 
-    /** A direction of this frame, seen from outside. */
+    /** Transforms a direction of this frame to the outer frame. */
     public Point direction(double x, double y, double z) {
         return apply(rotation, x, y, z);
     }
@@ -84,7 +84,7 @@ public final class Placement {
         return origin;
     }
 
-    /** Whether this turns nothing and moves along the vertical at most. */
+    /** Whether this has no rotation and moves at most along the vertical. */
     public boolean isOnTheSpot() {
         return upright && heading == 0 && lost == 0 && origin.x() == 0 && origin.z() == 0;
     }
@@ -103,7 +103,7 @@ public final class Placement {
                 r[0] * x + r[1] * y + r[2] * z, r[3] * x + r[4] * y + r[5] * z, r[6] * x + r[7] * y + r[8] * z);
     }
 
-    /** Whether this permutes axes and changes signs only: products with it are exact. */
+    /** Whether a rotation only permutes axes and changes signs, so that products with it are exact. */
     private static boolean isExact(double[] rotation) {
         for (double number : rotation) {
             if (number != 0 && Math.abs(number) != 1) {

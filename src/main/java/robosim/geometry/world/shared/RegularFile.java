@@ -5,11 +5,11 @@ import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** Opens what is a file: a pipe may never say a word, and a device never end. */
+/** Opens regular files only: reading a pipe may block forever, and a device may never end. */
 public final class RegularFile {
     private RegularFile() {}
 
-    /** A stream of a file's bytes, at the end of all links. */
+    /** Opens a file after following all links. */
     public static InputStream open(Path file) throws IOException {
         if (Files.exists(file) && !Files.isRegularFile(file)) {
             throw new FileProblem(

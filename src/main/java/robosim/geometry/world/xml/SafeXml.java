@@ -10,18 +10,21 @@ import org.xml.sax.SAXParseException;
 import org.xml.sax.XMLReader;
 import robosim.geometry.world.shared.FileProblem;
 
-/** XML from a stranger: no document type, no entity, nothing read that the file names. */
+/** Hardened XML parsing: no document type, no entities, and nothing that the file refers to is read. */
 public final class SafeXml {
     /** Parser and validator are made to speak English, their root language: it is what {@code SchemaErrors} reads. */
     public static final String LOCALE = "http://apache.org/xml/properties/locale";
 
-    /** Limits of the JDK's that differ from one to the next, and are {@link XmlGuard}'s here; without entities they guard no more. */
+    /**
+     * Limits of the JDK that differ between versions; {@link XmlGuard} replaces them here, and without entities they
+     * are not needed.
+     */
     private static final List<String> OWN_LIMITS =
             List.of("jdk.xml.maxElementDepth", "jdk.xml.maxGeneralEntitySizeLimit", "jdk.xml.totalEntitySizeLimit");
 
     private SafeXml() {}
 
-    /** A parser of the JDK's own, whatever else is on the class path. */
+    /** The JDK's own parser, whatever else is on the class path. */
     static XMLReader reader() throws SAXException {
         SAXParserFactory factory = SAXParserFactory.newDefaultNSInstance();
         try {
@@ -42,7 +45,7 @@ public final class SafeXml {
         }
     }
 
-    /** The parser's own errors: not well-formed, or against its limits. */
+    /** The exception for an error of the parser: not well-formed, or beyond its limits. */
     public static FileProblem refusal(String source, SAXParseException e) {
         String message = String.valueOf(e.getMessage());
         String problem = message.contains("disallow-doctype-decl")

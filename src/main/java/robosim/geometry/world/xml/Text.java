@@ -3,7 +3,7 @@ package robosim.geometry.world.xml;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The text of an element, cut at white space, that still knows where each piece stood in the file. */
+/** The text of an element, split at white space, with the position of each piece in the file. */
 public final class Text {
     private final StringBuilder characters = new StringBuilder();
     private final List<Chunk> chunks = new ArrayList<>();
@@ -11,10 +11,10 @@ public final class Text {
     private int from;
     private int to;
 
-    /** A piece as the parser gave it: where it begins and ends in the text, and on which line of the file it ends. */
+    /** A chunk from the parser: where it begins and ends in the text, and the line of the file on which it ends. */
     private record Chunk(int begin, int end, int endLine) {}
 
-    /** A text that begins in a column of the file. */
+    /** A text that begins at a column of the file. */
     public Text(int beginColumn) {
         this.beginColumn = beginColumn;
     }
@@ -52,7 +52,7 @@ public final class Text {
         return line;
     }
 
-    /** The column after the current piece; 0 where a comment before it on its line hides that. */
+    /** The column after the current piece; 0 if unknown because of a comment before it on its line. */
     public int column() {
         Chunk chunk = chunk();
         int newline = characters.lastIndexOf("\n", from);
@@ -62,7 +62,7 @@ public final class Text {
         return chunk.begin == 0 ? beginColumn + to : 0;
     }
 
-    // The one that holds the piece's last character.
+    // The chunk that contains the piece's last character.
     private Chunk chunk() {
         int k = 0;
         while (chunks.get(k).end < to) {

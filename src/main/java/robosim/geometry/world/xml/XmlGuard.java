@@ -17,15 +17,15 @@ import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Limits;
 
 /**
- * Stands between a parser and who follows it, and bounds what a file can ask of either: how deep its elements are nested,
- * and how long a tag or a comment is, which a parser keeps in memory until its end.
+ * A filter between a parser and its handler that limits the nesting depth of elements, and the length of a tag or a
+ * comment, which a parser keeps in memory until its end.
  */
 public final class XmlGuard extends XMLFilterImpl implements LexicalHandler {
     private final String source;
     private @Nullable Locator locator;
     private int depth;
 
-    /** Bytes that were read since the parser last told anything. */
+    /** Number of bytes read since the parser's last event. */
     private long silent;
 
     private XmlGuard(XMLReader parser, String source, DefaultHandler follower) throws SAXException {
@@ -48,7 +48,7 @@ public final class XmlGuard extends XMLFilterImpl implements LexicalHandler {
         guard.parse(new InputSource(guard.new Watched(new Bounded(in))));
     }
 
-    /** Counts what the parser reads without a word about it. */
+    /** Counts the bytes that the parser reads without an event. */
     private final class Watched extends FilterInputStream {
         Watched(InputStream in) {
             super(in);

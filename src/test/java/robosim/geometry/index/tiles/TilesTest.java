@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Tiles with and without sketches against a list of boxes. */
+/** Tiles with and without quantized bounds against a list of boxes. */
 class TilesTest {
     private static final int COUNT = 400;
     private static final double SIDE = 40;
@@ -20,8 +20,8 @@ class TilesTest {
 
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
-    void aProbeFindsWhatTheListFinds(boolean hasSketches) {
-        Tiles tiles = Tiles.over(0, 0, SIDE, SIDE, 300, new TileLists(hasSketches));
+    void aProbeFindsWhatTheListFinds(boolean hasQuantizedBounds) {
+        Tiles tiles = Tiles.over(0, 0, SIDE, SIDE, 300, new TileLists(hasQuantizedBounds));
         TileProbe probe = new TileProbe();
         int found = 0;
         int moved = 0;
@@ -113,9 +113,9 @@ class TilesTest {
         return Math.max(min - Math.max(0, Math.min(high, SIDE)), Math.max(0, Math.min(low, SIDE)) - max);
     }
 
-    /** A box on a tile has a sketch that may meet whoever it meets; boxes two steps apart about their tile have not. */
+    /** The quantized bounds of boxes that meet may meet; those of boxes two steps apart may not. */
     @Test
-    void sketchesTellBoxesApart() {
+    void quantizedBoundsTellBoxesApart() {
         int met = 0;
         int toldApart = 0;
         for (int k = 0; k < 100_000; k++) {
@@ -131,7 +131,7 @@ class TilesTest {
                     QuantizedBounds.high(a[3]),
                     column,
                     row);
-            int sketch = QuantizedBounds.of(
+            int quantized = QuantizedBounds.of(
                     QuantizedBounds.low(b[0]),
                     QuantizedBounds.low(b[1]),
                     QuantizedBounds.high(b[2]),
@@ -142,7 +142,7 @@ class TilesTest {
                     .isTrue();
             assertThat(QuantizedBounds.mayMeet(question, QuantizedBounds.NOWHERE))
                     .isFalse();
-            boolean mayMeet = QuantizedBounds.mayMeet(question, sketch);
+            boolean mayMeet = QuantizedBounds.mayMeet(question, quantized);
             boolean isOnTile = b[0] < column + 1 && column < b[2] && b[1] < row + 1 && row < b[3];
             if (meet && isOnTile) {
                 assertThat(mayMeet).isTrue();
