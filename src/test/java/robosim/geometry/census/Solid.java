@@ -92,7 +92,8 @@ final class Solid {
                 double[] axis = Space.unit(new double[] {row[7], row[10], row[13]});
                 yield new Solid(kind, new double[0][], c, axis, row[3], row[4]);
             }
-            case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, PRISM -> new Solid(kind, new double[0][], c, new double[3], row[3], 0);
+            case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, PRISM ->
+                new Solid(kind, new double[0][], c, new double[3], row[3], 0);
             case MESH, SOLID_MESH -> throw kind.refused();
         };
     }

@@ -429,7 +429,8 @@ class SpatialConeTest {
                                 + 0.7 * p[0] * row[3] * row[6 + 3 * i]
                                 + p[1] * row[4] * row[7 + 3 * i]
                                 + 0.7 * p[2] * row[3] * row[8 + 3 * i];
-                    case UPRIGHT_CYLINDER, SPHERE -> row[i] + 0.7 * p[i] * row[i == 1 && kind == LeafKind.UPRIGHT_CYLINDER ? 4 : 3];
+                    case UPRIGHT_CYLINDER, SPHERE ->
+                        row[i] + 0.7 * p[i] * row[i == 1 && kind == LeafKind.UPRIGHT_CYLINDER ? 4 : 3];
                     case MESH, SOLID_MESH -> throw kind.refused();
                 };
                 v[i] -= o[i];
