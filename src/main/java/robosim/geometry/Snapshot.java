@@ -23,7 +23,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.ObjectRows;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.LeafColumn;
-import robosim.geometry.narrow.leaf.OwnLeaves;
+import robosim.geometry.narrow.leaf.LocalLeaves;
 
 /**
  * An immutable copy of a world at one moment. Its static objects and the trees over them are built once and shared by
@@ -210,7 +210,7 @@ public final class Snapshot implements Serializable {
                     throw new IllegalArgumentException(
                             "name must be unique in its world (got: \"" + name + "\" again)");
                 }
-                OwnLeaves.placed(object, leaves);
+                LocalLeaves.placed(object, leaves);
                 if (!worldBounds.holds(leaves, 0, leaves.size())) {
                     throw new IllegalArgumentException("every object must be within the world (got: " + object + ")");
                 }

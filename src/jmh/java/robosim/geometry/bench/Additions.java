@@ -23,7 +23,7 @@ import robosim.geometry.narrow.Overlap;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafColumn;
-import robosim.geometry.narrow.leaf.OwnLeaves;
+import robosim.geometry.narrow.leaf.LocalLeaves;
 
 /**
  * Sequential checked additions, the 2005 report's own measure: each new object is tested against those that are in, and
@@ -165,7 +165,7 @@ public class Additions {
 
         /** Makes an object the one that is asked about. */
         void ask(GeometryObject object) {
-            candidate = OwnLeaves.placed(object);
+            candidate = LocalLeaves.placed(object);
             LeafBounds.of(candidate.kind(0), candidate.rows(), 0, box);
         }
 

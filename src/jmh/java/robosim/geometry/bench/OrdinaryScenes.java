@@ -16,7 +16,7 @@ import java.util.function.IntUnaryOperator;
 import java.util.function.LongSupplier;
 import robosim.geometry.Geometry;
 import robosim.geometry.collision.CollisionDetection;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.Dimension;
@@ -88,7 +88,7 @@ final class OrdinaryScenes {
     }
 
     private static long falls(boolean fine) {
-        return Stages.counts().entrySet().stream()
+        return StageCounters.counts().entrySet().stream()
                 .filter(stage -> stage.getKey().endsWith(" fine") == fine)
                 .mapToLong(Map.Entry::getValue)
                 .sum();

@@ -27,7 +27,7 @@ import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafColumn;
-import robosim.geometry.narrow.leaf.OwnLeaves;
+import robosim.geometry.narrow.leaf.LocalLeaves;
 import robosim.geometry.narrow.ray.PlanarRay;
 
 /**
@@ -55,7 +55,7 @@ public class PeerScene {
         scene.objects = objects;
         scene.build();
         for (GeometryObject thing : scene.things) {
-            LeafColumn leaf = OwnLeaves.placed(thing);
+            LeafColumn leaf = LocalLeaves.placed(thing);
             int at = leaves.appendWhole(leaf, 0, 1);
             tree.insert(envelope(leaf, 0), at);
             world.addBody(body(thing));
@@ -127,7 +127,7 @@ public class PeerScene {
     }
 
     boolean jts(GeometryObject probe) {
-        LeafColumn leaf = OwnLeaves.placed(probe);
+        LeafColumn leaf = LocalLeaves.placed(probe);
         found = false;
         ItemVisitor visitor =
                 item -> found = found || Overlap.test(Dimension.PLANAR, leaf, 0, leaves, (Integer) item, scratch);

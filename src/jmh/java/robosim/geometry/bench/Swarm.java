@@ -18,7 +18,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.Sweep;
 import robosim.geometry.narrow.leaf.LeafColumn;
-import robosim.geometry.narrow.leaf.OwnLeaves;
+import robosim.geometry.narrow.leaf.LocalLeaves;
 
 /**
  * Attempted moves in a swarm at constant density: n discs of radius 0.5 in a square of side 3 sqrt(n), each of which tries
@@ -124,7 +124,7 @@ final class Swarm {
             this.hasTree = hasTree;
             for (int k = 0; k < count; k++) {
                 items[k] = new Item(k);
-                leaves.appendWhole(OwnLeaves.placed(new CylinderObject(new Point(x[k], 0, z[k]), RADIUS, 2)), 0, 1);
+                leaves.appendWhole(LocalLeaves.placed(new CylinderObject(new Point(x[k], 0, z[k]), RADIUS, 2)), 0, 1);
                 if (hasTree) {
                     tree.add(items[k]);
                 }

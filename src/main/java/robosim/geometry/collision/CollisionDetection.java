@@ -12,7 +12,7 @@ import robosim.geometry.narrow.Cast;
 import robosim.geometry.narrow.Overlap;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.LeafColumn;
-import robosim.geometry.narrow.leaf.OwnLeaves;
+import robosim.geometry.narrow.leaf.LocalLeaves;
 
 /**
  * Two queries about single objects of any shape in space: do two of them collide, and how far along a ray is one. For
@@ -39,8 +39,8 @@ public final class CollisionDetection {
         if (a == null || b == null) {
             throw new IllegalArgumentException((a == null ? "a" : "b") + " must be given (got: null)");
         }
-        LeafColumn first = OwnLeaves.placed(a);
-        LeafColumn second = OwnLeaves.placed(b);
+        LeafColumn first = LocalLeaves.placed(a);
+        LeafColumn second = LocalLeaves.placed(b);
         return mayMeet(a, second) && mayMeet(b, first) && meet(first, second);
     }
 
@@ -62,7 +62,7 @@ public final class CollisionDetection {
      */
     private static boolean mayMeet(GeometryObject object, LeafColumn other) {
         GeometryObject volume = boundingVolume(object);
-        return volume == null || meet(OwnLeaves.placed(volume), other);
+        return volume == null || meet(LocalLeaves.placed(volume), other);
     }
 
     private static @Nullable GeometryObject boundingVolume(GeometryObject object) {
@@ -89,7 +89,7 @@ public final class CollisionDetection {
         Point d = ray.direction();
         Cast cast = new Cast(SCRATCH.get());
         cast.line(Dimension.SPATIAL, o.x(), o.y(), o.z(), d.x(), d.y(), d.z());
-        LeafColumn leaves = OwnLeaves.placed(object);
+        LeafColumn leaves = LocalLeaves.placed(object);
         double nearest = Double.POSITIVE_INFINITY;
         for (int leaf = 0; leaf < leaves.size(); leaf++) {
             nearest = Math.min(nearest, cast.distance(leaves, leaf, nearest));

@@ -11,7 +11,7 @@ import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.LeafColumn;
-import robosim.geometry.narrow.leaf.OwnLeaves;
+import robosim.geometry.narrow.leaf.LocalLeaves;
 import robosim.geometry.narrow.mesh.ContactPairs;
 import robosim.geometry.narrow.mesh.NearestPairs;
 
@@ -81,7 +81,7 @@ public final class ContactQuery {
         if (limit < 1) {
             throw new IllegalArgumentException("limit must be at least 1 (got: " + limit + ")");
         }
-        return MEMORY.get().find(OwnLeaves.placed(a), OwnLeaves.placed(b), dimension, limit);
+        return MEMORY.get().find(LocalLeaves.placed(a), LocalLeaves.placed(b), dimension, limit);
     }
 
     /**
@@ -135,7 +135,7 @@ public final class ContactQuery {
         check(a, b, dimension);
         Checks.present("budget", budget);
         NearestPairs nearest = MEMORY.get().nearest;
-        nearest.start(dimension, OwnLeaves.placed(a), OwnLeaves.placed(b));
+        nearest.start(dimension, LocalLeaves.placed(a), LocalLeaves.placed(b));
         long nanos = budget.nanos();
         while (!(measures ? nearest.isMeasured() : nearest.isDecided()) && nearest.steps() < budget.steps()) {
             if (nearest.steps() % STEPS_A_LOOK == 0 && System.nanoTime() - start >= nanos) {

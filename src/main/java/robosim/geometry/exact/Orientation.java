@@ -17,10 +17,10 @@ public final class Orientation {
     // A product that underflows is off by 2^-1075 more; there are at most six, and the bound itself is rounded.
     private static final double UNDERFLOW = 0x1p-1070;
 
-    private static final Stages.Counter SIDE = Stages.counter("Orientation.side expanded");
-    private static final Stages.Counter BIG_SIDE = Stages.counter("Orientation.side big");
-    private static final Stages.Counter VOLUME = Stages.counter("Orientation.volume expanded");
-    private static final Stages.Counter BIG_VOLUME = Stages.counter("Orientation.volume big");
+    private static final StageCounters.Counter SIDE = StageCounters.counter("Orientation.side expanded");
+    private static final StageCounters.Counter BIG_SIDE = StageCounters.counter("Orientation.side big");
+    private static final StageCounters.Counter VOLUME = StageCounters.counter("Orientation.volume expanded");
+    private static final StageCounters.Counter BIG_VOLUME = StageCounters.counter("Orientation.volume big");
 
     private Orientation() {}
 

@@ -2,7 +2,7 @@ package robosim.geometry.index;
 
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.index.regions.Cells;
+import robosim.geometry.index.regions.CellGrid;
 import robosim.geometry.index.regions.RegionTree;
 import robosim.geometry.index.regions.Regions;
 import robosim.geometry.index.tiles.NearGrid;
@@ -28,9 +28,9 @@ public final class QuadTree {
     /** Number of doubles in a box: its minimum x, y and z, then its maximum. Heights are stored but not used here. */
     public static final int BOX = 6;
 
-    private static final RegionTree NO_REGIONS = new RegionTree(new Cells(0, 0, 0, 0));
+    private static final RegionTree NO_REGIONS = new RegionTree(new CellGrid(0, 0, 0, 0));
 
-    private final Cells cells;
+    private final CellGrid cells;
 
     // By id, of objects in the tree and of others that its owner stores here.
     double[] boxes;
@@ -81,12 +81,12 @@ public final class QuadTree {
      */
     public QuadTree(double minX, double minZ, double maxX, double maxZ, Runnable whenLaidOut) {
         laidOut = whenLaidOut;
-        cells = new Cells(minX, minZ, maxX, maxZ);
+        cells = new CellGrid(minX, minZ, maxX, maxZ);
         regions = NO_REGIONS;
         tiles = new TileLayers();
         frozen = null;
-        boxes = new double[BOX * Growth.FIRST];
-        listed = new boolean[Growth.FIRST];
+        boxes = new double[BOX * ArrayGrowth.FIRST];
+        listed = new boolean[ArrayGrowth.FIRST];
     }
 
     private QuadTree(QuadTree of) {
@@ -157,7 +157,7 @@ public final class QuadTree {
     /** Stores a box of {@link #BOX} numbers for an id without adding it to the tree. */
     public void keep(int id, double[] box) {
         if (id >= listed.length) {
-            resize(Math.min(MAX_ID + 1, Growth.of(id)));
+            resize(Math.min(MAX_ID + 1, ArrayGrowth.of(id)));
         }
         limit = Math.max(limit, id + 1);
         System.arraycopy(box, 0, boxes, BOX * id, BOX);
@@ -295,7 +295,7 @@ public final class QuadTree {
 
     /** Gives up spare room. */
     private void trim() {
-        if (Growth.isWasteful(limit, listed.length)) {
+        if (ArrayGrowth.isWasteful(limit, listed.length)) {
             resize(limit);
         }
     }

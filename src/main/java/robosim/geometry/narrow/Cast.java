@@ -1,7 +1,7 @@
 package robosim.geometry.narrow;
 
 import robosim.geometry.exact.VectorMath;
-import robosim.geometry.index.tiles.Outline;
+import robosim.geometry.index.tiles.OrientedRectangle;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.cone.PlanarCone;
 import robosim.geometry.narrow.cone.SpatialCone;
@@ -9,8 +9,8 @@ import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.UnderflowScaling;
 import robosim.geometry.narrow.leaf.UprightRows;
-import robosim.geometry.narrow.mesh.Inside;
 import robosim.geometry.narrow.mesh.MeshRay;
+import robosim.geometry.narrow.mesh.PointInMesh;
 import robosim.geometry.narrow.ray.Normals;
 import robosim.geometry.narrow.ray.PlanarRay;
 import robosim.geometry.narrow.ray.RayDisc;
@@ -129,7 +129,7 @@ public final class Cast {
             return convex(kind, column.rows(leaf), column.at(leaf));
         }
         takeUnit();
-        if (Inside.counts(dimension, column, leaf) && Inside.holds(column, leaf, ox, oy, oz, s)) {
+        if (PointInMesh.counts(dimension, column, leaf) && PointInMesh.holds(column, leaf, ox, oy, oz, s)) {
             return 0;
         }
         nearest = Double.POSITIVE_INFINITY;
@@ -155,18 +155,18 @@ public final class Cast {
      * NaN if it is not such an object or doubles cannot decide.
      */
     public double upright(double[] outlines, int id) {
-        int at = Outline.at(id);
+        int at = OrientedRectangle.at(id);
         if (!UprightRows.isHere(outlines, at)) {
             return Double.NaN;
         }
-        double cx = outlines[at + Outline.X];
-        double cz = outlines[at + Outline.Z];
-        double halfX = outlines[at + Outline.HALF_X];
-        double cos = outlines[at + Outline.COS];
-        double sin = outlines[at + Outline.SIN];
+        double cx = outlines[at + OrientedRectangle.X];
+        double cz = outlines[at + OrientedRectangle.Z];
+        double halfX = outlines[at + OrientedRectangle.HALF_X];
+        double cos = outlines[at + OrientedRectangle.COS];
+        double sin = outlines[at + OrientedRectangle.SIN];
         double distance = UprightRows.isRound(outlines, at)
                 ? RayDisc.distance(ox, oz, dx, dz, cx, cz, halfX)
-                : RayRectangle.sure(ox, oz, dx, dz, cx, cz, halfX, outlines[at + Outline.HALF_Z], cos, sin);
+                : RayRectangle.sure(ox, oz, dx, dz, cx, cz, halfX, outlines[at + OrientedRectangle.HALF_Z], cos, sin);
         // Only a small distance may have been spoiled by what underflowed.
         return distance > UnderflowScaling.SMALL || isFarFromOrigin ? distance : Double.NaN;
     }

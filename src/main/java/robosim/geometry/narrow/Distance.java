@@ -8,7 +8,7 @@ import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.UnderflowScaling;
-import robosim.geometry.narrow.mesh.Inside;
+import robosim.geometry.narrow.mesh.PointInMesh;
 
 /**
  * The distance of two placed leaves, meshes included, and their nearest points: the only switch over leaf kinds for
@@ -79,7 +79,7 @@ public final class Distance {
 
     private double mesh(
             Dimension dimension, LeafColumn mesh, int leaf, LeafKind kind, double[] row, int at, double limit) {
-        if (Inside.counts(dimension, mesh, leaf) && Inside.holdsLeaf(mesh, leaf, kind, row, at, s)) {
+        if (PointInMesh.counts(dimension, mesh, leaf) && PointInMesh.holdsLeaf(mesh, leaf, kind, row, at, s)) {
             return 0;
         }
         LeafBounds.of(kind, row, at, s.box);
@@ -123,8 +123,8 @@ public final class Distance {
     }
 
     private double meshes(Dimension dimension, LeafColumn a, int i, LeafColumn b, int j, double limit) {
-        if ((Inside.counts(dimension, a, i) && Inside.holdsMesh(a, i, b, j, s))
-                || (Inside.counts(dimension, b, j) && Inside.holdsMesh(b, j, a, i, s))) {
+        if ((PointInMesh.counts(dimension, a, i) && PointInMesh.holdsMesh(a, i, b, j, s))
+                || (PointInMesh.counts(dimension, b, j) && PointInMesh.holdsMesh(b, j, a, i, s))) {
             return 0;
         }
         b.bounds(j, s.box);

@@ -6,7 +6,7 @@ import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.UprightRows;
-import robosim.geometry.narrow.mesh.Inside;
+import robosim.geometry.narrow.mesh.PointInMesh;
 import robosim.geometry.narrow.overlap.ConvexOverlap;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.planar.DiscDisc;
@@ -67,8 +67,8 @@ public final class Overlap {
             return s.pairs().touch(dimension, a, i, b, j);
         }
         return s.meshPairs().touch(a, i, b, j)
-                || (Inside.counts(dimension, a, i) && Inside.holdsMesh(a, i, b, j, s))
-                || (Inside.counts(dimension, b, j) && Inside.holdsMesh(b, j, a, i, s));
+                || (PointInMesh.counts(dimension, a, i) && PointInMesh.holdsMesh(a, i, b, j, s))
+                || (PointInMesh.counts(dimension, b, j) && PointInMesh.holdsMesh(b, j, a, i, s));
     }
 
     private static boolean mesh(
@@ -81,7 +81,7 @@ public final class Overlap {
                 return true;
             }
         }
-        return Inside.counts(dimension, mesh, leaf) && Inside.holdsLeaf(mesh, leaf, kind, row, at, s);
+        return PointInMesh.counts(dimension, mesh, leaf) && PointInMesh.holdsLeaf(mesh, leaf, kind, row, at, s);
     }
 
     /** The bounds of a leaf, over all heights in PLANAR. */

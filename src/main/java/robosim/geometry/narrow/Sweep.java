@@ -46,7 +46,7 @@ public final class Sweep {
      * The mover's contacts at the start, if they are to be considered; the moving leaf and triangle, and what is hit
      * first.
      */
-    private @Nullable Standing standing;
+    private @Nullable StartContacts standing;
 
     private @Nullable Stop stop;
     private int leaf;
@@ -234,7 +234,7 @@ public final class Sweep {
      *
      * @param at decides where to stop before each piece that is hit; null to stop where it is hit
      */
-    public double free(LeafColumn a, int i, LeafColumn b, int j, Standing on, @Nullable Stop at) {
+    public double free(LeafColumn a, int i, LeafColumn b, int j, StartContacts on, @Nullable Stop at) {
         standing = on;
         stop = at;
         double share = free(a, i, b, j);

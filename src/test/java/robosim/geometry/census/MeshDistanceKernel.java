@@ -7,7 +7,7 @@ import java.util.SplittableRandom;
 import robosim.geometry.model.MeshObject;
 import robosim.geometry.model.Point;
 import robosim.geometry.narrow.leaf.LeafColumn;
-import robosim.geometry.narrow.leaf.OwnLeaves;
+import robosim.geometry.narrow.leaf.LocalLeaves;
 
 /** The least distance of a mesh and anything in space, a mesh too: the least of its triangles', whatever limit is given. */
 final class MeshDistanceKernel implements Kernel {
@@ -61,13 +61,13 @@ final class MeshDistanceKernel implements Kernel {
             }
         }
         String regime = low <= 2 * rounding ? "touching or overlapping, " : low < NEAR * size ? "near, " : "far, ";
-        LeafColumn second = kind == 4 ? OwnLeaves.placed(mesh(b)) : column;
+        LeafColumn second = kind == 4 ? LocalLeaves.placed(mesh(b)) : column;
         if (kind < 4) {
             pairs.b.writeTo(column);
         }
         return probe.compare(
                 regime + OTHERS.get(kind),
-                OwnLeaves.placed(mesh(a)),
+                LocalLeaves.placed(mesh(a)),
                 second,
                 low - rounding,
                 high + rounding,

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.index.regions.Regions;
-import robosim.geometry.index.tiles.Outline;
+import robosim.geometry.index.tiles.OrientedRectangle;
 import robosim.geometry.index.tiles.Tiles;
 
 public class QuadTreeTest {
@@ -648,10 +648,10 @@ public class QuadTreeTest {
     /** An outline of every box. */
     public static double[] outlines(QuadCursor cursor) {
         double[] boxes = cursor.boxes();
-        double[] outlines = Outline.rows(boxes.length / 6, 0);
+        double[] outlines = OrientedRectangle.rows(boxes.length / 6, 0);
         for (int id = 0; id < boxes.length / 6; id++) {
             int at = 6 * id;
-            Outline.write(outlines, id, boxes[at], boxes[at + 2], boxes[at + 3], boxes[at + 5]);
+            OrientedRectangle.write(outlines, id, boxes[at], boxes[at + 2], boxes[at + 3], boxes[at + 5]);
         }
         return outlines;
     }

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.narrow.leaf.LeafColumn;
-import robosim.geometry.narrow.leaf.OwnLeaves;
+import robosim.geometry.narrow.leaf.LocalLeaves;
 
 /** Against points of the objects' surfaces, placed one by one. */
 class BoundsTest {
@@ -108,7 +108,7 @@ class BoundsTest {
             GeometryObject object = any(2);
             double[] bounds = numbers(object.bounds());
             double[] leaves = {1 / 0.0, 1 / 0.0, 1 / 0.0, -1 / 0.0, -1 / 0.0, -1 / 0.0};
-            LeafColumn placed = OwnLeaves.placed(object);
+            LeafColumn placed = LocalLeaves.placed(object);
             double[] one = new double[6];
             for (int leaf = 0; leaf < placed.size(); leaf++) {
                 placed.bounds(leaf, one);
@@ -117,7 +117,7 @@ class BoundsTest {
                     leaves[3 + axis] = Math.max(leaves[3 + axis], one[3 + axis]);
                 }
             }
-            boolean hasMesh = OwnLeaves.of(object).hasMesh();
+            boolean hasMesh = LocalLeaves.of(object).hasMesh();
             for (int k = 0; k < 6; k++) {
                 double further = k < 3 ? leaves[k] - bounds[k] : bounds[k] - leaves[k];
                 assertThat(further).as(object.toString()).isLessThanOrEqualTo(0);

@@ -10,7 +10,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.Poses;
+import robosim.geometry.narrow.leaf.MovedLeaf;
 import robosim.geometry.narrow.sweep.PlanarSweep;
 import robosim.geometry.narrow.sweep.SpatialSweep;
 import robosim.geometry.reference.HullMotion;
@@ -176,7 +176,7 @@ class ContactTimeTest {
             return a;
         }
         double[] pose = new double[Leaf.STRIDE];
-        Poses.moved(kindA, a, 0, time * d[0], time * d[1], time * d[2], pose);
+        MovedLeaf.moved(kindA, a, 0, time * d[0], time * d[1], time * d[2], pose);
         double x = d[0];
         if (random.nextBoolean()) { // and then across
             d[0] = -d[2];
@@ -274,7 +274,7 @@ class ContactTimeTest {
 
     private static double[] shifted(LeafKind kind, double[] row, double far) {
         double[] out = row.clone();
-        Poses.moved(kind, row, 0, far, 0, -far, out);
+        MovedLeaf.moved(kind, row, 0, far, 0, -far, out);
         return out;
     }
 

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.SortedMap;
 import java.util.SplittableRandom;
 import java.util.TreeMap;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.Scratch;
 
 /**
@@ -47,11 +47,11 @@ record Fallback(String family, long cases, double[] perCase, SortedMap<String, L
                     source.random(block[k]);
                 }
             }
-            SortedMap<String, Long> before = Stages.counts();
+            SortedMap<String, Long> before = StageCounters.counts();
             for (int k = 0; k < count; k++) {
                 family.product(block[k], scratch);
             }
-            Stages.counts().forEach((name, after) -> {
+            StageCounters.counts().forEach((name, after) -> {
                 long runs = after - before.getOrDefault(name, 0L);
                 if (runs > 0) {
                     sums.merge(name, runs, Long::sum);

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
 import robosim.geometry.Geometry;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
@@ -98,7 +98,7 @@ final class Latency implements Study {
     }
 
     private static long falls(boolean fine) {
-        return Stages.counts().entrySet().stream()
+        return StageCounters.counts().entrySet().stream()
                 .filter(stage -> stage.getKey().endsWith(" fine") == fine)
                 .mapToLong(Map.Entry::getValue)
                 .sum();

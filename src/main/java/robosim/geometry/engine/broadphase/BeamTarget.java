@@ -8,7 +8,7 @@ public interface BeamTarget {
     /**
      * Looks at an object of a world without heights by its outline alone.
      *
-     * @param outlines those of all objects of the table; see {@link robosim.geometry.index.tiles.Outline}
+     * @param outlines those of all objects of the table; see {@link robosim.geometry.index.tiles.OrientedRectangle}
      * @param local the object's place in them
      * @return NaN where the outline does not tell
      */

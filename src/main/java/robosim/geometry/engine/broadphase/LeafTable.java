@@ -6,7 +6,7 @@ import robosim.geometry.engine.objects.Form;
 import robosim.geometry.engine.objects.LeafRanges;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Attitude;
-import robosim.geometry.index.Growth;
+import robosim.geometry.index.ArrayGrowth;
 import robosim.geometry.index.QuadCursor;
 import robosim.geometry.index.QuadTree;
 import robosim.geometry.model.Accuracy;
@@ -16,7 +16,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
-import robosim.geometry.narrow.leaf.OwnLeaves;
+import robosim.geometry.narrow.leaf.LocalLeaves;
 
 /**
  * The objects of a world that are its own, or those that it shares with others, as they are seen at one accuracy: their
@@ -81,7 +81,7 @@ public final class LeafTable {
         leaves = new LeafColumn(1);
         leaves.reserveUpright(0);
         spans = new LeafRanges();
-        shapes = new byte[Growth.FIRST];
+        shapes = new byte[ArrayGrowth.FIRST];
         this.accuracy = accuracy;
         this.dimension = dimension;
         tree = new QuadTree(-width / 2, -length / 2, width / 2, length / 2, this::trim);
@@ -121,7 +121,7 @@ public final class LeafTable {
     /** Makes a column hold what stands here for an object that is not, or not yet, in the world. */
     void placed(GeometryObject object, LeafColumn column) {
         if (accuracy == Accuracy.EXACT) {
-            OwnLeaves.placed(object, column);
+            LocalLeaves.placed(object, column);
             return;
         }
         Form form = new Form(object, accuracy);
@@ -215,7 +215,7 @@ public final class LeafTable {
     /** Gives up room that there is for more objects. */
     private void trim() {
         int limit = objects.limit();
-        if (Growth.isWasteful(limit, shapes.length)) {
+        if (ArrayGrowth.isWasteful(limit, shapes.length)) {
             shapes = Arrays.copyOf(shapes, limit);
         }
         leaves.trim();
@@ -223,7 +223,7 @@ public final class LeafTable {
 
     private void reserve(int id) {
         if (id >= shapes.length) {
-            shapes = Arrays.copyOf(shapes, Growth.of(id));
+            shapes = Arrays.copyOf(shapes, ArrayGrowth.of(id));
         }
     }
 

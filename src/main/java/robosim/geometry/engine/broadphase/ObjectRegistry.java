@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.objects.ObjectTable;
-import robosim.geometry.engine.objects.SharedObjects;
+import robosim.geometry.engine.objects.SharedObjectTable;
 import robosim.geometry.engine.objects.WorldBounds;
 import robosim.geometry.exact.Checks;
 import robosim.geometry.index.QuadCursor;
@@ -19,7 +19,7 @@ import robosim.geometry.model.Pose;
 import robosim.geometry.narrow.Overlap;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.LeafColumn;
-import robosim.geometry.narrow.leaf.OwnLeaves;
+import robosim.geometry.narrow.leaf.LocalLeaves;
 
 /**
  * The objects of a world: they are added, removed and moved, in the table of objects and in every {@link AccuracyView} that
@@ -134,7 +134,7 @@ public final class ObjectRegistry {
     }
 
     /** Makes static objects that are shared with other worlds this world's own, so that they can be taken out. */
-    private void unshare(SharedObjects others) {
+    private void unshare(SharedObjectTable others) {
         shared = null;
         objects.unshare();
         for (AccuracyView each : views) {
@@ -208,7 +208,7 @@ public final class ObjectRegistry {
     }
 
     private boolean fits(GeometryObject object) {
-        OwnLeaves.placed(object, candidate);
+        LocalLeaves.placed(object, candidate);
         return worldBounds.holds(candidate, 0, candidate.size());
     }
 

@@ -3,7 +3,7 @@ package robosim.geometry.engine.broadphase;
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.Objects;
-import robosim.geometry.engine.objects.SharedObjects;
+import robosim.geometry.engine.objects.SharedObjectTable;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
@@ -13,7 +13,7 @@ import robosim.geometry.model.GeometryObject;
  * that has been built changes any more; every world reads it through a view of its own, with cursors and working memory of
  * its own.
  */
-public final class SharedIndex extends SharedObjects {
+public final class SharedIndex extends SharedObjectTable {
     private final Dimension dimension;
     private final double width;
     private final double length;

@@ -9,7 +9,7 @@ import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.Scratch;
-import robosim.geometry.narrow.Standing;
+import robosim.geometry.narrow.StartContacts;
 import robosim.geometry.narrow.leaf.LeafColumn;
 
 /**
@@ -17,7 +17,7 @@ import robosim.geometry.narrow.leaf.LeafColumn;
  * the world as it is. Nothing is changed here; {@link #end()} is where the object would come to stand.
  *
  * <p>A leg is free where no sweep meets anything and its end, as stored, overlaps nothing that its start did not. What is
- * behind a plane of a contact at the start ({@link Standing}) counts for neither.
+ * behind a plane of a contact at the start ({@link StartContacts}) counts for neither.
  */
 public final class Motion {
     static final int NOTHING = -1;
@@ -36,7 +36,7 @@ public final class Motion {
     private final Candidates candidates;
     private final Leg leg;
     private final ClearanceSearch search;
-    private final Standing standing;
+    private final StartContacts standing;
     private final Distance distance;
     private final double[] box = new double[6];
     private final double[] part = new double[6];
@@ -80,7 +80,7 @@ public final class Motion {
         candidates = new Candidates(objects);
         leg = new Leg(scratch);
         search = new ClearanceSearch(leg, scratch);
-        standing = new Standing(scratch);
+        standing = new StartContacts(scratch);
         distance = new Distance(scratch);
     }
 

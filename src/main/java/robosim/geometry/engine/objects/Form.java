@@ -6,18 +6,18 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.narrow.leaf.Enclosure;
 import robosim.geometry.narrow.leaf.LeafColumn;
-import robosim.geometry.narrow.leaf.OwnLeaves;
+import robosim.geometry.narrow.leaf.LocalLeaves;
 
 /** The leaves that stand for an object at one accuracy, in the object's own frame, ready to be placed. */
 public final class Form {
-    public final OwnLeaves own;
+    public final LocalLeaves own;
     private final Accuracy accuracy;
     private final @Nullable Enclosure enclosure;
     private final @Nullable LeafColumn exact;
 
     public Form(GeometryObject object, Accuracy accuracy) {
         this.accuracy = accuracy;
-        own = OwnLeaves.of(object);
+        own = LocalLeaves.of(object);
         enclosure = accuracy == Accuracy.EXACT ? null : new Enclosure(own);
         exact = accuracy == Accuracy.EXACT ? null : new LeafColumn(own.size());
         if (exact != null) {

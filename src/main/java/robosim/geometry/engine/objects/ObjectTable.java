@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.index.Growth;
+import robosim.geometry.index.ArrayGrowth;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Pose;
 
@@ -16,14 +16,14 @@ public final class ObjectTable {
     /** Number of doubles in a place, laid out by {@link Pose}. */
     public static final int PLACE = Pose.PLACE;
 
-    /** The bit that is set in the id of an object that this world shares with others: see {@link SharedObjects}. */
+    /** The bit that is set in the id of an object that this world shares with others: see {@link SharedObjectTable}. */
     public static final int SHARED = 1 << 29;
 
     private final Names names = new Names();
-    private @Nullable GeometryObject[] values = new GeometryObject[Growth.FIRST];
+    private @Nullable GeometryObject[] values = new GeometryObject[ArrayGrowth.FIRST];
 
     /** The static objects that this world shares with others; null if all are its own. */
-    private @Nullable SharedObjects shared;
+    private @Nullable SharedObjectTable shared;
 
     /** The order of insertion by id; empty until an id is reused, since until then ids are in that order. */
     private long[] order = new long[0];
@@ -53,7 +53,7 @@ public final class ObjectTable {
     public ObjectTable() {}
 
     /** The objects of a world that shares some of them. */
-    public ObjectTable(SharedObjects objects) {
+    public ObjectTable(SharedObjectTable objects) {
         shared = objects;
         isOrdered = true;
         order = new long[values.length];
@@ -122,7 +122,7 @@ public final class ObjectTable {
     public int add(GeometryObject object) {
         int id = freeCount > 0 ? reuse() : capacityUsed++;
         if (id == values.length) {
-            int capacity = Growth.of(id);
+            int capacity = ArrayGrowth.of(id);
             values = Arrays.copyOf(values, capacity);
             if (isOrdered) {
                 order = Arrays.copyOf(order, capacity);

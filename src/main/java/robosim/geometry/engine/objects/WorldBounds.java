@@ -4,7 +4,7 @@ import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.Expansion;
 import robosim.geometry.exact.Filter;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.TriangleMesh;
 import robosim.geometry.narrow.leaf.Leaf;
@@ -25,8 +25,8 @@ public final class WorldBounds {
 
     private static final double FILTER = Filter.bound(4.01 * 0x1p-53);
     private static final double CYLINDER_FILTER = Filter.bound(ROUNDING);
-    private static final Stages.Counter SUMS = Stages.counter("WorldBounds sums");
-    private static final Stages.Counter EXACT = Stages.counter("WorldBounds");
+    private static final StageCounters.Counter SUMS = StageCounters.counter("WorldBounds sums");
+    private static final StageCounters.Counter EXACT = StageCounters.counter("WorldBounds");
 
     /** Half the world along x, y and z. */
     private final double[] half;

@@ -16,16 +16,16 @@ public final class RegionTree {
     // The link of an uncut region is ~id of its only object, or ~(id | MORE) of the first of several, or EMPTY.
     private static final int MORE = 1 << 29;
 
-    private final Cells cells;
+    private final CellGrid cells;
 
     public final Regions regions = new Regions();
 
     /** By id, the next object of the same region. */
     int[] next = new int[64];
 
-    private final int[] path = new int[Cells.BITS + 2];
+    private final int[] path = new int[CellGrid.BITS + 2];
 
-    public RegionTree(Cells cells) {
+    public RegionTree(CellGrid cells) {
         this.cells = cells;
         Arrays.fill(next, ABSENT);
     }
@@ -57,7 +57,7 @@ public final class RegionTree {
             int bit = Long.SIZE - 1 - Long.numberOfLeadingZeros((x ^ heldX) | (z ^ heldZ));
             if (isCut && bit <= regions.bit(link)) {
                 regions.grow(region, boxes, box);
-                region = link + Cells.quarter(regions.bit(link), x, z);
+                region = link + CellGrid.quarter(regions.bit(link), x, z);
             } else if (bit < 0) {
                 return region; // the same cell: no cut separates them
             } else {
@@ -75,7 +75,7 @@ public final class RegionTree {
         while (regions.links[region] >= 0) {
             path[depth++] = region;
             int link = regions.links[region];
-            region = link + Cells.quarter(regions.bit(link), x, z);
+            region = link + CellGrid.quarter(regions.bit(link), x, z);
         }
         unlink(region, id, boxes);
         while (depth > 0) {

@@ -87,7 +87,7 @@ public final class Regions {
         for (int quarter = first; quarter < first + 4; quarter++) {
             clear(quarter);
         }
-        int held = first + Cells.quarter(bit, x, z);
+        int held = first + CellGrid.quarter(bit, x, z);
         links[held] = links[region];
         System.arraycopy(bounds, 4 * region, bounds, 4 * held, 4);
         links[region] = first;

@@ -134,7 +134,7 @@ public final class TileGathering {
     /** 1 for an object that counts, else 0. */
     private int mayMeet(double[] outlines, int id) {
         int isOther = (id - ignored | ignored - id) >>> SIGN;
-        return isOther & (Outline.mayMeet(outlines, id, x, z, wide, deep) ? 1 : 0);
+        return isOther & (OrientedRectangle.mayMeet(outlines, id, x, z, wide, deep) ? 1 : 0);
     }
 
     private void grow() {

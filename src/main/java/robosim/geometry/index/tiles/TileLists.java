@@ -5,7 +5,7 @@ import java.util.Arrays;
 /**
  * The lists of objects of all {@link Tiles} of a layer, nested ones included, in one array. A tile has a slot of {@link
  * #STRIDE} numbers: the length of its list of ids, then the list itself if it fits, else where it begins. Most lists
- * fit, so a query needs one memory access per tile. Unused room of a slot is filled with {@link Outline#NOWHERE}, so
+ * fit, so a query needs one memory access per tile. Unused room of a slot is filled with {@link OrientedRectangle#NOWHERE}, so
  * that a query may read all of it instead of branching on a length that would be mispredicted. A second array has, at
  * the index of each id, the object's {@link QuantizedBounds} relative to the tile.
  */
@@ -43,7 +43,7 @@ final class TileLists {
     /** Adds the empty lists of a number of tiles; returns where the slot of the first begins. */
     int append(int tiles) {
         int first = claim(STRIDE * tiles);
-        Arrays.fill(data, first, first + STRIDE * tiles, Outline.NOWHERE);
+        Arrays.fill(data, first, first + STRIDE * tiles, OrientedRectangle.NOWHERE);
         if (hasQuantizedBounds()) {
             Arrays.fill(quantizedBounds, first, first + STRIDE * tiles, QuantizedBounds.NOWHERE);
         }
@@ -77,7 +77,7 @@ final class TileLists {
         int last = data[place] - 1;
         int first = first(data, place, last + 1);
         copy(first + last, find(first, id), 1);
-        data[first + last] = Outline.NOWHERE;
+        data[first + last] = OrientedRectangle.NOWHERE;
         if (hasQuantizedBounds()) {
             quantizedBounds[first + last] = QuantizedBounds.NOWHERE;
         }

@@ -136,7 +136,8 @@ public final class TileProbe {
         double slack = TileGathering.slack(x, z, halfX, halfZ, most);
         int first = TileLists.first(data, tile, data[tile]);
         for (int k = first; k < first + data[tile]; k++) {
-            if (Outline.mayMeet(outlines, data[k], x, z, halfX + slack, halfZ + slack) && target.meet(data[k])) {
+            if (OrientedRectangle.mayMeet(outlines, data[k], x, z, halfX + slack, halfZ + slack)
+                    && target.meet(data[k])) {
                 return true;
             }
         }

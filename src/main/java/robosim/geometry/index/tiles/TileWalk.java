@@ -229,7 +229,7 @@ public final class TileWalk {
         while (true) {
             while (listed < last) {
                 int id = lists[listed++];
-                if (meets(outlines, Outline.at(id), ox, oz, dx, dz, aside, half, margin)) {
+                if (meets(outlines, OrientedRectangle.at(id), ox, oz, dx, dz, aside, half, margin)) {
                     found = id;
                     break search;
                 }
@@ -287,12 +287,12 @@ public final class TileWalk {
             double aside,
             double half,
             double margin) {
-        double offX = outlines[at + Outline.X] - ox;
-        double offZ = outlines[at + Outline.Z] - oz;
-        double halfX = outlines[at + Outline.HALF_X];
-        double halfZ = outlines[at + Outline.HALF_Z];
-        double cos = outlines[at + Outline.COS];
-        double sin = outlines[at + Outline.SIN];
+        double offX = outlines[at + OrientedRectangle.X] - ox;
+        double offZ = outlines[at + OrientedRectangle.Z] - oz;
+        double halfX = outlines[at + OrientedRectangle.HALF_X];
+        double halfZ = outlines[at + OrientedRectangle.HALF_Z];
+        double cos = outlines[at + OrientedRectangle.COS];
+        double sin = outlines[at + OrientedRectangle.SIN];
         // The direction along the outline's own axes.
         double wayX = Math.abs(Math.fma(dx, cos, -(dz * sin)));
         double wayZ = Math.abs(Math.fma(dx, sin, dz * cos));

@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.cone;
 
 import robosim.geometry.exact.DoubleDoubles;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 
 /**
@@ -29,7 +29,7 @@ final class ConeCapsule {
     /** What a numerator is off by in pairs of doubles, as a share of its terms: some ten steps of 2^-102 to 2^-100. */
     private static final double PAIRS_ERROR = 0x1p-92;
 
-    private static final Stages.Counter REFINED = Stages.counter("ConeCapsule.refined");
+    private static final StageCounters.Counter REFINED = StageCounters.counter("ConeCapsule.refined");
 
     private static final int M = Cone.FREE;
     private static final int A = M + 3;

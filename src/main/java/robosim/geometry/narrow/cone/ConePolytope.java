@@ -6,7 +6,7 @@ import robosim.geometry.exact.DoubleDoubles;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
 import robosim.geometry.exact.Filter;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.ray.ExactRay;
@@ -33,7 +33,7 @@ final class ConePolytope {
     /** More than underflow takes from a length. */
     private static final double UNDERFLOW = 0x1p-530;
 
-    private static final Stages.Counter EXACT = Stages.counter("ConePolytope");
+    private static final StageCounters.Counter EXACT = StageCounters.counter("ConePolytope");
 
     private static final int POINT = Cone.FREE;
     private static final int EDGE = POINT + 3;

@@ -7,7 +7,7 @@ import robosim.geometry.narrow.mesh.MeshScratch;
 public class ConeScratch extends MeshScratch {
     public final PlanarSector sector = new PlanarSector();
 
-    private @Nullable ConeKernels cones;
+    private @Nullable ConeWorkspace cones;
     private @Nullable SectorOval sectorOval;
 
     public SectorOval sectorOval() {
@@ -17,9 +17,9 @@ public class ConeScratch extends MeshScratch {
         return sectorOval;
     }
 
-    public ConeKernels cones() {
+    public ConeWorkspace cones() {
         if (cones == null) {
-            cones = new ConeKernels();
+            cones = new ConeWorkspace();
         }
         return cones;
     }

@@ -4,7 +4,7 @@ import robosim.geometry.exact.DoubleDoubles;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
 import robosim.geometry.exact.Filter;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.ray.ExactRay;
 
@@ -22,7 +22,7 @@ final class ConeSphere {
      */
     private static final double FILTER = Filter.bound(0x1p-90);
 
-    private static final Stages.Counter EXACT = Stages.counter("ConeSphere");
+    private static final StageCounters.Counter EXACT = StageCounters.counter("ConeSphere");
 
     private static final int CENTER = Cone.FREE;
     private static final int CROSS = CENTER + 3;

@@ -3,7 +3,7 @@ package robosim.geometry.narrow.distance;
 import robosim.geometry.exact.Radians;
 import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.Order;
+import robosim.geometry.narrow.leaf.PairOrder;
 import robosim.geometry.narrow.planar.PlanarBracket;
 import robosim.geometry.narrow.planar.PlanarShape;
 
@@ -27,7 +27,7 @@ public final class PlanarContact {
      */
     public static void between(
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double[] out, DistanceScratch s) {
-        boolean reversed = Order.isReversed(kindA, a, i, kindB, b, j);
+        boolean reversed = PairOrder.isReversed(kindA, a, i, kindB, b, j);
         if (reversed) {
             ordered(kindB, b, j, kindA, a, i, out, s);
             out[3] = 0 - out[3];

@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.distance;
 
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.Order;
+import robosim.geometry.narrow.leaf.PairOrder;
 import robosim.geometry.narrow.overlap.PlanarOverlap;
 import robosim.geometry.narrow.planar.DiscDisc;
 import robosim.geometry.narrow.planar.DiscPolygon;
@@ -20,7 +20,7 @@ public final class PlanarDistance {
      */
     public static double between(
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, DistanceScratch s) {
-        if (Order.isReversed(kindA, a, i, kindB, b, j)) {
+        if (PairOrder.isReversed(kindA, a, i, kindB, b, j)) {
             return ordered(kindB, b, j, kindA, a, i, s);
         }
         return ordered(kindA, a, i, kindB, b, j, s);

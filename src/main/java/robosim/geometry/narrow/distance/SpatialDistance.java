@@ -4,7 +4,7 @@ import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.Order;
+import robosim.geometry.narrow.leaf.PairOrder;
 import robosim.geometry.narrow.leaf.Upright;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
 
@@ -35,7 +35,7 @@ public final class SpatialDistance {
         if (kindB == LeafKind.SPHERE && SphereDistance.isFor(kindA, b, j, a, i)) {
             return s.sphereDistance.between(b, j, kindA, a, i);
         }
-        return Order.isReversed(kindA, a, i, kindB, b, j)
+        return PairOrder.isReversed(kindA, a, i, kindB, b, j)
                 ? bracketed(kindB, b, j, kindA, a, i, s)
                 : bracketed(kindA, a, i, kindB, b, j, s);
     }

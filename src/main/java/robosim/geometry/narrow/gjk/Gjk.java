@@ -2,7 +2,7 @@ package robosim.geometry.narrow.gjk;
 
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.Order;
+import robosim.geometry.narrow.leaf.PairOrder;
 
 /**
  * Distance between two leaves as a certified bracket, with witness points and a separating direction: the algorithm of
@@ -102,7 +102,7 @@ public final class Gjk {
     }
 
     private double ask(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, boolean flat) {
-        reversed = Order.isReversed(kindA, a, i, kindB, b, j);
+        reversed = PairOrder.isReversed(kindA, a, i, kindB, b, j);
         if (reversed) {
             solve(kindB, b, j, kindA, a, i, flat);
             reverse();

@@ -1,8 +1,8 @@
 package robosim.geometry.narrow.gjk;
 
-import robosim.geometry.narrow.leaf.Facets;
+import robosim.geometry.narrow.leaf.FeatureDirections;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.Order;
+import robosim.geometry.narrow.leaf.PairOrder;
 
 /**
  * The penetration depth of two leaves, and the directions of the shortest translations that separate them.
@@ -37,8 +37,8 @@ public final class Penetration {
     private final Support first = new Support();
     private final Support second = new Support();
     private final ExpandingPolytope hull = new ExpandingPolytope(first, second);
-    private final Facets facetsA = new Facets();
-    private final Facets facetsB = new Facets();
+    private final FeatureDirections facetsA = new FeatureDirections();
+    private final FeatureDirections facetsB = new FeatureDirections();
 
     private final Directions directions = new Directions();
     private final DepthSearch search = new DepthSearch(first, second, directions);
@@ -87,7 +87,7 @@ public final class Penetration {
     }
 
     private double ordered(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        if (!Order.isReversed(kindA, a, i, kindB, b, j)) {
+        if (!PairOrder.isReversed(kindA, a, i, kindB, b, j)) {
             return solve(kindA, a, i, kindB, b, j);
         }
         double depth = solve(kindB, b, j, kindA, a, i);
@@ -238,14 +238,14 @@ public final class Penetration {
         }
     }
 
-    private void sides(Facets facets) {
+    private void sides(FeatureDirections facets) {
         for (int k = 0; k < facets.faces; k++) {
             both(facets.faceX[k], facets.faceY[k], facets.faceZ[k]);
         }
     }
 
     private void across() {
-        Facets facets = facetsA.edges > 0 ? facetsA : facetsB;
+        FeatureDirections facets = facetsA.edges > 0 ? facetsA : facetsB;
         if (flat || facets.edges == 0) {
             both(1, 0, 0);
             return;
@@ -317,7 +317,7 @@ public final class Penetration {
         }
     }
 
-    private void around(Facets facets) {
+    private void around(FeatureDirections facets) {
         for (int k = 0; k < facets.edges; k++) {
             search.circle(facets.edgeX[k], facets.edgeY[k], facets.edgeZ[k]);
         }

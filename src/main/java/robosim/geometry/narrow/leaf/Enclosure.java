@@ -16,7 +16,7 @@ public final class Enclosure {
 
     private static final double ROOT_TWO = 1.4142135623730951; // rounded up: the root of two is below
 
-    private final OwnLeaves leaves;
+    private final LocalLeaves leaves;
 
     /** Minimum and maximum along the object's own axes. */
     private final double[] box = new double[6];
@@ -25,7 +25,7 @@ public final class Enclosure {
     private final double levelRadius;
 
     /** Measures an object in its own frame, once. */
-    public Enclosure(OwnLeaves own) {
+    public Enclosure(LocalLeaves own) {
         leaves = own;
         LeafColumn column = own.own();
         double[] part = new double[6];
@@ -182,7 +182,7 @@ public final class Enclosure {
                     row[to + 3 + k] = Math.max(box[3 + k] - middle(k), middle(k) - box[k]) + widen;
                 }
                 System.arraycopy(rotation, at, row, to + Leaf.ROTATION, 9);
-                out.setKind(leaf, Canonical.kind(LeafKind.BOX, row, to));
+                out.setKind(leaf, UprightDetection.kind(LeafKind.BOX, row, to));
             }
             case AABB -> axisBox(placed, out, leaf);
             case DOP -> prism(placed, out, leaf);
@@ -327,7 +327,7 @@ public final class Enclosure {
     }
 
     /** The leaves that are enclosed. */
-    public OwnLeaves leaves() {
+    public LocalLeaves leaves() {
         return leaves;
     }
 }

@@ -3,7 +3,7 @@ package robosim.geometry.narrow.leaf;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.index.boxes.BoxTree;
-import robosim.geometry.index.tiles.Outline;
+import robosim.geometry.index.tiles.OrientedRectangle;
 import robosim.geometry.model.TriangleMesh;
 
 /**
@@ -89,7 +89,7 @@ public final class LeafColumn {
         }
     }
 
-    /** The half rows of all objects, each of which is an {@link robosim.geometry.index.tiles.Outline} of the object. */
+    /** The half rows of all objects, each of which is an {@link robosim.geometry.index.tiles.OrientedRectangle} of the object. */
     public double[] outlines() {
         return upright.rows();
     }
@@ -217,7 +217,7 @@ public final class LeafColumn {
     }
 
     public static int uprightAt(int leaf) {
-        return Outline.at(leaf ^ UPRIGHT);
+        return OrientedRectangle.at(leaf ^ UPRIGHT);
     }
 
     /**

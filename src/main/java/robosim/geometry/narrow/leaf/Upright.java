@@ -2,13 +2,13 @@ package robosim.geometry.narrow.leaf;
 
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.Filter;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 
 /** The heights of upright leaves: a flat base on an interval of Y. */
 public final class Upright {
     // Rounding preserves the order of the two sums: only if the results are equal may either be the larger.
     private static final boolean IS_DOUBTING = Filter.isDoubting();
-    private static final Stages.Counter EXACT = Stages.counter("Upright");
+    private static final StageCounters.Counter EXACT = StageCounters.counter("Upright");
 
     private Upright() {}
 

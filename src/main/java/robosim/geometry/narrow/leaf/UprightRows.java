@@ -1,18 +1,18 @@
 package robosim.geometry.narrow.leaf;
 
 import java.util.Arrays;
-import robosim.geometry.index.Growth;
-import robosim.geometry.index.tiles.Outline;
+import robosim.geometry.index.ArrayGrowth;
+import robosim.geometry.index.tiles.OrientedRectangle;
 
 /**
  * Upright boxes, cylinders and spheres, stored in half of a {@link Leaf}'s row: the most frequent leaves of a world. A
  * box has its cosine and sine at {@link #COS} and {@link #SIN} instead of nine numbers; the other numbers are as in a
- * full row. Every half row is also an {@link robosim.geometry.index.tiles.Outline}; for objects with other leaves it is
+ * full row. Every half row is also an {@link robosim.geometry.index.tiles.OrientedRectangle}; for objects with other leaves it is
  * only that.
  */
 public final class UprightRows {
-    public static final int COS = Outline.COS;
-    public static final int SIN = Outline.SIN;
+    public static final int COS = OrientedRectangle.COS;
+    public static final int SIN = OrientedRectangle.SIN;
 
     /** Offset of the centre's height; NaN if the row is only an outline. */
     private static final int Y = 1;
@@ -30,7 +30,7 @@ public final class UprightRows {
     private byte[] kinds = new byte[0];
 
     // Code that reads a cylinder or sphere as a full row copies a full row's numbers.
-    private double[] rows = Outline.rows(0, Leaf.STRIDE);
+    private double[] rows = OrientedRectangle.rows(0, Leaf.STRIDE);
 
     private final double[] spread = new double[Leaf.STRIDE];
 
@@ -92,7 +92,7 @@ public final class UprightRows {
     /** Makes room for a half row and all before it. */
     void reserve(int place) {
         if (place >= kinds.length) {
-            resize(place < Growth.FIRST ? Growth.FIRST : Growth.of(place));
+            resize(place < ArrayGrowth.FIRST ? ArrayGrowth.FIRST : ArrayGrowth.of(place));
         }
         while (size <= place) {
             kinds[size++] = VACANT;
@@ -101,13 +101,13 @@ public final class UprightRows {
 
     /** Writes only the outline of an object that has other leaves. */
     void outline(int place, double minX, double minZ, double maxX, double maxZ) {
-        Outline.write(rows, place, minX, minZ, maxX, maxZ);
-        rows[Outline.at(place) + Y] = Double.NaN;
+        OrientedRectangle.write(rows, place, minX, minZ, maxX, maxZ);
+        rows[OrientedRectangle.at(place) + Y] = Double.NaN;
     }
 
     /** Whether a half row is a leaf rather than only an outline. */
     public boolean isHere(int place) {
-        return isHere(rows, Outline.at(place));
+        return isHere(rows, OrientedRectangle.at(place));
     }
 
     /** The same for the half row that begins at an index. */
@@ -124,18 +124,18 @@ public final class UprightRows {
 
     private void resize(int capacity) {
         kinds = Arrays.copyOf(kinds, capacity);
-        rows = Arrays.copyOf(rows, Outline.length(capacity) + Leaf.STRIDE);
+        rows = Arrays.copyOf(rows, OrientedRectangle.length(capacity) + Leaf.STRIDE);
     }
 
     void write(int place, LeafKind kind, double[] row, int at) {
         kinds[place] = kind.code();
-        int to = Outline.at(place);
+        int to = OrientedRectangle.at(place);
         System.arraycopy(row, at, rows, to, Leaf.ROTATION);
         if (kind == LeafKind.UPRIGHT_BOX) {
             rows[to + COS] = row[at + 6];
             rows[to + SIN] = row[at + 8];
         } else { // the square around it
-            rows[to + Outline.HALF_Z] = row[at + Leaf.SIZE];
+            rows[to + OrientedRectangle.HALF_Z] = row[at + Leaf.SIZE];
             rows[to + COS] = 1;
             rows[to + SIN] = ROUND;
         }
@@ -159,7 +159,7 @@ public final class UprightRows {
 
     /** The index at which they begin. */
     int at(int place) {
-        int from = Outline.at(place);
+        int from = OrientedRectangle.at(place);
         if (kinds[place] != BOX) {
             return from;
         }
@@ -170,9 +170,9 @@ public final class UprightRows {
     /** Writes a half row expanded to a {@link Leaf}'s numbers. */
     void copy(int place, double[] out, int to) {
         if (kinds[place] == BOX) {
-            spread(Outline.at(place), out, to);
+            spread(OrientedRectangle.at(place), out, to);
         } else {
-            System.arraycopy(rows, Outline.at(place), out, to, Leaf.ROTATION);
+            System.arraycopy(rows, OrientedRectangle.at(place), out, to, Leaf.ROTATION);
         }
     }
 

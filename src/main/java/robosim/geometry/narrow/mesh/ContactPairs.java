@@ -21,8 +21,8 @@ public final class ContactPairs {
     private static final int SECOND_HOLDS = 2;
 
     private final DistanceScratch s;
-    private final Branches first = new Branches();
-    private final Branches second = new Branches();
+    private final PartTree first = new PartTree();
+    private final PartTree second = new PartTree();
     private final double[] boxA = new double[6];
     private final double[] boxB = new double[6];
     private final double[] childBox = new double[6];
@@ -66,7 +66,7 @@ public final class ContactPairs {
     public void find(Dimension dimension, LeafColumn a, LeafColumn b, int limit) {
         this.dimension = dimension;
         this.limit = limit;
-        isReversed = Branches.isReversed(a, b);
+        isReversed = PartTree.isReversed(a, b);
         first.open(isReversed ? b : a, dimension);
         second.open(isReversed ? a : b, dimension);
         count = 0;
@@ -78,7 +78,7 @@ public final class ContactPairs {
             depth--;
             long p = stackA[depth];
             long q = stackB[depth];
-            if (Branches.isPart(p) && Branches.isPart(q)) {
+            if (PartTree.isPart(p) && PartTree.isPart(q)) {
                 findInParts(p, q);
             } else {
                 open(p, q);
@@ -135,11 +135,11 @@ public final class ContactPairs {
         return certain[k];
     }
 
-    private static int face(Branches of, int part, int triangle) {
+    private static int face(PartTree of, int part, int triangle) {
         return triangle < 0 ? -1 : of.column().mesh(part).face(triangle);
     }
 
-    private static int half(Branches of, int part, int triangle) {
+    private static int half(PartTree of, int part, int triangle) {
         if (triangle < 0) {
             return -1;
         }
@@ -161,15 +161,15 @@ public final class ContactPairs {
             out[4] = (side == FIRST_HOLDS) == isReversed ? 1 : -1;
             return;
         }
-        Branches a = isReversed ? second : first;
-        Branches b = isReversed ? first : second;
+        PartTree a = isReversed ? second : first;
+        PartTree b = isReversed ? first : second;
         a.loadTriangle(partA(k), found[at + (isReversed ? 3 : 1)]);
         b.loadTriangle(partB(k), found[at + (isReversed ? 1 : 3)]);
         ContactPoint.of(dimension, a.kind, a.row, a.at, b.kind, b.row, b.at, out, s);
     }
 
     /** Writes a point of a piece inside a solid, which is a point of both. */
-    private void inside(Branches held, int at, double[] out) {
+    private void inside(PartTree held, int at, double[] out) {
         held.loadTriangle(found[at], found[at + 1]);
         System.arraycopy(held.row, held.at, out, 0, 3);
         Arrays.fill(out, 3, 7, 0);
@@ -190,7 +190,7 @@ public final class ContactPairs {
             }
         }
         if (count == before && dimension == Dimension.SPATIAL) {
-            findInside(Branches.part(a), Branches.part(b));
+            findInside(PartTree.part(a), PartTree.part(b));
         }
     }
 
@@ -199,7 +199,7 @@ public final class ContactPairs {
         second.load(b);
         s.uncertain = false;
         if (ConvexOverlap.test(dimension, first.kind, first.row, first.at, second.kind, second.row, second.at, s)) {
-            add(Branches.part(a), first.triangle(a), Branches.part(b), second.triangle(b), NO_SIDE, !s.uncertain);
+            add(PartTree.part(a), first.triangle(a), PartTree.part(b), second.triangle(b), NO_SIDE, !s.uncertain);
         }
     }
 
@@ -238,7 +238,7 @@ public final class ContactPairs {
         first.box(a, boxA);
         second.box(b, boxB);
         boolean opensFirst = NearestPairs.opensFirst(first, a, boxA, second, b, boxB);
-        Branches opened = opensFirst ? first : second;
+        PartTree opened = opensFirst ? first : second;
         long parent = opensFirst ? a : b;
         double[] other = opensFirst ? boxB : boxA;
         for (int k = opened.children(parent) - 1; k >= 0; k--) {

@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.overlap;
 
 import robosim.geometry.exact.Filter;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.leaf.LeafBounds;
@@ -30,7 +30,7 @@ public final class CylinderCylinder {
     /** More than the error that underflow may add. */
     private static final double UNDERFLOW = 0x1p-960;
 
-    private static final Stages.Counter EXACT = Stages.counter("CylinderCylinder");
+    private static final StageCounters.Counter EXACT = StageCounters.counter("CylinderCylinder");
 
     private CylinderCylinder() {}
 

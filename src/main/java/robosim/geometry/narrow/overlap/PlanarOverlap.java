@@ -3,7 +3,7 @@ package robosim.geometry.narrow.overlap;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.Order;
+import robosim.geometry.narrow.leaf.PairOrder;
 import robosim.geometry.narrow.leaf.UnderflowScaling;
 import robosim.geometry.narrow.planar.DiscDisc;
 import robosim.geometry.narrow.planar.DiscPolygon;
@@ -27,7 +27,7 @@ public final class PlanarOverlap {
      * matter; octagons only must not miss anything.
      */
     public static boolean test(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
-        if (Order.isReversed(kindA, a, i, kindB, b, j)) {
+        if (PairOrder.isReversed(kindA, a, i, kindB, b, j)) {
             return ordered(kindB, b, j, kindA, a, i, s);
         }
         return ordered(kindA, a, i, kindB, b, j, s);

@@ -1,11 +1,11 @@
 package robosim.geometry.narrow.overlap;
 
 import robosim.geometry.exact.Filter;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.Order;
+import robosim.geometry.narrow.leaf.PairOrder;
 import robosim.geometry.narrow.leaf.Upright;
 import robosim.geometry.narrow.sat.AxisBody;
 import robosim.geometry.narrow.sat.ExactAxes;
@@ -23,8 +23,8 @@ public final class SpatialOverlap {
     private static final double SPHERES_FILTER = Filter.bound(5.01 * 0x1p-53);
 
     private static final double UNDERFLOW = 0x1p-1000;
-    private static final Stages.Counter EXACT = Stages.counter("SpatialOverlap");
-    private static final Stages.Counter EXACT_SPHERES = Stages.counter("SpatialOverlap.spheres");
+    private static final StageCounters.Counter EXACT = StageCounters.counter("SpatialOverlap");
+    private static final StageCounters.Counter EXACT_SPHERES = StageCounters.counter("SpatialOverlap.spheres");
 
     private SpatialOverlap() {}
 
@@ -41,7 +41,7 @@ public final class SpatialOverlap {
         if (kindA.isVerticalPrism() && kindB.isVerticalPrism()) {
             return Upright.heightsTouch(kindA, a, i, kindB, b, j) && PlanarOverlap.test(kindA, a, i, kindB, b, j, s);
         }
-        return Order.isReversed(kindA, a, i, kindB, b, j)
+        return PairOrder.isReversed(kindA, a, i, kindB, b, j)
                 ? ordered(kindB, b, j, kindA, a, i, s)
                 : ordered(kindA, a, i, kindB, b, j, s);
     }

@@ -3,7 +3,7 @@ package robosim.geometry.narrow.planar;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.Filter;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 
 /** Two discs on the plane. */
@@ -19,8 +19,8 @@ public final class DiscDisc {
     // addition keeps the sign.
     private static final double FINE = Filter.bound(33 * 0x1p-106);
 
-    private static final Stages.Counter FINER = Stages.counter("DiscDisc fine");
-    private static final Stages.Counter EXACT = Stages.counter("DiscDisc");
+    private static final StageCounters.Counter FINER = StageCounters.counter("DiscDisc fine");
+    private static final StageCounters.Counter EXACT = StageCounters.counter("DiscDisc");
 
     private DiscDisc() {}
 

@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.planar;
 
 import robosim.geometry.exact.Filter;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.LeafKind;
 
@@ -18,7 +18,7 @@ public final class DiscPolygon {
     private static final double FILTER = Filter.bound(ROUNDING);
     private static final double U = 0x1p-53;
 
-    private static final Stages.Counter EXACT = Stages.counter("DiscPolygon");
+    private static final StageCounters.Counter EXACT = StageCounters.counter("DiscPolygon");
 
     private DiscPolygon() {}
 

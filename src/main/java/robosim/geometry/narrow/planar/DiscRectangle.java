@@ -4,7 +4,7 @@ import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.DoubleDoubles;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.Filter;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.LeafKind;
 
@@ -22,8 +22,8 @@ public final class DiscRectangle {
     /** So many times the radius away from the centre, its rounding is that of the distance. */
     private static final double MANY = 16;
 
-    private static final Stages.Counter FINE = Stages.counter("DiscRectangle fine");
-    private static final Stages.Counter EXACT = Stages.counter("DiscRectangle");
+    private static final StageCounters.Counter FINE = StageCounters.counter("DiscRectangle fine");
+    private static final StageCounters.Counter EXACT = StageCounters.counter("DiscRectangle");
 
     private DiscRectangle() {}
 

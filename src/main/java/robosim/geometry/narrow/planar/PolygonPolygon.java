@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.planar;
 
 import robosim.geometry.exact.Filter;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.LeafKind;
 
@@ -15,7 +15,7 @@ public final class PolygonPolygon {
     private static final double FILTER = Filter.bound(ROUNDING);
     private static final double UNDERFLOW = 0x1p-960;
 
-    private static final Stages.Counter EXACT = Stages.counter("PolygonPolygon");
+    private static final StageCounters.Counter EXACT = StageCounters.counter("PolygonPolygon");
 
     private PolygonPolygon() {}
 

@@ -2,7 +2,7 @@ package robosim.geometry.narrow.planar;
 
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.Filter;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /** The rectangles that two upright boxes throw on the plane. */
@@ -17,9 +17,9 @@ public final class RectangleRectangle {
     private static final double HALVES = Filter.bound(SLACK * 5 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
 
-    private static final Stages.Counter ALIGNED = Stages.counter("RectangleRectangle aligned");
-    private static final Stages.Counter FINE = Stages.counter("RectangleRectangle fine");
-    private static final Stages.Counter EXACT = Stages.counter("RectangleRectangle");
+    private static final StageCounters.Counter ALIGNED = StageCounters.counter("RectangleRectangle aligned");
+    private static final StageCounters.Counter FINE = StageCounters.counter("RectangleRectangle fine");
+    private static final StageCounters.Counter EXACT = StageCounters.counter("RectangleRectangle");
 
     private RectangleRectangle() {}
 

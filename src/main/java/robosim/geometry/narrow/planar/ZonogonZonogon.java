@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.planar;
 
 import robosim.geometry.exact.Filter;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
@@ -14,8 +14,8 @@ public final class ZonogonZonogon {
     private static final double HALVES = Filter.bound(SLACK * 6 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
 
-    private static final Stages.Counter FINE = Stages.counter("ZonogonZonogon fine");
-    private static final Stages.Counter EXACT = Stages.counter("ZonogonZonogon");
+    private static final StageCounters.Counter FINE = StageCounters.counter("ZonogonZonogon fine");
+    private static final StageCounters.Counter EXACT = StageCounters.counter("ZonogonZonogon");
 
     private ZonogonZonogon() {}
 

@@ -6,7 +6,7 @@ import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
 import robosim.geometry.exact.Filter;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.Leaf;
 
@@ -25,7 +25,7 @@ final class RayBox {
     private static final double SLOPE_ERROR = 5 * U;
     private static final double REST_ERROR = 10 * U;
 
-    private static final Stages.Counter EXACT = Stages.counter("RayBox");
+    private static final StageCounters.Counter EXACT = StageCounters.counter("RayBox");
 
     private RayBox() {}
 

@@ -6,7 +6,7 @@ import robosim.geometry.exact.DoubleDoubles;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
 import robosim.geometry.exact.Filter;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 
 /**
@@ -25,8 +25,8 @@ final class RayCapsule {
     /** The ball around all of a capsule is taken larger by this share, for its own rounding and that of the test. */
     private static final double AROUND = 1 + 0x1p-40;
 
-    private static final Stages.Counter PAIRS = Stages.counter("RayCapsule.pairs");
-    private static final Stages.Counter EXACT = Stages.counter("RayCapsule");
+    private static final StageCounters.Counter PAIRS = StageCounters.counter("RayCapsule.pairs");
+    private static final StageCounters.Counter EXACT = StageCounters.counter("RayCapsule");
 
     private static final int PLACE = 0;
     private static final int WAY = 3;

@@ -4,7 +4,7 @@ import static robosim.geometry.exact.VectorMath.UNDERFLOW;
 
 import robosim.geometry.exact.ExactVector;
 import robosim.geometry.exact.Filter;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 
 /**
@@ -18,7 +18,7 @@ import robosim.geometry.exact.VectorMath;
 final class RayCylinder {
     private static final int SIDE = 0;
     private static final double U = Filter.bound(VectorMath.U);
-    private static final Stages.Counter EXACT = Stages.counter("RayCylinder");
+    private static final StageCounters.Counter EXACT = StageCounters.counter("RayCylinder");
 
     private RayCylinder() {}
 

@@ -3,7 +3,7 @@ package robosim.geometry.narrow.ray;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.Filter;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.planar.DiscDisc;
 
@@ -20,7 +20,7 @@ public final class RayDisc {
     private static final double REACH = Filter.bound(8.01 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
 
-    private static final Stages.Counter EXACT = Stages.counter("RayDisc");
+    private static final StageCounters.Counter EXACT = StageCounters.counter("RayDisc");
 
     private RayDisc() {}
 

@@ -2,7 +2,7 @@ package robosim.geometry.narrow.ray;
 
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Filter;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.planar.ExactPlanar;
 import robosim.geometry.narrow.planar.PlanarShape;
@@ -18,7 +18,7 @@ final class RayPolygon {
     private static final double SIDE_PRODUCT = 3 * 0x1p-53;
     private static final double UNDERFLOW = 0x1p-960;
 
-    private static final Stages.Counter EXACT = Stages.counter("RayPolygon");
+    private static final StageCounters.Counter EXACT = StageCounters.counter("RayPolygon");
 
     private RayPolygon() {}
 

@@ -6,7 +6,7 @@ import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
 import robosim.geometry.exact.Filter;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 
 /**
@@ -15,7 +15,7 @@ import robosim.geometry.exact.VectorMath;
  */
 final class RayPrism {
     private static final double U = Filter.bound(VectorMath.U);
-    private static final Stages.Counter EXACT = Stages.counter("RayPrism");
+    private static final StageCounters.Counter EXACT = StageCounters.counter("RayPrism");
 
     private RayPrism() {}
 

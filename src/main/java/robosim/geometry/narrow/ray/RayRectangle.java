@@ -2,7 +2,7 @@ package robosim.geometry.narrow.ray;
 
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Filter;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.planar.DiscRectangle;
@@ -20,7 +20,7 @@ public final class RayRectangle {
     // each off by two of these bounds; the quotients that stand for them by 6u, which is less than two more.
     private static final double SURE = 16;
 
-    private static final Stages.Counter EXACT = Stages.counter("RayRectangle");
+    private static final StageCounters.Counter EXACT = StageCounters.counter("RayRectangle");
 
     private RayRectangle() {}
 

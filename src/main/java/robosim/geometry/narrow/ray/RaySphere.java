@@ -5,7 +5,7 @@ import static robosim.geometry.exact.VectorMath.UNDERFLOW;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
 import robosim.geometry.exact.Filter;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 
 /**
@@ -24,7 +24,7 @@ final class RaySphere {
     /** A component of m x d: offset 1u, product 1u, difference 1u. */
     private static final double ASIDE_ERROR = 4 * U;
 
-    private static final Stages.Counter EXACT = Stages.counter("RaySphere");
+    private static final StageCounters.Counter EXACT = StageCounters.counter("RaySphere");
 
     private RaySphere() {}
 

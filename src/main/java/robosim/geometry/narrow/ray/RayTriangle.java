@@ -6,7 +6,7 @@ import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
 import robosim.geometry.exact.Filter;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 
 /**
@@ -24,7 +24,7 @@ public final class RayTriangle {
     private static final double LAST_VOLUME_ERROR = 11 * U;
     private static final double REST_ERROR = 11 * U;
 
-    private static final Stages.Counter EXACT = Stages.counter("RayTriangle");
+    private static final StageCounters.Counter EXACT = StageCounters.counter("RayTriangle");
 
     private RayTriangle() {}
 

@@ -5,12 +5,12 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactMath;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /** The exact twin of {@link MovingAxes}: the same axes, whatever their number, decided without rounding. */
 public final class ExactAxes {
-    private static final Stages.Counter EXACT = Stages.counter("MovingAxes");
+    private static final StageCounters.Counter EXACT = StageCounters.counter("MovingAxes");
 
     private final ExactBody first;
     private final ExactBody second;

@@ -5,7 +5,7 @@ import java.util.List;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.Order;
+import robosim.geometry.narrow.leaf.PairOrder;
 
 /**
  * A point that two boxes or triangles have in common, with exact numbers. Slow.
@@ -29,7 +29,7 @@ public final class ExactCommon {
     public static boolean point(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double[] out) {
         ExactPolytope p = new ExactPolytope(kindA, a, i);
         ExactPolytope q = new ExactPolytope(kindB, b, j);
-        boolean reversed = Order.isReversed(kindA, a, i, kindB, b, j);
+        boolean reversed = PairOrder.isReversed(kindA, a, i, kindB, b, j);
         ExactCommon common = reversed ? new ExactCommon(q, p) : new ExactCommon(p, q);
         return common.find(out);
     }

@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.sat;
 
 import robosim.geometry.exact.Filter;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
@@ -31,7 +31,7 @@ public final class PolytopePolytope {
     /** Where underflow could count, doubles are not asked. */
     private static final double SMALL = Filter.bound(0x1p-900);
 
-    private static final Stages.Counter EXACT = Stages.counter("PolytopePolytope");
+    private static final StageCounters.Counter EXACT = StageCounters.counter("PolytopePolytope");
 
     private final Sides first = new Sides();
     private final Sides second = new Sides();

@@ -3,7 +3,7 @@ package robosim.geometry.narrow.sweep;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactMath;
 import robosim.geometry.exact.ExactVector;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.sat.ExactPolytope;
@@ -14,7 +14,7 @@ import robosim.geometry.narrow.sat.ExactSphere;
  * points within the radius of a corner, an edge or a side. Roots are compared by squaring. Slow.
  */
 final class ExactBall {
-    private static final Stages.Counter EXACT = Stages.counter("MovingBall");
+    private static final StageCounters.Counter EXACT = StageCounters.counter("MovingBall");
     private static final double NEVER = Double.POSITIVE_INFINITY;
 
     private final ExactVector centre;

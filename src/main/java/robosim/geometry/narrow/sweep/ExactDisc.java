@@ -3,7 +3,7 @@ package robosim.geometry.narrow.sweep;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactMath;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
@@ -13,9 +13,9 @@ import robosim.geometry.narrow.leaf.LeafKind;
  * <p>All coordinates are relative to the disc's centre at the start.
  */
 public final class ExactDisc {
-    private static final Stages.Counter EXACT = Stages.counter("MovingDisc");
+    private static final StageCounters.Counter EXACT = StageCounters.counter("MovingDisc");
 
-    private final ExactOutline outline;
+    private final ExactProjectedPolygon outline;
     private final Dyadic radius;
     private final Dyadic[] move;
 
@@ -29,7 +29,7 @@ public final class ExactDisc {
         }
     }
 
-    private ExactDisc(ExactOutline outline, Dyadic radius, Dyadic[] move, @Nullable Heights heights) {
+    private ExactDisc(ExactProjectedPolygon outline, Dyadic radius, Dyadic[] move, @Nullable Heights heights) {
         this.outline = outline;
         this.radius = radius;
         this.move = move;
@@ -48,15 +48,15 @@ public final class ExactDisc {
         if (kindB.isDisc()) {
             radius = radius.add(Dyadic.of(b[j + 3]));
         }
-        Dyadic[] centre = ExactOutline.pair(Dyadic.of(a[i]), Dyadic.of(a[i + 2]));
-        ExactOutline outline = ExactOutline.of(kindB, b, j).relative(centre, Dyadic.ONE);
-        Dyadic[] move = ExactOutline.pair(Dyadic.of(dx), Dyadic.of(dz));
+        Dyadic[] centre = ExactProjectedPolygon.pair(Dyadic.of(a[i]), Dyadic.of(a[i + 2]));
+        ExactProjectedPolygon outline = ExactProjectedPolygon.of(kindB, b, j).relative(centre, Dyadic.ONE);
+        Dyadic[] move = ExactProjectedPolygon.pair(Dyadic.of(dx), Dyadic.of(dz));
         return new ExactDisc(outline, radius, move, heights);
     }
 
     /** The answer of {@code translation} for this pair. */
     double time() {
-        Dyadic[] origin = ExactOutline.pair(Dyadic.ZERO, Dyadic.ZERO);
+        Dyadic[] origin = ExactProjectedPolygon.pair(Dyadic.ZERO, Dyadic.ZERO);
         boolean contact = contains(outline, origin, radius);
         if (heights == null) {
             return contact ? fromContact() : meets(outline, origin, move, radius) ? entry() : Double.POSITIVE_INFINITY;
@@ -66,7 +66,7 @@ public final class ExactDisc {
 
     /** Whether the two touch or overlap at the start, in the plane. */
     public boolean touches() {
-        return contains(outline, ExactOutline.pair(Dyadic.ZERO, Dyadic.ZERO), radius);
+        return contains(outline, ExactProjectedPolygon.pair(Dyadic.ZERO, Dyadic.ZERO), radius);
     }
 
     // Only while the heights touch, from enter / rate to leave / rate.
@@ -86,9 +86,9 @@ public final class ExactDisc {
         if (enter.compareTo(leave) > 0) {
             return Double.POSITIVE_INFINITY;
         }
-        ExactOutline scaled = outline.relative(ExactOutline.pair(Dyadic.ZERO, Dyadic.ZERO), rate);
-        Dyadic[] from = ExactOutline.scale(move, enter);
-        Dyadic[] to = ExactOutline.scale(move, leave);
+        ExactProjectedPolygon scaled = outline.relative(ExactProjectedPolygon.pair(Dyadic.ZERO, Dyadic.ZERO), rate);
+        Dyadic[] from = ExactProjectedPolygon.scale(move, enter);
+        Dyadic[] to = ExactProjectedPolygon.scale(move, leave);
         Dyadic reach = radius.multiply(rate);
         if (contains(scaled, from, reach)) {
             return ExactMath.floorQuotient(enter, rate);
@@ -100,14 +100,14 @@ public final class ExactDisc {
     }
 
     /** Whether a point lies within the radius of the outline. */
-    private static boolean contains(ExactOutline outline, Dyadic[] p, Dyadic radius) {
+    private static boolean contains(ExactProjectedPolygon outline, Dyadic[] p, Dyadic radius) {
         return isInside(outline, p) || meets(outline, p, p, radius);
     }
 
-    private static boolean isInside(ExactOutline outline, Dyadic[] p) {
+    private static boolean isInside(ExactProjectedPolygon outline, Dyadic[] p) {
         for (int k = 0; k < outline.normals().size(); k++) {
-            Dyadic[] away = ExactOutline.subtract(p, outline.corner(k));
-            if (ExactOutline.dot(outline.normals().get(k), away).signum() > 0) {
+            Dyadic[] away = ExactProjectedPolygon.subtract(p, outline.corner(k));
+            if (ExactProjectedPolygon.dot(outline.normals().get(k), away).signum() > 0) {
                 return false;
             }
         }
@@ -115,7 +115,7 @@ public final class ExactDisc {
     }
 
     /** Whether a segment comes within the radius of the outline's edges. */
-    private static boolean meets(ExactOutline outline, Dyadic[] from, Dyadic[] to, Dyadic radius) {
+    private static boolean meets(ExactProjectedPolygon outline, Dyadic[] from, Dyadic[] to, Dyadic radius) {
         Dyadic square = radius.square();
         for (int k = 0; k < outline.size(); k++) {
             Dyadic[] p = outline.corner(k);
@@ -132,18 +132,18 @@ public final class ExactDisc {
 
     /** Whether a point is no further than the root of {@code square} from a segment. */
     private static boolean isNear(Dyadic[] point, Dyadic[] from, Dyadic[] to, Dyadic square) {
-        Dyadic[] along = ExactOutline.subtract(to, from);
-        Dyadic[] away = ExactOutline.subtract(point, from);
-        Dyadic length = ExactOutline.dot(along, along);
-        Dyadic share = ExactOutline.dot(along, away);
+        Dyadic[] along = ExactProjectedPolygon.subtract(to, from);
+        Dyadic[] away = ExactProjectedPolygon.subtract(point, from);
+        Dyadic length = ExactProjectedPolygon.dot(along, along);
+        Dyadic share = ExactProjectedPolygon.dot(along, away);
         if (share.signum() <= 0 || length.signum() == 0) {
-            return ExactOutline.dot(away, away).compareTo(square) <= 0;
+            return ExactProjectedPolygon.dot(away, away).compareTo(square) <= 0;
         }
         if (share.compareTo(length) >= 0) {
-            Dyadic[] rest = ExactOutline.subtract(point, to);
-            return ExactOutline.dot(rest, rest).compareTo(square) <= 0;
+            Dyadic[] rest = ExactProjectedPolygon.subtract(point, to);
+            return ExactProjectedPolygon.dot(rest, rest).compareTo(square) <= 0;
         }
-        return ExactOutline.cross(along, away).square().compareTo(square.multiply(length)) <= 0;
+        return ExactProjectedPolygon.cross(along, away).square().compareTo(square.multiply(length)) <= 0;
     }
 
     private static boolean cross(Dyadic[] a, Dyadic[] b, Dyadic[] p, Dyadic[] q) {
@@ -151,7 +151,7 @@ public final class ExactDisc {
     }
 
     private static int side(Dyadic[] a, Dyadic[] b, Dyadic[] p) {
-        return ExactOutline.cross(ExactOutline.subtract(b, a), ExactOutline.subtract(p, a))
+        return ExactProjectedPolygon.cross(ExactProjectedPolygon.subtract(b, a), ExactProjectedPolygon.subtract(p, a))
                 .signum();
     }
 
@@ -168,10 +168,10 @@ public final class ExactDisc {
     }
 
     private double cornerTime(Dyadic[] corner) {
-        Dyadic beyond = ExactOutline.dot(corner, corner).subtract(radius.square());
-        Dyadic ahead = ExactOutline.dot(corner, move);
-        Dyadic square = ExactOutline.dot(move, move);
-        Dyadic aside = ExactOutline.cross(corner, move);
+        Dyadic beyond = ExactProjectedPolygon.dot(corner, corner).subtract(radius.square());
+        Dyadic ahead = ExactProjectedPolygon.dot(corner, move);
+        Dyadic square = ExactProjectedPolygon.dot(move, move);
+        Dyadic aside = ExactProjectedPolygon.cross(corner, move);
         Dyadic chord = radius.square().multiply(square).subtract(aside.square());
         if (ahead.signum() <= 0 || chord.signum() < 0) {
             return Double.POSITIVE_INFINITY;
@@ -192,17 +192,18 @@ public final class ExactDisc {
     private double edgeTime(int k) {
         Dyadic[] n = outline.normals().get(k);
         Dyadic[] p = outline.corner(k);
-        Dyadic[] edge = ExactOutline.subtract(outline.corner(k + 1), p);
-        Dyadic length = ExactOutline.dot(edge, edge);
-        Dyadic speed = ExactOutline.dot(n, move).negate();
-        Dyadic square = ExactOutline.dot(n, n);
-        Dyadic height = ExactOutline.dot(n, p).negate();
+        Dyadic[] edge = ExactProjectedPolygon.subtract(outline.corner(k + 1), p);
+        Dyadic length = ExactProjectedPolygon.dot(edge, edge);
+        Dyadic speed = ExactProjectedPolygon.dot(n, move).negate();
+        Dyadic square = ExactProjectedPolygon.dot(n, n);
+        Dyadic height = ExactProjectedPolygon.dot(n, p).negate();
         if (length.signum() == 0 || speed.signum() <= 0 || ExactMath.compareToRoot(height, radius, square) < 0) {
             return Double.POSITIVE_INFINITY;
         }
         // Times the speed, the foot is along the edge by a - b sqrt(square); past an end the corner's circle counts.
-        Dyadic along = ExactOutline.dot(move, edge);
-        Dyadic a = height.multiply(along).subtract(ExactOutline.dot(p, edge).multiply(speed));
+        Dyadic along = ExactProjectedPolygon.dot(move, edge);
+        Dyadic a = height.multiply(along)
+                .subtract(ExactProjectedPolygon.dot(p, edge).multiply(speed));
         Dyadic b = radius.multiply(along);
         if (ExactMath.compareToRoot(a, b, square) < 0
                 || ExactMath.compareToRoot(a.subtract(length.multiply(speed)), b, square) > 0) {
@@ -249,7 +250,7 @@ public final class ExactDisc {
     }
 
     private LeastWay leastWay() {
-        Dyadic[] origin = ExactOutline.pair(Dyadic.ZERO, Dyadic.ZERO);
+        Dyadic[] origin = ExactProjectedPolygon.pair(Dyadic.ZERO, Dyadic.ZERO);
         return isInside(outline, origin) ? wayFromInside() : wayFromOutside();
     }
 
@@ -259,9 +260,9 @@ public final class ExactDisc {
         boolean blocked = true;
         for (int k = 0; k < outline.normals().size(); k++) {
             Dyadic[] n = outline.normals().get(k);
-            Dyadic depth = ExactOutline.dot(n, outline.corner(k)).square();
-            Dyadic square = ExactOutline.dot(n, n);
-            boolean into = ExactOutline.dot(n, move).signum() < 0;
+            Dyadic depth = ExactProjectedPolygon.dot(n, outline.corner(k)).square();
+            Dyadic square = ExactProjectedPolygon.dot(n, n);
+            boolean into = ExactProjectedPolygon.dot(n, move).signum() < 0;
             int order = den.signum() == 0 ? -1 : depth.multiply(den).compareTo(num.multiply(square));
             if (order < 0) {
                 num = depth;
@@ -280,20 +281,21 @@ public final class ExactDisc {
         boolean blocked = true;
         for (int k = 0; k < outline.size(); k++) {
             Dyadic[] p = outline.corner(k);
-            Dyadic[] edge = ExactOutline.subtract(outline.corner(k + 1), p);
-            Dyadic length = ExactOutline.dot(edge, edge);
-            Dyadic share = ExactOutline.dot(p, edge).negate();
+            Dyadic[] edge = ExactProjectedPolygon.subtract(outline.corner(k + 1), p);
+            Dyadic length = ExactProjectedPolygon.dot(edge, edge);
+            Dyadic share = ExactProjectedPolygon.dot(p, edge).negate();
             // What is flat has an edge for either side, of which only the one that faces the centre counts.
             boolean face = share.signum() > 0
                     && share.compareTo(length) < 0
-                    && ExactOutline.dot(outline.normals().get(k), p).signum() <= 0;
-            Dyadic distance = face ? ExactOutline.cross(edge, p).square() : ExactOutline.dot(p, p);
+                    && ExactProjectedPolygon.dot(outline.normals().get(k), p).signum() <= 0;
+            Dyadic distance = face ? ExactProjectedPolygon.cross(edge, p).square() : ExactProjectedPolygon.dot(p, p);
             Dyadic square = face ? length : Dyadic.ONE;
             if (den.signum() == 0 || distance.multiply(den).compareTo(num.multiply(square)) < 0) {
                 num = distance;
                 den = square;
-                Dyadic[] inward = face ? ExactOutline.scale(outline.normals().get(k), Dyadic.ONE.negate()) : p;
-                blocked = ExactOutline.dot(inward, move).signum() > 0;
+                Dyadic[] inward =
+                        face ? ExactProjectedPolygon.scale(outline.normals().get(k), Dyadic.ONE.negate()) : p;
+                blocked = ExactProjectedPolygon.dot(inward, move).signum() > 0;
             }
         }
         return new LeastWay(false, num, den, blocked);

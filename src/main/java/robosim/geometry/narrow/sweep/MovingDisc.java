@@ -2,7 +2,7 @@ package robosim.geometry.narrow.sweep;
 
 import robosim.geometry.exact.DoubleDoubleSum;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.Outline;
+import robosim.geometry.narrow.leaf.ProjectedPolygon;
 import robosim.geometry.narrow.sat.AxisBody;
 import robosim.geometry.narrow.sat.DoubleDoubleCorner;
 import robosim.geometry.narrow.sat.MovingAxes;
@@ -47,11 +47,11 @@ final class MovingDisc {
     private double ox;
     private double oz;
 
-    private final double[] length = new double[Outline.MOST_CORNERS];
-    private final double[] height = new double[Outline.MOST_CORNERS];
+    private final double[] length = new double[ProjectedPolygon.MOST_CORNERS];
+    private final double[] height = new double[ProjectedPolygon.MOST_CORNERS];
 
     /** Time of contact of two discs; NaN if double-doubles cannot decide. */
-    double discs(double[] a, int i, double dx, double dz, double[] b, int j, Outline o) {
+    double discs(double[] a, int i, double dx, double dz, double[] b, int j, ProjectedPolygon o) {
         set(LeafKind.SPHERE, b, j, a[i], a[i + 2]);
         ball.move(a[i + 3], b[j + 3], dx, 0, dz);
         o.point(b[j] - ox, b[j + 2] - oz);
@@ -59,7 +59,7 @@ final class MovingDisc {
     }
 
     /** Time of contact of a disc with a polygon, whose outline is filled in; NaN if double-doubles cannot decide. */
-    double polygon(double[] a, int i, double dx, double dz, LeafKind kindB, double[] b, int j, Outline o) {
+    double polygon(double[] a, int i, double dx, double dz, LeafKind kindB, double[] b, int j, ProjectedPolygon o) {
         set(kindB, b, j, a[i], a[i + 2]);
         ball.move(a[i + 3], 0, dx, 0, dz);
         o.load(kindB, b, j, ox, oz);
@@ -74,7 +74,7 @@ final class MovingDisc {
         oz = originZ;
     }
 
-    private double time(Outline o, double radius, double dx, double dz) {
+    private double time(ProjectedPolygon o, double radius, double dx, double dz) {
         contact = false;
         if (o.size + radius < MINUTE) {
             return Double.NaN;
@@ -123,7 +123,7 @@ final class MovingDisc {
     }
 
     /** Enters the offset lines through one of them: beside its edge, or past an end, where the corner is round. */
-    private double through(Outline o, int k, double lo, double hi, double radius, double dx, double dz) {
+    private double through(ProjectedPolygon o, int k, double lo, double hi, double radius, double dx, double dz) {
         int next = k + 1 == o.corners ? 0 : k + 1;
         if (o.x[k] == o.x[next] && o.z[k] == o.z[next]) {
             return corner(o, k, radius, dx, dz);
@@ -141,7 +141,7 @@ final class MovingDisc {
      * one line, as those of a tilted box do, beside the other one. What comes from outside and touches an edge between its
      * ends has touched nothing before.
      */
-    private double pastEnd(Outline o, int other, int corner, double radius, double dx, double dz) {
+    private double pastEnd(ProjectedPolygon o, int other, int corner, double radius, double dx, double dz) {
         double nx = o.nx[other];
         double nz = o.nz[other];
         double v = nx * dx + nz * dz;
@@ -155,7 +155,7 @@ final class MovingDisc {
     }
 
     /** Where the centre is as seen from an edge when it reaches the edge's line, between two times. */
-    private static int place(Outline o, int k, double lo, double hi, double dx, double dz) {
+    private static int place(ProjectedPolygon o, int k, double lo, double hi, double dx, double dz) {
         int next = k + 1 == o.corners ? 0 : k + 1;
         double ex = o.x[next] - o.x[k];
         double ez = o.z[next] - o.z[k];
@@ -178,7 +178,7 @@ final class MovingDisc {
         return share > e && share < square - e && hi <= 1 ? BESIDE : UNCERTAIN;
     }
 
-    private double beside(Outline o, int k, int next) {
+    private double beside(ProjectedPolygon o, int k, int next) {
         DoubleDoubleSum[] normal = ball.along;
         find(o.source[k], ball.point);
         if (kind == LeafKind.TRIANGLE) {
@@ -202,7 +202,7 @@ final class MovingDisc {
      * Time of contact with the circle around a corner. That no other part of the polygon is met first, or instead, is
      * proven for each answer and not taken from the way to this corner.
      */
-    private double corner(Outline o, int k, double radius, double dx, double dz) {
+    private double corner(ProjectedPolygon o, int k, double radius, double dx, double dz) {
         contact = false;
         double size = o.size;
         if (size + radius < MINUTE) {
@@ -256,7 +256,7 @@ final class MovingDisc {
     }
 
     /** Infinite where the polygon stays beyond the disc in a direction from beginning to end, else NaN. */
-    private static double freeAlong(Outline o, double wx, double wz, double radius, double dx, double dz) {
+    private static double freeAlong(ProjectedPolygon o, double wx, double wz, double radius, double dx, double dz) {
         double l = Math.sqrt(wx * wx + wz * wz);
         double most = Math.min(0, wx * dx + wz * dz) - radius * l;
         double e = ROUNDOFF * ((Math.abs(wx) + Math.abs(wz)) * (o.size + Math.abs(dx) + Math.abs(dz)) + 2 * radius * l)
@@ -270,7 +270,7 @@ final class MovingDisc {
     }
 
     /** Whether a corner is for certain the polygon's nearest point to what lies from it in a direction. */
-    private boolean isNearest(Outline o, int k, double wx, double wz, double size) {
+    private boolean isNearest(ProjectedPolygon o, int k, double wx, double wz, double size) {
         for (int m = 0; m < o.corners; m++) {
             double ex = o.x[m] - o.x[k];
             double ez = o.z[m] - o.z[k];
@@ -284,7 +284,7 @@ final class MovingDisc {
     }
 
     /** Whether two corners are one and the same point. */
-    private boolean isSame(Outline o, int k, int m) {
+    private boolean isSame(ProjectedPolygon o, int k, int m) {
         if (o.source[k] == o.source[m]) {
             return true;
         }
@@ -298,7 +298,7 @@ final class MovingDisc {
     }
 
     /** Between the offset lines but outside the polygon: near an edge, or at a corner and perhaps clear of it. */
-    private double besideOrIn(Outline o, double radius, double dx, double dz) {
+    private double besideOrIn(ProjectedPolygon o, double radius, double dx, double dz) {
         double nearest = Double.POSITIVE_INFINITY;
         int place = 0;
         boolean face = false;
@@ -337,7 +337,7 @@ final class MovingDisc {
         return blockedWhere(-(o.nx[place] * dx + o.nz[place] * dz), ROUNDOFF * span, span);
     }
 
-    private double inside(Outline o, double radius, double dx, double dz) {
+    private double inside(ProjectedPolygon o, double radius, double dx, double dz) {
         double least = Double.POSITIVE_INFINITY;
         for (int k = 0; k < o.corners; k++) {
             double e = ROUNDOFF * (Math.abs(o.nx[k]) + Math.abs(o.nz[k])) * o.size + TINY;

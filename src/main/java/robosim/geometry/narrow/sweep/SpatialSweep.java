@@ -3,7 +3,7 @@ package robosim.geometry.narrow.sweep;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.Upright;
-import robosim.geometry.narrow.overlap.Levels;
+import robosim.geometry.narrow.overlap.HeightIntervals;
 import robosim.geometry.narrow.sat.AxisBody;
 import robosim.geometry.narrow.sat.ExactAxes;
 
@@ -32,7 +32,7 @@ public final class SpatialSweep {
             double[] b,
             int j,
             SweepScratch s) {
-        if (Levels.parts(kindA, a, i, dy, kindB, b, j, s)) {
+        if (HeightIntervals.parts(kindA, a, i, dy, kindB, b, j, s)) {
             return Double.POSITIVE_INFINITY;
         }
         if (kindA.isPolytope() && kindB.isPolytope()) {

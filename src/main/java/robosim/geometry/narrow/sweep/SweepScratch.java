@@ -5,11 +5,11 @@ import robosim.geometry.narrow.distance.DistanceScratch;
 
 /** The working memory of straight sweeps. */
 public class SweepScratch extends DistanceScratch {
-    private @Nullable SweepKernels sweep;
+    private @Nullable SweepWorkspace sweep;
 
-    public SweepKernels sweep() {
+    public SweepWorkspace sweep() {
         if (sweep == null) {
-            sweep = new SweepKernels();
+            sweep = new SweepWorkspace();
         }
         return sweep;
     }

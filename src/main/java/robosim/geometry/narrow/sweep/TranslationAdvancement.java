@@ -6,10 +6,10 @@ import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.gjk.GjkScratch;
 import robosim.geometry.narrow.gjk.Penetration;
 import robosim.geometry.narrow.gjk.Support;
-import robosim.geometry.narrow.leaf.Facets;
+import robosim.geometry.narrow.leaf.FeatureDirections;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.Poses;
+import robosim.geometry.narrow.leaf.MovedLeaf;
 import robosim.geometry.narrow.sat.AxisBody;
 import robosim.geometry.narrow.sat.ExactFeatures;
 
@@ -52,8 +52,8 @@ final class TranslationAdvancement {
     private static final double WIDE = 0x1p-6;
     private static final double NARROW = 0x1p-24;
 
-    private final Facets facetsA = new Facets();
-    private final Facets facetsB = new Facets();
+    private final FeatureDirections facetsA = new FeatureDirections();
+    private final FeatureDirections facetsB = new FeatureDirections();
     private final double[] pose = new double[Leaf.STRIDE];
     private double error;
 
@@ -83,7 +83,7 @@ final class TranslationAdvancement {
             if (t > 1) {
                 return Double.POSITIVE_INFINITY;
             }
-            Poses.moved(kindA, a, i, t * dx, t * vy, t * dz, pose);
+            MovedLeaf.moved(kindA, a, i, t * dx, t * vy, t * dz, pose);
             if (planar) {
                 gjk.planar(kindA, pose, 0, kindB, b, j);
             } else {
@@ -190,7 +190,7 @@ final class TranslationAdvancement {
         return end;
     }
 
-    private double sides(Facets facets, double dx, double dy, double dz, double t) {
+    private double sides(FeatureDirections facets, double dx, double dy, double dz, double t) {
         double end = 0;
         for (int k = 0; k < facets.faces; k++) {
             end = Math.max(end, both(facets.faceX[k], facets.faceY[k], facets.faceZ[k], 0, dx, dy, dz, t));
@@ -199,7 +199,7 @@ final class TranslationAdvancement {
     }
 
     /** What of the direction found is square to each edge. */
-    private double edges(Facets facets, Gjk gjk, double dx, double dy, double dz, double t) {
+    private double edges(FeatureDirections facets, Gjk gjk, double dx, double dy, double dz, double t) {
         double end = 0;
         for (int k = 0; k < facets.edges; k++) {
             double ex = facets.edgeX[k];

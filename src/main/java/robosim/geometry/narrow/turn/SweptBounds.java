@@ -58,7 +58,7 @@ public final class SweptBounds {
         double sign = degrees < 0 ? -1 : 1;
         body.load(kind, row, at, px, py, pz, wx, wy, wz);
         // The stored end is at that angle to within rounding.
-        double angle = Degrees.toRadians(Math.abs(degrees)) * (1 + 0x1p-50) + TurnOutline.MARGIN;
+        double angle = Degrees.toRadians(Math.abs(degrees)) * (1 + 0x1p-50) + TurningPolygon.MARGIN;
         for (int k = 0; k < 3; k++) {
             double x = k == 0 ? 1 : 0;
             double y = k == 1 ? 1 : 0;
@@ -94,7 +94,7 @@ public final class SweptBounds {
         TurnBody body = s.turns().body;
         double sign = degrees < 0 ? -1 : 1;
         body.load(kind, row, at, px, py, pz, wx, wy, wz);
-        double angle = Degrees.toRadians(Math.abs(degrees)) * (1 + 0x1p-50) + TurnOutline.MARGIN;
+        double angle = Degrees.toRadians(Math.abs(degrees)) * (1 + 0x1p-50) + TurningPolygon.MARGIN;
         for (int k = 0; k < 2; k++) {
             double z = k == 0 ? HALF_ROOT : -HALF_ROOT;
             double pivot = HALF_ROOT * px + z * pz;

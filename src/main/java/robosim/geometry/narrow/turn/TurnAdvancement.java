@@ -5,10 +5,10 @@ import robosim.geometry.exact.Radians;
 import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.gjk.GjkScratch;
 import robosim.geometry.narrow.gjk.Penetration;
-import robosim.geometry.narrow.leaf.Facets;
+import robosim.geometry.narrow.leaf.FeatureDirections;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.Poses;
+import robosim.geometry.narrow.leaf.MovedLeaf;
 
 /**
  * A leaf of any kind turned about any axis, against one at rest: conservative advancement with fixed separating axes.
@@ -16,7 +16,7 @@ import robosim.geometry.narrow.leaf.Poses;
  * <p>At an angle a separating axis is found and kept fixed, once in the world, where the mover's points follow
  * sinusoids, and once in the mover, where the other's do. The turn is free for as long as the better of the two still
  * separates; then the next axis is searched. If that is soon, the normals of sides, the directions perpendicular to an
- * edge of each ({@link AcrossTurn}), which turn with both, and the axis made perpendicular to each edge are tried too.
+ * edge of each ({@link EdgeCrossTurn}), which turn with both, and the axis made perpendicular to each edge are tried too.
  * For polytopes these are all axes of the separating-axis theorem, each for as long as it separates; for round shapes
  * the loss from a fixed axis grows with the square of the angle. Only these axes prove anything, with all rounding
  * counted; how they are found does not matter. From contact the same is done with the depth at the start allowed for.
@@ -51,9 +51,9 @@ final class TurnAdvancement {
     private final double[] pose = new double[Leaf.STRIDE];
     private final double[] box = new double[Leaf.STRIDE];
 
-    private final Facets ofRest = new Facets();
-    private final Facets ofMover = new Facets();
-    private final AcrossTurn across = new AcrossTurn();
+    private final FeatureDirections ofRest = new FeatureDirections();
+    private final FeatureDirections ofMover = new FeatureDirections();
+    private final EdgeCrossTurn across = new EdgeCrossTurn();
     private boolean haveFacets;
     private int steps;
 
@@ -91,7 +91,7 @@ final class TurnAdvancement {
         mover.load(kindA, a, i, px, py, pz, wx, wy, wz);
         rest.load(kindB, b, j, px, py, pz, wx, wy, wz);
         double angle = Degrees.toRadians(Math.abs(degrees));
-        double wanted = angle * (1 + 0x1p-50) + TurnOutline.MARGIN;
+        double wanted = angle * (1 + 0x1p-50) + TurningPolygon.MARGIN;
         double t = 0;
         double depth = 0;
         haveFacets = false;
@@ -103,7 +103,7 @@ final class TurnAdvancement {
                 return 0;
             }
         }
-        LeafKind kind = Poses.turnedKind(kindA);
+        LeafKind kind = MovedLeaf.turnedKind(kindA);
         for (steps = 0; steps < MOST_STEPS; steps++) {
             if (t >= wanted || t >= FULL) {
                 return Double.POSITIVE_INFINITY;
@@ -181,9 +181,9 @@ final class TurnAdvancement {
         if (kind == LeafKind.PRISM) {
             // Its box, which is good enough for finding axes.
             boxOf(row, at);
-            Poses.turned(LeafKind.UPRIGHT_BOX, box, 0, px, py, pz, wx, wy, wz, cos, sin, pose);
+            MovedLeaf.turned(LeafKind.UPRIGHT_BOX, box, 0, px, py, pz, wx, wy, wz, cos, sin, pose);
         } else {
-            Poses.turned(kind, row, at, px, py, pz, wx, wy, wz, cos, sin, pose);
+            MovedLeaf.turned(kind, row, at, px, py, pz, wx, wy, wz, cos, sin, pose);
         }
     }
 

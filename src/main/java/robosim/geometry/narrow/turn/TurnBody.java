@@ -226,7 +226,7 @@ final class TurnBody {
             }
             // Whatever falls no faster than this comes later than another in any case.
             if (!(t + 0.5 * above / (Math.abs(p) + Math.abs(q)) > end)) {
-                end = Math.min(end, t + TurnOutline.beyond(p, q, c, t));
+                end = Math.min(end, t + TurningPolygon.beyond(p, q, c, t));
             }
         }
         return end;
@@ -242,10 +242,10 @@ final class TurnBody {
                 double constant = limit + radius * rim.constant;
                 end = Math.max(end, pointsUntil(constant, radius * rim.cosine, radius * rim.sine, t));
             }
-            for (double arc = SOON; arc > end - t && arc > TurnOutline.MARGIN; arc *= SOON) {
+            for (double arc = SOON; arc > end - t && arc > TurningPolygon.MARGIN; arc *= SOON) {
                 end = Math.max(end, Math.min(t + arc, pointsUntil(limit + radius * rim.soon(t, arc), 0, 0, t)));
             }
-            if (!(end - t > TurnOutline.MARGIN)) {
+            if (!(end - t > TurningPolygon.MARGIN)) {
                 break;
             }
             t = end;
@@ -273,8 +273,8 @@ final class TurnBody {
 
     private static boolean passes(double angle, double from, double to) {
         double ahead = Math.IEEEremainder(angle - from, FULL);
-        ahead = ahead < -TurnOutline.MARGIN ? ahead + FULL : ahead;
-        return ahead <= to - from + TurnOutline.MARGIN;
+        ahead = ahead < -TurningPolygon.MARGIN ? ahead + FULL : ahead;
+        return ahead <= to - from + TurningPolygon.MARGIN;
     }
 
     /** From angle 0: how long no part of the leaf lies further back along the direction than its least does now. */
@@ -288,7 +288,7 @@ final class TurnBody {
             if (above > 2 * e) {
                 continue;
             }
-            end = Math.min(end, rims ? rimRising(m, e) : TurnOutline.rising(a[m], b[m], e));
+            end = Math.min(end, rims ? rimRising(m, e) : TurningPolygon.rising(a[m], b[m], e));
         }
         return end > 0 ? Math.min(end, others(floor, e, end)) : 0;
     }
@@ -301,7 +301,7 @@ final class TurnBody {
         for (int m = 0; m < points; m++) {
             if (k[m] + a[m] - margin - reach - floor > 2 * e) {
                 double limit = floor + margin + most + e - k[m];
-                free = Math.min(free, a[m] > limit ? TurnOutline.beyond(a[m], b[m], limit, 0) : 0);
+                free = Math.min(free, a[m] > limit ? TurningPolygon.beyond(a[m], b[m], limit, 0) : 0);
             }
         }
         return free;

@@ -5,11 +5,11 @@ import robosim.geometry.narrow.sweep.SweepScratch;
 
 /** The working memory of turns. */
 public class TurnScratch extends SweepScratch {
-    private @Nullable TurnKernels turns;
+    private @Nullable TurnWorkspace turns;
 
-    public TurnKernels turns() {
+    public TurnWorkspace turns() {
         if (turns == null) {
-            turns = new TurnKernels();
+            turns = new TurnWorkspace();
         }
         return turns;
     }

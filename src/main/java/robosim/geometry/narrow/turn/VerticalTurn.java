@@ -2,7 +2,7 @@ package robosim.geometry.narrow.turn;
 
 import robosim.geometry.exact.Degrees;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.Outline;
+import robosim.geometry.narrow.leaf.ProjectedPolygon;
 import robosim.geometry.narrow.sat.AxisBody;
 import robosim.geometry.narrow.sat.ExactAxes;
 import robosim.geometry.narrow.sweep.ExactDisc;
@@ -12,11 +12,11 @@ import robosim.geometry.narrow.sweep.ExactDisc;
  * decides contacts at the start.
  */
 final class VerticalTurn {
-    private final Outline mover = new Outline();
-    private final Outline rest = new Outline();
-    private final Outline point = new Outline();
-    private final TurnOutline polygons = new TurnOutline();
-    private final TurnDisc disc = new TurnDisc();
+    private final ProjectedPolygon mover = new ProjectedPolygon();
+    private final ProjectedPolygon rest = new ProjectedPolygon();
+    private final ProjectedPolygon point = new ProjectedPolygon();
+    private final TurningPolygon polygons = new TurningPolygon();
+    private final TurningDisc disc = new TurningDisc();
 
     // -1 where the plane is mirrored, so that the turn goes from x towards z.
     private int sign;
@@ -48,7 +48,7 @@ final class VerticalTurn {
         load(mover, kindA, a, i, px, pz);
         load(rest, kindB, b, j, px, pz);
         // The stored end is that angle to rounding.
-        double wanted = angle * (1 + 0x1p-50) + TurnOutline.MARGIN;
+        double wanted = angle * (1 + 0x1p-50) + TurningPolygon.MARGIN;
         double free;
         if (kindA.isDisc()) {
             double radius = a[i + 3] + (kindB.isDisc() ? b[j + 3] : 0);
@@ -66,7 +66,7 @@ final class VerticalTurn {
                 : Math.min(Math.nextDown(1.0), Math.max(0, free / angle * (1 - 0x1p-50)));
     }
 
-    private void load(Outline outline, LeafKind kind, double[] row, int at, double px, double pz) {
+    private void load(ProjectedPolygon outline, LeafKind kind, double[] row, int at, double px, double pz) {
         if (kind.isDisc()) {
             outline.point(row[at] - px, row[at + 2] - pz);
         } else {
@@ -97,7 +97,7 @@ final class VerticalTurn {
     private double round(
             double x,
             double z,
-            Outline outline,
+            ProjectedPolygon outline,
             double radius,
             double[] a,
             int i,

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.viewer.scene.Footprint;
 import robosim.geometry.viewer.scene.MapFrame;
-import robosim.geometry.viewer.scene.Outline;
 import robosim.geometry.viewer.scene.Scene;
 
 /** Paints names next to or on their objects where there is room; no label covers another. */
@@ -86,7 +86,7 @@ final class LabelPainter {
     }
 
     /** An object that lies over those still to be labelled. */
-    private record Cover(List<Outline> outlines, Bounds bounds) {
+    private record Cover(List<Footprint> outlines, Bounds bounds) {
         boolean isApart(double fromX, double fromZ, double toX, double toZ) {
             return toX < bounds.minX() || bounds.maxX() < fromX || toZ < bounds.minZ() || bounds.maxZ() < fromZ;
         }
@@ -99,7 +99,7 @@ final class LabelPainter {
         if (name != null) {
             upon(name, bounds, above);
         }
-        above.add(new Cover(Outline.of(object), bounds));
+        above.add(new Cover(Footprint.of(object), bounds));
     }
 
     private void upon(String name, Bounds bounds, List<Cover> above) {
@@ -125,8 +125,8 @@ final class LabelPainter {
                 int column = k / 2;
                 double at = fromX + (toX - fromX) * column / (SAMPLES - 1.0);
                 double z = k % 2 == 0 ? fromZ : toZ;
-                for (Outline outline : cover.outlines) {
-                    if (Outline.depth(outline, at, z) >= 0) {
+                for (Footprint outline : cover.outlines) {
+                    if (Footprint.depth(outline, at, z) >= 0) {
                         return true;
                     }
                 }

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.viewer.scene.Footprint;
 import robosim.geometry.viewer.scene.MapFrame;
-import robosim.geometry.viewer.scene.Outline;
 import robosim.geometry.viewer.scene.Scene;
 
 /** Paints objects: the area that they cover, and for moveable ones the forward direction. */
@@ -36,7 +36,7 @@ final class ThingPainter {
 
     static void paintMoveable(Scene.Thing thing, Ink ink, MapFrame frame, Canvas canvas) {
         GeometryObject object = thing.object();
-        List<Outline> outlines = Outline.of(object);
+        List<Footprint> outlines = Footprint.of(object);
         canvas.open("moveable " + object.kind().word(), text(object));
         // The light edge lies below the colour, so it cannot hide even a small object.
         draw(outlines, Style.line(Palette.FLOOR, 2 * HALO, 1), frame, canvas);
@@ -56,7 +56,7 @@ final class ThingPainter {
      * else a small one in the object's colour, visible on the floor.
      */
     private static void paintHeading(
-            GeometryObject object, List<Outline> outlines, Ink ink, MapFrame frame, Canvas canvas) {
+            GeometryObject object, List<Footprint> outlines, Ink ink, MapFrame frame, Canvas canvas) {
         double[] rotation = object.rotation();
         // Forward is the object's own X; if it points straight up there is no arrow.
         double fx = rotation[0];
@@ -66,10 +66,11 @@ final class ThingPainter {
             return;
         }
         double depth = 0;
-        for (Outline outline : outlines) {
+        for (Footprint outline : outlines) {
             depth = Math.max(
                     depth,
-                    Outline.depth(outline, object.center().x(), object.center().z()));
+                    Footprint.depth(
+                            outline, object.center().x(), object.center().z()));
         }
         double room = 0.72 * frame.scale * depth;
         double x = frame.x(object.center());
@@ -101,17 +102,17 @@ final class ThingPainter {
     }
 
     static void draw(GeometryObject object, Style style, MapFrame frame, Canvas canvas) {
-        draw(Outline.of(object), style, frame, canvas);
+        draw(Footprint.of(object), style, frame, canvas);
     }
 
-    private static void draw(List<Outline> outlines, Style style, MapFrame frame, Canvas canvas) {
+    private static void draw(List<Footprint> outlines, Style style, MapFrame frame, Canvas canvas) {
         List<double[]> polygons = new ArrayList<>();
-        for (Outline outline : outlines) {
-            if (outline instanceof Outline.Disc disc) {
+        for (Footprint outline : outlines) {
+            if (outline instanceof Footprint.Disc disc) {
                 // At least as large as the smallest visible dot.
                 double radius = Math.max(1.2, disc.radius() * frame.scale);
                 canvas.circle(frame.x(disc.x()), frame.y(disc.z()), radius, style);
-            } else if (outline instanceof Outline.Polygon polygon) {
+            } else if (outline instanceof Footprint.Polygon polygon) {
                 polygons.add(frame.toPage(polygon.corners()));
             }
         }

@@ -31,11 +31,11 @@ public final class Heights {
 
     /** The largest Y of an object. */
     public static double top(GeometryObject object) {
-        return top(object, new Outline.Frame(new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1}, new Point()));
+        return top(object, new Footprint.Frame(new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1}, new Point()));
     }
 
-    private static double top(GeometryObject object, Outline.Frame outer) {
-        Outline.Frame frame = outer.then(object);
+    private static double top(GeometryObject object, Footprint.Frame outer) {
+        Footprint.Frame frame = outer.then(object);
         return switch (object.kind()) {
             case BOX -> {
                 BoxObject box = (BoxObject) object;

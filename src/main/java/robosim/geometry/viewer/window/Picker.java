@@ -3,8 +3,8 @@ package robosim.geometry.viewer.window;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.GeometryObject;
+import robosim.geometry.viewer.scene.Footprint;
 import robosim.geometry.viewer.scene.Heights;
-import robosim.geometry.viewer.scene.Outline;
 import robosim.geometry.viewer.scene.Scene;
 
 /** Finds the object at a point of the floor. */
@@ -50,10 +50,10 @@ final class Picker {
     /** The distance of a point from an object's projection on the floor; 0 on it. Exact only below {@code limit}. */
     private static double distance(GeometryObject object, double x, double z, double limit) {
         double least = Double.POSITIVE_INFINITY;
-        for (Outline outline : Outline.of(object)) {
-            if (outline instanceof Outline.Disc disc) {
+        for (Footprint outline : Footprint.of(object)) {
+            if (outline instanceof Footprint.Disc disc) {
                 least = Math.min(least, Math.max(0, StrictMath.hypot(x - disc.x(), z - disc.z()) - disc.radius()));
-            } else if (outline instanceof Outline.Polygon polygon) {
+            } else if (outline instanceof Footprint.Polygon polygon) {
                 least = Math.min(least, distance(polygon.corners(), x, z));
             }
             if (least == 0) {

@@ -15,7 +15,7 @@ class TilesTest {
 
     private final SplittableRandom random = new SplittableRandom(3);
     private final double[] boxes = new double[6 * COUNT];
-    private final double[] outlines = Outline.rows(COUNT, 0);
+    private final double[] outlines = OrientedRectangle.rows(COUNT, 0);
     private final BitSet listed = new BitSet();
 
     @ParameterizedTest
@@ -73,7 +73,7 @@ class TilesTest {
         boxes[at + 2] = Math.max(0, isRound ? Math.rint(z) : z);
         boxes[at + 3] = Math.min(SIDE, boxes[at] + (random.nextInt(20) == 0 ? 5 : random.nextInt(3) * 0.5));
         boxes[at + 5] = Math.min(SIDE, boxes[at + 2] + random.nextInt(3) * 0.5);
-        Outline.write(outlines, id, boxes[at], boxes[at + 2], boxes[at + 3], boxes[at + 5]);
+        OrientedRectangle.write(outlines, id, boxes[at], boxes[at + 2], boxes[at + 3], boxes[at + 5]);
     }
 
     private int assertFinds(Tiles tiles, TileProbe probe) {

@@ -14,7 +14,7 @@ import robosim.geometry.narrow.Overlap;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.OwnLeaves;
+import robosim.geometry.narrow.leaf.LocalLeaves;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
 
 /** Two meshes' trees descended together against every pair of their triangles. */
@@ -31,10 +31,10 @@ class MeshPairsTest {
         for (int trial = 0; trial < 120; trial++) {
             MeshObject one = placed(family.mesh(random), random.nextInt(5), random);
             MeshObject two = placed(family.mesh(random), random.nextInt(5), random);
-            LeafColumn a = OwnLeaves.placed(one);
+            LeafColumn a = LocalLeaves.placed(one);
             double[][] rowsA = MeshRayTest.rows(a);
             two = brought(two, rowsA, trial, family, random);
-            LeafColumn b = OwnLeaves.placed(two);
+            LeafColumn b = LocalLeaves.placed(two);
             double[][] rowsB = MeshRayTest.rows(b);
             boolean truth = false;
             for (int p = 0; p < rowsA.length && !truth; p++) {
@@ -85,7 +85,7 @@ class MeshPairsTest {
     /** Moved so that a corner of it lies on a corner of the other one, or beside it, and the rest mostly on the far side. */
     private static MeshObject brought(
             MeshObject mesh, double[][] rows, int trial, MeshRayTest.Family family, SplittableRandom random) {
-        double[][] own = MeshRayTest.rows(OwnLeaves.placed(mesh));
+        double[][] own = MeshRayTest.rows(LocalLeaves.placed(mesh));
         int axis = trial % 3;
         double[] highest = extreme(rows, axis, 1);
         double[] lowest = extreme(own, axis, -1);
@@ -122,12 +122,12 @@ class MeshPairsTest {
             MeshObject small = triangle(unit);
             for (MeshRayTest.Family family : MeshRayTest.Family.values()) {
                 MeshObject mesh = family.mesh(random).turned(random.nextDouble(360), 20);
-                double[] t = MeshRayTest.rows(OwnLeaves.placed(mesh))[0];
-                LeafColumn a = OwnLeaves.placed(mesh);
-                LeafColumn b = OwnLeaves.placed(small.movedTo(new Point(t[0], t[1], t[2])));
+                double[] t = MeshRayTest.rows(LocalLeaves.placed(mesh))[0];
+                LeafColumn a = LocalLeaves.placed(mesh);
+                LeafColumn b = LocalLeaves.placed(small.movedTo(new Point(t[0], t[1], t[2])));
                 assertThat(Overlap.test(Dimension.SPATIAL, a, 0, b, 0, scratch)).isTrue();
                 assertThat(Overlap.test(Dimension.SPATIAL, b, 0, a, 0, scratch)).isTrue();
-                LeafColumn away = OwnLeaves.placed(small.movedTo(new Point(0x1p99, 0, 0)));
+                LeafColumn away = LocalLeaves.placed(small.movedTo(new Point(0x1p99, 0, 0)));
                 assertThat(Overlap.test(Dimension.SPATIAL, a, 0, away, 0, scratch))
                         .isFalse();
             }

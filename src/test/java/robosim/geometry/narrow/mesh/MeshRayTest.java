@@ -19,7 +19,7 @@ import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.OwnLeaves;
+import robosim.geometry.narrow.leaf.LocalLeaves;
 import robosim.geometry.narrow.leaf.UnderflowScaling;
 import robosim.geometry.narrow.ray.SpatialRay;
 
@@ -110,7 +110,7 @@ class MeshRayTest {
         int rays = 0;
         for (int trial = 0; trial < 10; trial++) {
             MeshObject mesh = placed(family.mesh(random), trial % 5, family.size(), random);
-            LeafColumn column = OwnLeaves.placed(mesh);
+            LeafColumn column = LocalLeaves.placed(mesh);
             double[][] rows = rows(column);
             for (int k = 0; k < 150; k++) {
                 double[] ray = ray(rows, k, family.size(), random);
@@ -226,7 +226,7 @@ class MeshRayTest {
         }
         MeshObject mesh = new MeshObject(vertices, faces.toArray(new int[0][])).turned(21, 37);
         for (MeshObject surface : List.of(mesh, mesh.movedTo(new Point(1000, -300, 7)))) {
-            LeafColumn column = OwnLeaves.placed(surface);
+            LeafColumn column = LocalLeaves.placed(surface);
             double[][] rows = rows(column);
             Point c = surface.center();
             for (int k = 0; k < 20_000; k++) {

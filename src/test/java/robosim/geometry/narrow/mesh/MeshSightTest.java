@@ -15,7 +15,7 @@ import robosim.geometry.narrow.cone.PlanarCone;
 import robosim.geometry.narrow.cone.SpatialCone;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.OwnLeaves;
+import robosim.geometry.narrow.leaf.LocalLeaves;
 import robosim.geometry.narrow.leaf.UnderflowScaling;
 import robosim.geometry.narrow.ray.PlanarRay;
 
@@ -51,7 +51,7 @@ class MeshSightTest {
         int beams = 0;
         for (int trial = 0; trial < 10; trial++) {
             MeshObject mesh = MeshRayTest.placed(family.mesh(random), trial % 5, family.size(), random);
-            LeafColumn column = OwnLeaves.placed(mesh);
+            LeafColumn column = LocalLeaves.placed(mesh);
             double[][] rows = MeshRayTest.rows(column);
             for (int k = 0; k < BEAMS; k++) {
                 double[] ray = beam(rows, k, dimension, family.size(), random);

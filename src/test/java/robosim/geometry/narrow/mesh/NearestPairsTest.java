@@ -16,7 +16,7 @@ import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.OwnLeaves;
+import robosim.geometry.narrow.leaf.LocalLeaves;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
 
 class NearestPairsTest {
@@ -52,8 +52,8 @@ class NearestPairsTest {
 
     @Test
     void stepsAllocateNothingOnceTheQueueHasGrown() {
-        LeafColumn a = OwnLeaves.placed(crowd(500, 1).turned(10, 20));
-        LeafColumn b = OwnLeaves.placed(crowd(500, 2).movedTo(new Point(2.9, 0.2, 0.1)));
+        LeafColumn a = LocalLeaves.placed(crowd(500, 1).turned(10, 20));
+        LeafColumn b = LocalLeaves.placed(crowd(500, 2).movedTo(new Point(2.9, 0.2, 0.1)));
         NearestPairs pairs = new NearestPairs(new Scratch());
         long steps = steps(pairs, a, b);
         assertThat(pairs.touches()).isFalse();
@@ -68,8 +68,8 @@ class NearestPairsTest {
 
     @Test
     void findingContactsAllocatesNothingOnceThereIsRoom() {
-        LeafColumn a = OwnLeaves.placed(crowd(500, 3).turned(10, 20));
-        LeafColumn b = OwnLeaves.placed(crowd(500, 4).movedTo(new Point(1, 0.2, 0.1)));
+        LeafColumn a = LocalLeaves.placed(crowd(500, 3).turned(10, 20));
+        LeafColumn b = LocalLeaves.placed(crowd(500, 4).movedTo(new Point(1, 0.2, 0.1)));
         ContactPairs pairs = new ContactPairs(new Scratch());
         pairs.find(Dimension.SPATIAL, a, b, Integer.MAX_VALUE);
         assertThat(pairs.count()).isGreaterThan(50);
@@ -85,8 +85,8 @@ class NearestPairsTest {
     void contactsAreThoseThatAllPairsGive() {
         MeshObject first = crowd(150, 5).turned(30, 40);
         MeshObject second = crowd(150, 6).movedTo(new Point(0.5, 0.2, 0.1));
-        LeafColumn a = OwnLeaves.placed(first);
-        LeafColumn b = OwnLeaves.placed(second);
+        LeafColumn a = LocalLeaves.placed(first);
+        LeafColumn b = LocalLeaves.placed(second);
         ContactPairs pairs = new ContactPairs(new Scratch());
         pairs.find(Dimension.SPATIAL, a, b, Integer.MAX_VALUE);
         List<String> found = new ArrayList<>();

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.math.BigDecimal;
 import org.junit.jupiter.api.Test;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.PlanarReference;
 import robosim.geometry.narrow.PlanarRows;
 import robosim.geometry.narrow.Scratch;
@@ -104,8 +104,8 @@ class DoubleDoubleOverlapTest {
     /** Brought to the last step before contact: the filters doubt, pairs of doubles tell, and what is a tie is exact. */
     @Test
     void neighboursAcrossTheContactAreToldInPairsOrExactly() {
-        Stages.Counter[] fine = counters(" fine");
-        Stages.Counter[] exact = counters("");
+        StageCounters.Counter[] fine = counters(" fine");
+        StageCounters.Counter[] exact = counters("");
         LeafKind[] kinds = {LeafKind.UPRIGHT_BOX, LeafKind.SPHERE, LeafKind.BOX};
         long fineBefore = total(fine);
         long exactBefore = total(exact);
@@ -146,18 +146,18 @@ class DoubleDoubleOverlapTest {
         assertThat(total(exact) - exactBefore).isBetween(10L, asked / 10L);
     }
 
-    private static Stages.Counter[] counters(String end) {
+    private static StageCounters.Counter[] counters(String end) {
         String[] kernels = {"RectangleRectangle", "ZonogonZonogon", "DiscRectangle", "DiscDisc"};
-        Stages.Counter[] counters = new Stages.Counter[kernels.length];
+        StageCounters.Counter[] counters = new StageCounters.Counter[kernels.length];
         for (int k = 0; k < kernels.length; k++) {
-            counters[k] = Stages.counter(kernels[k] + end);
+            counters[k] = StageCounters.counter(kernels[k] + end);
         }
         return counters;
     }
 
-    private static long total(Stages.Counter[] counters) {
+    private static long total(StageCounters.Counter[] counters) {
         long total = 0;
-        for (Stages.Counter counter : counters) {
+        for (StageCounters.Counter counter : counters) {
             total += counter.total();
         }
         return total;

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
-import robosim.geometry.exact.Stages;
+import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.DecimalAxes;
 import robosim.geometry.narrow.Rows;
 import robosim.geometry.narrow.Scratch;
@@ -18,7 +18,7 @@ class PolytopePolytopeTest {
     private static final LeafKind[] KINDS = {LeafKind.BOX, LeafKind.UPRIGHT_BOX, LeafKind.TRIANGLE};
     private final Scratch scratch = new Scratch();
     private final PolytopePolytope polytopes = new PolytopePolytope();
-    private static final Stages.Counter EXACT = Stages.counter("PolytopePolytope");
+    private static final StageCounters.Counter EXACT = StageCounters.counter("PolytopePolytope");
 
     /** The count when this test began. */
     private final long before = EXACT.total();

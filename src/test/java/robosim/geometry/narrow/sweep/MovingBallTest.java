@@ -12,7 +12,7 @@ import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.SweepRows;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.Poses;
+import robosim.geometry.narrow.leaf.MovedLeaf;
 
 /** Spheres that move straight on, in space: exact where a root tells when, and within a bound on rims. */
 class MovingBallTest {
@@ -42,7 +42,7 @@ class MovingBallTest {
             if (k % 5 == 0) { // to contact, and then across
                 double first = time(ball, d, kind, b);
                 if (first <= 1) {
-                    Poses.moved(LeafKind.SPHERE, ball.clone(), 0, first * d[0], first * d[1], first * d[2], ball);
+                    MovedLeaf.moved(LeafKind.SPHERE, ball.clone(), 0, first * d[0], first * d[1], first * d[2], ball);
                     d = new double[] {d[1], -d[0], d[2]};
                 }
             }
@@ -289,7 +289,7 @@ class MovingBallTest {
             out[k] *= scale;
         }
         double[] moved = new double[Leaf.STRIDE];
-        Poses.moved(kind, out, 0, far, 0, -far, moved);
+        MovedLeaf.moved(kind, out, 0, far, 0, -far, moved);
         return moved;
     }
 }

@@ -12,7 +12,7 @@ import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.gjk.Penetration;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.Poses;
+import robosim.geometry.narrow.leaf.MovedLeaf;
 import robosim.geometry.narrow.turn.SpatialTurnSweep;
 
 /** Motions of all pairs of kinds in space, against poses sampled on the way and judged by GJK. */
@@ -96,7 +96,7 @@ class SpatialSweepTest {
             if (time == 0 || time > 1) {
                 continue;
             }
-            Poses.moved(kindA, a, 0, time * dx, time * dy, time * dz, pose);
+            MovedLeaf.moved(kindA, a, 0, time * dx, time * dy, time * dz, pose);
             double more = SpatialSweep.translation(kindA, pose, 0, dx, dy, dz, kindB, b, 0, scratch);
             String what = "kind %s %s by (%s, %s, %s), kind %s %s"
                     .formatted(kindA, Arrays.toString(a), dx, dy, dz, kindB, Arrays.toString(b));
@@ -104,12 +104,12 @@ class SpatialSweepTest {
             stopped++;
             // The same a little deeper, where it did not arrive grazing.
             double before = time - 1e-6;
-            Poses.moved(kindA, a, 0, before * dx, before * dy, before * dz, pose);
+            MovedLeaf.moved(kindA, a, 0, before * dx, before * dy, before * dz, pose);
             gjk.spatial(kindA, pose, 0, kindB, b, 0);
             double closing = -(gjk.nx() * dx + gjk.ny() * dy + gjk.nz() * dz);
             if (gjk.lower() > 0 && closing > 0.1 * Math.sqrt(dx * dx + dy * dy + dz * dz)) {
                 double after = time + 1e-6;
-                Poses.moved(kindA, a, 0, after * dx, after * dy, after * dz, pose);
+                MovedLeaf.moved(kindA, a, 0, after * dx, after * dy, after * dz, pose);
                 assertThat(SpatialSweep.translation(kindA, pose, 0, dx, dy, dz, kindB, b, 0, scratch))
                         .as(what)
                         .isZero();
@@ -147,7 +147,7 @@ class SpatialSweepTest {
         double start = gap(kindA, a, kindB, b);
         double end = Math.min(1, time);
         if (start < 0) {
-            Poses.moved(kindA, a, 0, 1e-6 * dx, 1e-6 * dy, 1e-6 * dz, pose);
+            MovedLeaf.moved(kindA, a, 0, 1e-6 * dx, 1e-6 * dy, 1e-6 * dz, pose);
             double change = gap(kindA, pose, kindB, b) - start;
             contacts++;
             blocked += time == 0 ? 1 : 0;
@@ -160,13 +160,13 @@ class SpatialSweepTest {
         }
         for (int k = 0; k <= SAMPLES; k++) {
             double t = end * (k == SAMPLES ? 1 - 1e-9 : (double) k / SAMPLES);
-            Poses.moved(kindA, a, 0, t * dx, t * dy, t * dz, pose);
+            MovedLeaf.moved(kindA, a, 0, t * dx, t * dy, t * dz, pose);
             gjk.spatial(kindA, pose, 0, kindB, b, 0);
             assertThat(gjk.overlapping()).as(what).isFalse();
         }
         if (time <= 1) {
             assertThat(time).as(what).isNotNegative();
-            Poses.moved(kindA, a, 0, time * dx, time * dy, time * dz, pose);
+            MovedLeaf.moved(kindA, a, 0, time * dx, time * dy, time * dz, pose);
             gjk.spatial(kindA, pose, 0, kindB, b, 0);
             assertThat(gjk.upper()).as(what).isLessThan(1e-10);
         } else {
@@ -193,7 +193,7 @@ class SpatialSweepTest {
         double limit = Math.min(0, start);
         double end = Math.min(1, share);
         double[] pose = new double[Leaf.STRIDE];
-        LeafKind kind = Poses.turnedKind(kindA);
+        LeafKind kind = MovedLeaf.turnedKind(kindA);
         // Depths that a rim has a part in are found by a search that may stop in a valley of its own.
         boolean rim = isCylinder(kindA) || isCylinder(kindB);
         double slack = rim && start < 0 ? 5e-3 : 1e-10;
@@ -216,7 +216,7 @@ class SpatialSweepTest {
             LeafKind kind, double[] a, double[] pivot, double[] axis, double degrees, double[] pose) {
         double cos = StrictMath.cos(Math.toRadians(degrees));
         double sin = StrictMath.sin(Math.toRadians(degrees));
-        Poses.turned(kind, a, 0, pivot[0], pivot[1], pivot[2], axis[0], axis[1], axis[2], cos, sin, pose);
+        MovedLeaf.turned(kind, a, 0, pivot[0], pivot[1], pivot[2], axis[0], axis[1], axis[2], cos, sin, pose);
     }
 
     private static boolean isCylinder(LeafKind kind) {

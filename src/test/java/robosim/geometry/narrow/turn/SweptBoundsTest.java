@@ -11,7 +11,7 @@ import robosim.geometry.narrow.SweepRows;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafBounds;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.Poses;
+import robosim.geometry.narrow.leaf.MovedLeaf;
 
 class SweptBoundsTest {
     private static final int SAMPLES = 2000;
@@ -78,8 +78,8 @@ class SweptBoundsTest {
             double angle = Math.toRadians(degrees * k / SAMPLES);
             double cos = StrictMath.cos(angle);
             double sin = StrictMath.sin(angle);
-            Poses.turned(kind, row, 0, p[0], p[1], p[2], axis[0], axis[1], axis[2], cos, sin, pose);
-            LeafBounds.of(Poses.turnedKind(kind), pose, 0, bounds);
+            MovedLeaf.turned(kind, row, 0, p[0], p[1], p[2], axis[0], axis[1], axis[2], cos, sin, pose);
+            LeafBounds.of(MovedLeaf.turnedKind(kind), pose, 0, bounds);
             for (int m = 0; m < 3; m++) {
                 seen[m] = Math.min(seen[m], bounds[m]);
                 seen[m + 3] = Math.max(seen[m + 3], bounds[m + 3]);

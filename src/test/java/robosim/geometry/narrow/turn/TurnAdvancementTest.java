@@ -15,7 +15,7 @@ import robosim.geometry.narrow.SweepRows;
 import robosim.geometry.narrow.gjk.Gjk;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.Poses;
+import robosim.geometry.narrow.leaf.MovedLeaf;
 
 /** Turns that pass closely: the gap that is let through, and how close a turn comes that is stopped. */
 class TurnAdvancementTest {
@@ -149,7 +149,7 @@ class TurnAdvancementTest {
             }
             stopped++;
             double angle = Math.toRadians(degrees * share);
-            Poses.turned(
+            MovedLeaf.turned(
                     kindA,
                     a,
                     0,
@@ -162,7 +162,7 @@ class TurnAdvancementTest {
                     StrictMath.cos(angle),
                     StrictMath.sin(angle),
                     pose);
-            gjk.spatial(Poses.turnedKind(kindA), pose, 0, kindB, b, 0);
+            gjk.spatial(MovedLeaf.turnedKind(kindA), pose, 0, kindB, b, 0);
             String what = "kind %s %s about %s by %s, kind %s %s"
                     .formatted(kindA, Arrays.toString(a), Arrays.toString(about), degrees, kindB, Arrays.toString(b));
             // The mover reaches at least as far as its centre.
@@ -218,7 +218,7 @@ class TurnAdvancementTest {
         double[] out = new double[Leaf.STRIDE];
         double cos = StrictMath.cos(Math.toRadians(degrees));
         double sin = StrictMath.sin(Math.toRadians(degrees));
-        Poses.turned(kind, row, 0, 0, 0, 0, 0, 1, 0, cos, sin, out);
+        MovedLeaf.turned(kind, row, 0, 0, 0, 0, 0, 1, 0, cos, sin, out);
         return out;
     }
 

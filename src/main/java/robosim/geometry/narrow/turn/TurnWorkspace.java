@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.turn;
 
 /** Working memory of turns. */
-final class TurnKernels {
+final class TurnWorkspace {
     final VerticalTurn vertical = new VerticalTurn();
     final TurnBody body = new TurnBody();
     final TurnAdvancement advancement = new TurnAdvancement();

@@ -5,8 +5,8 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /** The range of heights of a leaf, if its top and bottom are sums of two doubles: exact, without allocation. */
-public final class Levels {
-    private Levels() {}
+public final class HeightIntervals {
+    private HeightIntervals() {}
 
     /** The first term of the top (side 1) or the bottom (side -1) of a leaf. */
     public static double middle(LeafKind kind, double[] row, int at, int side) {

@@ -14,12 +14,12 @@ import robosim.geometry.model.SphereObject;
 import robosim.geometry.model.TriangleMesh;
 
 /** A convex piece of an object's projection on the XZ plane; for pictures, in plain doubles. */
-public sealed interface Outline {
+public sealed interface Footprint {
     /** A disc. */
-    record Disc(double x, double z, double radius) implements Outline {}
+    record Disc(double x, double z, double radius) implements Footprint {}
 
     /** A convex polygon of x, z, x, z ... with positive area, or a segment or a point. */
-    final class Polygon implements Outline {
+    final class Polygon implements Footprint {
         private final double[] corners;
 
         Polygon(double[] corners) {
@@ -38,7 +38,7 @@ public sealed interface Outline {
      * How deep a point is within a piece: its distance from the piece's edge; negative outside, where it is only a
      * bound.
      */
-    static double depth(Outline outline, double x, double z) {
+    static double depth(Footprint outline, double x, double z) {
         if (outline instanceof Disc disc) {
             return disc.radius() - Math.sqrt((x - disc.x()) * (x - disc.x()) + (z - disc.z()) * (z - disc.z()));
         }
@@ -57,13 +57,13 @@ public sealed interface Outline {
     }
 
     /** The pieces of an object at its place. */
-    static List<Outline> of(GeometryObject object) {
-        List<Outline> outlines = new ArrayList<>();
+    static List<Footprint> of(GeometryObject object) {
+        List<Footprint> outlines = new ArrayList<>();
         add(object, new Frame(new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1}, new Point()), outlines);
         return outlines;
     }
 
-    private static void add(GeometryObject object, Frame outer, List<Outline> outlines) {
+    private static void add(GeometryObject object, Frame outer, List<Footprint> outlines) {
         Frame frame = outer.then(object);
         switch (object.kind()) {
             case BOX -> outlines.add(box((BoxObject) object, frame));
@@ -79,7 +79,7 @@ public sealed interface Outline {
         }
     }
 
-    private static Outline box(BoxObject box, Frame frame) {
+    private static Footprint box(BoxObject box, Frame frame) {
         double[] corners = new double[16];
         for (int k = 0; k < 8; k++) {
             double x = (k & 1) == 0 ? -box.width() / 2 : box.width() / 2;
@@ -90,7 +90,7 @@ public sealed interface Outline {
         return new Polygon(hull(corners));
     }
 
-    private static Outline cylinder(CylinderObject cylinder, Frame frame) {
+    private static Footprint cylinder(CylinderObject cylinder, Frame frame) {
         if (frame.isUpright()) {
             return new Disc(frame.origin.x(), frame.origin.z(), cylinder.radius());
         }
@@ -105,7 +105,7 @@ public sealed interface Outline {
         return new Polygon(hull(rims));
     }
 
-    private static Outline capsule(CapsuleObject capsule, Frame frame) {
+    private static Footprint capsule(CapsuleObject capsule, Frame frame) {
         if (frame.isUpright()) {
             return new Disc(frame.origin.x(), frame.origin.z(), capsule.radius());
         }
@@ -125,7 +125,7 @@ public sealed interface Outline {
         return new Polygon(hull(rims));
     }
 
-    private static void mesh(TriangleMesh mesh, Frame frame, List<Outline> outlines) {
+    private static void mesh(TriangleMesh mesh, Frame frame, List<Footprint> outlines) {
         for (int t = 0; t < mesh.size(); t++) {
             double[] corners = new double[6];
             for (int corner = 0; corner < 3; corner++) {

@@ -5,7 +5,7 @@ package robosim.geometry.narrow.leaf;
  * of least penetration are made: unit vectors, one for each opposite pair. A cylinder has its caps' normal and its
  * side's direction; a sphere has neither. A side or edge without extent has none.
  */
-public final class Facets {
+public final class FeatureDirections {
     private static final int MOST = 5;
     private static final double DIAGONAL = Math.sqrt(0.5);
 

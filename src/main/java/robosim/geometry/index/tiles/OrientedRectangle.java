@@ -5,7 +5,7 @@ package robosim.geometry.index.tiles;
  * stored as one row of an array. The row of an id has {@link #STRIDE} doubles; those not named here are at the owner's
  * disposal.
  */
-public final class Outline {
+public final class OrientedRectangle {
     /** Number of doubles in a row. */
     public static final int STRIDE = 8;
 
@@ -36,7 +36,7 @@ public final class Outline {
     /** A half size so far below 0 that its sum with any number of a world is negative. */
     private static final double SHORT_OF_ALL = -0x1p1000;
 
-    private Outline() {}
+    private OrientedRectangle() {}
 
     /** The index at which an object's row begins. */
     public static int at(int id) {

@@ -1,13 +1,13 @@
 package robosim.geometry.narrow.sweep;
 
-import robosim.geometry.narrow.leaf.Outline;
+import robosim.geometry.narrow.leaf.ProjectedPolygon;
 import robosim.geometry.narrow.sat.MovingAxes;
 
 /** Working memory of straight sweeps. */
-final class SweepKernels {
+final class SweepWorkspace {
     final MovingAxes axes = new MovingAxes();
     final MovingDisc disc = new MovingDisc();
-    final Outline outline = new Outline();
+    final ProjectedPolygon outline = new ProjectedPolygon();
     final MovingBall ball = new MovingBall();
     final TranslationAdvancement move = new TranslationAdvancement();
 }

@@ -10,13 +10,13 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.gjk.Penetration;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.overlap.Levels;
+import robosim.geometry.narrow.overlap.HeightIntervals;
 import robosim.geometry.narrow.sat.ExactBetween;
 import robosim.geometry.narrow.sat.ExactExtent;
 import robosim.geometry.narrow.sat.ExactFeatures;
 
-/** The planes between two pieces that touch, computed on first use. See {@link Standing}. */
-final class StandingPlanes {
+/** The planes between two pieces that touch, computed on first use. See {@link StartContacts}. */
+final class ContactPlanes {
     /** A plane normal from the other piece to the mover's, with the extents of both along it. */
     private record Plane(ExactVector normal, ExactExtent below, ExactExtent above, boolean isKept) {}
 
@@ -136,7 +136,7 @@ final class StandingPlanes {
         LeafKind kindA = kinds[kindAt];
         LeafKind kindB = kinds[kindAt + 2];
         int rest = at + 2 * Leaf.STRIDE;
-        if (dimension == Dimension.PLANAR || Levels.side(kindA, rows, at, kindB, rows, rest) == 0) {
+        if (dimension == Dimension.PLANAR || HeightIntervals.side(kindA, rows, at, kindB, rows, rest) == 0) {
             return false;
         }
         // A sphere has only one plane at a contact; so have pieces whose contact has interior points within the
@@ -145,9 +145,9 @@ final class StandingPlanes {
                 || (kindB == LeafKind.SPHERE && rows[rest + Leaf.SIZE] > 0)) {
             return true;
         }
-        int side = Levels.side(kindA, rows, at, kindB, rows, rest);
-        Levels.part(kindA, rows, at, -side, s.triangleC);
-        Levels.part(kindB, rows, rest, side, s.triangleD);
+        int side = HeightIntervals.side(kindA, rows, at, kindB, rows, rest);
+        HeightIntervals.part(kindA, rows, at, -side, s.triangleC);
+        HeightIntervals.part(kindB, rows, rest, side, s.triangleD);
         Penetration ways = s.penetration();
         ways.planar(kindA, s.triangleC, 0, kindB, s.triangleD, 0);
         return ways.proven() > 0;

@@ -13,27 +13,27 @@ import robosim.geometry.index.QuadTree;
 import robosim.geometry.index.QuadTreeTest;
 
 /** Rectangles at any heading, of which a query must not miss one; the twin separates them from it exactly. */
-class OutlineTest {
+class OrientedRectangleTest {
     private static final int COUNT = 300;
 
     private final SplittableRandom random = new SplittableRandom(5);
-    private final double[] outlines = Outline.rows(COUNT, 0);
+    private final double[] outlines = OrientedRectangle.rows(COUNT, 0);
 
     private QuadCursor scene(double size, double offset) {
         QuadTree tree = new QuadTree(-size, -size, size, size);
         for (int id = 0; id < COUNT; id++) {
-            int at = Outline.at(id);
+            int at = OrientedRectangle.at(id);
             double heading = random.nextInt(3) == 0 ? random.nextInt(4) * Math.PI / 2 : random.nextDouble(7);
-            outlines[at + Outline.X] = offset + random.nextDouble(-size, size);
-            outlines[at + Outline.Z] = random.nextDouble(-size, size);
-            outlines[at + Outline.HALF_X] = random.nextInt(6) == 0 ? 0 : random.nextDouble(size / 8);
-            outlines[at + Outline.HALF_Z] = random.nextInt(6) == 0 ? 0 : random.nextDouble(size / 64);
-            outlines[at + Outline.COS] = StrictMath.cos(heading);
-            outlines[at + Outline.SIN] = StrictMath.sin(heading);
-            double wide = extent(at, Outline.COS, Outline.SIN);
-            double deep = extent(at, Outline.SIN, Outline.COS);
-            double x = outlines[at + Outline.X];
-            double z = outlines[at + Outline.Z];
+            outlines[at + OrientedRectangle.X] = offset + random.nextDouble(-size, size);
+            outlines[at + OrientedRectangle.Z] = random.nextDouble(-size, size);
+            outlines[at + OrientedRectangle.HALF_X] = random.nextInt(6) == 0 ? 0 : random.nextDouble(size / 8);
+            outlines[at + OrientedRectangle.HALF_Z] = random.nextInt(6) == 0 ? 0 : random.nextDouble(size / 64);
+            outlines[at + OrientedRectangle.COS] = StrictMath.cos(heading);
+            outlines[at + OrientedRectangle.SIN] = StrictMath.sin(heading);
+            double wide = extent(at, OrientedRectangle.COS, OrientedRectangle.SIN);
+            double deep = extent(at, OrientedRectangle.SIN, OrientedRectangle.COS);
+            double x = outlines[at + OrientedRectangle.X];
+            double z = outlines[at + OrientedRectangle.Z];
             tree.add(
                     id, Math.nextDown(x - wide), Math.nextDown(z - deep), Math.nextUp(x + wide), Math.nextUp(z + deep));
         }
@@ -42,8 +42,8 @@ class OutlineTest {
 
     /** Half of the extent along a world's axis, rounded up. */
     private double extent(int at, int first, int second) {
-        double sum = outlines[at + Outline.HALF_X] * Math.abs(outlines[at + first])
-                + outlines[at + Outline.HALF_Z] * Math.abs(outlines[at + second]);
+        double sum = outlines[at + OrientedRectangle.HALF_X] * Math.abs(outlines[at + first])
+                + outlines[at + OrientedRectangle.HALF_Z] * Math.abs(outlines[at + second]);
         return sum * (1 + 0x1p-50);
     }
 
@@ -128,20 +128,20 @@ class OutlineTest {
     void raysReachPointsFarAway() {
         int count = 10_000;
         QuadTree tree = new QuadTree(0, 0, 1, 1);
-        double[] points = Outline.rows(count, 0);
+        double[] points = OrientedRectangle.rows(count, 0);
         for (int id = 0; id < count; id++) {
             double x = random.nextDouble();
             double z = random.nextDouble();
             tree.add(id, x, z, x, z);
-            Outline.write(points, id, x, z, x, z);
+            OrientedRectangle.write(points, id, x, z, x, z);
         }
         QuadCursor cursor = tree.cursor();
         long met = 0;
         for (int id = 0; id < count; id++) {
             int target = id;
             BitSet ids = new BitSet();
-            double x = points[Outline.at(id) + Outline.X];
-            double z = points[Outline.at(id) + Outline.Z];
+            double x = points[OrientedRectangle.at(id) + OrientedRectangle.X];
+            double z = points[OrientedRectangle.at(id) + OrientedRectangle.Z];
             cursor.startRay(0, 0, x, z);
             for (int each = cursor.nextOnRay(1 + 0x1p-40, points); each >= 0; ) {
                 ids.set(each);
@@ -162,14 +162,14 @@ class OutlineTest {
         for (int scene = 0; scene < 20; scene++) {
             double base = Math.scalb(1.0, 30 + scene);
             QuadTree tree = new QuadTree(base, 0, base + 280, 1);
-            double[] rows = Outline.rows(count, 0);
+            double[] rows = OrientedRectangle.rows(count, 0);
             double[][] boxes = new double[count][];
             for (int id = 0; id < count; id++) {
                 double x = base + (id % 2 == 0 ? random.nextInt(280) : 100 + random.nextInt(8));
                 double z = id % 2 == 0 ? random.nextDouble() : random.nextDouble(0.02);
                 boxes[id] = new double[] {x, z, x + random.nextInt(2), z};
                 tree.add(id, boxes[id][0], z, boxes[id][2], z);
-                Outline.write(rows, id, boxes[id][0], z, boxes[id][2], z);
+                OrientedRectangle.write(rows, id, boxes[id][0], z, boxes[id][2], z);
             }
             QuadCursor cursor = tree.cursor();
             for (int k = 0; k < 500; k++) {
@@ -200,8 +200,9 @@ class OutlineTest {
         for (double speed : new double[] {0x1p-1000, 0x1p-470, 1, 0x1p470, 0x1p640, 0x1p1000}) {
             for (double limit : new double[] {0, 1, 0x1p1000, Double.MAX_VALUE, Double.POSITIVE_INFINITY}) {
                 for (int id = 0; id < COUNT; id++) {
-                    int at = Outline.at(id);
-                    cursor.startRay(outlines[at + Outline.X], outlines[at + Outline.Z], speed, -speed);
+                    int at = OrientedRectangle.at(id);
+                    cursor.startRay(
+                            outlines[at + OrientedRectangle.X], outlines[at + OrientedRectangle.Z], speed, -speed);
                     BitSet ids = new BitSet();
                     for (int each = cursor.nextOnRay(limit, outlines); each >= 0; ) {
                         ids.set(each);
@@ -217,35 +218,37 @@ class OutlineTest {
 
     /** A corner, rounded. */
     private double[] corner(int id, int signX, int signZ) {
-        int at = Outline.at(id);
-        double a = signX * outlines[at + Outline.HALF_X];
-        double b = signZ * outlines[at + Outline.HALF_Z];
-        double cos = outlines[at + Outline.COS];
-        double sin = outlines[at + Outline.SIN];
-        return new double[] {outlines[at + Outline.X] + a * cos + b * sin, outlines[at + Outline.Z] - a * sin + b * cos
+        int at = OrientedRectangle.at(id);
+        double a = signX * outlines[at + OrientedRectangle.HALF_X];
+        double b = signZ * outlines[at + OrientedRectangle.HALF_Z];
+        double cos = outlines[at + OrientedRectangle.COS];
+        double sin = outlines[at + OrientedRectangle.SIN];
+        return new double[] {
+            outlines[at + OrientedRectangle.X] + a * cos + b * sin,
+            outlines[at + OrientedRectangle.Z] - a * sin + b * cos
         };
     }
 
     /** Whether a line keeps the rectangle and the way from o to o + limit d apart: along one of its sides, or the way. */
     private boolean isSeparate(int id, double ox, double oz, double dx, double dz, double limit) {
-        int at = Outline.at(id);
-        BigDecimal cos = new BigDecimal(outlines[at + Outline.COS]);
-        BigDecimal sin = new BigDecimal(outlines[at + Outline.SIN]);
+        int at = OrientedRectangle.at(id);
+        BigDecimal cos = new BigDecimal(outlines[at + OrientedRectangle.COS]);
+        BigDecimal sin = new BigDecimal(outlines[at + OrientedRectangle.SIN]);
         BigDecimal x = new BigDecimal(dx);
         BigDecimal z = new BigDecimal(dz);
         BigDecimal[][] normals = {{cos, sin.negate()}, {sin, cos}, {z, x.negate()}};
         for (BigDecimal[] n : normals) {
-            BigDecimal middle = new BigDecimal(outlines[at + Outline.X])
+            BigDecimal middle = new BigDecimal(outlines[at + OrientedRectangle.X])
                     .multiply(n[0])
-                    .add(new BigDecimal(outlines[at + Outline.Z]).multiply(n[1]));
+                    .add(new BigDecimal(outlines[at + OrientedRectangle.Z]).multiply(n[1]));
             BigDecimal half = n[0].multiply(cos)
                     .subtract(n[1].multiply(sin))
                     .abs()
-                    .multiply(new BigDecimal(outlines[at + Outline.HALF_X]))
+                    .multiply(new BigDecimal(outlines[at + OrientedRectangle.HALF_X]))
                     .add(n[0].multiply(sin)
                             .add(n[1].multiply(cos))
                             .abs()
-                            .multiply(new BigDecimal(outlines[at + Outline.HALF_Z])));
+                            .multiply(new BigDecimal(outlines[at + OrientedRectangle.HALF_Z])));
             BigDecimal from = new BigDecimal(ox).multiply(n[0]).add(new BigDecimal(oz).multiply(n[1]));
             BigDecimal to =
                     from.add(new BigDecimal(limit).multiply(x.multiply(n[0]).add(z.multiply(n[1]))));

@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.cone;
 
 /** Working memory of the questions about cones. */
-final class ConeKernels {
+final class ConeWorkspace {
     final Cone cone = new Cone();
     final ConePolytope polytope = new ConePolytope();
     final ConeCylinder cylinder = new ConeCylinder();

@@ -5,7 +5,7 @@ package robosim.geometry.index.regions;
  * highest bit on, the bits of a cell's number say in which half of the world, of that half and so on it lies, so
  * cutting regions in four is exact.
  */
-public final class Cells {
+public final class CellGrid {
     static final int BITS = 52;
     private static final long COUNT = 1L << BITS;
 
@@ -14,7 +14,7 @@ public final class Cells {
     private final double scaleX;
     private final double scaleZ;
 
-    public Cells(double minX, double minZ, double maxX, double maxZ) {
+    public CellGrid(double minX, double minZ, double maxX, double maxZ) {
         if (!(minX <= maxX) || !(minZ <= maxZ) || !Double.isFinite(maxX - minX) || !Double.isFinite(maxZ - minZ)) {
             throw new IllegalArgumentException("world must be finite and min at most max (got: x %s to %s, z %s to %s)"
                     .formatted(minX, maxX, minZ, maxZ));

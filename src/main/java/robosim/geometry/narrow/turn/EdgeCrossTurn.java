@@ -17,7 +17,7 @@ import robosim.geometry.narrow.sat.AxisBody;
  * {@code n.Rp = c1 (w x d2).p + d1.R(e2 x p)} and {@code n.q = c2 (d1 x w).q + (q x e1).Rd2}, and all roundings, at most
  * 64 units of roundoff for each side, are shares of {@code |c1| |d2| + |c2| |d1| + |d1| |d2|} and not of 1.
  */
-final class AcrossTurn {
+final class EdgeCrossTurn {
     private static final double ROUNDOFF = 128 * 0x1p-53;
     private static final int MOST_STEPS = 12;
 
@@ -123,7 +123,7 @@ final class AcrossTurn {
                 double constant = limit + radius * reach.constant;
                 end = Math.max(end, pairsUntil(constant, radius * reach.cosine, radius * reach.sine, t));
             }
-            if (!(end - t > TurnOutline.MARGIN)) {
+            if (!(end - t > TurningPolygon.MARGIN)) {
                 break;
             }
             t = end;
@@ -145,7 +145,7 @@ final class AcrossTurn {
                     return t;
                 }
                 if (!(t + 0.5 * above / (Math.abs(p) + Math.abs(q)) > end)) {
-                    end = Math.min(end, t + TurnOutline.beyond(p, q, c, t));
+                    end = Math.min(end, t + TurningPolygon.beyond(p, q, c, t));
                 }
             }
         }

@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.turn;
 
 import robosim.geometry.exact.Radians;
-import robosim.geometry.narrow.leaf.Outline;
+import robosim.geometry.narrow.leaf.ProjectedPolygon;
 import robosim.geometry.narrow.sat.AxisBody;
 
 /**
@@ -10,9 +10,9 @@ import robosim.geometry.narrow.sat.AxisBody;
  *
  * <p>From outside the rounded polygon is first met at a corner's circle or at an edge's offset line beside that edge.
  * Coordinates are relative to the pivot, and so mirrored that the point goes from x towards z. Margins as in
- * {@link TurnOutline}.
+ * {@link TurningPolygon}.
  */
-final class TurnDisc {
+final class TurningDisc {
     private static final double ROUNDOFF = 128 * 0x1p-53;
     private static final double FULL = 2 * Math.PI;
 
@@ -32,10 +32,10 @@ final class TurnDisc {
     private boolean closed;
 
     /** Places the point, and finds its {@link #distance} and whether it is {@link #outside}. */
-    void load(double x, double z, Outline o) {
+    void load(double x, double z, ProjectedPolygon o) {
         px = x;
         pz = z;
-        rho = TurnOutline.length(x, z);
+        rho = TurningPolygon.length(x, z);
         error = ROUNDOFF * (rho + o.size) + AxisBody.TINY;
         double least = Double.POSITIVE_INFINITY;
         outside = o.normals == 0;
@@ -49,7 +49,7 @@ final class TurnDisc {
             double share = square > 0 ? Math.max(0, Math.min(1, (ax * ex + az * ez) / square)) : 0;
             double bx = ax - share * ex;
             double bz = az - share * ez;
-            least = Math.min(least, TurnOutline.length(bx, bz));
+            least = Math.min(least, TurningPolygon.length(bx, bz));
             outside |= k < o.normals && o.nx[k] * ax + o.nz[k] * az > 0;
         }
         distance = outside ? least : 0;
@@ -62,7 +62,7 @@ final class TurnDisc {
      *     start where the turn begins in contact
      * @param active whether the point begins on that boundary, so that features there are judged by where the point goes
      */
-    double free(Outline o, double from, boolean active) {
+    double free(ProjectedPolygon o, double from, boolean active) {
         if (rho == 0) {
             return Double.POSITIVE_INFINITY;
         }
@@ -80,21 +80,21 @@ final class TurnDisc {
     }
 
     private double circle(double vx, double vz) {
-        double v = TurnOutline.length(vx, vz);
+        double v = TurningPolygon.length(vx, vz);
         double cross = px * vz - pz * vx;
         double dot = px * vx + pz * vz;
         double ax = px - vx;
         double az = pz - vz;
-        if (closed && TurnOutline.length(ax, az) <= limit + 2 * error) {
+        if (closed && TurningPolygon.length(ax, az) <= limit + 2 * error) {
             // The distance grows as -cos(t - phase) does.
-            return TurnOutline.rising(-dot, -cross, error * Math.max(rho, v));
+            return TurningPolygon.rising(-dot, -cross, error * Math.max(rho, v));
         }
         return entry(vx, vz, limit + error);
     }
 
     /** When the point comes within a distance of a corner, for a turn that begins beyond it. */
     private double entry(double vx, double vz, double reach) {
-        double v = TurnOutline.length(vx, vz);
+        double v = TurningPolygon.length(vx, vz);
         double cross = px * vz - pz * vx;
         double dot = px * vx + pz * vz;
         double off = Math.abs(v - rho);
@@ -110,11 +110,11 @@ final class TurnDisc {
     private double edge(double x0, double z0, double x1, double z1, double normalX, double normalZ) {
         double ex = x1 - x0;
         double ez = z1 - z0;
-        double length = TurnOutline.length(ex, ez);
+        double length = TurningPolygon.length(ex, ez);
         if (length == 0) {
             return Double.POSITIVE_INFINITY;
         }
-        double l = TurnOutline.length(normalX, normalZ);
+        double l = TurningPolygon.length(normalX, normalZ);
         double nx = normalX / l;
         double nz = normalZ / l;
         double c = nx * x0 + nz * z0;
@@ -133,7 +133,7 @@ final class TurnDisc {
             }
         }
         if (isOn && !isPast) {
-            double free = TurnOutline.rising(a, b, error);
+            double free = TurningPolygon.rising(a, b, error);
             if (free == 0 || free >= FULL) {
                 return free;
             }
@@ -166,7 +166,7 @@ final class TurnDisc {
      */
     private double pastEnd(double t, double x0, double z0, double x1, double z1) {
         double reach = limit + 8 * error;
-        double near = Math.min(TurnOutline.length(px - x0, pz - z0), TurnOutline.length(px - x1, pz - z1));
+        double near = Math.min(TurningPolygon.length(px - x0, pz - z0), TurningPolygon.length(px - x1, pz - z1));
         return near <= reach ? ahead(t) : Math.min(entry(x0, z0, reach), entry(x1, z1, reach));
     }
 
@@ -177,9 +177,9 @@ final class TurnDisc {
     private double intoEdge(double vx, double vz, double ux, double uz, double a, double b) {
         double along = ux * px + uz * pz;
         double rate = uz * px - ux * pz;
-        boolean isCorner = along > ux * vx + uz * vz && TurnOutline.length(px - vx, pz - vz) <= limit + 2 * error;
-        return isCorner && rate < 0 && TurnOutline.rising(a, b, error) == 0
-                ? TurnOutline.beyond(along, rate, ux * vx + uz * vz + error, 0)
+        boolean isCorner = along > ux * vx + uz * vz && TurningPolygon.length(px - vx, pz - vz) <= limit + 2 * error;
+        return isCorner && rate < 0 && TurningPolygon.rising(a, b, error) == 0
+                ? TurningPolygon.beyond(along, rate, ux * vx + uz * vz + error, 0)
                 : Double.POSITIVE_INFINITY;
     }
 
@@ -192,7 +192,7 @@ final class TurnDisc {
     /** The next time that an angle comes up, a margin early; one that rounding has put just behind is now. */
     private static double ahead(double t) {
         double turned = Math.IEEEremainder(t, FULL);
-        double next = turned < -8 * TurnOutline.MARGIN ? turned + FULL : turned;
-        return Math.max(0, next - TurnOutline.MARGIN);
+        double next = turned < -8 * TurningPolygon.MARGIN ? turned + FULL : turned;
+        return Math.max(0, next - TurningPolygon.MARGIN);
     }
 }

@@ -17,8 +17,8 @@ import robosim.geometry.narrow.leaf.LeafScratch;
  * vertex (Edelsbrunner and Muecke 1990): in the YZ plane an edge counts if one end is above the ray and the other is
  * not.
  */
-public final class Inside {
-    private Inside() {}
+public final class PointInMesh {
+    private PointInMesh() {}
 
     /**
      * Whether the inside of the leaf must be considered in addition to its surface; in a projection the surface above a

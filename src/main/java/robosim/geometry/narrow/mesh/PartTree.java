@@ -21,7 +21,7 @@ import robosim.geometry.narrow.overlap.SpatialOverlap;
  * mesh are in its own frame and are transformed as its vertices are placed, so that nothing is missed even if the
  * rotation is orthonormal only to 1e-9.
  */
-final class Branches {
+final class PartTree {
     /** Widening relative to the numbers that a box is computed from; see {@link LeafColumn}. */
     private static final double WIDEN = MeshWalk.WIDEN;
 
@@ -157,18 +157,18 @@ final class Branches {
      * Whether a solid mesh contains a point of a part: the given vertex of a mesh, or for other parts (vertex 0) their
      * reference point.
      */
-    boolean holds(int solid, Branches other, int part, int vertex, LeafScratch s) {
+    boolean holds(int solid, PartTree other, int part, int vertex, LeafScratch s) {
         double[] point = other.triangle;
         if (other.kindOf(part).isMesh()) {
             other.vertex(part, vertex, point, 0);
         } else {
             System.arraycopy(other.column.rows(), part * Leaf.STRIDE, point, 0, 3);
         }
-        return Inside.holds(column, solid, point[0], point[1], point[2], s);
+        return PointInMesh.holds(column, solid, point[0], point[1], point[2], s);
     }
 
     /** The vertex (0 if there are none) by which {@link #holds} finds a part inside; -1 if it is not inside. */
-    int heldVertex(int solid, Branches other, int part, LeafScratch s) {
+    int heldVertex(int solid, PartTree other, int part, LeafScratch s) {
         if (!other.kindOf(part).isMesh()) {
             return holds(solid, other, part, 0, s) ? 0 : -1;
         }

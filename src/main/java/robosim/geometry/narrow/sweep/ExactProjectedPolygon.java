@@ -4,18 +4,19 @@ import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.Outline;
+import robosim.geometry.narrow.leaf.ProjectedPolygon;
 import robosim.geometry.narrow.sat.ExactBody;
 
-/** The exact twin of {@link Outline}; a disc is its centre, one corner without normals. */
-record ExactOutline(List<Dyadic[]> corners, List<Dyadic[]> normals) {
+/** The exact twin of {@link ProjectedPolygon}; a disc is its centre, one corner without normals. */
+record ExactProjectedPolygon(List<Dyadic[]> corners, List<Dyadic[]> normals) {
     private static final int[] OCTAGON_X = {1, 1, 0, -1, -1, -1, 0, 1};
     private static final int[] OCTAGON_Z = {0, 1, 1, 1, 0, -1, -1, -1};
 
-    static ExactOutline of(LeafKind kind, double[] row, int at) {
+    static ExactProjectedPolygon of(LeafKind kind, double[] row, int at) {
         return switch (kind) {
             case UPRIGHT_CYLINDER, SPHERE, UPRIGHT_CAPSULE ->
-                new ExactOutline(List.<Dyadic[]>of(pair(Dyadic.of(row[at]), Dyadic.of(row[at + 2]))), List.of());
+                new ExactProjectedPolygon(
+                        List.<Dyadic[]>of(pair(Dyadic.of(row[at]), Dyadic.of(row[at + 2]))), List.of());
             case UPRIGHT_BOX, BOX -> zonogon(row, at);
             case TRIANGLE -> triangle(row, at);
             case PRISM -> prism(row, at);
@@ -32,14 +33,14 @@ record ExactOutline(List<Dyadic[]> corners, List<Dyadic[]> normals) {
     }
 
     /** Seen from another origin, and with all lengths multiplied. */
-    ExactOutline relative(Dyadic[] origin, Dyadic factor) {
+    ExactProjectedPolygon relative(Dyadic[] origin, Dyadic factor) {
         List<Dyadic[]> moved = new ArrayList<>();
         for (Dyadic[] corner : corners) {
             moved.add(pair(
                     corner[0].subtract(origin[0]).multiply(factor),
                     corner[1].subtract(origin[1]).multiply(factor)));
         }
-        return new ExactOutline(moved, normals);
+        return new ExactProjectedPolygon(moved, normals);
     }
 
     static Dyadic[] pair(Dyadic x, Dyadic z) {
@@ -67,7 +68,7 @@ record ExactOutline(List<Dyadic[]> corners, List<Dyadic[]> normals) {
         return pair(edge[1], edge[0].negate());
     }
 
-    private static ExactOutline zonogon(double[] row, int at) {
+    private static ExactProjectedPolygon zonogon(double[] row, int at) {
         List<Dyadic[]> directions = new ArrayList<>();
         List<Dyadic> sizes = new ArrayList<>();
         Dyadic[] start = pair(Dyadic.of(row[at]), Dyadic.of(row[at + 2]));
@@ -98,10 +99,10 @@ record ExactOutline(List<Dyadic[]> corners, List<Dyadic[]> normals) {
             normals.add(right(scale(u, sign)));
             corner = subtract(corner, scale(u, step.multiply(sign).negate()));
         }
-        return new ExactOutline(corners, normals);
+        return new ExactProjectedPolygon(corners, normals);
     }
 
-    private static ExactOutline triangle(double[] row, int at) {
+    private static ExactProjectedPolygon triangle(double[] row, int at) {
         List<Dyadic[]> p = new ArrayList<>();
         for (int k = at; k < at + 9; k += 3) {
             p.add(pair(Dyadic.of(row[k]), Dyadic.of(row[k + 2])));
@@ -119,23 +120,23 @@ record ExactOutline(List<Dyadic[]> corners, List<Dyadic[]> normals) {
         for (int k = 0; k < 3; k++) {
             normals.add(right(subtract(p.get((k + 1) % 3), p.get(k))));
         }
-        return new ExactOutline(p, normals);
+        return new ExactProjectedPolygon(p, normals);
     }
 
-    private static ExactOutline segment(Dyadic[] p, Dyadic[] q) {
+    private static ExactProjectedPolygon segment(Dyadic[] p, Dyadic[] q) {
         Dyadic[] edge = subtract(q, p);
         if (edge[0].signum() == 0 && edge[1].signum() == 0) {
             edge = pair(Dyadic.ONE, Dyadic.ZERO);
         }
         Dyadic[] back = scale(edge, Dyadic.ONE.negate());
-        return new ExactOutline(List.of(p, q, q, p), List.of(right(edge), edge, right(back), back));
+        return new ExactProjectedPolygon(List.of(p, q, q, p), List.of(right(edge), edge, right(back), back));
     }
 
-    private static ExactOutline prism(double[] row, int at) {
+    private static ExactProjectedPolygon prism(double[] row, int at) {
         List<Dyadic[]> normals = new ArrayList<>();
         for (int k = 0; k < 8; k++) {
             normals.add(pair(Dyadic.of(OCTAGON_X[k]), Dyadic.of(OCTAGON_Z[k])));
         }
-        return new ExactOutline(ExactBody.octagon(row, at), normals);
+        return new ExactProjectedPolygon(ExactBody.octagon(row, at), normals);
     }
 }

@@ -4,7 +4,7 @@ import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.GeometryObject;
 
 /** Static objects that many worlds share, by number, with their order of insertion. Read only. */
-public class SharedObjects {
+public class SharedObjectTable {
     /** The objects by number. */
     public final ObjectTable objects = new ObjectTable();
 
@@ -14,7 +14,7 @@ public class SharedObjects {
     private final long @Nullable [] arrivals;
 
     /** Takes objects in their order, with their order of insertion. */
-    public SharedObjects(GeometryObject[] values, long[] arrivals) {
+    public SharedObjectTable(GeometryObject[] values, long[] arrivals) {
         boolean isPlain = true;
         for (int id = 0; id < values.length; id++) {
             objects.add(values[id]);

@@ -3,7 +3,7 @@ package robosim.geometry.index;
 /**
  * How arrays with one element per object grow: few copies while they are small, little spare room when they are large.
  */
-public final class Growth {
+public final class ArrayGrowth {
     /** The initial capacity. */
     public static final int FIRST = 32;
 
@@ -16,7 +16,7 @@ public final class Growth {
     /** Spare room for this many is not worth giving up. */
     private static final int FEW = 1024;
 
-    private Growth() {}
+    private ArrayGrowth() {}
 
     /** Whether an array's spare room is worth giving up. */
     public static boolean isWasteful(int size, int capacity) {

@@ -8,7 +8,7 @@ import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MeshWalk;
 import robosim.geometry.narrow.overlap.ConvexOverlap;
-import robosim.geometry.narrow.overlap.Levels;
+import robosim.geometry.narrow.overlap.HeightIntervals;
 import robosim.geometry.narrow.sat.ExactFeatures;
 
 /**
@@ -24,7 +24,7 @@ import robosim.geometry.narrow.sat.ExactFeatures;
  *
  * <p>Horizontal planes below or above upright pieces need only sums of two doubles, and nothing is allocated.
  */
-public final class Standing {
+public final class StartContacts {
     private static final int ROWS = 3 * Leaf.STRIDE;
 
     private final Scratch s;
@@ -44,7 +44,7 @@ public final class Standing {
     private double[] rows = new double[4 * ROWS];
 
     private LeafKind[] kinds = new LeafKind[4 * 3];
-    private StandingPlanes[] planes = new StandingPlanes[4];
+    private ContactPlanes[] planes = new ContactPlanes[4];
     private int count;
 
     /** The heights of horizontal contact planes, each a sum of two doubles. */
@@ -58,7 +58,7 @@ public final class Standing {
     private int otherPiece;
 
     @SuppressWarnings("NullAway.Init") // begin sets the motion
-    public Standing(Scratch scratch) {
+    public StartContacts(Scratch scratch) {
         s = scratch;
         pairs = new PiecePairs(scratch);
     }
@@ -109,9 +109,9 @@ public final class Standing {
         kinds[3 * count] = kindA;
         kinds[3 * count + 1] = kindEnd;
         kinds[3 * count + 2] = kindB;
-        StandingPlanes found = planes[count];
+        ContactPlanes found = planes[count];
         if (found == null) {
-            found = new StandingPlanes();
+            found = new ContactPlanes();
             planes[count] = found;
         }
         found.clear();
@@ -138,10 +138,10 @@ public final class Standing {
         }
         int b = at + 2 * Leaf.STRIDE;
         for (int side = 1; side >= -1; side -= 2) {
-            double middle = Levels.middle(kindB, rows, b, side);
-            double half = side * Levels.half(kindB, rows, b);
-            if (Levels.isBeyond(kindA, rows, at, middle, half, side)
-                    && Levels.isBeyond(kindEnd, rows, at + Leaf.STRIDE, middle, half, side)) {
+            double middle = HeightIntervals.middle(kindB, rows, b, side);
+            double half = side * HeightIntervals.half(kindB, rows, b);
+            if (HeightIntervals.isBeyond(kindA, rows, at, middle, half, side)
+                    && HeightIntervals.isBeyond(kindEnd, rows, at + Leaf.STRIDE, middle, half, side)) {
                 note(middle, half, side);
             }
         }
@@ -229,9 +229,9 @@ public final class Standing {
             for (int k = 0; k < levelCount; k++) {
                 double middle = levels[2 * k];
                 double half = levels[2 * k + 1];
-                if (Levels.isBeyond(kind, from, at, middle, half, sides[k])
-                        && Levels.isBeyond(kindTo, to, atTo, middle, half, sides[k])
-                        && Levels.isBeyond(kindB, b, j, middle, half, -sides[k])) {
+                if (HeightIntervals.isBeyond(kind, from, at, middle, half, sides[k])
+                        && HeightIntervals.isBeyond(kindTo, to, atTo, middle, half, sides[k])
+                        && HeightIntervals.isBeyond(kindB, b, j, middle, half, -sides[k])) {
                     return true;
                 }
             }
@@ -322,7 +322,7 @@ public final class Standing {
     }
 
     private boolean touch(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        int known = dimension == Dimension.PLANAR ? 0 : Levels.touch(kindA, a, i, kindB, b, j, s);
+        int known = dimension == Dimension.PLANAR ? 0 : HeightIntervals.touch(kindA, a, i, kindB, b, j, s);
         return known == 0 ? ConvexOverlap.test(dimension, kindA, a, i, kindB, b, j, s) : known > 0;
     }
 }

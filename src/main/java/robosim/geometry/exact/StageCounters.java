@@ -10,10 +10,10 @@ import java.util.concurrent.atomic.AtomicLong;
  * Counts how often the filters left a decision to a later stage, over all threads of this JVM. Only the slow later
  * stages are counted; for a rate, count the calls separately.
  */
-public final class Stages {
+public final class StageCounters {
     private static final Map<String, Counter> COUNTERS = new ConcurrentHashMap<>();
 
-    private Stages() {}
+    private StageCounters() {}
 
     /** The counter of a given name; a name begins with the class that the stage is in. */
     public static Counter counter(String name) {

@@ -15,16 +15,16 @@ import robosim.geometry.model.SphereObject;
  * The leaves of an object in its own frame, made once. A placement computes the leaves in the world from them, always
  * afresh and in the same order, so that the stored numbers of a placed object do not depend on how it got there.
  */
-public final class OwnLeaves {
+public final class LocalLeaves {
     private final LeafColumn own;
 
-    private OwnLeaves(LeafColumn own) {
+    private LocalLeaves(LeafColumn own) {
         this.own = own;
     }
 
     /** The leaves of an object, in the order of a group's members, depth first. */
-    public static OwnLeaves of(GeometryObject object) {
-        OwnLeaves leaves = new OwnLeaves(new LeafColumn(1));
+    public static LocalLeaves of(GeometryObject object) {
+        LocalLeaves leaves = new LocalLeaves(new LeafColumn(1));
         double[] frame = new double[Leaf.STRIDE];
         Rotations.identity(frame, Leaf.ROTATION);
         leaves.add(object, frame);
@@ -44,7 +44,7 @@ public final class OwnLeaves {
         switch (object.kind()) {
             case BOX, CYLINDER, SPHERE, CAPSULE -> placeSimple(object, leaves);
             case MESH, GROUP -> {
-                OwnLeaves own = of(object);
+                LocalLeaves own = of(object);
                 leaves.append(own.size());
                 double[] rotation = object.rotation();
                 Point c = object.center();
@@ -64,7 +64,7 @@ public final class OwnLeaves {
         LeafKind kind = upright(size(object, row, 0), object.pose());
         if (kind.isTurned()) {
             object.pose().rotation(row, Leaf.ROTATION);
-            kind = Canonical.kind(kind, row, 0);
+            kind = UprightDetection.kind(kind, row, 0);
         }
         leaves.setKind(leaf, kind);
     }
@@ -190,7 +190,7 @@ public final class OwnLeaves {
             to[j + 4] = from[i + 4];
             to[j + 5] = from[i + 5];
             Rotations.multiply(rotation, at, from, i + Leaf.ROTATION, to, j + Leaf.ROTATION);
-            column.setKind(first + k, Canonical.kind(own.kind(k), to, j));
+            column.setKind(first + k, UprightDetection.kind(own.kind(k), to, j));
             if (own.kind(k).isMesh()) {
                 column.setMesh(first + k, own.mesh(k));
             }

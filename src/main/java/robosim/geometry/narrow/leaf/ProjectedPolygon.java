@@ -10,7 +10,7 @@ import robosim.geometry.exact.Orientation;
  *
  * <p>The error of a corner is at most 8u of {@link #size}; that of a normal one unit roundoff in each coordinate.
  */
-public final class Outline {
+public final class ProjectedPolygon {
     public static final int MOST_CORNERS = 8;
 
     public int corners;

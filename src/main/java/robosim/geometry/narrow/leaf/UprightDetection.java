@@ -6,8 +6,8 @@ import robosim.geometry.exact.Rotations;
  * Finds leaves that are upright, so that they can be handled as prisms: a box or cylinder with an axis exactly along
  * the world's vertical. A box that lies on its side is rewritten as the equivalent upright box.
  */
-final class Canonical {
-    private Canonical() {}
+final class UprightDetection {
+    private UprightDetection() {}
 
     /** The kind of a placed leaf; a box or cylinder comes as {@link LeafKind#BOX} or {@link LeafKind#CYLINDER}. */
     static LeafKind kind(LeafKind kind, double[] rows, int at) {

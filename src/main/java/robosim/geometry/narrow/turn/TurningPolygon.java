@@ -1,7 +1,7 @@
 package robosim.geometry.narrow.turn;
 
 import robosim.geometry.exact.Radians;
-import robosim.geometry.narrow.leaf.Outline;
+import robosim.geometry.narrow.leaf.ProjectedPolygon;
 import robosim.geometry.narrow.sat.AxisBody;
 
 /**
@@ -17,14 +17,14 @@ import robosim.geometry.narrow.sat.AxisBody;
  * 8 units, unit normals 3, dot products 3, sines and angles 4 each, on either side; that several times over. Corners that are nearer to their line than that when
  * the turn begins are judged by where they go from there: by the first derivative, or the second where that is zero.
  */
-final class TurnOutline {
+final class TurningPolygon {
     /** Radians by which every arc is shortened. */
     static final double MARGIN = 0x1p-48;
 
     private static final double ROUNDOFF = 128 * 0x1p-53;
     private static final double FULL = 2 * Math.PI;
-    private static final int MOST_NORMALS = 2 * Outline.MOST_CORNERS;
-    private static final int MOST_STEPS = 4 * MOST_NORMALS * Outline.MOST_CORNERS;
+    private static final int MOST_NORMALS = 2 * ProjectedPolygon.MOST_CORNERS;
+    private static final int MOST_STEPS = 4 * MOST_NORMALS * ProjectedPolygon.MOST_CORNERS;
 
     /** Whether the last query found contact, or less than a safe gap, at the start. */
     boolean near;
@@ -40,14 +40,14 @@ final class TurnOutline {
     private final double[] offset = new double[MOST_NORMALS];
     private final double[] gaps = new double[MOST_NORMALS];
     private final int[] corners = new int[MOST_NORMALS];
-    private final double[] cosine = new double[MOST_NORMALS * Outline.MOST_CORNERS];
-    private final double[] sine = new double[MOST_NORMALS * Outline.MOST_CORNERS];
+    private final double[] cosine = new double[MOST_NORMALS * ProjectedPolygon.MOST_CORNERS];
+    private final double[] sine = new double[MOST_NORMALS * ProjectedPolygon.MOST_CORNERS];
     private final double[] unitX = new double[MOST_NORMALS];
     private final double[] unitZ = new double[MOST_NORMALS];
     private final boolean[] usable = new boolean[MOST_NORMALS];
 
     /** Loads the mover and the polygon at rest, relative to the pivot, and finds {@link #gap} and {@link #near}. */
-    void load(Outline mover, Outline rest) {
+    void load(ProjectedPolygon mover, ProjectedPolygon rest) {
         normals = 0;
         error = ROUNDOFF * (mover.size + rest.size) + AxisBody.TINY;
         gap = Double.NEGATIVE_INFINITY;
@@ -60,7 +60,7 @@ final class TurnOutline {
         near = !(gap > error);
     }
 
-    private void add(Outline holder, int k, Outline other, double turn) {
+    private void add(ProjectedPolygon holder, int k, ProjectedPolygon other, double turn) {
         double l = Math.sqrt(holder.nx[k] * holder.nx[k] + holder.nz[k] * holder.nz[k]);
         double nx = holder.nx[k] / l;
         double nz = holder.nz[k] / l;
@@ -69,7 +69,7 @@ final class TurnOutline {
             reach = Math.max(reach, nx * holder.x[m] + nz * holder.z[m]);
         }
         double least = Double.POSITIVE_INFINITY;
-        int row = normals * Outline.MOST_CORNERS;
+        int row = normals * ProjectedPolygon.MOST_CORNERS;
         for (int m = 0; m < other.corners; m++) {
             cosine[row + m] = nx * other.x[m] + nz * other.z[m];
             sine[row + m] = turn * (nz * other.x[m] - nx * other.z[m]);
@@ -131,7 +131,7 @@ final class TurnOutline {
 
     /** The angle up to which a normal that proves enough at t goes on to; t where it does not. */
     private double until(int k, double t, double threshold) {
-        int row = k * Outline.MOST_CORNERS;
+        int row = k * ProjectedPolygon.MOST_CORNERS;
         double c = offset[k] + threshold;
         double cos = Radians.cos(t);
         double sin = Radians.sin(t);
@@ -176,7 +176,7 @@ final class TurnOutline {
     }
 
     private double notDeeper(int k) {
-        int row = k * Outline.MOST_CORNERS;
+        int row = k * ProjectedPolygon.MOST_CORNERS;
         double end = Double.POSITIVE_INFINITY;
         for (int m = row; m < row + corners[k]; m++) {
             double above = cosine[m] - offset[k] - gaps[k];

@@ -3,8 +3,8 @@ package robosim.geometry.narrow.leaf;
 /**
  * A fixed order of the two leaves of a pair, by kind and then by numbers, so that (a, b) and (b, a) give the same bits.
  */
-public final class Order {
-    private Order() {}
+public final class PairOrder {
+    private PairOrder() {}
 
     /** Whether a pair has to be swapped. */
     public static boolean isReversed(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {

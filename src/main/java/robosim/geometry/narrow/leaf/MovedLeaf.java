@@ -1,8 +1,8 @@
 package robosim.geometry.narrow.leaf;
 
 /** The row of a leaf at a later place of its motion, to within rounding: for choosing an axis, not for proofs. */
-public final class Poses {
-    private Poses() {}
+public final class MovedLeaf {
+    private MovedLeaf() {}
 
     /** The row after a translation; the kind stays. */
     public static void moved(LeafKind kind, double[] row, int at, double dx, double dy, double dz, double[] out) {
