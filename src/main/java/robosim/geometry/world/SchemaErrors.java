@@ -11,7 +11,7 @@ import org.xml.sax.SAXParseException;
 /**
  * What the schema's validator says, in words for people: only the validator's key is used, and the names that it quotes.
  */
-public final class SchemaErrors {
+final class SchemaErrors {
     private static final Pattern KEY = Pattern.compile("^(cvc-[A-Za-z0-9.-]+)\\s*:");
     private static final Pattern QUOTED = Pattern.compile("'([^']*)'");
     private static final Pattern CHILD = Pattern.compile("\"" + WorldWriter.NAMESPACE + "\":([a-z]+)");

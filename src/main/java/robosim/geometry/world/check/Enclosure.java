@@ -8,7 +8,7 @@ import robosim.geometry.world.Extents;
 /**
  * A box along the world's axes that surely holds an object, for finding who may be near whom; {@link Extents} are tighter.
  */
-public record Enclosure(double minX, double minY, double minZ, double maxX, double maxY, double maxZ) {
+record Enclosure(double minX, double minY, double minZ, double maxX, double maxY, double maxZ) {
     static Enclosure of(GeometryObject object) {
         LeafColumn leaves = OwnLeaves.placed(object);
         double[] all = {1 / 0.0, 1 / 0.0, 1 / 0.0, -1 / 0.0, -1 / 0.0, -1 / 0.0};

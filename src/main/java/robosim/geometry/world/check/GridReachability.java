@@ -17,7 +17,7 @@ import robosim.geometry.model.SphereObject;
 import robosim.geometry.world.World;
 
 /** Where one robot gets to on a grid of straight moves and turns by 45 degrees, among static objects alone. */
-public final class GridReachability {
+final class GridReachability {
     private static final int TURNS = 8;
     private static final double TURN = 360.0 / TURNS;
 

@@ -16,7 +16,7 @@ import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 
 /** The pairs of a world's objects that are in contact, in the order of the objects. */
-public final class Overlaps {
+final class Overlaps {
     /** A way out that is shorter than this share of the smaller object is a touch. */
     private static final double TOUCH = 0x1p-30;
 

@@ -15,7 +15,7 @@ import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 
 /** The same seeded questions to a world at every setting, as {@link WorldCheck} defines them. */
-public final class Questions {
+final class Questions {
     private static final long SEED = 1;
 
     /** Free places from which moves and sonars are asked, of all robots together. */
