@@ -12,7 +12,7 @@ import org.xml.sax.SAXParseException;
  * Translates messages of the schema validator for people: uses only the validator's error key, and the names that it
  * quotes.
  */
-public final class SchemaErrors {
+final class SchemaErrors {
     private static final Pattern KEY = Pattern.compile("^(cvc-[A-Za-z0-9.-]+)\\s*:");
     private static final Pattern QUOTED = Pattern.compile("'([^']*)'");
     private static final Pattern CHILD = Pattern.compile("\"" + WorldWriter.NAMESPACE + "\":([a-z]+)");

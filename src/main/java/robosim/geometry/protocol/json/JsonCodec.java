@@ -7,6 +7,7 @@ import java.io.InputStream;
 import java.io.InterruptedIOException;
 import java.io.OutputStream;
 import org.jspecify.annotations.Nullable;
+import robosim.geometry.exact.Checks;
 import robosim.geometry.protocol.Bundle;
 import robosim.geometry.protocol.Gate;
 import robosim.geometry.protocol.Limits;
@@ -40,6 +41,10 @@ public final class JsonCodec {
      * @throws LinkageError if Jackson is missing
      */
     public static JsonCodec open(InputStream in, OutputStream out, MessagePace pace, Gate gate) {
+        Checks.present("in", in);
+        Checks.present("out", out);
+        Checks.present("pace", pace);
+        Checks.present("gate", gate);
         JsonInput.FACTORY.version(); // fails here rather than within a message
         return new JsonCodec(in, out, pace, gate);
     }

@@ -16,7 +16,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.world.World;
 
 /** The cells of a grid that one robot reaches by straight moves and turns of 45 degrees, among static objects only. */
-public final class GridReachability {
+final class GridReachability {
     private static final int TURNS = 8;
     private static final double TURN = 360.0 / TURNS;
 

@@ -17,7 +17,7 @@ import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 
 /** The pairs of a world's objects that are in contact, in the order of the objects. */
-public final class Overlaps {
+final class Overlaps {
     /** A penetration depth below this fraction of the smaller object counts as touching. */
     private static final double TOUCH = 0x1p-30;
 

@@ -16,7 +16,7 @@ import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 
 /** Asks a world the same seeded queries at every setting, as {@link WorldCheck} defines them. */
-public final class Questions {
+final class Questions {
     private static final long SEED = 1;
 
     /** Number of free places from which moves and sonars are queried, over all robots. */

@@ -15,7 +15,7 @@ import robosim.geometry.world.World;
 import robosim.geometry.world.WorldObject;
 
 /** Finds which robots of a world can reach each other, as {@link WorldCheck} defines it. */
-public final class Rooms {
+final class Rooms {
     /** How often the step is halved. */
     private static final int HALVINGS = 2;
 

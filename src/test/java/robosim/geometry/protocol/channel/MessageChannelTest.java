@@ -344,7 +344,7 @@ class MessageChannelTest {
 
     private Object read(ClassLoader loader, byte[] bytes) throws ReflectiveOperationException {
         String home = "robosim.geometry.protocol.";
-        Class<?> channel = loader.loadClass(home + "MessageChannel");
+        Class<?> channel = loader.loadClass(home + "channel.MessageChannel");
         Class<?> translator = loader.loadClass(home + "MessageTranslator");
         Class<?> pace = loader.loadClass(home + "MessagePace");
         Class<?> gate = loader.loadClass(home + "Gate");
