@@ -1,8 +1,6 @@
 package robosim.geometry.chart;
 
 import java.util.Locale;
-import robosim.geometry.chart.Series.Dot;
-import robosim.geometry.chart.Series.Line;
 
 /** Draws the series of a panel: lines below, markers above them, words where there is room. */
 final class SeriesPainter {
@@ -23,37 +21,37 @@ final class SeriesPainter {
 
     void paint() {
         for (Series series : panel.series()) {
-            if (series.line() == Line.BARS) {
+            if (series.line() == Series.Line.BARS) {
                 bars(series);
-            } else if (series.line() != Line.NONE) {
+            } else if (series.line() != Series.Line.NONE) {
                 line(series);
             }
         }
         for (Series series : panel.series()) {
-            for (Dot dot : series.dots()) {
+            for (Series.Dot dot : series.dots()) {
                 if (dot.margin() > 0) {
                     margin(series, dot);
                 }
-                if (series.line() != Line.BARE && series.line() != Line.BARS) {
+                if (series.line() != Series.Line.BARE && series.line() != Series.Line.BARS) {
                     out.append(series.marker().draw(x(dot), y(dot), RADIUS, style(series)));
                     labels.take(x(dot), y(dot), RADIUS + 1);
                 }
             }
         }
         for (Series series : panel.series()) {
-            for (Dot dot : series.dots()) {
-                if (!dot.label().isEmpty() && series.line() != Line.BARS) {
+            for (Series.Dot dot : series.dots()) {
+                if (!dot.label().isEmpty() && series.line() != Series.Line.BARS) {
                     write(series, dot);
                 }
             }
         }
     }
 
-    private double x(Dot dot) {
+    private double x(Series.Dot dot) {
         return plot.left() + panel.x().at(dot.x()) * (plot.right() - plot.left());
     }
 
-    private double y(Dot dot) {
+    private double y(Series.Dot dot) {
         return y(dot.y());
     }
 
@@ -61,7 +59,7 @@ final class SeriesPainter {
         return plot.bottom() - panel.y().at(value) * (plot.bottom() - plot.top());
     }
 
-    private void margin(Series series, Dot dot) {
+    private void margin(Series series, Series.Dot dot) {
         out.append(String.format(
                 Locale.ROOT,
                 "<path class=\"s%d\" stroke-width=\"1.5\" d=\"M%.1f %.1fV%.1f\"/>\n",
@@ -75,7 +73,7 @@ final class SeriesPainter {
         StringBuilder d = new StringBuilder();
         double lastX = 0;
         double lastY = 0;
-        for (Dot dot : series.dots()) {
+        for (Series.Dot dot : series.dots()) {
             d.append(String.format(Locale.ROOT, "%s%.1f %.1f", d.length() == 0 ? "M" : "L", x(dot), y(dot)));
             if (d.indexOf("L") > 0) {
                 labels.takeLine(lastX, lastY, x(dot), y(dot));
@@ -87,14 +85,14 @@ final class SeriesPainter {
     }
 
     private static String stroke(Series series, String d) {
-        String dash = series.line() == Line.DASHED ? " stroke-dasharray=\"5 4\"" : "";
+        String dash = series.line() == Series.Line.DASHED ? " stroke-dasharray=\"5 4\"" : "";
         return "<path class=\"s" + series.colour() + "\" stroke-width=\"2\"" + dash + " d=\"" + d + "\"/>\n";
     }
 
     private void bars(Series series) {
         double thick = Math.min(
                 20, (plot.bottom() - plot.top()) / Math.max(1, panel.y().ticks().size()) * 0.62);
-        for (Dot dot : series.dots()) {
+        for (Series.Dot dot : series.dots()) {
             out.append(String.format(
                     Locale.ROOT,
                     "<rect class=\"%s\" x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\"/>\n",
@@ -115,7 +113,7 @@ final class SeriesPainter {
         }
     }
 
-    private void write(Series series, Dot dot) {
+    private void write(Series series, Series.Dot dot) {
         double width = Words.width(dot.label(), SIZE);
         Labels.Place place = labels.find(x(dot), y(dot), width, SIZE + 1);
         if (place != null) {
@@ -133,7 +131,7 @@ final class SeriesPainter {
 
     /** A look for the legend. */
     static void sample(Series series, double x, double y, StringBuilder out) {
-        if (series.line() == Line.BARS) {
+        if (series.line() == Series.Line.BARS) {
             out.append(String.format(
                     Locale.ROOT,
                     "<rect class=\"%s\" x=\"%.1f\" y=\"%.1f\" width=\"24\" height=\"11\"/>\n",
@@ -142,10 +140,10 @@ final class SeriesPainter {
                     y - 5.5));
             return;
         }
-        if (series.line() != Line.NONE) {
+        if (series.line() != Series.Line.NONE) {
             out.append(stroke(series, String.format(Locale.ROOT, "M%.1f %.1fh26", x, y)));
         }
-        if (series.line() != Line.BARE) {
+        if (series.line() != Series.Line.BARE) {
             out.append(series.marker().draw(x + 13, y, RADIUS, style(series)));
         }
     }
