@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
@@ -12,7 +13,7 @@ import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 
 /**
- * Objects of all five shapes: upright, turned and tipped, some flat or empty, half of them on a grid of eighths, where
+ * Objects of all six shapes: upright, turned and tipped, some flat or empty, half of them on a grid of eighths, where
  * things touch exactly.
  */
 final class RandomObjects {
@@ -46,23 +47,24 @@ final class RandomObjects {
         return placed(shape(0), spread);
     }
 
-    /** A box, cylinder or sphere. */
+    /** A box, cylinder, sphere or capsule. */
     GeometryObject primitive() {
-        return placed(simple(random.nextInt(3)), spread);
+        return placed(simple(random.nextInt(4)), spread);
     }
 
     /** A primitive that stands upright. */
     GeometryObject upright() {
-        return simple(random.nextInt(3)).turned(0, heading()).movedTo(place(spread));
+        return simple(random.nextInt(4)).turned(0, heading()).movedTo(place(spread));
     }
 
     /** What the reference knows: all but tipped cylinders, solid meshes and moved groups. */
     GeometryObject plain() {
-        return switch (random.nextInt(6)) {
+        return switch (random.nextInt(7)) {
             case 0, 1 -> placed(simple(0), spread);
             case 2 -> simple(1).turned(180 * random.nextInt(2), heading()).movedTo(place(spread));
             case 3 -> placed(simple(2), spread);
             case 4 -> placed(surface(), spread);
+            case 5 -> placed(simple(3), spread);
             default -> new ObjectGroup(List.of(simple(1).movedTo(place(spread)), placed(simple(0), spread)));
         };
     }
@@ -89,7 +91,7 @@ final class RandomObjects {
             case 0, 1, 2 -> simple(kind);
             case 3 -> surface();
             case 4 -> closed();
-            case 5 -> simple(random.nextInt(3));
+            case 5 -> simple(3);
             default -> group(depth);
         };
     }
@@ -98,7 +100,8 @@ final class RandomObjects {
         return switch (kind) {
             case 0 -> new BoxObject(new Point(), 2 * size(), 2 * size(), 2 * size());
             case 1 -> new CylinderObject(new Point(), size(), 2 * size());
-            default -> new SphereObject(new Point(), size());
+            case 2 -> new SphereObject(new Point(), size());
+            default -> new CapsuleObject(new Point(), size(), 2 * size());
         };
     }
 

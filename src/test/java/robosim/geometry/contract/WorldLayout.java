@@ -194,9 +194,10 @@ enum WorldLayout {
     private GeometryObject simple(SplittableRandom random, double size) {
         double e = extent(random, size);
         double half = this == LATTICE ? Math.ceil(size / 2) : size / 2;
-        return switch (random.nextInt(5)) {
+        return switch (random.nextInt(6)) {
             case 0, 1 -> new BoxObject(new Point(), e, extent(random, size), extent(random, size));
             case 2, 3 -> new CylinderObject(new Point(), half, e);
+            case 4 -> new CapsuleObject(new Point(), half, e);
             default -> new SphereObject(new Point(), half);
         };
     }

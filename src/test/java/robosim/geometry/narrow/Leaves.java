@@ -22,7 +22,7 @@ public final class Leaves {
         }
         switch (kind) {
             case UPRIGHT_BOX -> Rotations.yaw(random.nextDouble(-180, 180), 0, row, Leaf.ROTATION);
-            case BOX, CYLINDER -> turn(row, random.nextDouble(-180, 180), random.nextDouble(-180, 180));
+            case BOX, CYLINDER, CAPSULE -> turn(row, random.nextDouble(-180, 180), random.nextDouble(-180, 180));
             case TRIANGLE -> {
                 for (int i = 3; i < 9; i++) {
                     row[i] = random.nextDouble(-size, size);
@@ -43,7 +43,7 @@ public final class Leaves {
         }
         switch (kind) {
             case UPRIGHT_BOX -> Rotations.yaw(90.0 * random.nextInt(4), 0, row, Leaf.ROTATION);
-            case BOX, CYLINDER -> turn(row, 90.0 * random.nextInt(4), 45.0 * random.nextInt(8));
+            case BOX, CYLINDER, CAPSULE -> turn(row, 90.0 * random.nextInt(4), 45.0 * random.nextInt(8));
             case TRIANGLE -> {
                 for (int i = 3; i < 9; i++) {
                     row[i] = random.nextInt(-3, 4);

@@ -79,7 +79,7 @@ public final class PlanarRows {
     }
 
     private void rotation(LeafKind kind, double[] row) {
-        if (kind == LeafKind.UPRIGHT_BOX || kind == LeafKind.UPRIGHT_CYLINDER || kind == LeafKind.SPHERE) {
+        if (kind == LeafKind.UPRIGHT_BOX || kind.isDisc()) {
             upright(row, random.nextInt(3) == 0 ? 90 * random.nextInt(4) : between(360));
             return;
         }

@@ -19,7 +19,7 @@ public final class PlanarSampling {
                     points.add(new double[] {row[k], row[k + 2]});
                 }
             }
-            case SPHERE, UPRIGHT_CYLINDER -> {
+            case SPHERE, UPRIGHT_CYLINDER, UPRIGHT_CAPSULE -> {
                 for (int k = 0; k < RIM; k++) {
                     double t = 2 * Math.PI * k / RIM;
                     points.add(new double[] {row[0] + row[3] * Math.cos(t), row[2] + row[3] * Math.sin(t)});
@@ -35,6 +35,17 @@ public final class PlanarSampling {
                         points.add(new double[] {
                             row[0] + row[6] * x + row[7] * y + row[8] * z,
                             row[2] + row[12] * x + row[13] * y + row[14] * z
+                        });
+                    }
+                }
+            }
+            case CAPSULE -> {
+                for (int side = -1; side <= 1; side += 2) {
+                    for (int k = 0; k < RIM; k++) {
+                        double t = 2 * Math.PI * k / RIM;
+                        points.add(new double[] {
+                            row[0] + side * row[4] * row[7] + row[3] * Math.cos(t),
+                            row[2] + side * row[4] * row[13] + row[3] * Math.sin(t)
                         });
                     }
                 }
@@ -100,7 +111,7 @@ public final class PlanarSampling {
     }
 
     private static int isCurved(LeafKind kindA, LeafKind kindB) {
-        boolean curved = kindA == LeafKind.CYLINDER || kindB == LeafKind.CYLINDER || kindB.isDisc();
+        boolean curved = kindA.isRound() || kindB.isRound();
         return curved ? 1 : 0;
     }
 

@@ -3,6 +3,7 @@ package robosim.geometry.narrow;
 import java.math.BigDecimal;
 import java.math.BigInteger;
 import java.math.MathContext;
+import org.jspecify.annotations.Nullable;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
@@ -18,23 +19,34 @@ public final class RayOracle {
     /** The distance, or null on a miss. */
     public static BigDecimal distance(double[] o, double[] d, LeafKind kind, double[] row) {
         BigDecimal t = switch (kind) {
-            case SPHERE -> sphere(o, d, row);
+            case SPHERE -> sphere(minus(vector(o), vector(row, 0, 1)), vector(d), row[3]);
             case UPRIGHT_BOX, BOX -> box(o, d, row);
             case TRIANGLE -> triangle(vector(o), vector(d), vector(row, 0, 1), vector(row, 3, 1), vector(row, 6, 1));
             case UPRIGHT_CYLINDER -> cylinder(o, d, row, vector(new double[] {0, 1, 0}));
             case CYLINDER -> cylinder(o, d, row, vector(row, 7, 3));
+            case UPRIGHT_CAPSULE -> capsule(o, d, row, vector(new double[] {0, 1, 0}));
+            case CAPSULE -> capsule(o, d, row, vector(row, 7, 3));
             case PRISM -> prism(o, d, row);
-            case UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case MESH, SOLID_MESH -> throw kind.refused();
         };
         return t == null ? null : t.multiply(dot(vector(d), vector(d)).sqrt(DIGITS), DIGITS);
     }
 
-    private static BigDecimal sphere(double[] o, double[] d, double[] row) {
-        BigDecimal[] m = minus(vector(o), vector(row, 0, 1));
-        BigDecimal[] u = vector(d);
+    /** The first of the cylinder about the segment and of the spheres about its ends. */
+    private static @Nullable BigDecimal capsule(double[] o, double[] d, double[] row, BigDecimal[] a) {
+        BigDecimal least = cylinder(o, d, row, a);
+        for (int side = -1; side <= 1; side += 2) {
+            BigDecimal[] end = plus(vector(row, 0, 1), times(a, big(side * row[4])));
+            BigDecimal there = sphere(minus(vector(o), end), vector(d), row[3]);
+            least = least == null ? there : there == null ? least : least.min(there);
+        }
+        return least;
+    }
+
+    private static @Nullable BigDecimal sphere(BigDecimal[] m, BigDecimal[] u, double radius) {
         BigDecimal a = dot(u, u);
         BigDecimal b = dot(m, u);
-        BigDecimal c = dot(m, m).subtract(big(row[3]).pow(2));
+        BigDecimal c = dot(m, m).subtract(big(radius).pow(2));
         if (c.signum() <= 0) {
             return BigDecimal.ZERO;
         }

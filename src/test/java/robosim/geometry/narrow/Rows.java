@@ -90,8 +90,8 @@ public final class Rows {
         return switch (kind) {
             case UPRIGHT_BOX -> box(x, y, z, p, q, r, yaw(random.nextDouble(-3, 3)));
             case BOX -> box(x, y, z, p, q, r, rotation(random));
-            case UPRIGHT_CYLINDER -> cylinder(x, y, z, p, q, identity());
-            case CYLINDER -> cylinder(x, y, z, p, q, rotation(random));
+            case UPRIGHT_CYLINDER, UPRIGHT_CAPSULE -> cylinder(x, y, z, p, q, identity());
+            case CYLINDER, CAPSULE -> cylinder(x, y, z, p, q, rotation(random));
             case SPHERE -> sphere(x, y, z, p);
             case PRISM -> prism(x, y, z, p, q, r, random);
             case TRIANGLE -> {
@@ -103,7 +103,7 @@ public final class Rows {
                 }
                 yield triangle(corners);
             }
-            case UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case MESH, SOLID_MESH -> throw kind.refused();
         };
     }
 

@@ -68,9 +68,14 @@ public final class SupportTwin {
             }
             return sum;
         }
-        BigDecimal[] axis = kind == LeafKind.CYLINDER
+        BigDecimal[] axis = kind == LeafKind.CYLINDER || kind == LeafKind.CAPSULE
                 ? CylinderTwin.decimals(row[7], row[10], row[13])
                 : CylinderTwin.decimals(0, 1, 0);
+        if (kind.isCapsule()) {
+            return new BigDecimal(row[4])
+                    .multiply(CylinderTwin.dot(n, axis).abs())
+                    .add(radius.multiply(CylinderTwin.root(CylinderTwin.dot(n, n))));
+        }
         BigDecimal[] cross = CylinderTwin.cross(n, axis);
         BigDecimal square = CylinderTwin.dot(cross, cross).divide(CylinderTwin.dot(axis, axis), CylinderTwin.DIGITS);
         return new BigDecimal(row[4])

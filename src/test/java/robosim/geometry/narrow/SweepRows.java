@@ -75,11 +75,11 @@ public final class SweepRows {
         return switch (kind) {
             case UPRIGHT_BOX -> uprightBox(x, y, z, p, q, r, yaw);
             case BOX -> box(x, y, z, p, q, r, yaw, pitch, more);
-            case UPRIGHT_CYLINDER, SPHERE -> disc(x, y, z, p, kind == LeafKind.SPHERE ? 0 : q);
-            case CYLINDER -> cylinder(x, y, z, p, q, yaw, pitch, more);
+            case UPRIGHT_CYLINDER, UPRIGHT_CAPSULE, SPHERE -> disc(x, y, z, p, kind == LeafKind.SPHERE ? 0 : q);
+            case CYLINDER, CAPSULE -> cylinder(x, y, z, p, q, yaw, pitch, more);
             case TRIANGLE -> triangle(points(x, y, z, 3, random));
             case PRISM -> prism(points(x, y, z, 6, random));
-            case UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case MESH, SOLID_MESH -> throw kind.refused();
         };
     }
 

@@ -41,6 +41,14 @@ public final class Gaps {
             return Box.around(points, radius);
         }
 
+        Reference.Piece piece() {
+            return new Reference.Piece(points, radius, ball);
+        }
+
+        boolean leans() {
+            return ball && piece().leans();
+        }
+
         List<Rational[]> outline() {
             return points.stream().map(Reference::flat).toList();
         }
@@ -181,6 +189,9 @@ public final class Gaps {
         }
         if (!a.disc && !b.disc) {
             return less(new Nearest(a.points, b.points).square(), a.radius.plus(b.radius));
+        }
+        if (a.leans() || b.leans()) {
+            return a.ball ? Reference.besideDisc(a.piece(), b.piece()) : Reference.besideDisc(b.piece(), a.piece());
         }
         boolean ballBeside = a.ball || b.ball;
         if (!ballBeside && !(a.straight && b.straight)) {

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
@@ -17,17 +18,44 @@ import robosim.geometry.model.SphereObject;
 
 /**
  * What is true about two objects, or a ray and an object, in the real-number geometry of the stored numbers: slow and
- * exact. Knows boxes, spheres and surfaces in any attitude, cylinders that stand upright, and groups that were not moved.
+ * exact. Knows boxes, spheres, capsules and surfaces in any attitude, cylinders that stand upright, and groups that were not
+ * moved. A capsule that leans beside a cylinder is known to {@link #FINE} of their sizes.
  */
 public final class Reference {
     static final MathContext DIGITS = new MathContext(80);
 
+    /** What a capsule beside a cylinder is told to, as a share of their sizes and offset. */
+    private static final BigDecimal FINE = new BigDecimal("1e-36");
+
     private Reference() {}
 
-    /** A convex piece: the hull of points; round where it has a radius, and then between two heights or a ball. */
+    /**
+     * A convex piece: the hull of points; round where it has a radius, and then a disc between two heights, or a ball that goes
+     * from one point to another, which may be the same.
+     */
     record Piece(List<Rational[]> points, Rational radius, boolean ball) {
         boolean round() {
             return radius.signum() >= 0;
+        }
+
+        boolean isCapsule() {
+            return ball && Rational.dot(along(), along()).signum() > 0;
+        }
+
+        boolean leans() {
+            return ball && (along()[0].signum() != 0 || along()[2].signum() != 0);
+        }
+
+        private Rational[] along() {
+            return Rational.minus(points.get(1), points.get(0));
+        }
+
+        Rational low() {
+            return points.get(0)[1].compareTo(points.get(1)[1]) <= 0 ? points.get(0)[1] : points.get(1)[1];
+        }
+
+        Rational high() {
+            return points.get(0)[1].max(points.get(1)[1]);
         }
     }
 
@@ -64,6 +92,7 @@ public final class Reference {
                 pieces.add(new Piece(List.of(exact(object.center()), exact(object.center())), radius, true));
             }
             case CYLINDER -> pieces.add(axis((CylinderObject) object));
+            case CAPSULE -> pieces.add(capsule((CapsuleObject) object));
             case MESH -> triangles((MeshObject) object, pieces);
             case GROUP -> {
                 ObjectGroup group = (ObjectGroup) object;
@@ -103,6 +132,19 @@ public final class Reference {
             corners.add(point);
         }
         return corners;
+    }
+
+    private static Piece capsule(CapsuleObject capsule) {
+        double[] r = capsule.rotation();
+        Rational half = Rational.of(capsule.segment() / 2);
+        Rational[] low = exact(capsule.center());
+        Rational[] high = exact(capsule.center());
+        for (int k = 0; k < 3; k++) {
+            Rational arm = half.times(Rational.of(r[3 * k + 1]));
+            low[k] = low[k].minus(arm);
+            high[k] = high[k].plus(arm);
+        }
+        return new Piece(List.of(low, high), Rational.of(capsule.radius()), true);
     }
 
     private static Piece axis(CylinderObject cylinder) {
@@ -148,6 +190,9 @@ public final class Reference {
         if (!a.round()) {
             return planar ? Simplex.meet(flat(a.points), flat(b.points)) : Simplex.meet(a.points, b.points);
         }
+        if (a.isCapsule() || b.isCapsule()) {
+            return capsuleMeet(a, b, planar);
+        }
         if (b.round()) {
             return roundMeet(a, b, planar);
         }
@@ -161,7 +206,76 @@ public final class Reference {
         return !between.isEmpty() && within(flat(a.points.get(0)), flat(between), a.radius);
     }
 
-    /** Balls and upright cylinders: how far apart they are to the side, and what of a ball's radius is left there. */
+    /** A capsule and anything, in either order. */
+    private static boolean capsuleMeet(Piece a, Piece b, boolean planar) {
+        boolean isDiscBeside = !planar && ((a.round() && !a.ball) || (b.round() && !b.ball));
+        if (isDiscBeside && (a.leans() || b.leans())) {
+            return a.ball ? besideDisc(a, b).signum() == 0 : besideDisc(b, a).signum() == 0;
+        }
+        if (isDiscBeside) {
+            return roundMeet(a, b, false);
+        }
+        Rational square = planar
+                ? new Nearest(flat(a.points), flat(b.points)).square()
+                : new Nearest(a.points, b.points).square();
+        return square.compareTo(a.radius.plus(b.radius.max(Rational.ZERO)).square()) <= 0;
+    }
+
+    /** The gap between a capsule and an upright cylinder, 0 where that is less than {@link #FINE}. */
+    static BigDecimal besideDisc(Piece capsule, Piece disc) {
+        BigDecimal[][] ends = new BigDecimal[2][3];
+        Rational size = capsule.radius.plus(disc.radius);
+        for (int k = 0; k < 3; k++) {
+            Rational to = disc.points.get(0)[k];
+            for (int end = 0; end < 2; end++) {
+                Rational off = capsule.points.get(end)[k].minus(to);
+                ends[end][k] = off.toDecimal(DIGITS);
+                size = size.plus(off.max(off.negate()));
+            }
+        }
+        BigDecimal height = disc.points.get(1)[1].minus(disc.points.get(0)[1]).toDecimal(DIGITS);
+        BigDecimal radius = disc.radius.toDecimal(DIGITS);
+        BigDecimal low = BigDecimal.ZERO;
+        BigDecimal high = BigDecimal.ONE;
+        BigDecimal third = BigDecimal.ONE.divide(BigDecimal.valueOf(3), DIGITS);
+        BigDecimal least = toDisc(ends, low, height, radius).min(toDisc(ends, high, height, radius));
+        // The distance of a point that goes along a line from what is convex falls and rises again.
+        for (int step = 0; step < 250; step++) {
+            BigDecimal part = high.subtract(low).multiply(third, DIGITS);
+            BigDecimal first = low.add(part);
+            BigDecimal second = high.subtract(part);
+            BigDecimal atFirst = toDisc(ends, first, height, radius);
+            BigDecimal atSecond = toDisc(ends, second, height, radius);
+            least = least.min(atFirst).min(atSecond);
+            if (least.signum() == 0) {
+                break;
+            }
+            if (atFirst.compareTo(atSecond) <= 0) {
+                high = second;
+            } else {
+                low = first;
+            }
+        }
+        BigDecimal gap = least.subtract(capsule.radius.toDecimal(DIGITS));
+        return gap.compareTo(FINE.multiply(size.toDecimal(DIGITS))) <= 0 ? BigDecimal.ZERO : gap;
+    }
+
+    /** From a place on the way between two points to a cylinder that stands on the origin. */
+    private static BigDecimal toDisc(BigDecimal[][] ends, BigDecimal share, BigDecimal height, BigDecimal radius) {
+        BigDecimal[] p = new BigDecimal[3];
+        for (int k = 0; k < 3; k++) {
+            p[k] = ends[0][k].add(ends[1][k].subtract(ends[0][k]).multiply(share, DIGITS), DIGITS);
+        }
+        BigDecimal up = p[1].subtract(height).max(p[1].negate()).max(BigDecimal.ZERO);
+        BigDecimal aside = p[0].multiply(p[0])
+                .add(p[2].multiply(p[2]))
+                .sqrt(DIGITS)
+                .subtract(radius)
+                .max(BigDecimal.ZERO);
+        return aside.multiply(aside).add(up.multiply(up)).sqrt(DIGITS);
+    }
+
+    /** Balls and what stands upright: how far apart they are to the side, and what of a ball's radius is left there. */
     private static boolean roundMeet(Piece a, Piece b, boolean planar) {
         Rational[] aside = Rational.minus(flat(a.points.get(0)), flat(b.points.get(0)));
         Rational square = Rational.dot(aside, aside);
@@ -169,10 +283,7 @@ public final class Reference {
         if (planar) {
             return square.compareTo(reach.square()) <= 0;
         }
-        Rational gap = a.points
-                .get(0)[1]
-                .minus(b.points.get(1)[1])
-                .max(b.points.get(0)[1].minus(a.points.get(1)[1]));
+        Rational gap = a.low().minus(b.high()).max(b.low().minus(a.high()));
         if (a.ball && b.ball) {
             return square.plus(gap.square()).compareTo(reach.square()) <= 0;
         }
@@ -279,6 +390,11 @@ public final class Reference {
                     : Simplex.enter(start, way, piece.points);
             return share == null ? null : share.toDecimal(DIGITS);
         }
+        if (piece.isCapsule()) {
+            return planar
+                    ? enterCapsule(flat(start), flat(way), flat(piece.points), piece.radius)
+                    : enterCapsule(start, way, piece.points, piece.radius);
+        }
         boolean level = planar || !piece.ball;
         Rational[] m = Rational.minus(start, piece.points.get(0));
         Rational low = Rational.ZERO;
@@ -295,18 +411,67 @@ public final class Reference {
                 high = heights[up ? 1 : 0].over(way[1]);
             }
         }
-        return enterRound(level ? flat(m) : m, level ? flat(way) : way, piece.radius, low, high);
+        return enterRound(level ? flat(m) : m, level ? flat(way) : way, piece.radius.square(), low, high);
     }
 
-    /** The least t in [low, high] with |m + t way| at most r. */
+    /** The first of the balls about the ends and of what is beside the segment. */
+    private static @Nullable BigDecimal enterCapsule(
+            Rational[] start, Rational[] way, List<Rational[]> ends, Rational radius) {
+        BigDecimal least = null;
+        for (Rational[] end : ends) {
+            least = first(least, enterRound(Rational.minus(start, end), way, radius.square(), Rational.ZERO, null));
+        }
+        Rational[] along = Rational.minus(ends.get(1), ends.get(0));
+        Rational length = Rational.dot(along, along);
+        if (length.signum() == 0) {
+            return least;
+        }
+        Rational[] from = Rational.minus(start, ends.get(0));
+        Rational begins = Rational.dot(from, along);
+        Rational slope = Rational.dot(way, along);
+        Rational low = Rational.ZERO;
+        Rational high = null;
+        if (slope.signum() == 0) {
+            if (begins.signum() < 0 || begins.compareTo(length) > 0) {
+                return least;
+            }
+        } else {
+            Rational one = begins.negate().over(slope);
+            Rational two = length.minus(begins).over(slope);
+            low = low.max(slope.signum() > 0 ? one : two);
+            high = slope.signum() > 0 ? two : one;
+        }
+        return first(
+                least,
+                enterRound(
+                        across(from, along), across(way, along), radius.square().times(length), low, high));
+    }
+
+    private static @Nullable BigDecimal first(@Nullable BigDecimal one, @Nullable BigDecimal other) {
+        return one == null ? other : other == null ? one : one.min(other);
+    }
+
+    /** The cross product, of one number in the plane. */
+    private static Rational[] across(Rational[] u, Rational[] v) {
+        if (u.length == 2) {
+            return new Rational[] {u[0].times(v[1]).minus(u[1].times(v[0]))};
+        }
+        return new Rational[] {
+            u[1].times(v[2]).minus(u[2].times(v[1])),
+            u[2].times(v[0]).minus(u[0].times(v[2])),
+            u[0].times(v[1]).minus(u[1].times(v[0]))
+        };
+    }
+
+    /** The least t in [low, high] for which the square of m + t way is at most so much. */
     private static @Nullable BigDecimal enterRound(
-            Rational[] m, Rational[] way, Rational r, Rational low, @Nullable Rational high) {
+            Rational[] m, Rational[] way, Rational square, Rational low, @Nullable Rational high) {
         if (high != null && high.compareTo(low) < 0) {
             return null;
         }
         Rational a = Rational.dot(way, way);
         Rational b = Rational.dot(m, way);
-        Rational c = Rational.dot(m, m).minus(r.square());
+        Rational c = Rational.dot(m, m).minus(square);
         if (value(a, b, c, low).signum() <= 0) {
             return low.toDecimal(DIGITS);
         }

@@ -29,6 +29,9 @@ final class ConeCapsule {
     /** What a numerator is off by in pairs of doubles, as a share of its terms: some ten steps of 2^-102 to 2^-100. */
     private static final double PAIRS_ERROR = 0x1p-92;
 
+    /** Of the plane where the border is grazed: as much of the sizes and the offset may be lost. */
+    private static final double TILT = 0x1p-45;
+
     private static final StageCounters.Counter REFINED = StageCounters.counter("ConeCapsule.refined");
 
     private static final int M = Cone.FREE;
@@ -62,6 +65,9 @@ final class ConeCapsule {
 
     private double upper;
 
+    /** Whether the last place is beside the cone, neither in it nor behind it. */
+    private boolean isBeside;
+
     /** At least what {@link #distance} answered is below the true distance: the distance of a point that is met. */
     double upper() {
         return upper;
@@ -72,7 +78,7 @@ final class ConeCapsule {
         take(in, b, j, ax, ay, az);
         double t = search(-1, 1);
         double lower = certify(t, 0);
-        if (upper - lower > TIGHT * upper) {
+        if (isOpen(lower)) {
             REFINED.count();
             // The place is known to some 2^-26 at least, as far as doubles see; pairs see on from there.
             double around = 0x1p-22;
@@ -80,8 +86,15 @@ final class ConeCapsule {
             double to = Math.min(1 - t, around);
             double rest = refine(t, from, to);
             lower = Math.max(lower, certify(t, rest));
+            if (isOpen(lower)) {
+                lower = Math.max(lower, Math.max(certifyCrossing(t, rest), certifyGrazing(t, rest)));
+            }
         }
         return lower > far ? Double.POSITIVE_INFINITY : lower;
+    }
+
+    private boolean isOpen(double lower) {
+        return lower <= far && (upper == Double.POSITIVE_INFINITY || upper - lower > TIGHT * upper);
     }
 
     private void take(Cone in, double[] b, int j, double ax, double ay, double az) {
@@ -206,12 +219,20 @@ final class ConeCapsule {
         p.multiply(PAST, ASIDE, Cone.COS);
         p.multiply(TEMPORARY, AHEAD, Cone.SIN);
         p.subtract(PAST, PAST, TEMPORARY);
+        p.multiply(ALONG, AHEAD, Cone.COS);
+        p.multiply(TEMPORARY, ASIDE, Cone.SIN);
+        p.add(ALONG, ALONG, TEMPORARY);
         p.set(SUM, r);
-        if (p.get(PAST) <= 0) {
+        boolean isWithin = p.get(PAST) <= 0;
+        isBeside = !isWithin && p.get(ALONG) >= 0;
+        if (!isBeside) {
+            // In the cone, or behind: there the cone is nearest at its apex, which is outside the capsule.
             p.dot(ALONG, X, X, TEMPORARY);
             p.root(ALONG, ALONG);
-            p.subtract(ALONG, ALONG, SUM);
-            return true;
+            if (isWithin) {
+                p.subtract(ALONG, ALONG, SUM);
+            }
+            return isWithin;
         }
         p.subtract(TEMPORARY, SUM, PAST);
         if (p.get(TEMPORARY) < 0) {
@@ -221,9 +242,6 @@ final class ConeCapsule {
         p.add(TEMPORARY + 1, SUM, PAST);
         p.multiply(SHARE, TEMPORARY, TEMPORARY + 1);
         p.root(SHARE, SHARE); // how far before the foot on the border the ball begins
-        p.multiply(ALONG, AHEAD, Cone.COS);
-        p.multiply(TEMPORARY, ASIDE, Cone.SIN);
-        p.add(ALONG, ALONG, TEMPORARY);
         p.subtract(ALONG, ALONG, SHARE);
         return true;
     }
@@ -232,52 +250,93 @@ final class ConeCapsule {
     private double certify(double t, double rest) {
         DoubleDoubles p = cone.pairs;
         boolean isMet = place(t, rest);
-        boolean isWithin = p.get(PAST) <= 0;
         upper = isMet ? Math.max(0, p.get(ALONG)) : Double.POSITIVE_INFINITY;
-        if (isWithin) {
-            copy(N, X);
+        if (!isBeside) {
+            for (int k = 0; k < 3; k++) {
+                p.set(N + k, p.get(X + k), p.rest(X + k));
+            }
         } else {
-            // In the plane of X and the axis: e is square to the axis, and n = s (cos u + sin e) + past (cos e - sin
-            // u).
             if (!isMet) {
                 p.set(SHARE, 0);
             }
-            p.multiply(G, SHARE, Cone.COS);
-            p.multiply(TEMPORARY, PAST, Cone.SIN);
-            p.subtract(G, G, TEMPORARY);
-            p.multiply(G + 1, SHARE, Cone.SIN);
-            p.multiply(TEMPORARY, PAST, Cone.COS);
-            p.add(G + 1, G + 1, TEMPORARY);
-            p.divide(G + 1, G + 1, ASIDE); // e = (x - ahead u) / aside
-            p.multiply(TEMPORARY, AHEAD, G + 1);
-            p.subtract(G, G, TEMPORARY);
-            for (int k = 0; k < 3; k++) {
-                p.multiply(N + k, X + k, G + 1);
-                p.multiply(TEMPORARY, Cone.AXIS + k, G);
-                p.add(N + k, N + k, TEMPORARY);
-            }
+            tilt();
         }
-        boolean isBetween = Math.abs(t + rest) < 1 && half > 0;
-        if (isBetween) {
+        return bound(t + rest);
+    }
+
+    /** The same where the segment crosses the border and is so thin that the ball does not tell how: the plane along it. */
+    private double certifyCrossing(double t, double rest) {
+        DoubleDoubles p = cone.pairs;
+        place(t, rest);
+        if (!(p.get(ASIDE) > 0)) {
+            return 0; // on the axis
+        }
+        for (int k = 0; k < 3; k++) {
+            p.multiply(TEMPORARY, Cone.AXIS + k, AHEAD);
+            p.subtract(CROSS + k, X + k, TEMPORARY);
+            p.divide(CROSS + k, CROSS + k, ASIDE); // e
+        }
+        p.dot(SUM, CROSS, A, TEMPORARY);
+        p.dot(G, Cone.AXIS, A, TEMPORARY);
+        // What is square to the segment has its part along the border from the segment's part out of it, and the
+        // reverse.
+        p.multiply(SHARE, SUM, Cone.COS);
+        p.multiply(TEMPORARY, G, Cone.SIN);
+        p.subtract(SHARE, SHARE, TEMPORARY);
+        p.multiply(PAST, G, Cone.COS);
+        p.multiply(TEMPORARY, SUM, Cone.SIN);
+        p.add(PAST, PAST, TEMPORARY);
+        if (p.get(SHARE) < 0) {
+            p.negate(SHARE);
+        }
+        if (p.get(PAST) < 0) {
+            p.negate(PAST);
+        }
+        tilt();
+        return bound(t + rest);
+    }
+
+    /** The same where the ball about the place all but touches the border: the plane there, tilted by so little. */
+    private double certifyGrazing(double t, double rest) {
+        place(t, rest);
+        if (!(cone.pairs.get(ASIDE) > 0)) {
+            return 0;
+        }
+        cone.pairs.set(SHARE, TILT);
+        cone.pairs.set(PAST, 1);
+        tilt();
+        return bound(t + rest);
+    }
+
+    /** N from SHARE and PAST: with e from the axis u to X, n = share (cos u + sin e) + past (cos e - sin u). */
+    private void tilt() {
+        DoubleDoubles p = cone.pairs;
+        p.multiply(G, SHARE, Cone.COS);
+        p.multiply(TEMPORARY, PAST, Cone.SIN);
+        p.subtract(G, G, TEMPORARY);
+        p.multiply(G + 1, SHARE, Cone.SIN);
+        p.multiply(TEMPORARY, PAST, Cone.COS);
+        p.add(G + 1, G + 1, TEMPORARY);
+        p.divide(G + 1, G + 1, ASIDE); // e = (x - ahead u) / aside
+        p.multiply(TEMPORARY, AHEAD, G + 1);
+        p.subtract(G, G, TEMPORARY);
+        for (int k = 0; k < 3; k++) {
+            p.multiply(N + k, X + k, G + 1);
+            p.multiply(TEMPORARY, Cone.AXIS + k, G);
+            p.add(N + k, N + k, TEMPORARY);
+        }
+    }
+
+    /** {@code (min n.x - r |n|) / k(n)}, less what it may be off by; 0 where the plane tells nothing, more than far where all. */
+    private double bound(double place) {
+        DoubleDoubles p = cone.pairs;
+        if (Math.abs(place) < 1 && half > 0) { // between the ends: square to the segment
             p.dot(SUM, N, A, TEMPORARY);
             p.dot(SHARE, A, A, TEMPORARY);
             p.divide(SUM, SUM, SHARE);
             p.negate(SUM);
             p.advance(N, N, SUM, A, TEMPORARY);
         }
-        return bound();
-    }
-
-    private void copy(int to, int from) {
-        DoubleDoubles p = cone.pairs;
-        for (int k = 0; k < 3; k++) {
-            p.set(to + k, p.get(from + k), p.rest(from + k));
-        }
-    }
-
-    /** {@code (min n.x - r |n|) / k(n)}, less what it may be off by; 0 where the plane tells nothing, more than far where all. */
-    private double bound() {
-        DoubleDoubles p = cone.pairs;
         p.dot(SHARE, N, N, TEMPORARY);
         p.root(SHARE, SHARE);
         double length = p.get(SHARE);

@@ -22,8 +22,8 @@ final class CapsuleCylinder {
         if (s.hull.lower() > 0) {
             return true;
         }
-        if (-s.hull.upper() > s.hull.error()
-                || isBetween(gjk.nx(), gjk.ny(), gjk.nz(), kindA, a, i, kindB, b, j)
+        // The hull's own bound from above is that of the segment, without the radius.
+        if (isBetween(gjk.nx(), gjk.ny(), gjk.nz(), kindA, a, i, kindB, b, j)
                 || isBetween(s.hull.x(), s.hull.y(), s.hull.z(), kindA, a, i, kindB, b, j)) {
             return false;
         }

@@ -15,7 +15,7 @@ public final class PlanarRay {
      * Distance from (ox, oz) along (ux, uz), a direction of any length but zero, to the nearest point of the leaf's
      * projection.
      *
-     * <p>Whether it is a hit is exact for boxes, triangles, spheres and upright cylinders, certified (no touch is missed)
+     * <p>Whether it is a hit is exact for boxes, triangles, spheres, capsules and upright cylinders, certified (no touch is missed)
      * for octagons and turned cylinders.
      *
      * @return world units; 0 where the start is inside or on it, {@code +Infinity} on a miss
@@ -39,9 +39,19 @@ public final class PlanarRay {
             case UPRIGHT_BOX -> RayRectangle.distance(ox, oz, ux, uz, b, j);
             case UPRIGHT_CYLINDER, SPHERE, UPRIGHT_CAPSULE ->
                 RayDisc.distance(ox, oz, ux, uz, b[j], b[j + 2], b[j + Leaf.SIZE]);
-            case CYLINDER, CAPSULE -> RayOval.distance(ox, oz, ux, uz, kind, b, j, s.planarB);
+            case CYLINDER -> RayOval.distance(ox, oz, ux, uz, kind, b, j, s.planarB);
+            case CAPSULE -> stadium(ox, oz, ux, uz, b, j, s);
             case BOX, TRIANGLE, PRISM -> RayPolygon.distance(ox, oz, ux, uz, kind, b, j, s);
             case MESH, SOLID_MESH -> throw kind.refused();
         };
+    }
+
+    /** A capsule from above is one that lies level, met at its own height. */
+    private static double stadium(double ox, double oz, double ux, double uz, double[] b, int j, RayScratch s) {
+        double ax = b[j + 7];
+        double az = b[j + 13];
+        return ax == 0 && az == 0
+                ? RayDisc.distance(ox, oz, ux, uz, b[j], b[j + 2], b[j + Leaf.SIZE])
+                : s.capsule.distance(ox, b[j + 1], oz, ux, 0, uz, b, j, ax, 0, az, s);
     }
 }

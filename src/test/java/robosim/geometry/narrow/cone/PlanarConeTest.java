@@ -55,7 +55,7 @@ class PlanarConeTest {
         int inside = 0;
         int count = 7000;
         for (int k = 0; k < count; k++) {
-            LeafKind kind = Leaves.KINDS[k % 7];
+            LeafKind kind = Leaves.KINDS[k % 9];
             double[] row = rows.row(kind, 1, 1);
             double ox = rows.between(2);
             double oz = rows.between(2);
@@ -91,7 +91,7 @@ class PlanarConeTest {
         int hits = 0;
         int close = 0;
         for (int k = 0; k < 1400; k++) {
-            LeafKind kind = Leaves.KINDS[k % 7];
+            LeafKind kind = Leaves.KINDS[k % 9];
             double[] row = rows.row(kind, 1, 1);
             double ox = rows.between(3);
             double oz = 3;

@@ -273,7 +273,7 @@ class SpatialConeTest {
 
     @Test
     void allocatesNothing() {
-        double[][] rows = new double[7][];
+        double[][] rows = new double[Leaves.KINDS.length][];
         SplittableRandom random = new SplittableRandom(3);
         for (LeafKind kind : Leaves.KINDS) {
             rows[kind.ordinal()] = Leaves.random(kind, random, 1);
@@ -289,7 +289,7 @@ class SpatialConeTest {
                 before = threads.getCurrentThreadAllocatedBytes();
             }
             sum += SpatialCone.distance(
-                    10 + i * 1e-6, 3, 4, -1, -0.31, -0.42, cos, sin, Leaves.KINDS[i % 7], rows[i % 7], 0, scratch);
+                    10 + i * 1e-6, 3, 4, -1, -0.31, -0.42, cos, sin, Leaves.KINDS[i % 9], rows[i % 9], 0, scratch);
         }
         assertThat(sum).isBetween(20_000.0, 400_000.0);
         assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(20_000);
@@ -374,6 +374,10 @@ class SpatialConeTest {
             double round = (p[0] + 1) / 2;
             double x = round * StrictMath.cos(Math.PI * p[2]);
             double z = round * StrictMath.sin(Math.PI * p[2]);
+            double along = p[1] * (row[4] + row[3]); // of a capsule: to its segment's share, and up from there
+            double share = Math.max(-1, Math.min(1, along / row[4]));
+            double up = along - share * row[4];
+            double aside = Math.sqrt(Math.max(0, (row[3] - up) * (row[3] + up)));
             double first = (p[0] + 1) / 2;
             double second = Math.min((p[1] + 1) / 2, 1 - first);
             double px = (row[0] + row[1]) / 2 + p[0] * (row[1] - row[0]) / 2;
@@ -398,9 +402,15 @@ class SpatialConeTest {
                                 + x * row[3] * row[6 + 3 * i]
                                 + p[1] * row[4] * row[7 + 3 * i]
                                 + z * row[3] * row[8 + 3 * i];
+                    case UPRIGHT_CAPSULE -> row[i] + (i == 1 ? up + share * row[4] : (i == 0 ? x : z) * aside);
+                    case CAPSULE ->
+                        row[i]
+                                + x * aside * row[6 + 3 * i]
+                                + (up + share * row[4]) * row[7 + 3 * i]
+                                + z * aside * row[8 + 3 * i];
                     case UPRIGHT_CYLINDER -> row[i] + (i == 1 ? p[1] * row[4] : (i == 0 ? x : z) * row[3]);
                     case SPHERE -> row[i];
-                    case UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+                    case MESH, SOLID_MESH -> throw kind.refused();
                 };
                 v[i] -= o[i];
             }

@@ -86,16 +86,16 @@ public class SpatialRayTest {
 
     /** Tangents missed or hit by some 1e-1 to 1e-17 of the radius. */
     @ParameterizedTest
-    @EnumSource(names = {"UPRIGHT_CYLINDER", "SPHERE", "CYLINDER"})
+    @EnumSource(names = {"UPRIGHT_CYLINDER", "SPHERE", "CYLINDER", "UPRIGHT_CAPSULE", "CAPSULE"})
     void agreesWithDecimalsOnGrazingRays(LeafKind kind) {
         SplittableRandom random = new SplittableRandom(300 + kind.ordinal());
         for (int i = 0; i < 2000; i++) {
             double[] row = Leaves.random(kind, random, 1);
             double far = i % 2 == 0 ? 1e6 : 3;
             // A point at about the radius from the axis, and a direction across both.
-            double[] axis = kind == LeafKind.CYLINDER
+            double[] axis = kind == LeafKind.CYLINDER || kind == LeafKind.CAPSULE
                     ? new double[] {row[7], row[10], row[13]}
-                    : kind == LeafKind.UPRIGHT_CYLINDER ? new double[] {0, 1, 0} : unit(Leaves.vector(random, 1));
+                    : kind != LeafKind.SPHERE ? new double[] {0, 1, 0} : unit(Leaves.vector(random, 1));
             double[] out = unit(cross(axis, Leaves.vector(random, 1)));
             double[] d = unit(cross(out, Leaves.vector(random, 1)));
             double gap = StrictMath.pow(10, -random.nextDouble(1, 17)) * (random.nextBoolean() ? 1 : -1);
@@ -178,7 +178,7 @@ public class SpatialRayTest {
     @Test
     void allocatesNothingWhileDoublesAreEnough() {
         SplittableRandom random = new SplittableRandom(7);
-        double[][] rows = new double[7][];
+        double[][] rows = new double[Leaves.KINDS.length][];
         for (LeafKind kind : Leaves.KINDS) {
             rows[kind.ordinal()] = Leaves.random(kind, random, 1);
         }
@@ -190,9 +190,9 @@ public class SpatialRayTest {
             if (i == 10_000) {
                 before = threads.getCurrentThreadAllocatedBytes();
             }
-            double[] row = rows[i % 7];
+            double[] row = rows[i % 9];
             // Past everything: no verdict is close.
-            sum += Math.min(1, scratchRay(10 + i * 1e-6, 20, 30, 1, 0.3, 0.2, Leaves.KINDS[i % 7], row));
+            sum += Math.min(1, scratchRay(10 + i * 1e-6, 20, 30, 1, 0.3, 0.2, Leaves.KINDS[i % 9], row));
         }
         assertThat(sum).isEqualTo(30_000);
         assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(20_000);
@@ -255,6 +255,12 @@ public class SpatialRayTest {
                 aim[i] += v * (row[3 + i] - row[i]) + w * (row[6 + i] - row[i]);
             }
             spread = 0;
+        }
+        if (kind.isCapsule()) {
+            double along = random.nextDouble(-1.2, 1.2) * row[4];
+            for (int i = 0; i < 3; i++) {
+                aim[i] += along * (kind == LeafKind.CAPSULE ? row[7 + 3 * i] : i == 1 ? 1 : 0);
+            }
         }
         double[] d = new double[3];
         double length = random.nextDouble(0.1, 10);

@@ -47,7 +47,7 @@ class SpatialSweepTest {
                 }
             }
         }
-        assertMix(12 * 49);
+        assertMix(12 * 81);
     }
 
     @Test
@@ -70,7 +70,7 @@ class SpatialSweepTest {
                 }
             }
         }
-        assertMix(12 * 42);
+        assertMix(12 * 72);
     }
 
     @Test
