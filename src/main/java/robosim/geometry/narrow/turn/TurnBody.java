@@ -159,6 +159,11 @@ final class TurnBody {
         extent = 2 * extent + margin + (rims ? radius : 0);
     }
 
+    /** How far it reaches from its points square to its axis; a ball's radius, or a rim's. */
+    double aside() {
+        return margin + radius;
+    }
+
     /** How wrong a place along a unit direction may be. */
     double error() {
         return ROUNDOFF * extent + AxisBody.TINY;
