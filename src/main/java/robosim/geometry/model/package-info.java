@@ -9,7 +9,7 @@
  *
  * <h2>Touching is colliding</h2>
  *
- * Every object is a closed set. Boxes, cylinders and spheres are solid, a mesh is a surface unless it was made
+ * Every object is a closed set. Boxes, cylinders, spheres and capsules are solid, a mesh is a surface unless it was made
  * {@linkplain robosim.geometry.model.MeshObject#solid() solid}, and a group is the union of its members. Sizes of zero
  * and degenerate faces are legal: such a shape counts as the flat set, segment or point that it degenerates to.
  *

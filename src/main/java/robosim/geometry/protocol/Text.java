@@ -27,7 +27,7 @@ public final class Text {
 
     /** What an object is called: its name, on one line; without one what it is and where, to a thousandth. */
     public static String name(GeometryObject object) {
-        String name = object.name();
+        String name = Checks.present("object", object).name();
         if (name != null) {
             return line(name);
         }
@@ -38,7 +38,7 @@ public final class Text {
 
     /** Text as XML has it; characters that it cannot have become U+FFFD. */
     public static String xml(String text) {
-        StringBuilder escaped = new StringBuilder(text.length());
+        StringBuilder escaped = new StringBuilder(Checks.present("text", text).length());
         text.codePoints().forEach(c -> {
             switch (c) {
                 case '&' -> escaped.append("&amp;");

@@ -158,7 +158,7 @@ class MoveLawsTest {
                             ? rest.testObject(after(mover, move, 1, 1, tip + more))
                             : rest.testObject(after(mover, move, 1, yaw + more, 0));
         }
-        assertThat(met).as("met just beyond: " + what).isTrue();
+        assertThat(met).as("met just beyond: " + result + what).isTrue();
     }
 
     /** Two convex pieces one in the other: whatever the depth, some direction is free, and it leads out. */

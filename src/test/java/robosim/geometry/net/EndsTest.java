@@ -249,7 +249,7 @@ class EndsTest {
                 third.send("{\"type\":\"hello\",\"version\":1}\n{\"type\":\"sonars\",\"requests\":[]}\n"
                         .getBytes(StandardCharsets.UTF_8));
                 assertThat(third.heardToTheEnd())
-                        .contains("{\"type\":\"error\",\"message\":\"an error of the module itself");
+                        .contains("{\"type\":\"error\",\"message\":\"an internal error of the module");
             }
             assertThat(first.move(NOBODY)).isEmpty();
             assertThat(log.linesWith("error of the module itself")).hasSize(2);

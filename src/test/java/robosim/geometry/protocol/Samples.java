@@ -3,6 +3,7 @@ package robosim.geometry.protocol;
 import java.util.List;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
@@ -37,6 +38,7 @@ public final class Samples {
                 new SphereObject(new Point(0x1p100, -0x1p-1074, 0), 0).moveable("\u00e9\u4e2d\ud83e\udd16"),
                 tetrahedron.movedTo(new Point(7, 0, 0)).moveable("mesh"),
                 quad,
+                new CapsuleObject(new Point(-4, 1, 4), 0.25, 1.5).turned(10, 20).moveable("capsule"),
                 group.turned(0, 90).movedTo(new Point(-9, 0, 9)).moveable("group"));
     }
 

@@ -95,7 +95,7 @@ class SerialClassesTest {
                         .isTrue();
             }
         }
-        assertThat(crossing).isEqualTo(19);
+        assertThat(crossing).isEqualTo(20);
     }
 
     /** An object under its own class's name, as no writer makes it. */
@@ -118,7 +118,7 @@ class SerialClassesTest {
                 .hasMessageContaining("class \"robosim.geometry.model.BoxObject\" is not on the list");
     }
 
-    /** Every class that may cross is in the bytes that the first release wrote; two are for messages to come. */
+    /** Every class that may cross is in the bytes that the first release wrote, but what came later; two are for messages to come. */
     @Test
     void theStoredBytesHoldEveryClass() throws Exception {
         String stored;
@@ -133,7 +133,8 @@ class SerialClassesTest {
                 missing.add(type.getName());
             }
         }
-        assertThat(missing).isEqualTo(new TreeSet<>(Set.of(Ray.class.getName(), Move.class.getName())));
+        assertThat(missing).isEqualTo(new TreeSet<>(Set.of(
+                        Ray.class.getName(), Move.class.getName(), "robosim.geometry.model.SerialForms$Capsule")));
     }
 
     /** A class description that is referred to where an item should be: generics would let it through. */

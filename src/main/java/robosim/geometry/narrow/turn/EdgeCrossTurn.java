@@ -9,8 +9,8 @@ import robosim.geometry.narrow.sat.AxisBody;
  * <p>With an edge e1 at rest and an edge e2 of the mover that direction is {@code n(t) = e1 x Re2}; while one edge
  * passes another it follows them, whereas a fixed direction would be perpendicular to both only for an instant. For a
  * point p of the mover and a point q at rest {@code n.Rp = e1.R(e2 x p)} and {@code n.q = (q x e1).Re2}: sinusoids, of
- * degree one, as all that {@link TurnBody} asks. A cylinder's edge is its axis; its rims reach |n| times their radius,
- * of which {@link RimReach} has bounds of the same form.
+ * degree one, as all that {@link TurnBody} asks. A cylinder's or capsule's edge is its axis; it reaches |n|
+ * times its radius, of which {@link RimReach} has bounds of the same form.
  *
  * <p>Edges that are nearly along the turn's axis w make a short n, of the size of d1 and d2 in {@code e1 = c1 w + d1} and
  * {@code e2 = c2 w + d2}. So {@code n = c1 w x Rd2 + c2 d1 x w + d1 x Rd2} is taken in these parts, of which
@@ -55,7 +55,7 @@ final class EdgeCrossTurn {
         double aa = Math.sqrt(ax * ax + ay * ay + az * az);
         double bb = Math.sqrt(bx * bx + by * by + bz * bz);
         reach.aim(fx, fy, fz, mx, my, mz, wx, wy, wz, 1);
-        radius = mover.radius + rest.radius;
+        radius = mover.aside() + rest.aside();
         double most = Math.abs(c1) * bb + Math.abs(c2) * aa + aa * bb;
         limit = ROUNDOFF * most * (mover.extent + rest.extent) + AxisBody.TINY;
 

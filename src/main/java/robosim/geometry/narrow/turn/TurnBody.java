@@ -158,6 +158,11 @@ final class TurnBody {
         extent = 2 * extent + margin + (rims ? radius : 0);
     }
 
+    /** How far it reaches from its points perpendicular to its axis: a ball's radius, or a rim's. */
+    double aside() {
+        return margin + radius;
+    }
+
     /** The error of a position along a unit direction. */
     double error() {
         return ROUNDOFF * extent + AxisBody.TINY;

@@ -28,6 +28,11 @@ final class Fields {
         return names.indexOf(name);
     }
 
+    /** How many fields there are. */
+    int count() {
+        return names.size();
+    }
+
     String name(int index) {
         return names.get(index);
     }

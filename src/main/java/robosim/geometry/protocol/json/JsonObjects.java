@@ -21,8 +21,8 @@ import robosim.geometry.protocol.ProtocolException;
 final class JsonObjects {
     private static final Fields FIELDS = Fields.of(
             "kind",
-            "name moveable center rotation headingDegrees width height length radius segment vertices faces solid"
-                    + " boundingVolume members");
+            "name moveable center rotation headingDegrees width height length radius vertices faces solid"
+                    + " boundingVolume members segment");
 
     private static final List<String> COMMON =
             List.of("kind", "name", "moveable", "center", "rotation", "headingDegrees");
@@ -99,16 +99,17 @@ final class JsonObjects {
             }
             case 12 -> draft.solid = in.flag();
             case 13 -> draft.boundingVolume = object();
-            default -> {
+            case 14 -> {
                 draft.members = list();
                 draft.weight = weight;
             }
+            default -> draft.segment = in.number();
         }
     }
 
     private void checkFields(Draft draft, JsonInput.Members members) throws ProtocolException {
         Form form = draft.form;
-        for (int field = 0; field < 15; field++) {
+        for (int field = 0; field < FIELDS.count(); field++) {
             String name = FIELDS.name(field);
             if (members.has(field) ? !form.may.contains(name) : form.must.contains(name)) {
                 throw in.refused("a " + form.word + (members.has(field) ? " must not" : " must") + " have the field \""

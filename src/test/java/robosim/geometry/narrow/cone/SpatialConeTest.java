@@ -441,7 +441,9 @@ class SpatialConeTest {
                                 + 0.7 * p[2] * row[3] * row[8 + 3 * i];
                     case UPRIGHT_CYLINDER, SPHERE ->
                         row[i] + 0.7 * p[i] * row[i == 1 && kind == LeafKind.UPRIGHT_CYLINDER ? 4 : 3];
-                    case UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+                    case UPRIGHT_CAPSULE -> row[i] + 0.7 * p[i] * row[3] + (i == 1 ? p[1] * row[4] : 0);
+                    case CAPSULE -> row[i] + 0.7 * p[i] * row[3] + p[1] * row[4] * row[7 + 3 * i];
+                    case MESH, SOLID_MESH -> throw kind.refused();
                 };
                 v[i] -= o[i];
             }

@@ -133,7 +133,7 @@ class SpatialSweepTest {
 
     private void assertMix(int count) {
         assertThat(hits + misses + contacts).isEqualTo(count);
-        assertThat(hits).isGreaterThan(count / 10);
+        assertThat(hits).isGreaterThan(count / 12);
         assertThat(misses).isGreaterThan(count / 10);
         assertThat(contacts).isGreaterThan(count / 20);
         assertThat(blocked).isGreaterThan(count / 50);

@@ -29,6 +29,20 @@ class TurnAdvancementTest {
     private final Gjk gjk = new Gjk();
     private final SplittableRandom random = new SplittableRandom(1611);
 
+    /** A rod that tips onto a capsule, as held across the edges of both, comes to it where it would come to a cylinder. */
+    @Test
+    void aRodTipsOntoACapsule() {
+        double[] rod = {0, 0, 0, 0.32, 0.69, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+        double[] post = {0.45, -1.16, -1.27, 0.74, 0.83, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+        for (LeafKind mover : new LeafKind[] {LeafKind.UPRIGHT_CYLINDER, LeafKind.UPRIGHT_CAPSULE}) {
+            for (LeafKind still : new LeafKind[] {LeafKind.UPRIGHT_CYLINDER, LeafKind.UPRIGHT_CAPSULE}) {
+                assertThat(turn(mover, rod, 1, 0, 0, 49, still, post) * 49)
+                        .as(mover + " onto " + still)
+                        .isBetween(24.0, 32.0);
+            }
+        }
+    }
+
     @Test
     void edgesOnTheRulingsOfAHyperboloidPassEachOther() {
         for (double slope : new double[] {1e-9, 1e-6, 1e-5, 1e-4, 1e-3, 0.1, 1, 3}) {
