@@ -1,5 +1,6 @@
 package robosim.geometry.protocol;
 
+import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
@@ -18,6 +19,14 @@ public final class Samples {
 
     /** Every shape, named and nameless, static and moveable, upright and turned, with and without bounding volumes. */
     public static List<GeometryObject> everyShape() {
+        List<GeometryObject> shapes = new ArrayList<>(firstShapes());
+        shapes.add(
+                new CapsuleObject(new Point(-4, 1, 4), 0.25, 1.5).turned(10, 20).moveable("capsule"));
+        return List.copyOf(shapes);
+    }
+
+    /** The shapes that there were before the capsule. */
+    static List<GeometryObject> firstShapes() {
         BoxObject box = new BoxObject(new Point(1, 2, -3), 0.1, 2, 3);
         MeshObject tetrahedron = new MeshObject(
                         List.of(new Point(), new Point(1, 0, 0), new Point(0, 1, 0), new Point(0, 0, 1)),
@@ -38,16 +47,19 @@ public final class Samples {
                 new SphereObject(new Point(0x1p100, -0x1p-1074, 0), 0).moveable("\u00e9\u4e2d\ud83e\udd16"),
                 tetrahedron.movedTo(new Point(7, 0, 0)).moveable("mesh"),
                 quad,
-                new CapsuleObject(new Point(-4, 1, 4), 0.25, 1.5).turned(10, 20).moveable("capsule"),
                 group.turned(0, 90).movedTo(new Point(-9, 0, 9)).moveable("group"));
     }
 
     /** One of each bundle, with every optional part given and left out. */
     public static List<Bundle> everyBundle() {
+        return everyBundle(everyShape());
+    }
+
+    static List<Bundle> everyBundle(List<GeometryObject> shapes) {
         WorldSettings settings = new WorldSettings(40, 3, 30.5, Dimension.SPATIAL, Accuracy.DOP);
         return List.of(
                 new InitBundle(List.of()),
-                new InitBundle(everyShape(), settings),
+                new InitBundle(shapes, settings),
                 new MoveBundle(List.of()),
                 new MoveBundle(List.of(
                         new MoveRequest("robot", 0.1, -0.0, 1e-300, Math.PI / 2, -0.0),

@@ -11,24 +11,32 @@ import org.junit.jupiter.api.Test;
 
 /** What the first release wrote is understood for ever. */
 class StoredBytesTest {
-    private static final String FIRST_RELEASE = "first-release.ser";
+    private static final String FIRST = "first-release.ser";
+    private static final String WITH_CAPSULES = "with-capsules.ser";
 
     @Test
     void theFirstReleasesBytesMeanWhatTheyMeant() throws IOException {
-        byte[] bytes;
-        try (InputStream in = Objects.requireNonNull(StoredBytesTest.class.getResourceAsStream(FIRST_RELEASE))) {
-            bytes = in.readAllBytes();
-        }
-        assertThat(MessageTest.readAll(bytes)).isEqualTo(Samples.everyBundle());
+        assertThat(MessageTest.readAll(stored(FIRST))).isEqualTo(Samples.everyBundle(Samples.firstShapes()));
     }
 
-    /** Wrote the file; a later release adds one of its own and leaves this one alone. */
+    @Test
+    void bytesWithCapsulesMeanWhatTheyMeant() throws IOException {
+        assertThat(MessageTest.readAll(stored(WITH_CAPSULES))).isEqualTo(Samples.everyBundle());
+    }
+
+    static byte[] stored(String file) throws IOException {
+        try (InputStream in = Objects.requireNonNull(StoredBytesTest.class.getResourceAsStream(file))) {
+            return in.readAllBytes();
+        }
+    }
+
+    /** Wrote the second file; whoever changes what is written adds one more and leaves these alone. */
     static final class Write {
         private Write() {}
 
         public static void main(String[] args) throws IOException {
             byte[] bytes = MessageTest.write(Samples.everyBundle().toArray(Bundle[]::new));
-            Files.write(Path.of(args[0], FIRST_RELEASE), bytes);
+            Files.write(Path.of(args[0], WITH_CAPSULES), bytes);
         }
     }
 }
