@@ -35,7 +35,7 @@ final class Labels {
 
     /** Takes small places along a line between two points. */
     void takeLine(double x1, double y1, double x2, double y2) {
-        int steps = (int) (Math.hypot(x2 - x1, y2 - y1) / 6) + 1;
+        int steps = (int) (Math.sqrt((x2 - x1) * (x2 - x1) + (y2 - y1) * (y2 - y1)) / 6) + 1;
         for (int k = 1; k < steps; k++) {
             take(x1 + (x2 - x1) * k / steps, y1 + (y2 - y1) * k / steps, 1.5);
         }

@@ -37,10 +37,13 @@ final class RayCapsule {
     private static final int SQUARE = 12;
     private static final int TEMPORARY = 13; // and the next
 
-    private final DoubleDoubles p = new DoubleDoubles(16);
+    /** How many pairs of doubles the ends need. */
+    static final int PAIRS_NEEDED = 16;
+
+    private RayCapsule() {}
 
     /** The segment's axis (ax, ay, az) counts with its own length. */
-    double distance(
+    static double distance(
             double ox,
             double oy,
             double oz,
@@ -60,12 +63,12 @@ final class RayCapsule {
         if (side == 0) {
             return 0;
         }
-        double end = end(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, b[j + 4], side);
+        double end = end(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, b[j + 4], side, s);
         if (end == 0) {
             return 0;
         }
         double nearest = Math.min(side, end);
-        return Math.min(nearest, end(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, -b[j + 4], nearest));
+        return Math.min(nearest, end(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, -b[j + 4], nearest, s));
     }
 
     /** Whether a ray certainly misses the ball around a capsule, whose centre it sees at m. */
@@ -102,7 +105,7 @@ final class RayCapsule {
      * @param along   from the centre to the end, signed, in lengths of the axis
      * @param nearest what is farther than this does not matter
      */
-    private double end(
+    private static double end(
             double ox,
             double oy,
             double oz,
@@ -115,7 +118,8 @@ final class RayCapsule {
             double ay,
             double az,
             double along,
-            double nearest) {
+            double nearest,
+            RayScratch s) {
         double mx = b[j] - ox + along * ax;
         double my = b[j + 1] - oy + along * ay;
         double mz = b[j + 2] - oz + along * az;
@@ -159,12 +163,12 @@ final class RayCapsule {
                 return Double.POSITIVE_INFINITY;
             }
         }
-        double distance = isOutside ? inPairs(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, along, m, d) : -1;
+        double distance = isOutside ? inPairs(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, along, m, d, s) : -1;
         return distance >= 0 ? distance : exact(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, along);
     }
 
     /** The same in pairs of doubles, for a start outside; below 0 where they do not tell. */
-    private double inPairs(
+    private static double inPairs(
             double ox,
             double oy,
             double oz,
@@ -178,12 +182,14 @@ final class RayCapsule {
             double az,
             double along,
             double m,
-            double d) {
+            double d,
+            RayScratch s) {
         PAIRS.count();
+        DoubleDoubles p = s.capsuleEnds;
         double r = b[j + 3];
-        end(PLACE, b[j], ox, along, ax);
-        end(PLACE + 1, b[j + 1], oy, along, ay);
-        end(PLACE + 2, b[j + 2], oz, along, az);
+        end(p, PLACE, b[j], ox, along, ax);
+        end(p, PLACE + 1, b[j + 1], oy, along, ay);
+        end(p, PLACE + 2, b[j + 2], oz, along, az);
         p.set(WAY, dx);
         p.set(WAY + 1, dy);
         p.set(WAY + 2, dz);
@@ -224,7 +230,7 @@ final class RayCapsule {
         return VectorMath.isFine(share * distance, distance, Math.max(largest, r)) ? distance : -1;
     }
 
-    private void end(int i, double centre, double start, double along, double axis) {
+    private static void end(DoubleDoubles p, int i, double centre, double start, double along, double axis) {
         p.difference(i, centre, start);
         p.product(TEMPORARY, along, axis);
         p.add(i, i, TEMPORARY);

@@ -1,11 +1,12 @@
 package robosim.geometry.narrow.ray;
 
+import robosim.geometry.exact.DoubleDoubles;
 import robosim.geometry.narrow.overlap.OverlapScratch;
 
 /** The working memory of rays. */
 public class RayScratch extends OverlapScratch {
     public final RayInterval ray = new RayInterval();
-    final RayCapsule capsule = new RayCapsule();
+    final DoubleDoubles capsuleEnds = new DoubleDoubles(RayCapsule.PAIRS_NEEDED);
     public final RayRefine refine = new RayRefine();
     public final NearestFace face = new NearestFace();
 }
