@@ -52,6 +52,6 @@ public final class PlanarRay {
         double az = b[j + 13];
         return ax == 0 && az == 0
                 ? RayDisc.distance(ox, oz, ux, uz, b[j], b[j + 2], b[j + Leaf.SIZE])
-                : s.capsule.distance(ox, b[j + 1], oz, ux, 0, uz, b, j, ax, 0, az, s);
+                : RayCapsule.distance(ox, b[j + 1], oz, ux, 0, uz, b, j, ax, 0, az, s);
     }
 }
