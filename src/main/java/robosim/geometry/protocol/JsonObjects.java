@@ -90,13 +90,14 @@ final class JsonObjects {
             case 7 -> draft.height = in.number();
             case 8 -> draft.length = in.number();
             case 9 -> draft.radius = in.number();
-            case 10 -> draft.vertices = vertices();
-            case 11 -> {
+            case 10 -> draft.segment = in.number();
+            case 11 -> draft.vertices = vertices();
+            case 12 -> {
                 draft.faces = faces();
                 draft.weight = weight;
             }
-            case 12 -> draft.solid = in.flag();
-            case 13 -> draft.boundingVolume = object();
+            case 13 -> draft.solid = in.flag();
+            case 14 -> draft.boundingVolume = object();
             default -> {
                 draft.members = list();
                 draft.weight = weight;
@@ -106,7 +107,7 @@ final class JsonObjects {
 
     private void checkFields(Draft draft, JsonInput.Members members) throws ProtocolException {
         Form form = draft.form;
-        for (int field = 0; field < 15; field++) {
+        for (int field = 0; field < 16; field++) {
             String name = FIELDS.name(field);
             if (members.has(field) ? !form.may.contains(name) : form.must.contains(name)) {
                 throw in.refused("a " + form.word + (members.has(field) ? " must not" : " must") + " have the field \""

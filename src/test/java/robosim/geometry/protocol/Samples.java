@@ -3,6 +3,7 @@ package robosim.geometry.protocol;
 import java.util.List;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
@@ -34,10 +35,24 @@ public final class Samples {
                 box.named("wall"),
                 box.moveable("robot").turned(0, 0.1).turned(0, 33.3),
                 new CylinderObject(new Point(4, 0, 4), 0.5, 0).turned(30, 45).named("turned"),
+                new CapsuleObject(new Point(-4, 0, 4), 0.25, 1.5).turned(-30, 10).moveable("arm"),
                 new SphereObject(new Point(0x1p100, -0x1p-1074, 0), 0).moveable("\u00e9\u4e2d\ud83e\udd16"),
                 tetrahedron.movedTo(new Point(7, 0, 0)).moveable("mesh"),
                 quad,
                 group.turned(0, 90).movedTo(new Point(-9, 0, 9)).moveable("group"));
+    }
+
+    /** The same without the shapes that the first bytes to be stored have not. */
+    static List<Bundle> firstBundles() {
+        return everyBundle().stream()
+                .map(bundle -> bundle instanceof InitBundle init
+                        ? new InitBundle(
+                                init.objects().stream()
+                                        .filter(object -> object.kind() != GeometryObject.Kind.CAPSULE)
+                                        .toList(),
+                                init.settings())
+                        : bundle)
+                .toList();
     }
 
     /** One of each bundle, with every optional part given and left out. */

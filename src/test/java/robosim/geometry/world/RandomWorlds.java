@@ -6,6 +6,7 @@ import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
@@ -67,11 +68,12 @@ final class RandomWorlds {
     }
 
     private GeometryObject object(int depth) {
-        GeometryObject shape = switch (random.nextInt(depth < 3 ? 6 : 4)) {
+        GeometryObject shape = switch (random.nextInt(depth < 3 ? 7 : 5)) {
             case 0 -> new BoxObject(new Point(), size(), size(), size());
             case 1 -> new CylinderObject(new Point(), size(), size());
             case 2 -> new SphereObject(new Point(), size());
-            case 3 -> mesh();
+            case 3 -> new CapsuleObject(new Point(), size(), size());
+            case 4 -> mesh();
             default -> group(depth);
         };
         shape = random.nextInt(4) == 0 ? shape : shape.movedTo(new Point(number(), number(), number()));

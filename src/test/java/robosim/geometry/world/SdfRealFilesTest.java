@@ -21,6 +21,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.w3c.dom.Document;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.ObjectGroup;
@@ -131,10 +132,7 @@ class SdfRealFilesTest {
                         sphere -> assertThat(sphere)
                                 .isEqualTo(new SphereObject(new Point(0, 0.5, -1.5), 0.5).moveable("sphere")),
                         capsule -> assertThat(capsule)
-                                .isEqualTo(new ObjectGroup(List.of(
-                                                new CylinderObject(new Point(), 0.2, 0.6),
-                                                new SphereObject(new Point(0, 0.3, 0), 0.2),
-                                                new SphereObject(new Point(0, -0.3, 0), 0.2)))
+                                .isEqualTo(new CapsuleObject(new Point(), 0.2, 0.6)
                                         .movedTo(new Point(0, 0.5, 3))
                                         .moveable("capsule")));
         assertThat(read.skipped()).extracting(Skipped::line).containsExactly(36, 225, 253);
