@@ -126,7 +126,7 @@ class WorldReaderTest {
             delimiter = '|',
             quoteCharacter = '~',
             value = {
-                "<bo/>|2|6|<bo> cannot stand here in <world>; there can be <box>, <cylinder>, <sphere>, <mesh>, <group>",
+                "<bo/>|2|6|<bo> cannot stand here in <world>; there can be <box>, <cylinder>, <sphere>, <capsule>, <mesh>, <group>",
                 "<sonar count='1'/>|2|19|<sonar> cannot stand here in <world>; there can be <box>",
                 "<box xmlns='other'/>|2|21|<box> of the namespace \"other\" cannot stand here",
                 "<box width='1' height='1' length='1'>~~<box width='1' height='1' length='1'/></box>|3|39|"
