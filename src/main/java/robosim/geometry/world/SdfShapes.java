@@ -6,12 +6,11 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
-import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
-import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.Point;
 import robosim.geometry.model.SphereObject;
 

@@ -88,9 +88,12 @@ class CapsuleMovesTest {
                     new BoxObject(new Point(-2.5, -0.5, 0), 5, 1, 8),
                     new BoxObject(new Point(2.5, -0.5, 0), 5, 1, 8),
                     robot);
-            assertThat(world.moveGlobal("robot", new Move(4, 0, 0.5, 0, 0)).allowed()).isTrue();
-            assertThat(world.moveGlobal("robot", new Move(0, -0x1p-40, 0, 0, 0)).allowed()).isFalse();
-            assertThat(world.moveGlobal("robot", new Move(0, 1, 0, 0, 0)).allowed()).isTrue();
+            assertThat(world.moveGlobal("robot", new Move(4, 0, 0.5, 0, 0)).allowed())
+                    .isTrue();
+            assertThat(world.moveGlobal("robot", new Move(0, -0x1p-40, 0, 0, 0)).allowed())
+                    .isFalse();
+            assertThat(world.moveGlobal("robot", new Move(0, 1, 0, 0, 0)).allowed())
+                    .isTrue();
         }
     }
 

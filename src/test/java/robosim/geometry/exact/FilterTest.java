@@ -157,9 +157,11 @@ class FilterTest {
 
     @Test
     void anythingButTheDefaultIsLoggedAndWhatIsNoModeIsRefused() throws IOException {
-        String warned = Answers.run(filter("alone"), Answers.class, List.of("", "1", "1", "SIDE:true:UPRIGHT_BOX:UPRIGHT_BOX"));
+        String warned =
+                Answers.run(filter("alone"), Answers.class, List.of("", "1", "1", "SIDE:true:UPRIGHT_BOX:UPRIGHT_BOX"));
         assertThat(warned).contains("WARNING").contains(Filter.PROPERTY + " is alone");
-        String refused = Answers.run(filter("perhaps"), Answers.class, List.of("", "1", "1", "SIDE:true:UPRIGHT_BOX:UPRIGHT_BOX"));
+        String refused = Answers.run(
+                filter("perhaps"), Answers.class, List.of("", "1", "1", "SIDE:true:UPRIGHT_BOX:UPRIGHT_BOX"));
         assertThat(refused).contains(Filter.PROPERTY + " must be").contains("(got: perhaps)");
         assertThat(Filter.bound(3)).isEqualTo(3);
     }

@@ -35,7 +35,9 @@ public final class Samples {
                 box.named("wall"),
                 box.moveable("robot").turned(0, 0.1).turned(0, 33.3),
                 new CylinderObject(new Point(4, 0, 4), 0.5, 0).turned(30, 45).named("turned"),
-                new CapsuleObject(new Point(-4, 0, 4), 0.25, 1.5).turned(-30, 10).moveable("arm"),
+                new CapsuleObject(new Point(-4, 0, 4), 0.25, 1.5)
+                        .turned(-30, 10)
+                        .moveable("arm"),
                 new SphereObject(new Point(0x1p100, -0x1p-1074, 0), 0).moveable("\u00e9\u4e2d\ud83e\udd16"),
                 tetrahedron.movedTo(new Point(7, 0, 0)).moveable("mesh"),
                 quad,

@@ -233,8 +233,7 @@ public final class Reference {
                 size = size.plus(off.max(off.negate()));
             }
         }
-        BigDecimal height =
-                disc.points.get(1)[1].minus(disc.points.get(0)[1]).toDecimal(DIGITS);
+        BigDecimal height = disc.points.get(1)[1].minus(disc.points.get(0)[1]).toDecimal(DIGITS);
         BigDecimal radius = disc.radius.toDecimal(DIGITS);
         BigDecimal low = BigDecimal.ZERO;
         BigDecimal high = BigDecimal.ONE;
@@ -443,7 +442,9 @@ public final class Reference {
             high = slope.signum() > 0 ? two : one;
         }
         return first(
-                least, enterRound(across(from, along), across(way, along), radius.square().times(length), low, high));
+                least,
+                enterRound(
+                        across(from, along), across(way, along), radius.square().times(length), low, high));
     }
 
     private static @Nullable BigDecimal first(@Nullable BigDecimal one, @Nullable BigDecimal other) {

@@ -10,7 +10,6 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.Standing;
-import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
 
 /**

@@ -12,7 +12,6 @@ import robosim.geometry.model.Pose;
 import robosim.geometry.narrow.Overlap;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.Sweep;
-import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafColumn;
 import robosim.geometry.narrow.planar.DiscWay;
 

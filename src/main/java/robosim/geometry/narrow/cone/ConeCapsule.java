@@ -155,8 +155,8 @@ final class ConeCapsule {
         double y = my + t * hy;
         double z = mz + t * hz;
         double ahead = x * cone.ux + y * cone.uy + z * cone.uz;
-        double aside = VectorMath.length(
-                y * cone.uz - z * cone.uy, z * cone.ux - x * cone.uz, x * cone.uy - y * cone.ux);
+        double aside =
+                VectorMath.length(y * cone.uz - z * cone.uy, z * cone.ux - x * cone.uz, x * cone.uy - y * cone.ux);
         double past = aside * cone.cos - ahead * cone.sin;
         double length = VectorMath.length(x, y, z);
         if (past <= 0) {
@@ -278,7 +278,8 @@ final class ConeCapsule {
         }
         p.dot(SUM, CROSS, A, TEMPORARY);
         p.dot(G, Cone.AXIS, A, TEMPORARY);
-        // What is square to the segment has its part along the border from the segment's part out of it, and the reverse.
+        // What is square to the segment has its part along the border from the segment's part out of it, and the
+        // reverse.
         p.multiply(SHARE, SUM, Cone.COS);
         p.multiply(TEMPORARY, G, Cone.SIN);
         p.subtract(SHARE, SHARE, TEMPORARY);

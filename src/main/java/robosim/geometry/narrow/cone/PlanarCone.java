@@ -206,7 +206,15 @@ public final class PlanarCone {
     }
 
     private static double oval(
-            double ox, double oz, double ux, double uz, double halfCos, LeafKind kind, double[] b, int j, ConeScratch s) {
+            double ox,
+            double oz,
+            double ux,
+            double uz,
+            double halfCos,
+            LeafKind kind,
+            double[] b,
+            int j,
+            ConeScratch s) {
         PlanarShape apex = s.planarA;
         PlanarShape q = s.planarB;
         apex.point();

@@ -38,7 +38,8 @@ public final class SpatialCone {
             int j,
             ConeScratch s) {
 
-        if ((kind.isBox() || kind.isCylinder() || kind.isCapsule()) && isSurelyBeyond(ox, oy, oz, ux, uy, uz, halfCos, kind, row, j)) {
+        if ((kind.isBox() || kind.isCylinder() || kind.isCapsule())
+                && isSurelyBeyond(ox, oy, oz, ux, uy, uz, halfCos, kind, row, j)) {
             return Double.POSITIVE_INFINITY;
         }
         double axis = SpatialRay.distance(ox, oy, oz, ux, uy, uz, kind, row, j, s);
@@ -139,8 +140,7 @@ public final class SpatialCone {
                 yield row[j + 3] * across + row[j + 4] * along;
             }
             case UPRIGHT_CAPSULE -> row[j + 3] + row[j + 4] * Math.abs(ny);
-            case CAPSULE ->
-                row[j + 3] + row[j + 4] * Math.abs(nx * row[r + 1] + ny * row[r + 4] + nz * row[r + 7]);
+            case CAPSULE -> row[j + 3] + row[j + 4] * Math.abs(nx * row[r + 1] + ny * row[r + 4] + nz * row[r + 7]);
             case SPHERE, TRIANGLE, PRISM, MESH, SOLID_MESH -> throw kind.refused();
         };
     }

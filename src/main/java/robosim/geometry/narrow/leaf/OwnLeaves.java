@@ -1,8 +1,8 @@
 package robosim.geometry.narrow.leaf;
 
 import robosim.geometry.exact.Rotations;
-import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;

@@ -32,7 +32,8 @@ public final class ExactPlanar {
         return switch (kind) {
             case UPRIGHT_BOX, BOX -> box(row, at);
             case TRIANGLE -> triangle(row, at);
-            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH ->
+                throw kind.refused();
         };
     }
 

@@ -121,7 +121,8 @@ final class RayCapsule {
         double mz = b[j + 2] - oz + along * az;
         double r = b[j + 3];
         // A coordinate: offset 1u, product 1u, sum 1u of the magnitudes; all of them together, as a length.
-        double off = 3 * U
+        double off = 3
+                * U
                 * (Math.abs(b[j] - ox)
                         + Math.abs(b[j + 1] - oy)
                         + Math.abs(b[j + 2] - oz)
@@ -147,8 +148,7 @@ final class RayCapsule {
         double ww = wx * wx + wy * wy + wz * wz;
         double chord = r * r * dd - ww;
         double crossError = (off + 4 * U * m) * d;
-        double chordError =
-                crossError * (2 * Math.sqrt(ww) + crossError) + 7 * U * (r * r * dd + ww) + UNDERFLOW;
+        double chordError = crossError * (2 * Math.sqrt(ww) + crossError) + 7 * U * (r * r * dd + ww) + UNDERFLOW;
         if (isOutside && chord < -chordError) {
             return Double.POSITIVE_INFINITY;
         }
@@ -220,8 +220,7 @@ final class RayCapsule {
         p.divide(OUTSIDE, OUTSIDE, AHEAD);
         double t = p.get(OUTSIDE);
         double distance = VectorMath.along(t, p.rest(OUTSIDE), dx, dy, dz);
-        double share =
-                outsideError / outside + (aheadError + chordError / root) / (ahead + root) + 4 * PAIRS_ERROR;
+        double share = outsideError / outside + (aheadError + chordError / root) / (ahead + root) + 4 * PAIRS_ERROR;
         return VectorMath.isFine(share * distance, distance, Math.max(largest, r)) ? distance : -1;
     }
 

@@ -15,7 +15,8 @@ final class RayOval {
     private RayOval() {}
 
     /** Distance in world units. */
-    static double distance(double ox, double oz, double ux, double uz, LeafKind kind, double[] row, int at, PlanarShape q) {
+    static double distance(
+            double ox, double oz, double ux, double uz, LeafKind kind, double[] row, int at, PlanarShape q) {
         q.set(kind, row, at, ox, oz);
         double length = Math.sqrt(ux * ux + uz * uz);
         double wayX = ux / length;

@@ -67,8 +67,7 @@ public final class SpatialRay {
             case TRIANGLE -> RayTriangle.distance(ox, oy, oz, ux, uy, uz, row, j, s);
             case PRISM -> RayPrism.distance(ox, oy, oz, ux, uy, uz, row, j, s);
             case UPRIGHT_CAPSULE -> s.capsule.distance(ox, oy, oz, ux, uy, uz, row, j, 0, 1, 0, s);
-            case CAPSULE ->
-                s.capsule.distance(ox, oy, oz, ux, uy, uz, row, j, row[j + 7], row[j + 10], row[j + 13], s);
+            case CAPSULE -> s.capsule.distance(ox, oy, oz, ux, uy, uz, row, j, row[j + 7], row[j + 10], row[j + 13], s);
             case MESH, SOLID_MESH -> throw kind.refused();
         };
     }

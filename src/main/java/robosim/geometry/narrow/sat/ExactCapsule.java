@@ -23,8 +23,7 @@ public final class ExactCapsule {
         half = switch (kind) {
             case SPHERE -> ExactVector.of(0, 0, 0);
             case UPRIGHT_CAPSULE -> ExactVector.of(0, row[at + Leaf.SIZE + 1], 0);
-            case CAPSULE ->
-                ExactVector.column(row, at + Leaf.ROTATION + 1).times(Dyadic.of(row[at + Leaf.SIZE + 1]));
+            case CAPSULE -> ExactVector.column(row, at + Leaf.ROTATION + 1).times(Dyadic.of(row[at + Leaf.SIZE + 1]));
             case UPRIGHT_BOX, BOX, UPRIGHT_CYLINDER, CYLINDER, TRIANGLE, PRISM, MESH, SOLID_MESH ->
                 throw new IllegalArgumentException("kind must be a capsule or a sphere (got: " + kind + ")");
         };
@@ -41,7 +40,11 @@ public final class ExactCapsule {
     /** Whether it touches or overlaps another one. */
     public boolean touches(ExactCapsule other) {
         return areNear(
-                from(), along(), other.from(), other.along(), radius.add(other.radius).square());
+                from(),
+                along(),
+                other.from(),
+                other.along(),
+                radius.add(other.radius).square());
     }
 
     /**
@@ -76,16 +79,13 @@ public final class ExactCapsule {
     }
 
     /** Whether a segment whose ends are at two heights, times the length of the normal, goes through a side. */
-    private static boolean crosses(
-            ExactPolytope.Side side, ExactVector from, Dyadic one, ExactVector to, Dyadic two) {
+    private static boolean crosses(ExactPolytope.Side side, ExactVector from, Dyadic one, ExactVector to, Dyadic two) {
         if (one.signum() * two.signum() >= 0) {
             return false; // an end in the plane has been asked
         }
         Dyadic whole = two.subtract(one);
         ExactVector place = from.times(two).minus(to.times(one));
-        return whole.signum() > 0
-                ? side.coversFootOf(place, whole)
-                : side.coversFootOf(place.negate(), whole.negate());
+        return whole.signum() > 0 ? side.coversFootOf(place, whole) : side.coversFootOf(place.negate(), whole.negate());
     }
 
     /** Whether two segments, each from a point along a vector, are no farther apart than the root of a square. */

@@ -42,7 +42,8 @@ public final class ExactPolytope {
         isBox = switch (kind) {
             case UPRIGHT_BOX, BOX -> true;
             case TRIANGLE -> false;
-            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH ->
+                throw kind.refused();
         };
         centre = ExactVector.at(row, at);
         if (isBox) {

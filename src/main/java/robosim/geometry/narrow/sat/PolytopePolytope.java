@@ -164,7 +164,8 @@ public final class PolytopePolytope {
             switch (kind) {
                 case UPRIGHT_BOX, BOX -> box(row, at, ox, oy, oz);
                 case TRIANGLE -> triangle(row, at, ox, oy, oz);
-                case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+                case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH ->
+                    throw kind.refused();
             }
         }
 

@@ -110,8 +110,7 @@ final class TurnBody {
         measure();
     }
 
-    private void capsule(
-            double[] row, int at, double px, double py, double pz, double ax, double ay, double az) {
+    private void capsule(double[] row, int at, double px, double py, double pz, double ax, double ay, double az) {
         double h = row[at + 4];
         add(row[at] - px + h * ax, row[at + 1] - py + h * ay, row[at + 2] - pz + h * az);
         add(row[at] - px - h * ax, row[at + 1] - py - h * ay, row[at + 2] - pz - h * az);

@@ -2,9 +2,9 @@ package robosim.geometry.viewer.draw;
 
 import java.util.ArrayList;
 import java.util.List;
-import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.Bounds;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;

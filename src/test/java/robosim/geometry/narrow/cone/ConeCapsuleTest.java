@@ -166,9 +166,8 @@ class ConeCapsuleTest {
 
     private static double[] turned(double[] d, double[] across, double angle) {
         double along = across[0] * d[0] + across[1] * d[1] + across[2] * d[2];
-        double[] e = SpatialRayTest.unit(new double[] {
-            across[0] - along * d[0], across[1] - along * d[1], across[2] - along * d[2]
-        });
+        double[] e = SpatialRayTest.unit(
+                new double[] {across[0] - along * d[0], across[1] - along * d[1], across[2] - along * d[2]});
         double c = StrictMath.cos(angle);
         double s = StrictMath.sin(angle);
         return new double[] {c * d[0] + s * e[0], c * d[1] + s * e[1], c * d[2] + s * e[2]};

@@ -114,14 +114,17 @@ class CapsuleOverlapTest {
             touches(capsule, new CapsuleObject(new Point(6 * unit, 15 * unit, 0), 5 * unit, 6 * unit), unit);
             touches(
                     capsule,
-                    new CapsuleObject(new Point(7 * unit, 0, 24 * unit), 20 * unit, 2 * unit).turned(90, 0), unit);
+                    new CapsuleObject(new Point(7 * unit, 0, 24 * unit), 20 * unit, 2 * unit).turned(90, 0),
+                    unit);
             touches(capsule, new BoxObject(new Point(3.5 * unit, 8.5 * unit, 0), unit, unit, unit), unit);
             touches(capsule, new BoxObject(new Point(0, 9.5 * unit, 0), 9 * unit, unit, 9 * unit), unit);
             // By its side, along all of it.
             touches(capsule, new BoxObject(new Point(5.5 * unit, 0, 0), unit, 30 * unit, unit), unit);
             // Through the segment, with all of the surface far away.
-            assertThat(overlap(capsule, new BoxObject(new Point(), 100 * unit, 0, 100 * unit))).isTrue();
-            assertThat(overlap(capsule, new SphereObject(new Point(), 100 * unit))).isTrue();
+            assertThat(overlap(capsule, new BoxObject(new Point(), 100 * unit, 0, 100 * unit)))
+                    .isTrue();
+            assertThat(overlap(capsule, new SphereObject(new Point(), 100 * unit)))
+                    .isTrue();
         }
     }
 
@@ -133,7 +136,9 @@ class CapsuleOverlapTest {
                 Point c = b.center();
                 double step = side * 0x1p-50 * 8 * unit;
                 GeometryObject moved = b.movedTo(new Point(
-                        c.x() + (axis == 0 ? step : 0), c.y() + (axis == 1 ? step : 0), c.z() + (axis == 2 ? step : 0)));
+                        c.x() + (axis == 0 ? step : 0),
+                        c.y() + (axis == 1 ? step : 0),
+                        c.z() + (axis == 2 ? step : 0)));
                 assertThat(overlap(a, moved))
                         .as(a + " | " + moved)
                         .isEqualTo(Reference.overlap(a, moved, Dimension.SPATIAL));
@@ -204,7 +209,10 @@ class CapsuleOverlapTest {
     }
 
     private static Point place(SplittableRandom random, boolean isGrid, double spread) {
-        return new Point(coordinate(random, isGrid, spread), coordinate(random, isGrid, spread), coordinate(random, isGrid, spread));
+        return new Point(
+                coordinate(random, isGrid, spread),
+                coordinate(random, isGrid, spread),
+                coordinate(random, isGrid, spread));
     }
 
     private static double coordinate(SplittableRandom random, boolean isGrid, double spread) {
@@ -212,7 +220,8 @@ class CapsuleOverlapTest {
         return isGrid ? Math.rint(4 * any) / 4 : any;
     }
 
-    private static GeometryObject placed(GeometryObject shape, SplittableRandom random, boolean isGrid, boolean isUpright) {
+    private static GeometryObject placed(
+            GeometryObject shape, SplittableRandom random, boolean isGrid, boolean isUpright) {
         if (shape instanceof MeshObject) {
             return shape;
         }
