@@ -12,6 +12,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import robosim.geometry.Geometry;
 import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.Dimension;
 import robosim.geometry.model.GeometryObject;
@@ -39,7 +40,8 @@ class AllocationTest {
         for (String robot : ROBOTS) {
             GeometryObject round = new CylinderObject(new Point(), 0.5, 1);
             GeometryObject square = new BoxObject(new Point(), 1, 1, 0.8);
-            GeometryObject body = robot.startsWith("round") ? round : square;
+            GeometryObject person = new CapsuleObject(new Point(), 0.3, 0.4);
+            GeometryObject body = robot.equals("round c") ? person : robot.startsWith("round") ? round : square;
             while (!geometry.addObject(body.moveable(robot).movedTo(place(5)))) {
                 // until it has found room
             }
@@ -50,7 +52,7 @@ class AllocationTest {
         }
         GeometryObject[] bodies = new GeometryObject[64];
         for (int k = 0; k < bodies.length; k++) {
-            bodies[k] = object(k % 4).movedTo(place(5));
+            bodies[k] = object(k % 8 == 7 ? 9 : k % 4).movedTo(place(5));
         }
         Ray mount = new Ray(new Point(0.3, 0.2, 0.1), new Point(1, 0.1, 0.5));
         Point mast = new Point(0.1, 0.4, 0);
@@ -137,7 +139,10 @@ class AllocationTest {
             case 0 -> new BoxObject(new Point(), size, 6, 2);
             case 1 -> new BoxObject(new Point(), size, 6, 3).turned(0, random.nextDouble(-180, 180));
             case 2 -> new CylinderObject(new Point(), 0.5 * size, 6);
-            case 3 -> new SphereObject(new Point(), 0.5 * size);
+            case 3 ->
+                k % 12 < 6
+                        ? new SphereObject(new Point(), 0.5 * size)
+                        : new CapsuleObject(new Point(), 0.25 * size, size).turned(k % 24 < 12 ? 0 : 50, 10);
             case 4 -> new BoxObject(new Point(), size, 2, 3).turned(random.nextDouble(-180, 180), 33.3);
             default -> k % 12 < 6 ? pyramid(size) : pair(size);
         };

@@ -12,6 +12,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import robosim.geometry.model.BoxObject;
+import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.MeshObject;
@@ -63,6 +64,10 @@ class ObjWriterTest {
         assertThat(volume(cylinder)).isCloseTo(3 * 4 * sides / 2 * StrictMath.sin(2 * Math.PI / sides), within(1e-12));
         MeshObject ball = written(new SphereObject(at, 2).turned(50, 10));
         assertThat(ball.solid().isSolid()).isTrue();
+        MeshObject capsule = written(new CapsuleObject(at, 2, 3).turned(50, 10));
+        assertThat(capsule.solid().isSolid()).isTrue();
+        double full = (32.0 / 3 + 3 * 4) * Math.PI;
+        assertThat(volume(capsule)).isBetween(0.99 * full, full);
         assertThat(volume(ball)).isBetween(0.99 * 32 / 3 * Math.PI, 32.0 / 3 * Math.PI);
     }
 
