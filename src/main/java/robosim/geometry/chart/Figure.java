@@ -45,7 +45,8 @@ public record Figure(String name, String title, String caption, List<Panel> pane
         double cell = (WIDTH - 2.0 * MARGIN + 16) / columns - 16;
         for (int k = 0; k < panels.size(); k++) {
             double left = MARGIN + (k % columns) * (cell + 16);
-            double top = y + (k / columns) * rowHeight();
+            int row = k / columns;
+            double top = y + row * rowHeight();
             PanelPainter.paint(panels.get(k), left, top, cell, height, body);
         }
         y += rows * rowHeight() + 14;

@@ -10,7 +10,8 @@ final class Words {
     /** The width of a line, a little too large rather than too small. */
     static double width(String text, double size) {
         double ems = 0;
-        for (char c : text.toCharArray()) {
+        for (int k = 0; k < text.length(); k++) {
+            char c = text.charAt(k);
             ems += "iljtf.,:;|!'()[] I".indexOf(c) >= 0
                     ? 0.33
                     : "mwMW%@".indexOf(c) >= 0 ? 0.9 : Character.isUpperCase(c) ? 0.69 : c > 0x2000 ? 0.45 : 0.6;
