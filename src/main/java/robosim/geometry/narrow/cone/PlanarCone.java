@@ -161,7 +161,7 @@ public final class PlanarCone {
                 out[8] = 0;
                 out[9] = 0;
             }
-            case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, BOX, CYLINDER -> {
+            case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, BOX, CYLINDER, UPRIGHT_CAPSULE, CAPSULE -> {
                 out[1] = 0;
                 for (int k = Leaf.ROTATION + 3; k < Leaf.ROTATION + 6; k++) {
                     out[k] = 0;
