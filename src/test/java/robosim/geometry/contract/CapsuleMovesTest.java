@@ -37,7 +37,7 @@ class CapsuleMovesTest {
         RandomObjects objects = new RandomObjects(random, 3);
         int met = 0;
         int free = 0;
-        for (int k = 0; k < 90; k++) {
+        for (int k = 0; k < 45; k++) {
             GeometryObject still = objects.plain();
             if (still.kind() == GeometryObject.Kind.GROUP || still.kind() == GeometryObject.Kind.CYLINDER) {
                 continue;
@@ -70,8 +70,8 @@ class CapsuleMovesTest {
                     .isLessThanOrEqualTo(truth.doubleValue())
                     .isGreaterThan(truth.doubleValue() - 1e-7);
         }
-        assertThat(met).isGreaterThan(20);
-        assertThat(free).isGreaterThan(4);
+        assertThat(met).isGreaterThan(10);
+        assertThat(free).isGreaterThan(1);
     }
 
     /** It stands on a floor of tiles of equal height, and lies on it. */
