@@ -167,7 +167,7 @@ public final class PlanarCone {
                     out[k] = 0;
                 }
             }
-            case UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case MESH, SOLID_MESH -> throw kind.refused();
         }
     }
 
