@@ -9,10 +9,10 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Cast;
 
 /**
- * Shows a target the objects that a line or a cone may meet, those that begin nearer mostly first, and none that begins
- * farther than the target still looks.
+ * Visits the objects that a line or a cone may meet, mostly the nearer ones first, and none that begins farther than the
+ * subclass still looks. A class and no interface, so that the compiler knows the one subclass: rays are short.
  */
-public final class BeamSearch {
+public abstract class BeamSearch {
     /** More than what a square may lose by underflow. */
     private static final double UNDERFLOW = 0x1p-1000;
 
@@ -24,7 +24,6 @@ public final class BeamSearch {
 
     private final ObjectTable objects;
     private final Cast cast;
-    private final BeamTarget target;
 
     private double ox;
     private double oy;
@@ -54,14 +53,28 @@ public final class BeamSearch {
     private long query;
 
     /** A search along the line of a cast. */
-    public BeamSearch(ObjectTable objects, Cast cast, BeamTarget target) {
+    protected BeamSearch(ObjectTable objects, Cast cast) {
         this.objects = objects;
         this.cast = cast;
-        this.target = target;
     }
 
+    /** Looks at an object, perhaps not for the first time; answers how far to look from now on. */
+    protected abstract double meet(LeafTable table, int id, double reach);
+
+    /**
+     * Looks at an object of a world without heights by its outline alone.
+     *
+     * @param outlines those of all objects of its table; see {@link robosim.geometry.index.tiles.OrientedRectangle}
+     * @param local the object's place in them
+     * @return how far to look from now on; NaN where the outline does not tell
+     */
+    protected abstract double meetOutline(int id, double[] outlines, int local, double reach);
+
+    /** Whether an object is the nearest so far, which has nothing new to tell. */
+    protected abstract boolean isNearest(int id);
+
     /** Follows the line of the cast, from its start. */
-    public void line(double x, double y, double z) {
+    protected void line(double x, double y, double z) {
         ox = x;
         oy = y;
         oz = z;
@@ -69,7 +82,7 @@ public final class BeamSearch {
     }
 
     /** Follows a cone about the line of the cast, from its start; with the cosine and the sine of half its opening angle. */
-    public void cone(double x, double y, double z, double cos, double sin) {
+    protected void cone(double x, double y, double z, double cos, double sin) {
         line(x, y, z);
         isCone = true;
         takeUnit();
@@ -110,10 +123,10 @@ public final class BeamSearch {
     /**
      * Searches a world.
      *
-     * @param limit how far the target looks before it has found anything
+     * @param limit how far to look before anything has been found
      * @param ignored an object that is left out; -1 for none
      */
-    public void search(AccuracyView view, double limit, int ignored) {
+    protected void search(AccuracyView view, double limit, int ignored) {
         LeafTable shared = view.shared;
         double reach = shared == null ? limit : searchTrees(shared, limit, ignored);
         reach = searchTrees(view.own, reach, ignored);
@@ -141,7 +154,7 @@ public final class BeamSearch {
         for (int k = 0; k < movers; k++) {
             int id = objects.mover(k);
             if (id != ignored && (isCone ? coneMeets(table, id, loose(reach, slack)) : lineMeets(table, id, reach))) {
-                reach = target.meet(table, id, reach);
+                reach = meet(table, id, reach);
             }
         }
     }
@@ -161,7 +174,7 @@ public final class BeamSearch {
         for (int local = cursor.nextOnRay(last, outlines); local >= 0; local = cursor.nextOnRay(last, outlines)) {
             // What is the nearest so far comes again where it lies across regions.
             int id = local | mark;
-            if (id != ignored && !target.isNearest(id)) {
+            if (id != ignored && !isNearest(id)) {
                 reach = isPlanar ? meetOnPlane(table, id, outlines, local, reach) : meetOnce(table, id, reach);
                 last = loose(reach, slack) * inverse;
             }
@@ -170,7 +183,7 @@ public final class BeamSearch {
     }
 
     private double meetOnPlane(LeafTable table, int id, double[] outlines, int local, double reach) {
-        double found = target.meetOutline(table, id, outlines, local, reach);
+        double found = meetOutline(id, outlines, local, reach);
         return Double.isNaN(found) ? meetOnce(table, id, reach) : found;
     }
 
@@ -182,7 +195,7 @@ public final class BeamSearch {
             return reach;
         }
         recent[place] = mark;
-        return target.meet(table, id, reach);
+        return meet(table, id, reach);
     }
 
     /** Searches what stands in the quadtree above and below the start. */
@@ -191,7 +204,7 @@ public final class BeamSearch {
         table.cursor.startBox(ox, oz, ox, oz);
         for (int local = table.cursor.next(); local >= 0; local = table.cursor.next()) {
             if ((local | table.mark) != ignored) {
-                reach = target.meet(table, local | table.mark, reach);
+                reach = meet(table, local | table.mark, reach);
             }
         }
         return reach;
@@ -206,7 +219,7 @@ public final class BeamSearch {
         for (int local = cursor.next(loose(reach, slack)); local >= 0; local = cursor.next(loose(reach, slack))) {
             int id = local | table.mark;
             if (id != ignored && coneMeets(table, id, loose(reach, slack)) && isAtHeight(table, id, reach)) {
-                reach = target.meet(table, id, reach);
+                reach = meet(table, id, reach);
             }
         }
         return reach;
@@ -237,7 +250,7 @@ public final class BeamSearch {
             stacked.start(table.bounds(), keys);
             for (int local = stacked.next(loose(reach, slack)); local >= 0; local = stacked.next(loose(reach, slack))) {
                 if ((local | table.mark) != ignored) {
-                    reach = target.meet(table, local | table.mark, reach);
+                    reach = meet(table, local | table.mark, reach);
                 }
             }
         }

@@ -2,7 +2,6 @@ package robosim.geometry.engine.sensing;
 
 import robosim.geometry.engine.broadphase.AccuracyView;
 import robosim.geometry.engine.broadphase.BeamSearch;
-import robosim.geometry.engine.broadphase.BeamTarget;
 import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.exact.Degrees;
@@ -11,11 +10,10 @@ import robosim.geometry.narrow.Cast;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.LeafColumn;
 
-/** The nearest echo of a beam: keeps the least distance, and whose it is, among the objects that the search shows. */
-public final class BeamQuery implements BeamTarget {
+/** The nearest echo of a beam: keeps the least distance, and whose it is, among the objects that the search visits. */
+public final class BeamQuery extends BeamSearch {
     private final ObjectTable objects;
     private final Cast cast;
-    private final BeamSearch search;
 
     private double ox;
     private double oy;
@@ -25,9 +23,13 @@ public final class BeamQuery implements BeamTarget {
     private int hitLeaf;
 
     public BeamQuery(ObjectTable objects, Scratch scratch) {
+        this(objects, new Cast(scratch));
+    }
+
+    private BeamQuery(ObjectTable objects, Cast cast) {
+        super(objects, cast);
         this.objects = objects;
-        cast = new Cast(scratch);
-        search = new BeamSearch(objects, cast, this);
+        this.cast = cast;
     }
 
     /** The object that gave the last answer, or -1. */
@@ -49,9 +51,9 @@ public final class BeamQuery implements BeamTarget {
             double cos = Degrees.cos(width / 2);
             double sin = Degrees.sin(width / 2);
             cast.widen(cos, sin);
-            search.cone(x, y, z, cos, sin);
+            cone(x, y, z, cos, sin);
         } else {
-            search.line(x, y, z);
+            line(x, y, z);
         }
     }
 
@@ -63,7 +65,7 @@ public final class BeamQuery implements BeamTarget {
     double nearest(AccuracyView view, double limit, int ignored) {
         hit = -1;
         best = Double.POSITIVE_INFINITY;
-        search.search(view, limit, ignored);
+        search(view, limit, ignored);
         if (best <= limit) {
             return best;
         }
@@ -72,7 +74,7 @@ public final class BeamQuery implements BeamTarget {
     }
 
     @Override
-    public double meet(LeafTable table, int id, double reach) {
+    protected double meet(LeafTable table, int id, double reach) {
         LeafColumn leaves = table.leaves();
         if (table.isUpright(id)) {
             meetLeaf(leaves, id, table.uprightLeaf(id), reach);
@@ -91,17 +93,17 @@ public final class BeamQuery implements BeamTarget {
     }
 
     @Override
-    public double meetOutline(LeafTable table, int id, double[] outlines, int local, double reach) {
+    protected double meetOutline(int id, double[] outlines, int local, double reach) {
         double found = cast.upright(outlines, local);
         if (Double.isNaN(found)) {
             return found;
         }
-        take(found, id, table.uprightLeaf(id));
+        take(found, id, local | LeafColumn.UPRIGHT);
         return best < reach ? best : reach;
     }
 
     @Override
-    public boolean isNearest(int id) {
+    protected boolean isNearest(int id) {
         return id == hit;
     }
 
