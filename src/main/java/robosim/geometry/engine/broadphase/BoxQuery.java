@@ -1,5 +1,6 @@
 package robosim.geometry.engine.broadphase;
 
+import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.index.QuadCursor;
@@ -17,9 +18,17 @@ public final class BoxQuery {
     private final SpaceKeys keys = new SpaceKeys();
     private final NearTarget passOn = this::passOn;
 
+    private int[] ids = new int[16];
+    private int count;
+
     // What passOn refers to.
     private LeafTable table;
     private int ignored;
+
+    /** A query that only gathers. */
+    public BoxQuery(ObjectTable objects) {
+        this(objects, (table, id) -> false);
+    }
 
     @SuppressWarnings("NullAway.Init") // a query sets its table
     public BoxQuery(ObjectTable objects, BoxTarget target) {
@@ -28,26 +37,57 @@ public final class BoxQuery {
     }
 
     /**
-     * Asks while objects come and move: nothing is laid out anew for one question.
+     * Lists the objects that may meet a box, perhaps more than once, while objects come and move: nothing is laid out anew for
+     * one question. Take them with {@link #gathered}.
      *
      * @param ignored an object that is left out; -1 for none
-     * @return whether the target needed no more
+     * @return how many there are
      */
-    public boolean gather(AccuracyView view, double[] box, int ignored) {
+    public int gather(AccuracyView view, double[] box, int ignored) {
+        count = 0;
+        gather(view.own, box, ignored);
         LeafTable shared = view.shared;
-        return gathers(view.own, box, ignored) || (shared != null && gathers(shared, box, ignored));
+        if (shared != null) {
+            gather(shared, box, ignored);
+        }
+        return count;
     }
 
-    private boolean gathers(LeafTable of, double[] box, int ignored) {
+    /** The k-th object that was gathered. */
+    public int gathered(int k) {
+        return ids[k];
+    }
+
+    private void gather(LeafTable of, double[] box, int but) {
         QuadCursor cursor = of.cursor;
-        int count = cursor.gather(
-                box[0], box[2], box[3], box[5], ignored ^ of.mark, of.leaves().outlines());
-        for (int k = 0; k < count; k++) {
-            if (target.meet(of, cursor.gathered(k) | of.mark)) {
-                return true;
+        int found = cursor.gather(
+                box[0], box[2], box[3], box[5], but ^ of.mark, of.leaves().outlines());
+        for (int k = 0; k < found; k++) {
+            add(cursor.gathered(k) | of.mark);
+        }
+        OctTree.@Nullable Cursor stacked = of.spaceIndex.cursor();
+        if (stacked != null) {
+            keys.startBox(box);
+            stacked.start(of.bounds(), keys);
+            for (int local = stacked.next(0); local >= 0; local = stacked.next(0)) {
+                if ((local | of.mark) != but) {
+                    add(local | of.mark);
+                }
             }
         }
-        return meetsBesideTree(of, box, ignored);
+        for (int k = 0; k < of.moversBesideTree(); k++) {
+            int id = objects.mover(k);
+            if (id != but && of.meets(id, box)) {
+                add(id);
+            }
+        }
+    }
+
+    private void add(int id) {
+        if (count == ids.length) {
+            ids = Arrays.copyOf(ids, 2 * count);
+        }
+        ids[count++] = id;
     }
 
     /** Asks a world that mostly stands still: the quadtree may be laid out anew, and later questions gain by it. */

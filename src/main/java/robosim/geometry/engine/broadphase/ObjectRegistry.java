@@ -113,7 +113,7 @@ public final class ObjectRegistry {
         if (name != null && objects.find(name) >= 0) {
             throw new IllegalArgumentException("name must be unique in its world (got: \"" + name + "\" again)");
         }
-        if (!fitsAsPlaced(object) || (checked && overlaps.gather(view, box, -1))) {
+        if (!fitsAsPlaced(object) || (checked && touchesAny())) {
             return false;
         }
         int id = objects.add(object);
@@ -156,6 +156,18 @@ public final class ObjectRegistry {
         view.own.placed(object, candidate);
         view.own.outline(candidate, box);
         return !isExact || worldBounds.clearlyHolds(box) || worldBounds.holds(candidate, 0, candidate.size());
+    }
+
+    /** Whether the candidate touches or overlaps any object in the world. */
+    private boolean touchesAny() {
+        int count = overlaps.gather(view, box, -1);
+        for (int k = 0; k < count; k++) {
+            int other = overlaps.gathered(k);
+            if (touches(view.table(other), other)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     public boolean remove(String name) {

@@ -35,8 +35,7 @@ public final class TranslationFastPath {
     private static final double LEAST = 0x1p-140;
 
     private final ObjectTable objects;
-    private final BoxQuery obstacles;
-    private final BoxQuery contacts;
+    private final BoxQuery query;
     private final WorldBounds worldBounds;
     private final Scratch s;
     private final Sweep sweep;
@@ -74,8 +73,7 @@ public final class TranslationFastPath {
         this.worldBounds = worldBounds;
         s = scratch;
         sweep = new Sweep(scratch);
-        obstacles = new BoxQuery(objects, this::stops);
-        contacts = new BoxQuery(objects, this::touches);
+        query = new BoxQuery(objects);
     }
 
     /** The centre at the end, and what it has lost; six numbers. */
@@ -107,7 +105,7 @@ public final class TranslationFastPath {
         if (!worldBounds.clearlyHolds(box) && !endsInside()) {
             return BLOCKED;
         }
-        if (!obstacles.gather(view, box, id)) {
+        if (!isStopped()) {
             return FREE;
         }
         // What it stands on may have a say, if not where the insides meet: see Standing.
@@ -117,7 +115,14 @@ public final class TranslationFastPath {
     /** Whether the object touches another one where it is, and does not overlap it so deeply that it has no say. */
     private boolean touches() {
         System.arraycopy(own.bounds(), own.boundsAt(id), box, 0, 6);
-        return contacts.gather(view, box, id);
+        int count = query.gather(view, box, id);
+        for (int k = 0; k < count; k++) {
+            int other = query.gathered(k);
+            if (touches(view.table(other), other)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private boolean touches(LeafTable table, int other) {
@@ -163,6 +168,17 @@ public final class TranslationFastPath {
         box[3] = b[k + 3] + Math.max(0, dx) + slack;
         box[4] = b[k + 4] + Math.max(0, dy) + slack;
         box[5] = b[k + 5] + Math.max(0, dz) + slack;
+    }
+
+    private boolean isStopped() {
+        int count = query.gather(view, box, id);
+        for (int k = 0; k < count; k++) {
+            int other = query.gathered(k);
+            if (stops(view.table(other), other)) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Whether another object stops this one. */
