@@ -9,8 +9,9 @@ import robosim.geometry.index.boxes.SpaceKeys;
 import robosim.geometry.index.tiles.NearTarget;
 
 /**
- * Shows the objects that may meet a box to a target, one by one, until it needs no more. Bounds are compared for those that
- * come from a list or from the octree; of what comes from the quadtree, some may lie beside the box, above it or below it.
+ * Finds the objects that may meet a box, also a swept one: as a list ({@link #gather}), or one by one for a target until it
+ * needs no more ({@link #probe}, {@link #each}). Only {@link #each} compares all bounds and gives each object once; else some
+ * that come from the quadtree may lie beside the box, above it or below it.
  */
 public final class BoxQuery {
     private final ObjectTable objects;

@@ -63,15 +63,11 @@ final class ConeCapsule {
     /** Farther than all of the capsule. */
     private double far;
 
+    /** The distance of a point that is met, so at least the true distance; +Infinity where none is known. */
     private double upper;
 
     /** Whether the last place is beside the cone, neither in it nor behind it. */
     private boolean isBeside;
-
-    /** At least what {@link #distance} answered is below the true distance: the distance of a point that is met. */
-    double upper() {
-        return upper;
-    }
 
     /** The distance, at most the true one; +Infinity where the capsule is proved to be outside the cone. */
     double distance(Cone in, double[] b, int j, double ax, double ay, double az) {
@@ -173,7 +169,6 @@ final class ConeCapsule {
         double high = to;
         double first = high - GOLDEN * (high - low);
         double second = low + GOLDEN * (high - low);
-        place(t, first);
         int order = 0;
         for (int step = 0; step < STEPS; step++) {
             order = compare(t, first, second);
