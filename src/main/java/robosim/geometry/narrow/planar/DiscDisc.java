@@ -6,17 +6,17 @@ import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 
-/** Two discs on the plane. */
+/** Two discs in the plane. */
 public final class DiscDisc {
-    // Differences and the sum of the radii are rounded once, which counts twice in their squares, these once, the sum
-    // of squares once more: either side is off by 4 roundings of 2^-53, and the comparison adds one.
+    // The differences and the sum of the radii are each rounded once, which counts twice in their squares. The squares
+    // are rounded once, the sum of squares once more. So each side is off by 4 roundings of 2^-53; the comparison adds
+    // one.
     private static final double FILTER = Filter.bound(5.01 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
 
-    // With u = 2^-53 and M for the sum of the three squares: the tails that the gap of squares adds are at most 5u M
-    // (of the sum u, of the difference u, of the squares u, of the coordinates 2u), so that five additions lose 25u^2
-    // M; what is made of the coordinates' tails is off by 6u^2 M, and their squares left out are u^2 M. The last
-    // addition keeps the sign.
+    // With u = 2^-53 and M the sum of the three squares: the tails added to the difference of squares are at most 5u M
+    // (sum u, difference u, squares u, coordinates 2u), so five additions lose 25u^2 M. The terms from the coordinates'
+    // tails are off by 6u^2 M, and the omitted squares of these tails are u^2 M. The last addition preserves the sign.
     private static final double FINE = Filter.bound(33 * 0x1p-106);
 
     private static final StageCounters.Counter FINER = StageCounters.counter("DiscDisc fine");
@@ -52,7 +52,7 @@ public final class DiscDisc {
         return dx.square().add(dz.square()).compareTo(r.square()) <= 0;
     }
 
-    /** The least distance, 0 in contact. */
+    /** The distance; 0 in contact. */
     public static double distance(double ax, double az, double ar, double bx, double bz, double br) {
         if (touch(ax, az, ar, bx, bz, br)) {
             return 0;
@@ -60,17 +60,17 @@ public final class DiscDisc {
         double dx = ax - bx;
         double dz = az - bz;
         double r = ar + br;
-        if (Math.abs(dx) + Math.abs(dz) < VectorMath.TINY) { // else the squares would vanish
+        if (Math.abs(dx) + Math.abs(dz) < VectorMath.TINY) { // otherwise the squares would underflow
             double k = VectorMath.ENLARGED;
             return distance(ax * k, az * k, ar * k, bx * k, bz * k, br * k) / k;
         }
-        // (d - r)(d + r) with the tails of the differences and squares: what is left of two large circles that nearly
-        // touch is right to an ulp.
+        // (d - r)(d + r), with the tails of the differences and squares: accurate to an ulp even for two large circles
+        // that nearly touch.
         double apart = Math.sqrt(dx * dx + dz * dz);
         return Math.max(0, squareGap(ax, az, bx, bz, ar, br) / (apart + r));
     }
 
-    /** {@code |a - b|^2 - (ar + br)^2}, within an ulp or two however much cancels. */
+    /** {@code |a - b|^2 - (ar + br)^2}, within an ulp or two even under cancellation. */
     public static double squareGap(double ax, double az, double bx, double bz, double ar, double br) {
         double dx = ax - bx;
         double dxTail = DoubleDouble.differenceTail(ax, bx, dx);

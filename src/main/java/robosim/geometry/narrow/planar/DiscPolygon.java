@@ -5,13 +5,12 @@ import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.LeafKind;
 
-/** A disc and a convex polygon: what a box, a triangle or an octagon throws. */
+/** A disc and a convex polygon: the projection of a box, a triangle or an octagon. */
 public final class DiscPolygon {
-    // Corners are off by the polygon's error in both coordinates, so the distance to a side by 1.42 times that. Seen
-    // from the disc's centre it is the quotient of a cross product (3u of the side's length and of an end's distance,
-    // which is at most 1.42 times the size) and the length (4u of the quotient in all, which is no larger); an end is
-    // taken for the foot only where the two are within 3u of the end's distance. The difference with the radius adds
-    // 1u.
+    // Each corner is off by the polygon's error in both coordinates, so the distance to a side by 1.42 times that. Seen
+    // from the disc's centre, this distance is a cross product (off by 3u of the side's length times an end's distance,
+    // which is at most 1.42 times the size) over the length (4u of the quotient in all, which is no larger). An end is
+    // taken for the foot only where the two are within 3u of the end's distance. Subtracting the radius adds 1u.
     private static final double ROUNDING = 1.01;
     private static final double CORNERS = 1.42;
     private static final double SIZE = 10 * 0x1p-53;
@@ -22,7 +21,7 @@ public final class DiscPolygon {
 
     private DiscPolygon() {}
 
-    /** Whether they touch or overlap; exact, but for octagons, which touch where it is in doubt. */
+    /** Whether they touch or overlap. Exact, except that octagons count as touching in doubtful cases. */
     public static boolean touch(double px, double pz, double r, LeafKind kind, double[] b, int j, PlanarScratch s) {
         PlanarShape q = s.planarB;
         q.set(kind, b, j, px, pz);
@@ -52,13 +51,13 @@ public final class DiscPolygon {
         return ExactPlanar.of(kind, b, j).touchesDisc(px, pz, r);
     }
 
-    /** The least distance, 0 in contact. */
+    /** The distance; 0 in contact. */
     public static double distance(double px, double pz, double r, LeafKind kind, double[] b, int j, PlanarScratch s) {
         if (touch(px, pz, r, kind, b, j, s)) {
             return 0;
         }
         PlanarShape q = s.planarB;
-        if (q.isTiny()) { // else the squares would vanish
+        if (q.isTiny()) { // otherwise the squares would underflow
             q.enlarge(VectorMath.ENLARGED);
             return Math.max(0, Math.sqrt(PointPolygon.squareToOutline(0, 0, q)) / VectorMath.ENLARGED - r);
         }

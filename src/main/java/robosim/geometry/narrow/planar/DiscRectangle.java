@@ -8,18 +8,19 @@ import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.LeafKind;
 
-/** A disc and the rectangle that an upright box throws on the plane. */
+/** A disc and a rectangle, the projection of an upright box. */
 public final class DiscRectangle {
-    // With u = 2^-53: a coordinate in the rectangle's frame is off by 3u of |dx| + |dz|, the half size times
-    // the squared length by 3u, their difference and its with this bound by 1u each; a direction is no longer
-    // than 1 + 1e-9.
+    // With u = 2^-53: a coordinate in the rectangle's frame is off by 3u of |dx| + |dz|, the half size times the
+    // squared length by 3u; their difference, and that of the result and this bound, add 1u each. A direction is no
+    // longer than 1 + 1e-9.
     private static final double OFFSET = Filter.bound(5.01 * 0x1p-53);
 
-    // The radius's square times the squared length is off by 4u, the sum of the two others by 2u; what is added 1u.
+    // The squared radius times the squared length is off by 4u, the sum of the two other squares by 2u; adding this
+    // bound costs 1u.
     private static final double SQUARES = Filter.bound(5.01 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
 
-    /** So many times the radius away from the centre, its rounding is that of the distance. */
+    /** From this many radii away, the error of the difference is no more than that of the distance to the centre. */
     private static final double MANY = 16;
 
     private static final StageCounters.Counter FINE = StageCounters.counter("DiscRectangle fine");
@@ -27,12 +28,12 @@ public final class DiscRectangle {
 
     private DiscRectangle() {}
 
-    /** Whether the row is one whose own X and Z are square to each other as stored, as those of any heading are. */
+    /** Whether the stored X and Z axes are exactly perpendicular, as they are for every heading. */
     public static boolean isSquare(double[] row, int at) {
         return row[at + 6] == row[at + 14] && row[at + 8] == -row[at + 12];
     }
 
-    /** Whether the own axes are the world's, to the bit. */
+    /** Whether the box's own axes are exactly the world's axes. */
     static boolean isAligned(double[] row, int at) {
         double c = row[at + 6];
         double s = row[at + 8];
@@ -61,8 +62,8 @@ public final class DiscRectangle {
     }
 
     /**
-     * Whether they touch, for a rectangle by its numbers, with the cosine and sine of its heading: below 0 where they do,
-     * above where they do not, 0 where doubles cannot tell.
+     * Whether they touch, for a rectangle given by its numbers and the cosine and sine of its heading: negative where
+     * they do, positive where they do not, 0 where doubles cannot tell.
      */
     public static int sure(
             double px, double pz, double r, double cx, double cz, double hx, double hz, double c, double s) {
@@ -86,7 +87,7 @@ public final class DiscRectangle {
         return most < (near - slack) - SQUARES * most || (mostX == 0 && mostZ == 0) ? -1 : 0;
     }
 
-    /** The number, or 0 where it is below; exact, and without a comparison. */
+    /** The number, or 0 if it is negative; exact and branch-free. */
     private static double positive(double number) {
         return (number + Math.abs(number)) / 2;
     }
@@ -116,7 +117,7 @@ public final class DiscRectangle {
         return ExactPlanar.of(LeafKind.UPRIGHT_BOX, row, at).touchesDisc(px, pz, r);
     }
 
-    /** The least distance, 0 in contact; within three ulp of itself and 2^-98 of the offset and the sizes. */
+    /** The distance; 0 in contact. Accurate to three ulp plus 2^-98 of the offset and the sizes. */
     public static double distance(double px, double pz, double r, double[] row, int at, PlanarScratch scratch) {
         if (touch(px, pz, r, row, at, scratch.fine)) {
             return 0;
@@ -130,11 +131,11 @@ public final class DiscRectangle {
             return Math.max(0, VectorMath.legs(beyondX, beyondZ) / Math.sqrt(square) - r);
         }
         double toCenter = Math.sqrt((beyondX * beyondX + beyondZ * beyondZ) / square);
-        // Beside a radius that is not small, what is left is only as good as the radius.
+        // Otherwise the difference would be only as accurate as the radius.
         return toCenter > MANY * r ? toCenter - r : powerDistance(px, pz, r, row, at, scratch.planarPairs);
     }
 
-    // (d - r) (d + r) / (d + r), the product from the squares in pairs of doubles.
+    // (d - r)(d + r) / (d + r), with the product computed from the squares in pairs of doubles.
     private static double powerDistance(double px, double pz, double r, double[] row, int at, DoubleDoubles p) {
         double c = row[at + 6];
         double s = row[at + 8];
@@ -153,7 +154,7 @@ public final class DiscRectangle {
         return Math.max(0, p.get(4) / (toCenter + r));
     }
 
-    // The square of how far the centre is beyond a side, times the length of its normal.
+    // The squared product of the centre's distance beyond a side and the length of the side's normal; 0 inside.
     private static void squareBeyond(DoubleDoubles p, int out, double nx, double nz, double half) {
         int temporary = 6;
         p.multiply(out, 0, nx);
@@ -171,8 +172,8 @@ public final class DiscRectangle {
     }
 
     /**
-     * How far (px, pz) is beyond a side whose normal is (nx, nz) and whose half size is h, times the normal's length:
-     * {@code |(p - c) . n| - h n . n}, within an ulp or two however much cancels.
+     * The signed distance of (px, pz) beyond a side with normal (nx, nz) and half size h, times the normal's length:
+     * {@code |(p - c) . n| - h n . n}, within an ulp or two even under cancellation.
      */
     public static double gap(double px, double pz, double[] row, int at, double nx, double nz, double h) {
         return gap(px, pz, row[at], row[at + 2], nx, nz, h);

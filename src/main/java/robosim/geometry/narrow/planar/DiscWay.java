@@ -3,40 +3,41 @@ package robosim.geometry.narrow.planar;
 import robosim.geometry.exact.Filter;
 
 /**
- * Whether a disc that moves straight on meets another at rest, in plain doubles and only where these are certain: the
- * least distance of a point to a segment, squared, against the sum of the radii, squared.
+ * Whether a disc in straight motion meets another at rest, in plain doubles and only where these are certain: compares
+ * the squared distance of a point from a segment with the squared sum of the radii.
  */
 public final class DiscWay {
     /** Doubles cannot tell. */
     public static final int UNSURE = 0;
 
-    /** The one blocks nothing: they are apart all the way and at its end, or overlap and go away from each other. */
+    /** No obstacle: the discs stay apart to the end, or overlap and separate. */
     public static final int CLEAR = 1;
 
-    /** The one blocks: they are apart at the start and touch on the way, or overlap and go deeper. */
+    /** An obstacle: the discs are apart at the start and touch on the way, or overlap and go deeper. */
     public static final int MET = -1;
 
-    // With u = 2^-53: the offset q is off by u of itself, and the place p on the way d by u of itself, so q - p by
-    // u(|q| + |d| + |q - p|), and its square by that doubled times |q - p| and 2u of itself: 7u q.q + u d.d, as q - p
-    // is not longer than q. That p is not quite the foot counts squared. The stored end is off the way by u|d|, which
-    // makes u q.q + u d.d more; the square of the radii is off by 3u of itself, and the comparison adds 2u.
+    // With u = 2^-53: the offset q is off by u of itself, and the point p of the motion d by u of itself, so q - p by
+    // u(|q| + |d| + |q - p|). Its square is off by twice that times |q - p|, plus 2u of itself: 7u q.q + u d.d, as q -
+    // p is no longer than q. The deviation of p from the true foot enters squared. The stored end deviates from the
+    // motion by u|d|, which adds u q.q + u d.d. The squared sum of the radii is off by 3u of itself; the comparison
+    // adds 2u.
     private static final double FILTER = Filter.bound(12 * 0x1p-53);
 
     // Each product of q and d is off by 2u of itself, their sum by u.
     private static final double FILTER_AHEAD = Filter.bound(4 * 0x1p-53);
 
-    /** Ways whose squares are below this could lose too much of them to underflow. */
+    /** Squares of motions shorter than this could lose too much to underflow. */
     private static final double SHORT = 0x1p-900;
 
     private DiscWay() {}
 
     /**
-     * Whether what a disc encloses may move on by (dx, dz) for what another disc encloses, whose centre is off by
-     * (qx, qz).
+     * Whether the contents of one disc can move by (dx, dz) past the contents of another disc, whose centre is at
+     * offset (qx, qz).
      *
      * @param reach the sum of the radii
-     * @param slack how far the offset may be off, apart from half an ulp; and the sum of the radii, either way
-     * @param isAll whether each disc is all that it encloses; else nothing is called met
+     * @param slack the error of the offset, apart from half an ulp, and of the sum of the radii, in either direction
+     * @param isAll whether each disc is itself the object, not an enclosure; otherwise the answer is never {@link #MET}
      */
     public static int past(double qx, double qz, double dx, double dz, double reach, double slack, boolean isAll) {
         double hull = reach + slack + slack;

@@ -6,38 +6,39 @@ import robosim.geometry.exact.Filter;
 import robosim.geometry.narrow.leaf.Leaf;
 
 /**
- * The second stage of overlaps in the plane: the value of which a filter could not tell the sign, in pairs of doubles.
+ * The second stage of overlap tests in the plane: evaluates in pairs of doubles what a filter left in doubt.
  *
- * <p>With u = 2^-53, {@link DoubleDoubleSum} adds with an error of at most 4u^2 of the magnitudes (2^-104), and multiplies a pair
- * by a double with one of at most 3u^2 of the product (the tail's product u^2, its sum 2u^2), two pairs with one of at
- * most 7u^2 (the product of the tails u^2, the two others u^2 each, their sum and the last 2u^2 each); products of two
- * doubles are without error. Differences of coordinates are pairs without error.
+ * <p>With u = 2^-53, {@link DoubleDoubleSum} adds with an error of at most 4u^2 (2^-104) of the magnitudes. The product
+ * of a pair and a double is off by at most 3u^2 of itself (the tail's product u^2, its sum 2u^2), the product of two
+ * pairs by at most 7u^2 (the product of the tails u^2, the two others u^2 each, their sum and the last 2u^2 each).
+ * Products of two doubles are exact, and so are differences of coordinates, which are pairs.
  */
 final class DoubleDoubleOverlap {
     // The offset's cross product: two products 3u^2, the sum 4u^2. A half size times a cross product: the cross
-    // product's sum 4u^2, the product 3u^2. Up to six of these are added, with 4u^2 of all each: 31u^2. A direction is
-    // no longer than 1 + 1e-9, so that all is less than the direction's length times the offset and the half sizes.
+    // product's sum 4u^2, the product 3u^2. Up to six of these are added, each with 4u^2 of the total: 31u^2. A
+    // direction is no longer than 1 + 1e-9, so the total is below the direction's length times the offset plus the half
+    // sizes.
     private static final double ALONG = Filter.bound(32 * 0x1p-106);
 
-    // How far the centre is beyond a side: the cross product 7u^2 of the offset; the half size times the squared length
-    // (one sum 4u^2, which is its own magnitude; the product 3u^2); their sum 4u^2.
+    // The distance of the centre beyond a side: the cross product 7u^2 of the offset; the half size times the squared
+    // length (one sum 4u^2, which is its own magnitude; the product 3u^2); their sum 4u^2.
     private static final double BEYOND = Filter.bound(12 * 0x1p-106);
 
-    // Of squares: each 7u^2; the radius's square is exact and times the squared length 4u^2 and 7u^2; two sums 4u^2.
+    // Squares: 7u^2 each. The squared radius is exact; times the squared length 4u^2 and 7u^2. Two sums: 4u^2.
     private static final double SQUARES = Filter.bound(20 * 0x1p-106);
 
-    /** More than what tails lose to underflow: some 2^-1074, each times a size of at most 2^100. */
+    /** More than tails lose to underflow: about 2^-1074, each times a size of at most 2^100. */
     private static final double UNDERFLOW = 0x1p-960;
 
-    /** What the last answer was told by. */
+    /** The value whose sign gave the last answer. */
     final DoubleDoubleSum value = new DoubleDoubleSum();
 
     private final DoubleDoubleSum cross = new DoubleDoubleSum();
     private final DoubleDoubleSum square = new DoubleDoubleSum();
 
     /**
-     * How two boxes' projections lie to each other, seen along the normal of the direction (gx, gz), one of their own
-     * axes: 1 apart, -1 overlapping, 0 touching or too close to tell.
+     * Compares two boxes' projections along the normal of the direction (gx, gz), which is one of their own axes: 1
+     * apart, -1 overlapping, 0 touching or too close to tell.
      */
     int along(double gx, double gz, double[] a, int i, double[] b, int j) {
         double dx = a[i] - b[j];
@@ -52,7 +53,7 @@ final class DoubleDoubleOverlap {
         return sign(ALONG * sizes * (Math.abs(gx) + Math.abs(gz)) + UNDERFLOW);
     }
 
-    /** Answers the sum of the half sizes. */
+    /** Returns the sum of the half sizes. */
     private double subtractReach(double gx, double gz, double[] row, int at) {
         double sizes = 0;
         for (int axis = 0; axis < 3; axis++) {
@@ -61,7 +62,7 @@ final class DoubleDoubleOverlap {
             double half = row[at + Leaf.SIZE + axis];
             sizes += half;
             if ((x == 0 && z == 0) || (x == gx && z == gz)) {
-                continue; // seen as a point
+                continue; // projects to a point
             }
             cross.clear();
             cross.addProduct(x, 0, gz, 0);
@@ -72,7 +73,7 @@ final class DoubleDoubleOverlap {
     }
 
     /**
-     * How a disc lies to a rectangle whose own X and Z are square to each other as stored: 1 apart, -1 overlapping, 0
+     * Compares a disc with a rectangle whose stored X and Z axes are exactly perpendicular: 1 apart, -1 overlapping, 0
      * touching or too close to tell.
      */
     int discRectangle(double px, double pz, double r, double[] row, int at) {
@@ -98,11 +99,11 @@ final class DoubleDoubleOverlap {
         double near = r * r;
         double sizes = value.hi + near;
         value.addProduct(square.hi, square.lo, -near, -DoubleDouble.productTail(r, r, near));
-        // Either distance is off by the error, so its square by twice the distance times that, and the error's square.
+        // Each distance is off by the error, so its square by twice their product plus the error squared.
         return sign(2 * error * (besideX + besideZ + error) + SQUARES * sizes + UNDERFLOW);
     }
 
-    // |d x n| less the half size times the squared length of the axes
+    // |d x n| minus the half size times the squared length of the axes
     private void beyond(double dx, double dxTail, double nx, double dz, double dzTail, double nz, double half) {
         cross.clear();
         cross.addProduct(dx, dxTail, nx, 0);

@@ -5,11 +5,11 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
- * The projection of a box or a triangle, exactly: the slow and certain way to a verdict, for where a filter is in
- * doubt. An octagon takes its corners as {@link PlanarShape} rounds them: it is an enclosure and never decides alone.
+ * The exact projection of a box or a triangle, for cases that a filter leaves in doubt; slow. An octagon takes its
+ * corners as {@link PlanarShape} rounds them: it is an enclosure and never decides alone.
  *
- * <p>All verdicts are separating axes: the difference of two convex sets is bounded by the normals of the sides of
- * both, and what is flat is told by the world's own axes as well.
+ * <p>All decisions use separating axes. The difference of two convex sets is bounded by the side normals of both; the
+ * world's axes are added for degenerate shapes.
  */
 public final class ExactPlanar {
     private final Dyadic[] x;
@@ -50,7 +50,7 @@ public final class ExactPlanar {
         return shape;
     }
 
-    // All eight sums of the half axes, hull or not: inner ones do no harm.
+    // All eight sums of the half axes, on the hull or not: inner points do no harm.
     private static ExactPlanar box(double[] row, int at) {
         ExactPlanar shape = new ExactPlanar(8, 3);
         Dyadic cx = Dyadic.of(row[at]);
@@ -93,7 +93,7 @@ public final class ExactPlanar {
         if (contains(cx, cz)) {
             return true;
         }
-        // Every side is among the segments between two corners, and no such segment leaves the polygon.
+        // Every side is among the segments that join two corners, and no such segment leaves the polygon.
         Dyadic square = Dyadic.of(radius).square();
         for (int k = 0; k < x.length; k++) {
             for (int m = k + 1; m < x.length; m++) {
@@ -137,7 +137,7 @@ public final class ExactPlanar {
         return true;
     }
 
-    /** Whether the ray from (ox, oz) along (ux, uz) meets it. */
+    /** Whether the ray from (ox, oz) along (ux, uz) hits it. */
     public boolean isHitBy(double ox, double oz, double ux, double uz) {
         Dyadic px = Dyadic.of(ox);
         Dyadic pz = Dyadic.of(oz);
@@ -147,7 +147,7 @@ public final class ExactPlanar {
         if (least(dx, dz).compareTo(line) > 0 || most(dx, dz).compareTo(line) < 0) {
             return false;
         }
-        // all of it behind the start: the same along the ray turned by a quarter
+        // Entirely behind the start: the same test along the ray's direction turned by a quarter.
         if (most(dz, dx.negate()).compareTo(cross(dz, dx.negate(), px, pz)) < 0) {
             return false;
         }

@@ -1,28 +1,29 @@
 package robosim.geometry.narrow.planar;
 
 /**
- * The least distance of any two planar shapes by their support points, as a bracket: {@link #low} is certified by a
- * line between the two, {@link #high} is attained by two points.
+ * A bracket for the distance of any two planar shapes, from their support points: {@link #low} is certified by a
+ * separating line, {@link #high} is attained by two points.
  *
- * <p>With W the points of the second shape as seen from those of the first, the distance is the greatest of f(n) = min
- * (n . w) over unit directions n. The best n has a positive product with every w, and so lies on the side of n to which
- * w(n) leans: an arc of directions that halves at least every second step, and meets in a point much sooner where the
- * nearest point of the chord between the two ends of the arc leads the way (Gilbert, Johnson and Keerthi 1988).
+ * <p>Let W be the set of differences of a point of the second shape and one of the first. The distance is the maximum
+ * over unit directions n of f(n) = min (n . w). The best n has a positive product with every w, and so lies on the side
+ * of n to which w(n) leans. The remaining arc of directions halves at least every second step, and shrinks much sooner
+ * where the nearest point of the chord between the two ends of the arc gives the next direction (Gilbert, Johnson and
+ * Keerthi 1988).
  */
 public final class PlanarBracket {
-    // Eight halvings of nothing in particular are left over once an arc of half a turn is below the last bit.
+    // Halving an arc of half a turn down to the last bit leaves some eight halvings to spare.
     private static final int STEPS = 2 * 64;
 
-    // f is off by the shapes' errors in two coordinates, and by four roundings of values that those cover.
+    // f is off by the shapes' errors in two coordinates, plus four roundings of values, which these errors cover.
     private static final double FILTER = 4;
 
-    // Relative width at which more steps only move the last bits.
+    // Relative width below which further steps change only the last bits.
     private static final double TIGHT = 1 - 0x1p-50;
 
-    /** The distance is not below this. */
+    /** A lower bound of the distance. */
     double low;
 
-    /** The distance is not above this, up to rounding. */
+    /** An upper bound of the distance, up to rounding. */
     double high;
 
     /** The direction of the best separating line, from the first shape to the second. */
@@ -30,7 +31,7 @@ public final class PlanarBracket {
 
     public double normalZ;
 
-    /** How far f may be off. */
+    /** The error bound of f. */
     double error;
 
     private double arcFromX;
@@ -48,17 +49,17 @@ public final class PlanarBracket {
     private double triedX;
     private double triedZ;
 
-    /** Whether a line between the two is certain. */
+    /** Whether a separating line is certain. */
     public boolean isApart() {
         return low > error;
     }
 
-    /** The least distance, 0 where no line between the two is certain. */
+    /** The distance; 0 where no separating line is certain. */
     public double distance() {
         return isApart() ? low - error : 0;
     }
 
-    /** Narrows the bracket as far as it goes, or only until the verdict is certain. */
+    /** Narrows the bracket as far as possible, or only until the verdict is certain. */
     public void find(PlanarShape p, PlanarShape q, boolean verdictOnly) {
         error = FILTER * (p.error + q.error);
         low = Double.NEGATIVE_INFINITY;
@@ -91,7 +92,7 @@ public final class PlanarBracket {
         }
     }
 
-    // One support point; false where the two are certain to overlap, or nothing is better.
+    // Evaluates one support point; false where the two certainly overlap, or nothing better is left.
     private boolean narrow(PlanarShape p, PlanarShape q) {
         double f = -q.support(-triedX, -triedZ) - p.support(triedX, triedZ);
         double wx = q.pointX - p.pointX;
@@ -123,7 +124,7 @@ public final class PlanarBracket {
         return !(fromKnown && toKnown && surrounds());
     }
 
-    // Whether the triangle of three known differences holds the origin.
+    // Whether the triangle of three known differences contains the origin.
     private boolean surrounds() {
         double a = fromX * toZ - fromZ * toX;
         double b = toX * innerZ - toZ * innerX;
@@ -135,7 +136,7 @@ public final class PlanarBracket {
         return in;
     }
 
-    // The next direction to try; false where the arc is used up.
+    // Chooses the next direction to try; false where the arc is exhausted.
     private boolean next(boolean chord) {
         if (chord && fromKnown && toKnown && chord()) {
             return true;
@@ -144,7 +145,7 @@ public final class PlanarBracket {
         double nz = arcFromZ + arcToZ;
         double length = Math.sqrt(nx * nx + nz * nz);
         if (!(length > 0x1p-30)) {
-            // an arc of half a turn, before anything is known
+            // an arc of half a turn: nothing is known yet
             nx = -arcFromZ;
             nz = arcFromX;
             length = 1;
@@ -158,7 +159,7 @@ public final class PlanarBracket {
         double ex = toX - fromX;
         double ez = toZ - fromZ;
         double square = ex * ex + ez * ez;
-        // Both ends of the arc may have the same corner foremost.
+        // Both ends of the arc may have the same support point.
         double share = square > 0 ? -(fromX * ex + fromZ * ez) / square : 0;
         share = Math.max(0, Math.min(1, share));
         double vx = fromX + share * ex;
@@ -170,7 +171,7 @@ public final class PlanarBracket {
         }
         high = Math.min(high, length);
         if (share > 0 && share < 1) {
-            // the chord's own normal is better known than its nearest point
+            // the chord's own normal is more accurate than its nearest point
             double root = Math.sqrt(square);
             double side = ex * vz - ez * vx > 0 ? 1 : -1;
             triedX = -ez / root * side;

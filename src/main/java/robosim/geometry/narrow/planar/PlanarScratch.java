@@ -5,7 +5,7 @@ import robosim.geometry.narrow.leaf.LeafScratch;
 
 /** The working memory of planar kernels. */
 public class PlanarScratch extends LeafScratch {
-    /** The projections of the two leaves of a planar question. */
+    /** The projections of the two leaves of a planar query. */
     public final PlanarShape planarA = new PlanarShape();
 
     public final PlanarShape planarB = new PlanarShape();

@@ -6,26 +6,27 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
- * What is left of a leaf on the XZ plane, relative to an origin near it: a disc, a convex polygon, or the oval that a
- * turned cylinder throws (an ellipse pushed along its minor axis).
+ * The projection of a leaf on the XZ plane, relative to an origin near it: a disc, a convex polygon, or the oval of a
+ * turned cylinder (an ellipse swept along its minor axis).
  *
- * <p>Corners are those of the real polygon to within {@link #error} in each coordinate, in the order in which x turns
- * to z; what is flat has two corners or one. Exact decisions start from the row itself ({@link ExactPlanar}).
+ * <p>Corners are within {@link #error} of the true ones in each coordinate, ordered from x towards z. A degenerate
+ * polygon has two corners or one. Exact decisions start from the row itself ({@link ExactPlanar}).
  */
 public final class PlanarShape {
     public static final int DISC = 0;
     public static final int POLYGON = 1;
     public static final int OVAL = 2;
 
-    /** Most corners of a polygon: those of an octagon. */
+    /** The most corners a polygon has: those of an octagon. */
     static final int CORNERS = 8;
 
-    // In u = 2^-53: each coordinate is made by at most eight roundings of numbers no larger than the sum of the
-    // magnitudes that go in; the sum itself is rounded too.
+    // In u = 2^-53: each coordinate takes at most eight roundings of numbers no larger than the sum of the magnitudes
+    // that enter it; the sum itself is rounded too.
     private static final double ROUNDING = 9 * 0x1p-53;
 
-    // A box's corner: of the half axes' magnitudes their products 1u, the sum of three 2u, twice what is taken from it
-    // 2u; the centre 1u; the corner 1u of all; and a little, as the sum of the magnitudes is itself rounded.
+    // A box's corner: for the half axes' magnitudes 1u for the products, 2u for the sum of three, 2u for subtracting
+    // twice; the centre 1u; the corner 1u of everything; and a little more, as the sum of the magnitudes is itself
+    // rounded.
     private static final double BOX_ROUNDING = 6.01 * 0x1p-53;
 
     // A triangle's corner is one difference: off by 1u of itself.
@@ -37,32 +38,33 @@ public final class PlanarShape {
     public final double[] x = new double[CORNERS];
     public final double[] z = new double[CORNERS];
 
-    /** What rounding took from the corners of a triangle, which are rounded once; 0 for all others. */
+    /** The rounding errors of a triangle's corners, which are rounded once; 0 for all other shapes. */
     public final double[] tailX = new double[CORNERS];
 
     public final double[] tailZ = new double[CORNERS];
 
     /**
-     * The direction of the side that leads to each corner from the one before it, of any length. Not the difference of the
-     * two: of a short side seen from far away rounding would turn that anywhere. Of a box the own axis as it is stored, of an
-     * octagon that of its plane, of a triangle the difference of the stored corners, off by 1u of itself.
+     * The direction of the side that leads to each corner from the previous one, of any length. Not the difference of
+     * the two corners: rounding could turn that arbitrarily for a short side seen from far away. For a box, the own
+     * axis as stored; for an octagon, the direction of its plane; for a triangle, the difference of the stored corners,
+     * off by 1u of itself.
      */
     public final double[] sideX = new double[CORNERS];
 
     public final double[] sideZ = new double[CORNERS];
 
-    /** No corner is off by more in x or in z; for a disc or an oval the same of its outline. */
+    /** The error bound of each corner coordinate; for a disc or an oval, that of its outline. */
     public double error;
 
-    /** No coordinate of a corner is larger, nor the sum of the magnitudes that it is made of. */
+    /** An upper bound of each corner coordinate and of the sum of the magnitudes that enter it. */
     public double size;
 
-    /** Of a disc or an oval. */
+    /** The centre of a disc or an oval. */
     public double centerX;
 
     public double centerZ;
 
-    /** Of a disc; half the width of an oval across its axis. */
+    /** The radius of a disc; half the width of an oval across its axis. */
     public double radius;
 
     /** The oval's own direction, of unit length. */
@@ -73,10 +75,10 @@ public final class PlanarShape {
     /** Half the length of the straight part of an oval. */
     public double reach;
 
-    /** Half the thickness of the ellipse that is pushed along, measured along the axis. */
+    /** Half the thickness of the swept ellipse, measured along the axis. */
     public double minor;
 
-    /** The last support point asked for. */
+    /** The last support point. */
     public double pointX;
 
     public double pointZ;
@@ -95,12 +97,12 @@ public final class PlanarShape {
         };
     }
 
-    /** Whether it is so small and so near that products of its numbers would vanish: then no filter holds. */
+    /** Whether it is so small and so near that products of its numbers would underflow; then no filter holds. */
     public boolean isTiny() {
         return error < 0x1p-448;
     }
 
-    /** Makes the corners so many times as large; a power of two, so that nothing is rounded. */
+    /** Scales the corners by a power of two, so that nothing is rounded. */
     void enlarge(double power) {
         for (int k = 0; k < count; k++) {
             x[k] *= power;
@@ -112,7 +114,7 @@ public final class PlanarShape {
         return size < 0x1p-450 ? 2 * size + Double.MIN_VALUE : rounding * size;
     }
 
-    /** A point near a leaf to see it and others from: its centre, or one corner. */
+    /** An origin near a leaf, relative to which it and other leaves are projected: its centre or one corner. */
     public static double originX(LeafKind kind, double[] row, int at) {
         return switch (kind.layout()) {
             case CENTRE, CORNERS -> row[at];
@@ -127,7 +129,7 @@ public final class PlanarShape {
         };
     }
 
-    /** Takes the projection of a leaf, as seen from (ox, oz). */
+    /** Sets this to the projection of a leaf, relative to (ox, oz). */
     public void set(LeafKind kind, double[] row, int at, double ox, double oz) {
         family = family(kind);
         count = 0;
@@ -145,7 +147,7 @@ public final class PlanarShape {
         }
     }
 
-    /** The origin itself, as a disc of no size. */
+    /** The origin itself, as a disc of radius 0. */
     public void point() {
         family = DISC;
         count = 0;
@@ -171,7 +173,7 @@ public final class PlanarShape {
         double az = row[at + Leaf.ROTATION + 7];
         double flat = ax * ax + az * az;
         double level = Math.sqrt(flat);
-        // The caps are round in space, about an axis of whatever length it has; the half height counts in that length.
+        // The caps are circles in space about an axis of any length; the half height is in units of that length.
         minor = radius * Math.abs(ay) / Math.sqrt(flat + ay * ay);
         reach = row[at + Leaf.SIZE + 1] * level;
         axisX = level > 0 ? ax / level : 1;
@@ -222,7 +224,7 @@ public final class PlanarShape {
         return row[p] == row[q] && row[p + 2] == row[q + 2];
     }
 
-    // Each corner is one of the row's three, in whatever order.
+    // Each corner is one of the row's three, in any order.
     private void tails(double[] row, int at, double ox, double oz) {
         for (int k = 0; k < count; k++) {
             for (int from = at; from < at + 9; from += 3) {
@@ -235,7 +237,7 @@ public final class PlanarShape {
         }
     }
 
-    // The longest side of a triangle that is flat.
+    // The longest side of a degenerate triangle.
     private void flatTriangle(double[] row, int at, double x0, double z0, double x1, double z1, double x2, double z2) {
         double s01 = Math.max(Math.abs(x1 - x0), Math.abs(z1 - z0));
         double s12 = Math.max(Math.abs(x2 - x1), Math.abs(z2 - z1));
@@ -266,7 +268,7 @@ public final class PlanarShape {
         count++;
     }
 
-    // A box throws the sum of the segments that its own axes throw: two corners for each direction among them.
+    // A box's projection is the sum of the projections of its own axes: two corners for each direction among them.
     private void box(double[] row, int at, double ox, double oz) {
         double cx = row[at] - ox;
         double cz = row[at + 2] - oz;
@@ -323,9 +325,9 @@ public final class PlanarShape {
         count = 2 * spans;
     }
 
-    // Keeps the spans in the order of their directions, and those of one direction as one. Compared exactly, and as
-    // they are stored: a long span that is taken for parallel to one that is all but nothing would come out of order
-    // among the others, and a corner between two in the wrong order would be none of the real ones.
+    // Sorts the spans by direction and merges those of equal direction. The comparison is exact and uses the stored
+    // numbers: if a long span were taken for parallel to a tiny one, it would be out of order among the others, and a
+    // corner between two spans in the wrong order would be no real corner.
     private int insert(int spans, double ux, double uz, double gx, double gz) {
         int to = 0;
         while (to < spans && turn(to, ux, uz) > 0) {
@@ -370,8 +372,8 @@ public final class PlanarShape {
                 + Math.abs(row[at + 3])
                 + 2 * (Math.abs(ox) + Math.abs(oz));
         error = bound(4 * size, ROUNDING);
-        // The planes are rounded outward, so that one may lie beyond the corner of its neighbours: draw each back to
-        // where the others let it touch.
+        // The planes are rounded outward, so one may lie beyond the corner of its neighbours: move each back until it
+        // touches that corner.
         for (int pass = 0; pass < 2; pass++) {
             x1 = Math.min(x1, Math.min(Math.min(d1 + z1, s1 - z0), (s1 + d1) / 2));
             x0 = Math.max(x0, Math.max(Math.max(d0 + z0, s0 - z1), (s0 + d0) / 2));
@@ -405,7 +407,7 @@ public final class PlanarShape {
         }
     }
 
-    /** The greatest n . p of the shape, for a direction of any length; the point is left in pointX and pointZ. */
+    /** The maximum of n . p over the shape, for a direction of any length; stores the point in pointX and pointZ. */
     public double support(double nx, double nz) {
         if (family == POLYGON) {
             int best = 0;

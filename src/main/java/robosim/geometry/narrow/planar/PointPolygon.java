@@ -1,19 +1,19 @@
 package robosim.geometry.narrow.planar;
 
-/** A point and a convex polygon that a {@link PlanarShape} holds. */
+/** A point and a convex polygon stored in a {@link PlanarShape}. */
 public final class PointPolygon {
-    /** Sides below this are measured by {@link #ENLARGED} times their length. */
+    /** Sides shorter than this are scaled by {@link #ENLARGED} before they are measured. */
     private static final double SHORT = 0x1p-450;
 
     private static final double UNDERFLOW = 0x1p-960;
     private static final double ENLARGED = 0x1p500;
 
-    // A product of a side's direction, off by 1u itself, and a corner, and the difference of two such products.
+    // The product of a side's direction, which is off by 1u, and a corner, and the difference of two such products.
     private static final double PRODUCT = 3.01 * 0x1p-53;
 
     private PointPolygon() {}
 
-    /** Square of the least distance to a side, from inside too. */
+    /** The squared distance to the nearest side, also from inside. */
     static double squareToOutline(double px, double pz, PlanarShape q) {
         double least = Double.POSITIVE_INFINITY;
         int last = q.count - 1;
@@ -30,7 +30,7 @@ public final class PointPolygon {
         double wx = px - ax;
         double wz = pz - az;
         double unit = 1;
-        if (Math.abs(ex) + Math.abs(ez) < SHORT) { // else its square would lose bits
+        if (Math.abs(ex) + Math.abs(ez) < SHORT) { // otherwise its square would lose bits
             ex *= ENLARGED;
             ez *= ENLARGED;
             unit = ENLARGED;
@@ -50,10 +50,10 @@ public final class PointPolygon {
     }
 
     /**
-     * 1 where the origin is certainly inside, -1 where it is certainly outside, 0 where the sides do not tell; what is flat
-     * has no inside.
+     * 1 where the origin is certainly inside, -1 where it is certainly outside, 0 where the sides do not decide. A
+     * degenerate polygon has no inside.
      *
-     * @param error at least the shape's own, times a filter
+     * @param error at least the shape's own error, times a filter
      */
     public static int side(PlanarShape q, double error) {
         if (q.count < 3 || isBeyond(0, 0, q, error)) {
@@ -76,7 +76,9 @@ public final class PointPolygon {
         return verdict;
     }
 
-    /** Whether a point lies beyond all corners along an axis, by more than the error: sides that are blurred do not tell. */
+    /**
+     * Whether a point lies beyond all corners along an axis by more than the error; for sides too inaccurate to decide.
+     */
     static boolean isBeyond(double px, double pz, PlanarShape q, double error) {
         boolean left = true;
         boolean right = true;

@@ -5,11 +5,11 @@ import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.LeafKind;
 
-/** Two convex polygons on the plane: what boxes, triangles and octagons throw. */
+/** Two convex polygons in the plane: the projections of boxes, triangles and octagons. */
 public final class PolygonPolygon {
-    // With n a side's normal, a corner's coordinates are off by the shape's error, so n . corner by that times
-    // |nx| + |nz|; n, the products and their sum add 3u of the shape's size. The real polygons are apart only along a
-    // normal of theirs: they overlap where each of these, of which none is off by more, finds them overlapping.
+    // With n a side's normal, a corner's coordinates are off by the shape's error, so n . corner by that times |nx| +
+    // |nz|; n, the products and their sum add 3u of the shape's size. The true polygons can be separated only along one
+    // of their normals: they overlap if they do so along each of these, none of which is off by more.
     private static final double ROUNDING = 1.01;
     private static final double PRODUCT = 3 * 0x1p-53;
     private static final double FILTER = Filter.bound(ROUNDING);
@@ -20,8 +20,8 @@ public final class PolygonPolygon {
     private PolygonPolygon() {}
 
     /**
-     * Whether they touch or overlap; exact, but for an octagon and something else, which touch where it is in doubt. Two
-     * octagons have sides in the same four directions, one of which parts them where they are apart.
+     * Whether they touch or overlap. Exact, except that an octagon and another kind count as touching in doubtful
+     * cases. Two octagons have sides in the same four directions, one of which separates them if they are apart.
      */
     public static boolean touch(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, PlanarScratch s) {
         return (kindA == LeafKind.PRISM && kindB == LeafKind.PRISM)
@@ -46,8 +46,8 @@ public final class PolygonPolygon {
         double oz = PlanarShape.originZ(kindA, a, i);
         p.set(kindA, a, i, ox, oz);
         q.set(kindB, b, j, ox, oz);
-        // The normals of all sides tell how deep two polygons overlap, unless both are flat and parallel; those, and
-        // what is small beside the error, never overlap clearly and so go to the exact path.
+        // The normals of all sides give the penetration depth of two polygons, unless both are degenerate and parallel.
+        // Those, and shapes small compared with the error, never overlap clearly and so take the exact path.
         boolean isEnclosure = kindA.isEnclosure() || kindB.isEnclosure();
         double error = (isEnclosure ? ROUNDING : FILTER) * (p.error + q.error + PRODUCT * (p.size + q.size));
         int verdict = Math.max(apart(p, q, error), apart(q, p, error));
@@ -66,7 +66,7 @@ public final class PolygonPolygon {
         return ExactPlanar.of(kindA, a, i).touches(ExactPlanar.of(kindB, b, j));
     }
 
-    // 2 apart along the normal of a side of p, 1 in doubt, 0 overlapping along all of them
+    // 2 apart along the normal of a side of p, 1 in doubt, 0 overlapping along all normals
     private static int apart(PlanarShape p, PlanarShape q, double error) {
         if (p.count == 1) {
             return q.count == 1 ? 1 : 0;
@@ -76,11 +76,11 @@ public final class PolygonPolygon {
         }
         int verdict = 0;
         for (int k = 0; k < p.count; k++) {
-            // Outward, as the corners run from x to z.
+            // Outward, as the corners are ordered from x to z.
             double nx = p.sideZ[k];
             double nz = -p.sideX[k];
             double slack = error * (Math.abs(nx) + Math.abs(nz)) + UNDERFLOW;
-            // Not the side's own level: one between two corners that rounding parts may point anywhere.
+            // Not the level of the side itself: rounding can turn a very short side in any direction.
             double gap = -q.support(-nx, -nz) - p.support(nx, nz);
             if (gap > slack) {
                 return 2;
@@ -98,7 +98,7 @@ public final class PolygonPolygon {
         return gap > slack ? 2 : gap < -slack ? 0 : 1;
     }
 
-    /** The least distance, 0 in contact. */
+    /** The distance; 0 in contact. */
     public static double distance(
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, PlanarScratch s) {
         if (touch(kindA, a, i, kindB, b, j, s)) {
@@ -110,7 +110,7 @@ public final class PolygonPolygon {
             p.set(kindA, a, i, PlanarShape.originX(kindA, a, i), PlanarShape.originZ(kindA, a, i));
             q.set(kindB, b, j, PlanarShape.originX(kindA, a, i), PlanarShape.originZ(kindA, a, i));
         }
-        if (p.isTiny() && q.isTiny()) { // else the squares would vanish
+        if (p.isTiny() && q.isTiny()) { // otherwise the squares would underflow
             p.enlarge(VectorMath.ENLARGED);
             q.enlarge(VectorMath.ENLARGED);
             return Math.sqrt(Math.min(cornersToSides(p, q), cornersToSides(q, p))) / VectorMath.ENLARGED;

@@ -5,13 +5,13 @@ import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.leaf.LeafKind;
 
-/** The rectangles that two upright boxes throw on the plane. */
+/** Two rectangles, the projections of upright boxes. */
 public final class RectangleRectangle {
-    // With u = 2^-53 and n a stored direction, no longer than 1 + 1e-9 (Cauchy's inequality bounds the sums of
-    // products): the offset along n is rounded three times, so off by 3u (|dx| + |dz|); a cross product twice,
-    // so off by 2u, its product with a half size once, and the sum of three of these twice: 5u of the half
-    // sizes. The last difference does not change its sign. The 2^-26 cover squares of u, the directions' lengths
-    // and the bound's own rounding.
+    // With u = 2^-53 and n a stored direction, no longer than 1 + 1e-9 (the Cauchy-Schwarz inequality bounds the sums
+    // of products): the offset along n is rounded three times, so off by 3u (|dx| + |dz|). A cross product is rounded
+    // twice, so off by 2u, its product with a half size once, and the sum of three of these twice: 5u of the half
+    // sizes. The last difference preserves its sign. The 2^-26 cover squares of u, the directions' lengths and the
+    // bound's own rounding.
     private static final double SLACK = 1 + 0x1p-26;
     private static final double OFFSET = Filter.bound(SLACK * 3 * 0x1p-53);
     private static final double HALVES = Filter.bound(SLACK * 5 * 0x1p-53);
@@ -47,7 +47,7 @@ public final class RectangleRectangle {
         double vv = Math.abs(avx * bvz - avz * bvx);
         double aCross = Math.abs(aux * avz - auz * avx);
         double bCross = Math.abs(bux * bvz - buz * bvx);
-        // How far the rectangles are apart, seen along the normal of each side; what is left of each when they overlap.
+        // The gap between the rectangles along the normal of each side; negative where their projections overlap.
         double gap1 = Math.abs(dx * auz - dz * aux) - (aHalfZ * aCross + bHalfX * uu + bHalfZ * uv);
         double gap2 = Math.abs(dx * avz - dz * avx) - (aHalfX * aCross + bHalfX * vu + bHalfZ * vv);
         double gap3 = Math.abs(dx * buz - dz * bux) - (bHalfZ * bCross + aHalfX * uu + aHalfZ * vu);

@@ -5,10 +5,10 @@ import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
-/** What two boxes at any attitude throw on the plane: each the sum of the segments that its own axes throw. */
+/** Two boxes at any attitude, projected: each projection is the sum of the projections of the box's own axes. */
 public final class ZonogonZonogon {
-    // As for two rectangles, times the length of the axis, as an own axis may be almost upright: 3u of the offset; a
-    // cross product 2u, its product with a half size 1u, the sums within and of the two 3u, so 6u of the half sizes.
+    // As for two rectangles, times the length of the axis, as an own axis may be almost upright: 3u of the offset. A
+    // cross product 2u, its product with a half size 1u, the sums for each box and of both 3u: 6u of the half sizes.
     private static final double SLACK = 1 + 0x1p-26;
     private static final double OFFSET = Filter.bound(SLACK * 3 * 0x1p-53);
     private static final double HALVES = Filter.bound(SLACK * 6 * 0x1p-53);
@@ -41,7 +41,7 @@ public final class ZonogonZonogon {
         return ExactPlanar.of(kindA, a, i).touches(ExactPlanar.of(kindB, b, j));
     }
 
-    // 2 apart along the normal of an own axis of one of the two, 1 in doubt, 0 overlapping along all of them
+    // 2 apart along the normal of an own axis of either box, 1 in doubt, 0 overlapping along all normals
     private static int apart(
             double[] of, int at, double dx, double dz, double error, double[] a, int i, double[] b, int j) {
         int verdict = 0;
@@ -49,7 +49,7 @@ public final class ZonogonZonogon {
             double gx = of[at + Leaf.ROTATION + axis];
             double gz = of[at + Leaf.ROTATION + 6 + axis];
             if (gx == 0 && gz == 0) {
-                continue; // upright: it throws a point
+                continue; // upright: it projects to a point
             }
             double gap = gap(dx, dz, gx, gz, a, i, b, j);
             double doubt = doubt(error, gx, gz);
@@ -63,7 +63,7 @@ public final class ZonogonZonogon {
         return verdict;
     }
 
-    // As DoubleDoubleOverlap tells of the axes of one of the two that are in doubt.
+    // The answer of DoubleDoubleOverlap for those axes of one box that are in doubt.
     private static int finely(
             double[] of,
             int at,

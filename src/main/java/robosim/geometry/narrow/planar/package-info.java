@@ -1,4 +1,4 @@
-/** Discs and polygons in the plane: exact and certified decisions about projections, and discs that move. */
+/** Discs and polygons in the plane: exact and certified decisions about projections, and about moving discs. */
 @NullMarked
 package robosim.geometry.narrow.planar;
 
