@@ -6,11 +6,10 @@ import robosim.geometry.exact.ExactVector;
 import robosim.geometry.exact.VectorMath;
 
 /**
- * A ray in exact numbers, for the calls that a kernel's filter leaves in doubt; distances from it are rounded once, at
- * the end.
+ * A ray in exact arithmetic, for cases that a kernel's filter leaves in doubt. Distances are rounded once, at the end.
  *
- * <p>All coordinates are first multiplied by one power of two, so that nothing overflows or underflows where an exact
- * result becomes a pair of doubles.
+ * <p>All coordinates are first scaled by one power of two, so that nothing overflows or underflows when an exact result
+ * becomes a pair of doubles.
  */
 public final class ExactRay {
     private final int power;
@@ -20,7 +19,7 @@ public final class ExactRay {
     public final ExactVector start;
     public final ExactVector direction;
 
-    /** A ray that meets things no larger, and no farther from the origin, than {@code extent}. */
+    /** A ray for objects no larger, and no farther from the origin, than {@code extent}. */
     public ExactRay(double ox, double oy, double oz, double dx, double dy, double dz, double extent) {
         double size = Math.max(extent, VectorMath.largest(ox, oy, oz));
         power = size == 0 ? 0 : -Math.getExponent(size);
@@ -41,7 +40,7 @@ public final class ExactRay {
         return ExactVector.of(row, at, 1).scale(power);
     }
 
-    /** World units to the place {@code n / d} along the ray, both positive. */
+    /** The distance in world units to {@code n / d} along the ray, both positive. */
     double distance(Dyadic n, Dyadic d) {
         int up = exponent(n);
         int down = exponent(d);
@@ -52,7 +51,7 @@ public final class ExactRay {
         return along(pair[4], pair[5], up - down);
     }
 
-    /** World units to the place {@code c / (b + sqrt(square))} along the ray, all at least 0 and c positive. */
+    /** The distance in world units to {@code c / (b + sqrt(square))} along the ray; all at least 0 and c positive. */
     double distance(Dyadic c, Dyadic b, Dyadic square) {
         int unit = Math.max(exponent(b), Math.floorDiv(exponent(square), 2) + 1);
         double[] pair = new double[8];
@@ -80,7 +79,7 @@ public final class ExactRay {
         out[at + 1] = value.subtract(Dyadic.of(hi)).doubleValue();
     }
 
-    /** About the binary logarithm of a value; far below all others for 0. */
+    /** The approximate binary logarithm of a value; for 0, far below all others. */
     private static int exponent(Dyadic value) {
         if (value.signum() == 0) {
             return -100_000;

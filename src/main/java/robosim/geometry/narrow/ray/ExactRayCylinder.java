@@ -4,20 +4,20 @@ import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
 
 /**
- * A ray against a solid cylinder in exact numbers. The caps are met at fractions, the side at the roots of a quadratic;
- * the two are compared by squaring.
+ * A ray against a solid cylinder in exact arithmetic. The ray crosses the caps at fractions and the side at the roots
+ * of a quadratic; the two are compared by squaring.
  */
 final class ExactRayCylinder {
     private final ExactRay ray;
 
-    /** {@code square t^2 + 2 half t + constant <= 0} inside the endless cylinder. */
+    /** {@code square t^2 + 2 half t + constant <= 0} inside the infinite cylinder. */
     private final Dyadic square;
 
     private final Dyadic half;
     private final Dyadic constant;
     private final Dyadic discriminant;
 
-    /** Inside the caps from {@code near / slope} to {@code far / slope}; a slope of 0 is all or nothing. */
+    /** Between the caps from {@code near / slope} to {@code far / slope}; with a slope of 0, everywhere or nowhere. */
     private final Dyadic near;
 
     private final Dyadic far;

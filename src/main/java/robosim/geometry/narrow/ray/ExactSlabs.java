@@ -2,7 +2,7 @@ package robosim.geometry.narrow.ray;
 
 import robosim.geometry.exact.Dyadic;
 
-/** A ray against the common part of slabs, in exact numbers: every end of every interval is a fraction. */
+/** A ray against an intersection of slabs in exact arithmetic: both ends of every interval are fractions. */
 final class ExactSlabs {
     private final ExactRay ray;
     private final Dyadic[] nearest;
@@ -18,7 +18,9 @@ final class ExactSlabs {
         slopes = new Dyadic[capacity];
     }
 
-    /** The slab of the points whose form is between low and high; the form is {@code offset + t slope} along the ray. */
+    /**
+     * Adds the slab of points whose form is between low and high; along the ray the form is {@code offset + t slope}.
+     */
     void add(Dyadic low, Dyadic offset, Dyadic high, Dyadic slope) {
         Dyadic toLow = low.subtract(offset);
         Dyadic toHigh = high.subtract(offset);
@@ -33,7 +35,7 @@ final class ExactSlabs {
         count++;
     }
 
-    /** World units to where the ray enters them all; 0 where it starts inside, +Infinity where it does not. */
+    /** The distance in world units to where the ray is in all slabs; 0 where it starts inside, +Infinity on a miss. */
     double distance() {
         if (none) {
             return Double.POSITIVE_INFINITY;

@@ -2,9 +2,9 @@ package robosim.geometry.narrow.ray;
 
 import robosim.geometry.exact.VectorMath;
 
-/** Which of a leaf's faces a place belongs to: offered one after the other, by height above each. */
+/** The face of a leaf that a point belongs to. Faces are offered in turn, each with the point's height above it. */
 final class NearestFace {
-    /** What is left of a unit normal that looks straight ahead is rounding below this. */
+    /** Below this, the rest of a unit normal that points straight ahead is rounding error. */
     private static final double BACK = 0x1p-40;
 
     double px;
@@ -33,7 +33,7 @@ final class NearestFace {
         height = Double.NEGATIVE_INFINITY;
     }
 
-    /** Both sides of a slab: the place is {@code offset / |n|} from its middle plane, which is half as wide as given. */
+    /** Offers both sides of a slab of width {@code 2 half}: the point is {@code offset / |n|} from its middle plane. */
     void offerSlab(double offset, double half, double nx, double ny, double nz) {
         double length = VectorMath.length(nx, ny, nz);
         if (length > 0) {
@@ -42,7 +42,7 @@ final class NearestFace {
         }
     }
 
-    /** A face or a round side: the height of the place above it and the outward unit normal there. */
+    /** Offers a face or a round side: the height of the point above it and the outward unit normal there. */
     void offer(double above, double nx, double ny, double nz) {
         if (nx * ux + ny * uy + nz * uz < 0 && above > facingHeight) {
             facingHeight = above;
@@ -59,9 +59,9 @@ final class NearestFace {
     }
 
     /**
-     * Writes the normal of the face at or above which the place is; below the limit it is inside.
+     * Writes the normal of the face at or above which the point lies; a point below the limit is inside.
      *
-     * @param outside whether the ray came from outside, so that a normal never looks ahead
+     * @param outside whether the ray came from outside, so that the normal must not point ahead
      */
     void answer(double limit, boolean outside, double[] normal) {
         if (facingHeight >= limit) {
@@ -74,7 +74,7 @@ final class NearestFace {
         }
     }
 
-    /** Takes from the normal what looks ahead; whether that is all of it. */
+    /** Removes the part of the normal that points ahead; answers whether nothing is left. */
     private boolean leanBack() {
         double ahead = x * ux + y * uy + z * uz;
         if (!(ahead > 0)) {
@@ -92,7 +92,7 @@ final class NearestFace {
     }
 
     private static void write(double x, double y, double z, double[] normal) {
-        normal[0] = x + 0.0; // -0.0 is +0.0
+        normal[0] = x + 0.0; // turns -0.0 into +0.0
         normal[1] = y + 0.0;
         normal[2] = z + 0.0;
     }

@@ -7,16 +7,17 @@ import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
- * The outward surface normal of a leaf where a ray meets it.
+ * The outward surface normal of a leaf where a ray hits it.
  *
- * <p>The normal belongs to the face, facing the ray, whose plane (or round side) the point is nearest to or farthest
- * outside of: on the surface of a convex leaf that is the face entered. The place is known to a rounding of the way to it,
- * which may be more than the leaf is thick; so a face counts as near that is within that. A point that no face is that near
- * to is one from which a ray started inside; it gets the opposite of the ray's direction, and so does a place that has no
- * normal (a segment met end on, a point). Of a round side that only grazes the ray to rounding, the normal is square to it.
+ * <p>The normal belongs to the face, among those towards the ray, whose plane or round side the point is nearest to or
+ * farthest outside of: on the surface of a convex leaf, that is the face entered. The point is accurate to a rounding
+ * of the distance travelled, which may exceed the leaf's thickness, so a face counts as near if it is within that. If
+ * no face is that near, the ray started inside. The normal is then opposite to the ray's direction; so it is where
+ * there is no normal (a segment hit end on, a point). If the ray grazes a round side to within rounding, the normal is
+ * perpendicular to the ray.
  */
 public final class Normals {
-    /** How far below the surface rounding may put a hit, as a share of the coordinates and the way: a generous 2^-46. */
+    /** How far rounding may put a hit below the surface, as a share of the coordinates and the distance: 2^-46. */
     private static final double DEPTH = 128 * U;
 
     private Normals() {}
@@ -24,10 +25,10 @@ public final class Normals {
     /**
      * Writes the normal.
      *
-     * @param px the place that was hit
-     * @param distance how far the ray came; 0 where it started there
-     * @param ux direction of the ray, any length but zero; its height is not looked at in {@code PLANAR}
-     * @param normal gets three numbers, a unit vector; in {@code PLANAR} that of the projected leaf, horizontal
+     * @param px the point that was hit
+     * @param distance how far the ray travelled; 0 where it started there
+     * @param ux direction of the ray, any length but zero; its height is ignored in {@code PLANAR}
+     * @param normal receives three numbers, a unit vector; in {@code PLANAR} that of the projected leaf, horizontal
      */
     public static void at(
             double px,

@@ -3,7 +3,7 @@ package robosim.geometry.narrow.ray;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
-/** The edges of every kind of leaf's projection on the ground; their normals are horizontal. */
+/** The edges of each kind of leaf's projection on the ground; their normals are horizontal. */
 final class PlanarFaces {
     private PlanarFaces() {}
 
@@ -31,8 +31,8 @@ final class PlanarFaces {
         }
     }
 
-    // The projection is the sum of three segments: its edges run along them, and along an edge's normal it reaches as
-    // far as all three together. Where they are all parallel it is a segment, which ends across itself.
+    // The projection is the sum of three segments: its edges are parallel to them, and along an edge's normal it
+    // extends as far as all three together. If all are parallel, it is a segment, whose ends are faces too.
     private static void box(NearestFace face, double[] b, int j) {
         int r = j + Leaf.ROTATION;
         for (int i = 0; i < 3; i++) {
@@ -59,7 +59,7 @@ final class PlanarFaces {
     }
 
     // A lying or leaning cylinder: two straight sides along the axis and an ellipse at either end, which is a disc of
-    // the radius pressed together along the axis by |ay|.
+    // the radius compressed along the axis by |ay|.
     private static void oval(NearestFace face, double[] b, int j) {
         double r = b[j + 3];
         double h = b[j + 4];
@@ -91,7 +91,7 @@ final class PlanarFaces {
         face.offer(past - reach, nv * vx - nw * vz, 0, nv * vz + nw * vx);
     }
 
-    // Round about the nearest place on the segment as seen from above.
+    // Away from the nearest point on the segment, seen from above.
     private static void stadium(NearestFace face, double[] b, int j) {
         double qx = face.px - b[j];
         double qz = face.pz - b[j + 2];
@@ -115,7 +115,7 @@ final class PlanarFaces {
             if (!(length > 0)) {
                 continue;
             }
-            // Counter-clockwise corners have their inside to the left.
+            // Counter-clockwise corners have the inside on their left.
             double nx = (area < 0 ? -ez : ez) / length;
             double nz = (area < 0 ? ex : -ex) / length;
             double above = (face.px - b[from]) * nx + (face.pz - b[from + 2]) * nz;

@@ -3,9 +3,9 @@ package robosim.geometry.narrow.ray;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
-/** A ray on the XZ plane and the projection of a leaf. */
+/** A ray on the XZ plane against the projection of a leaf. */
 public final class PlanarRay {
-    // Directions in this range are taken as they are; others are first scaled by a power of two.
+    // Directions in this range are used as given; others are first scaled by a power of two.
     private static final double LEAST = 0x1p-200;
     private static final double MOST = 0x1p200;
 
@@ -15,8 +15,8 @@ public final class PlanarRay {
      * Distance from (ox, oz) along (ux, uz), a direction of any length but zero, to the nearest point of the leaf's
      * projection.
      *
-     * <p>Whether it is a hit is exact for boxes, triangles, spheres, capsules and upright cylinders, certified (no touch is missed)
-     * for octagons and turned cylinders.
+     * <p>Whether it hits is exact for boxes, triangles, spheres, capsules and upright cylinders. It is certified (no
+     * touch is missed) for octagons and turned cylinders.
      *
      * @return world units; 0 where the start is inside or on it, {@code +Infinity} on a miss
      */
@@ -25,14 +25,14 @@ public final class PlanarRay {
         double size = Math.max(Math.abs(ux), Math.abs(uz));
         if (!(size >= LEAST && size <= MOST)) {
             int shift = -Math.getExponent(size);
-            // in two steps, as one factor may be beyond the range of a double
+            // in two steps, as one factor may be outside the range of a double
             ux = Math.scalb(Math.scalb(ux, shift / 2), shift - shift / 2);
             uz = Math.scalb(Math.scalb(uz, shift / 2), shift - shift / 2);
         }
         return scaled(ox, oz, ux, uz, kind, b, j, s);
     }
 
-    /** The same for a direction of ordinary length. */
+    /** The same for a direction of moderate length. */
     public static double scaled(
             double ox, double oz, double ux, double uz, LeafKind kind, double[] b, int j, RayScratch s) {
         return switch (kind) {
@@ -46,7 +46,7 @@ public final class PlanarRay {
         };
     }
 
-    /** A capsule from above is one that lies level, met at its own height. */
+    /** A capsule seen from above is a level capsule, hit at its own height. */
     private static double stadium(double ox, double oz, double ux, double uz, double[] b, int j, RayScratch s) {
         double ax = b[j + 7];
         double az = b[j + 13];

@@ -11,13 +11,13 @@ import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.Leaf;
 
 /**
- * A ray against a box: the parallelepiped of its stored columns, which is three slabs between parallel planes. The
- * normal of a slab is the cross product of the other two columns, and its half width the half size times the columns'
+ * A ray against a box: the parallelepiped of its stored columns, which is the intersection of three slabs. The normal
+ * of a slab is the cross product of the other two columns; its half width is the half size times the columns'
  * determinant.
  *
- * <p>The verdict is exact. Plain numbers carry these bounds, in units of rounding u and of the sums of magnitudes: a
- * normal 2u, its product with the offset of the start 7u, with the direction 5u, the half width 6u; what they leave in
- * doubt goes to {@link ExactSlabs}, and so does a distance whose last correction is not certain to be fine.
+ * <p>The verdict is exact. Plain doubles have these bounds, in units of rounding u and of the sums of magnitudes: a
+ * normal 2u, its product with the offset of the start 7u, with the direction 5u, the half width 6u. Cases left in doubt
+ * go to {@link ExactSlabs}; so does a distance whose last correction is not certainly accurate.
  */
 final class RayBox {
     private static final double U = Filter.bound(VectorMath.U);
@@ -75,7 +75,7 @@ final class RayBox {
         return distance >= 0 ? distance : exact(ox, oy, oz, dx, dy, dz, b, j);
     }
 
-    /** The same where the own Y is the world's: two slabs in the plane, and an interval of heights. */
+    /** A box whose own Y is the world's: two slabs in the plane, and an interval of heights. */
     static double upright(
             double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
         RayInterval in = s.ray;
@@ -144,12 +144,12 @@ final class RayBox {
         return !in.isEmpty();
     }
 
-    /** World units to the horizontal plane at {@code c - h} or {@code c + h} that faces the ray. */
+    /** The distance in world units to the horizontal plane at {@code c - h} or {@code c + h} that faces the ray. */
     static double heightPlane(double oy, double c, double h, double dx, double dy, double dz, double t) {
         double face = dy > 0 ? -h : h;
         double at = c + face;
         double way = at - oy;
-        // Nothing is dropped on the way to the remainder, so the quotient is good for any slope.
+        // The remainder keeps every rounding error, so the quotient is accurate for any slope.
         double wayTail = DoubleDouble.differenceTail(at, oy, way) + DoubleDouble.sumTail(c, face, at);
         double rest = Math.fma(-t, dy, way) + wayTail;
         return VectorMath.along(t, rest / dy, dx, dy, dz);
@@ -228,7 +228,7 @@ final class RayBox {
                 : inPairs(ox, oy, oz, dx, dy, dz, b, j, face, t, correction, slope, slopeSize, restSize, s);
     }
 
-    /** The coordinate {@code o + t d - c}, off by at most 2u of itself for the t given. */
+    /** The coordinate {@code o + t d - c}, off by at most 2u of itself for the given t. */
     static double moved(double o, double c, double t, double d) {
         double offset = o - c;
         return Math.fma(t, d, offset) + DoubleDouble.differenceTail(o, c, offset);

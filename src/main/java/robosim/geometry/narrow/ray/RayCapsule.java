@@ -10,19 +10,21 @@ import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 
 /**
- * A ray against a solid capsule: the nearest of the cylinder about its segment and the spheres about the segment's ends. Exact
- * verdict.
+ * A ray against a solid capsule: the nearest of the cylinder about its segment and the spheres about the segment's
+ * ends. The verdict is exact.
  *
- * <p>The ends {@code c + h a} are no doubles: they are seen from the ray's start in doubles with a bound, then in pairs of
- * doubles, then in exact numbers.
+ * <p>The ends {@code c + h a} are not representable as doubles. Relative to the ray's start, they are computed in
+ * doubles with a bound, then in pairs of doubles, then exactly.
  */
 final class RayCapsule {
     private static final double U = Filter.bound(VectorMath.U);
 
-    /** What a sum of products in pairs of doubles is off by, as a share of its terms; some ten steps of 2^-102 to 2^-100. */
+    /**
+     * The error of a sum of products in pairs of doubles, as a share of its terms: about ten steps of 2^-102 to 2^-100.
+     */
     private static final double PAIRS_ERROR = Filter.bound(0x1p-94);
 
-    /** The ball around all of a capsule is taken larger by this share, for its own rounding and that of the test. */
+    /** The bounding sphere of a capsule is enlarged by this factor, for its own rounding and that of the test. */
     private static final double AROUND = 1 + 0x1p-40;
 
     private static final StageCounters.Counter PAIRS = StageCounters.counter("RayCapsule.pairs");
@@ -35,14 +37,14 @@ final class RayCapsule {
     private static final int AHEAD = 10;
     private static final int CHORD = 11;
     private static final int SQUARE = 12;
-    private static final int TEMPORARY = 13; // and the next
+    private static final int TEMPORARY = 13; // uses the next pair too
 
     /** How many pairs of doubles the ends need. */
     static final int PAIRS_NEEDED = 16;
 
     private RayCapsule() {}
 
-    /** The segment's axis (ax, ay, az) counts with its own length. */
+    /** The segment's axis is (ax, ay, az), at its own length. */
     static double distance(
             double ox,
             double oy,
@@ -71,7 +73,7 @@ final class RayCapsule {
         return Math.min(nearest, end(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, -b[j + 4], nearest, s));
     }
 
-    /** Whether a ray certainly misses the ball around a capsule, whose centre it sees at m. */
+    /** Whether a ray certainly misses the bounding sphere of a capsule, whose centre is at m from the ray's start. */
     private static boolean missesAround(
             double mx,
             double my,
@@ -94,7 +96,7 @@ final class RayCapsule {
         double wy = mz * dx - mx * dz;
         double wz = mx * dy - my * dx;
         double dd = dx * dx + dy * dy + dz * dz;
-        // The cross product is off by some roundings of m d, so its square by twice as much of m d times itself.
+        // The cross product is off by a few roundings of m d, so its square by twice as many of m d times the product.
         return (ahead < 0 && ahead * ahead > 0x1p-80 * mm * dd)
                 || wx * wx + wy * wy + wz * wz > reach * reach * dd * AROUND + 0x1p-40 * mm * dd + UNDERFLOW;
     }
@@ -103,7 +105,7 @@ final class RayCapsule {
      * The sphere about one end of the segment.
      *
      * @param along   from the centre to the end, signed, in lengths of the axis
-     * @param nearest what is farther than this does not matter
+     * @param nearest anything farther than this does not matter
      */
     private static double end(
             double ox,
@@ -167,7 +169,7 @@ final class RayCapsule {
         return distance >= 0 ? distance : exact(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, along);
     }
 
-    /** The same in pairs of doubles, for a start outside; below 0 where they do not tell. */
+    /** The same in pairs of doubles, for a start outside; negative in doubt. */
     private static double inPairs(
             double ox,
             double oy,

@@ -9,11 +9,11 @@ import robosim.geometry.exact.VectorMath;
 
 /**
  * A ray against a solid cylinder {@code |(x-c) x a| <= r|a|}, {@code |(x-c).a| <= h a.a} about its stored axis a, which
- * is of unit length to rounding only. Exact verdict.
+ * is a unit vector only up to rounding. The verdict is exact.
  *
- * <p>With m the start seen from the centre and {@code p = d x a}, the line is inside the endless cylinder where
- * {@code |p|^2 t^2 + 2 t p.(m x a) + |m x a|^2 - r^2 |a|^2 <= 0}; a quarter of the discriminant is
- * {@code |a|^2 (r^2 |p|^2 - (p.m)^2)}, in which nothing of the distance's square appears.
+ * <p>With m the start relative to the centre and {@code p = d x a}, the line is inside the infinite cylinder where
+ * {@code |p|^2 t^2 + 2 t p.(m x a) + |m x a|^2 - r^2 |a|^2 <= 0}. A quarter of the discriminant is {@code |a|^2 (r^2
+ * |p|^2 - (p.m)^2)}, which does not contain the squared distance.
  */
 final class RayCylinder {
     private static final int SIDE = 0;
@@ -44,13 +44,13 @@ final class RayCylinder {
         return distance >= 0 ? distance : exact(ox, oy, oz, dx, dy, dz, b, j, 0, 1, 0);
     }
 
-    /** Turned: the axis is the own Y of the stored rotation. */
+    /** Turned: the axis is the Y axis of the stored rotation. */
     static double distance(
             double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
         return about(ox, oy, oz, dx, dy, dz, b, j, b[j + 7], b[j + 10], b[j + 13], s);
     }
 
-    /** About an axis that is given. */
+    /** A cylinder about the given axis. */
     static double about(
             double ox,
             double oy,
@@ -69,7 +69,7 @@ final class RayCylinder {
         double mz = oz - b[j + 2];
         RayInterval in = s.ray;
         in.reset();
-        // The heights: offset 1u, product 1u, sums 2u, the half height's product and last difference 5u.
+        // The heights: offset 1u, product 1u, sums 2u; the half height's product and the last difference 5u.
         double along = mx * ax + my * ay + mz * az;
         double half = b[j + 4] * (ax * ax + ay * ay + az * az);
         double size = Math.abs(mx * ax) + Math.abs(my * ay) + Math.abs(mz * az);
@@ -123,7 +123,7 @@ final class RayCylinder {
             parallel(in, wx * wx + wy * wy + wz * wz, ux * ux + uy * uy + uz * uz, r * r * aa);
             return;
         }
-        // p is off by 2u of s a component, so its square by 4u |p|s and the square's own 3u.
+        // Each component of p is off by 2u of s, so its square by 4u |p|s, plus the square's own 3u.
         double pp = px * px + py * py + pz * pz;
         double ppError = 5 * U * (Math.abs(px) * sx + Math.abs(py) * sy + Math.abs(pz) * sz)
                 + 6 * U * U * (sx * sx + sy * sy + sz * sz)
@@ -151,7 +151,7 @@ final class RayCylinder {
         double least = Math.sqrt(Math.max(0, aa * (chord - chordError)));
         double most = Math.sqrt(aa * (chord + chordError));
         double root = Math.sqrt(aa * Math.max(0, chord));
-        // A root is certain to the larger side of its bracket and 4u of itself.
+        // The error of a root is at most the larger side of its bracket plus 4u of itself.
         double rootError = Math.max(most - root, root - least) + 8 * U * most;
         double first = (middle - root) / pp;
         double last = (middle + root) / pp;
@@ -160,7 +160,7 @@ final class RayCylinder {
         in.clip(first, error + 1.5 * share * Math.abs(first), last, error + 1.5 * share * Math.abs(last), SIDE);
     }
 
-    // The ray runs along the axis: it is inside the endless cylinder all the way, or nowhere.
+    // The ray is parallel to the axis: all of it is inside the infinite cylinder, or none.
     private static void parallel(RayInterval in, double square, double squareSize, double limit) {
         double error = 12 * U * (squareSize + limit) + UNDERFLOW;
         if (square - limit > error) {
@@ -170,7 +170,7 @@ final class RayCylinder {
         }
     }
 
-    // One step of Newton's from about where the ray enters.
+    // One Newton step from near the entry.
     private static double side(
             double ox,
             double oy,
@@ -207,7 +207,7 @@ final class RayCylinder {
         double inwardError = 10 * U * (sx * ux + sy * uy + sz * uz);
         double certain = inward - inwardError;
         double correction = (square - limit) / (2 * inward);
-        // w is off by 4u of its magnitudes a component.
+        // Each component of w is off by 4u of its magnitudes.
         double squareError =
                 9 * U * (Math.abs(wx) * ux + Math.abs(wy) * uy + Math.abs(wz) * uz) + 3 * U * square + 6 * U * limit;
         double error = (0.5 * squareError

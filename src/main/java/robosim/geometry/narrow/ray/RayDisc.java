@@ -7,16 +7,16 @@ import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.planar.DiscDisc;
 
-/** A ray and a disc on the plane. */
+/** A ray and a disc in the plane. */
 public final class RayDisc {
-    // In u = 2^-53. The square of the offset, rounded once before, is off by 4u of itself, the radius's by 1u.
+    // In u = 2^-53. The square of the offset, already rounded once, is off by 4u of itself, the squared radius by 1u.
     private static final double START = Filter.bound(4.01 * 0x1p-53);
 
     // A product of the offset and the direction: offset 1u, product 1u, sum 1u.
     private static final double PRODUCT = Filter.bound(3.01 * 0x1p-53);
 
-    // r^2 |u|^2: squares 1u each, sum 1u, product 1u; on the other side the bound's difference 1u, twice, and its
-    // square; and 1u where this bound is added.
+    // r^2 |u|^2: squares 1u each, sum 1u, product 1u. On the other side: subtracting the bound 1u, twice, and squaring;
+    // and 1u for adding this bound.
     private static final double REACH = Filter.bound(8.01 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
 
@@ -24,7 +24,7 @@ public final class RayDisc {
 
     private RayDisc() {}
 
-    /** Distance in world units; whether it is a hit at all is exact. */
+    /** Distance in world units; whether it hits is exact. */
     public static double distance(double ox, double oz, double ux, double uz, double cx, double cz, double r) {
         double mx = cx - ox;
         double mz = cz - oz;
@@ -34,7 +34,7 @@ public final class RayDisc {
         if (square < rr - doubt || (!(square > rr + doubt) && DiscDisc.touch(ox, oz, 0, cx, cz, r))) {
             return 0;
         }
-        // The start is outside: a line that meets the disc does so on one side of the start.
+        // The start is outside, so a line that hits the disc does so on one side of the start.
         double ahead = mx * ux + mz * uz;
         double aheadSlack = PRODUCT * (Math.abs(mx * ux) + Math.abs(mz * uz)) + UNDERFLOW;
         if (ahead < -aheadSlack) {
@@ -56,7 +56,7 @@ public final class RayDisc {
         return entry(ox, oz, ux, uz, cx, cz, r);
     }
 
-    // From outside; the tangent is a hit.
+    // From outside; a tangent counts as a hit.
     private static boolean exactHit(double ox, double oz, double ux, double uz, double cx, double cz, double r) {
         EXACT.count();
         Dyadic mx = Dyadic.difference(cx, ox);
@@ -74,8 +74,8 @@ public final class RayDisc {
     /**
      * Where a ray that is known to hit from outside enters.
      *
-     * <p>(m m - r r) / (ahead + half chord) instead of the textbook's difference of the two; the power of the start and
-     * the half chord are both made of tails too, so that a disc that is grazed from afar is as good as a near one.
+     * <p>Uses (m m - r r) / (ahead + half chord) instead of the textbook difference of the two. The power of the start
+     * and the half chord include their tails, so that a disc grazed from afar is as accurate as a near one.
      */
     static double entry(double ox, double oz, double ux, double uz, double cx, double cz, double r) {
         double power = atLeastZero(DiscDisc.squareGap(ox, oz, cx, cz, r, 0));
@@ -97,12 +97,12 @@ public final class RayDisc {
         return way > 0 ? power / way : 0;
     }
 
-    /** What is hardly ever below zero: guessed right, where {@code Math.max} would be waited for. */
+    /** For numbers that are rarely negative: branch prediction makes this faster than {@code Math.max}. */
     private static double atLeastZero(double number) {
         return number > 0 ? number : 0;
     }
 
-    // r^2 |u|^2 - aside^2 as (r |u| - |aside|)(r |u| + |aside|), with the length of the direction to twice the digits.
+    // r^2 |u|^2 - aside^2 as (r |u| - |aside|)(r |u| + |aside|), with the direction's length in twice the precision.
     private static double halfChordSquare(double aside, double asideTail, double ux, double uz, double r) {
         double xx = ux * ux;
         double zz = uz * uz;

@@ -4,19 +4,19 @@ import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.VectorMath;
 
 /**
- * The part of a ray inside one slab after the other (any set that a line meets in an interval), each end known to a
- * bound. Certain verdicts come out of it, or doubt.
+ * The part of a ray inside a sequence of slabs (any sets that a line meets in an interval), with an error bound for
+ * each end. Yields certain verdicts, or doubt.
  */
 final class RayInterval {
     private static final double U = Filter.bound(VectorMath.U);
 
-    /** About where the ray enters; 0 where it starts inside. */
+    /** Approximately where the ray enters; 0 where it starts inside. */
     double enter;
 
-    /** Which slab it enters last; -1 where it starts inside all. */
+    /** The slab that it enters last; -1 where it starts inside all. */
     int face;
 
-    // What is known of the entry into that slab, and the latest that the entry into any other may be.
+    // The bounds of the entry into that slab, and the latest possible entry into any other.
     private double faceLow;
     private double faceHigh;
     private double othersHigh;
@@ -41,8 +41,8 @@ final class RayInterval {
     }
 
     /**
-     * Keeps what lies in {@code low <= t b <= high}, the three numbers known to the errors that follow them. A slope is
-     * taken for 0 only where its error is 0.
+     * Keeps the part where {@code low <= t b <= high}; each of the three numbers is followed by its error bound. A
+     * slope counts as 0 only if its error is 0.
      */
     void clip(double low, double lowError, double high, double highError, double b, double bError, int id) {
         double certain = Math.abs(b) - bError;
@@ -62,12 +62,12 @@ final class RayInterval {
         clip(first, firstError * (1 + 8 * U), last, lastError * (1 + 8 * U), id);
     }
 
-    /** Whether a quotient of it may underflow, to 0 even, which it is not. */
+    /** Whether a quotient of it may underflow, possibly to 0 though it is not 0. */
     private static boolean isVanishing(double offset) {
         return offset != 0 && Math.abs(offset) < 0x1p-900;
     }
 
-    /** Keeps what lies between two parameters, each known to the error that follows it. */
+    /** Keeps the part between two parameters, each followed by its error bound. */
     void clip(double first, double firstError, double last, double lastError, int id) {
         if (first > enter) {
             othersHigh = Math.max(othersHigh, faceHigh);
@@ -90,7 +90,7 @@ final class RayInterval {
         } else if (low > lowError || high < -highError) {
             none();
         } else {
-            // On the border counts as inside, and is certain where nothing was rounded.
+            // The border counts as inside, and is certain where nothing was rounded.
             doubtful |= !(low <= -lowError && high >= highError);
         }
     }
@@ -104,14 +104,15 @@ final class RayInterval {
         doubtful = true;
     }
 
-    /** Nothing of the ray is left, certainly. */
+    /** Whether certainly nothing of the ray is left. */
     boolean isEmpty() {
         return enterLow > leaveHigh;
     }
 
     /**
-     * Something of the ray is left, certainly, and whether it starts inside is certain too, and which slab it enters last:
-     * by an edge two are as good as tied, and the distance to the wrong one would be off by more than a few ulp.
+     * Whether certainly something of the ray is left, and it is also certain whether it starts inside and which slab it
+     * enters last. Near an edge two slabs almost tie, and the distance to the wrong one would be off by more than a few
+     * ulp.
      */
     boolean isCertain() {
         return !doubtful && enterHigh <= leaveLow && (enterHigh == 0 || (enterLow > 0 && othersHigh <= faceLow));

@@ -5,10 +5,10 @@ import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.planar.PlanarShape;
 
 /**
- * A ray and the outline of a turned cylinder or capsule as seen from above: two ellipses and the rectangle between them.
+ * A ray and the outline of a turned cylinder or capsule seen from above: two ellipses and the rectangle between them.
  *
- * <p>The oval's half axes are taken larger by its rounding error, so that no touch is missed; a hit may be a miss by less
- * than 2^-48 of the coordinates. Not certified for a cap that is all but edge on: a thin ellipse is not larger by as much
+ * <p>The oval's half axes are enlarged by its rounding error, so that no touch is missed; a hit may be a miss by less
+ * than 2^-48 of the coordinates. Not certified for a cap seen almost edge on: a thin ellipse does not grow by as much
  * between its ends, see docs/numerics.md.
  */
 final class RayOval {
@@ -21,7 +21,7 @@ final class RayOval {
         double length = Math.sqrt(ux * ux + uz * uz);
         double wayX = ux / length;
         double wayZ = uz / length;
-        // Asked from the ray's point nearest to the centre: a start far off costs nothing.
+        // Measured from the ray's point nearest to the centre, so that a distant start costs no accuracy.
         double ahead = q.centerX * wayX + q.centerZ * wayZ;
         double aside = DoubleDouble.differenceOfProducts(wayX, q.centerZ, wayZ, q.centerX);
         double startX = aside * wayZ;
@@ -52,7 +52,7 @@ final class RayOval {
     }
 
     // Where the line enters (side -1) or leaves (side 1) the strip of half width h; an empty interval where it is
-    // beside.
+    // parallel and outside.
     private static double slab(double start, double way, double h, int side) {
         if (way == 0) {
             double within = Math.abs(start) <= h ? 1 : -1;
@@ -61,9 +61,9 @@ final class RayOval {
         return (-start + side * (way > 0 ? h : -h)) / way;
     }
 
-    // Where the line enters (side -1), or minus where it leaves (side 1), the ellipse; +Infinity where it misses.
+    // Where the line enters (side -1), or minus where it leaves (side 1), the ellipse; +Infinity on a miss.
     private static double ellipse(double x, double z, double wayX, double wayZ, double halfX, double halfZ, int side) {
-        // Scaled by the half axes to a circle of radius halfX halfZ, with no division.
+        // Scaled by the half axes to a circle of radius halfX halfZ, without division.
         double px = x * halfZ;
         double pz = z * halfX;
         double vx = wayX * halfZ;

@@ -7,10 +7,10 @@ import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.planar.ExactPlanar;
 import robosim.geometry.narrow.planar.PlanarShape;
 
-/** A ray and a convex polygon on the plane: what a box, a triangle or an octagon throws. */
+/** A ray and a convex polygon in the plane: the projection of a box, a triangle or an octagon. */
 final class RayPolygon {
-    // Corners are seen from the start, and off by the shape's error; a product with the direction and the sum of
-    // two add 2u of the size. A side's direction is off by 1u; it, a product and a sum add 3u.
+    // Corners are relative to the start, and off by the shape's error; a product with the direction and the sum of two
+    // add 2u of the size. A side's direction is off by 1u; it, a product and a sum add 3u.
     private static final double ROUNDING = 1.01;
     private static final double FILTER = Filter.bound(ROUNDING);
     private static final double PRODUCT = 2 * 0x1p-53;
@@ -22,7 +22,7 @@ final class RayPolygon {
 
     private RayPolygon() {}
 
-    /** Distance in world units; whether it is a hit at all is exact, but for octagons, hit where it is in doubt. */
+    /** Distance in world units. Whether it hits is exact, except that octagons count as hit in doubtful cases. */
     static double distance(double ox, double oz, double ux, double uz, LeafKind kind, double[] b, int j, RayScratch s) {
         PlanarShape q = s.planarB;
         q.set(kind, b, j, ox, oz);
@@ -65,7 +65,7 @@ final class RayPolygon {
         return Math.max(0, share) * Math.sqrt(square);
     }
 
-    // 1 a clear hit, -1 a clear miss, 0 in doubt, by the side normals alone
+    // 1 a clear hit, -1 a clear miss, 0 in doubt, from the side normals alone
     private static int sides(PlanarShape q, double ux, double uz, double speed, double filter) {
         int verdict = 1;
         for (int k = 0; k < q.count; k++) {
@@ -86,8 +86,8 @@ final class RayPolygon {
         return verdict;
     }
 
-    // The last of the sides' lines that the ray crosses inward, for a ray that is known to hit. Of a triangle's side
-    // along which the ray runs but for rounding, plain doubles do not tell which way that is.
+    // The last of the sides' lines that the ray crosses inward, for a ray that is known to hit. If a triangle's side is
+    // parallel to the ray up to rounding, plain doubles cannot decide in which direction the ray crosses it.
     private static double lastCrossing(LeafKind kind, PlanarShape q, double ux, double uz, double speed) {
         double share = 0;
         int last = q.count - 1;
@@ -107,8 +107,8 @@ final class RayPolygon {
         return share;
     }
 
-    // Where the ray crosses the line of a side: a quotient of two cross products, each good to an ulp or two of the
-    // stored corners however low the angle.
+    // Where the ray crosses the line of a side: a quotient of two cross products, each accurate to an ulp or two of the
+    // stored corners at any angle, however low.
     private static double crossing(PlanarShape q, int from, int to, double ux, double uz) {
         double ex = q.x[to] - q.x[from];
         double ez = q.z[to] - q.z[from];

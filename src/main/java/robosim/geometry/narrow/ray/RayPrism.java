@@ -10,8 +10,8 @@ import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 
 /**
- * A ray against an upright octagonal prism: five slabs of x, z, x + z, x - z and y. Exact verdict; the forms and their
- * slopes are off by one rounding and the ends by two.
+ * A ray against an upright octagonal prism: five slabs of x, z, x + z, x - z and y. The verdict is exact. The forms and
+ * their slopes are off by one rounding, the ends by two.
  */
 final class RayPrism {
     private static final double U = Filter.bound(VectorMath.U);
@@ -53,7 +53,7 @@ final class RayPrism {
         in.clip(toLow, error, toHigh, error, slope, U * Math.abs(slope), id);
     }
 
-    // Numerator and denominator keep what rounding drops, so the quotient is good for any slope.
+    // Numerator and denominator keep their rounding errors, so the quotient is accurate for any slope.
     private static double plane(
             double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, int face, double t) {
         double o1 = face == 1 ? oz : face == 4 ? oy : ox;

@@ -8,16 +8,16 @@ import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.planar.DiscRectangle;
 import robosim.geometry.narrow.planar.ExactPlanar;
 
-/** A ray and the rectangle that an upright box throws on the plane. */
+/** A ray and a rectangle, the projection of an upright box. */
 public final class RayRectangle {
-    // With u = 2^-53: a coordinate of the start in the rectangle's frame is off by 3u of |dx| + |dz|, of the direction
-    // by 2u; the half size times the squared length by 3u, times such a direction and added to another by 4u;
-    // differences keep their sign. Directions of the rectangle are no longer than 1 + 1e-9.
+    // With u = 2^-53: in the rectangle's frame, a coordinate of the start is off by 3u of |dx| + |dz|, one of the
+    // direction by 2u. The half size times the squared length is off by 3u; times such a direction and added to
+    // another, by 4u. Differences preserve their sign. Directions of the rectangle are no longer than 1 + 1e-9.
     private static final double FILTER = Filter.bound(4.01 * 0x1p-53);
     private static final double UNDERFLOW = 0x1p-960;
 
-    // By which side a ray enters is told by the products of how far it starts beyond each and its way across the other,
-    // each off by two of these bounds; the quotients that stand for them by 6u, which is less than two more.
+    // The side that a ray enters is decided by products: how far it starts beyond one side times its speed across the
+    // other. Each is off by two of these bounds. The quotients used in their place are off by 6u, less than two more.
     private static final double SURE = 16;
 
     private static final StageCounters.Counter EXACT = StageCounters.counter("RayRectangle");
@@ -25,15 +25,15 @@ public final class RayRectangle {
     private RayRectangle() {}
 
     /**
-     * Distance in world units; whether it is a hit at all is exact. Of the rotation only the first own axis is read, which
-     * tells the other: rows of many objects are far apart in memory.
+     * Distance in world units; whether it hits is exact. Of the rotation only the first own axis is read, as it
+     * determines the other: rows of many objects are far apart in memory.
      */
     static double distance(double ox, double oz, double ux, double uz, double[] row, int at) {
         double sure = sure(ox, oz, ux, uz, row[at], row[at + 2], row[at + 3], row[at + 5], row[at + 6], row[at + 8]);
         return Double.isNaN(sure) ? doubtful(ox, oz, ux, uz, row, at) : sure;
     }
 
-    /** The same for a rectangle by its numbers, with the cosine and sine of its heading; NaN where doubles cannot tell. */
+    /** The same for a rectangle given by numbers and the cosine and sine of its heading; NaN in doubt. */
     public static double sure(
             double ox,
             double oz,
@@ -59,13 +59,12 @@ public final class RayRectangle {
         double wayDoubt = FILTER * speed + UNDERFLOW;
         double beyondX = Math.abs(startX) - hx * square;
         double beyondZ = Math.abs(startZ) - hz * square;
-        // Positive where the ray nears the rectangle, as seen along each of its axes; not asked where the start is at
-        // 0.
+        // Positive where the ray approaches the rectangle along each of its axes; not used where the start is at 0.
         double nearingX = VectorMath.signed(-wayX, startX);
         double nearingZ = VectorMath.signed(-wayZ, startZ);
         double past = Math.abs(dx * uz - dz * ux) - (hx * Math.abs(wayZ) + hz * Math.abs(wayX));
         double pastDoubt = doubt * speed + UNDERFLOW;
-        // Comparisons by the signs of differences, all at once: one by one, half of them would be guessed wrong.
+        // Comparisons by the signs of differences, without branches: half of the branches would be mispredicted.
         long insideX = bits(beyondX + doubt);
         long insideZ = bits(beyondZ + doubt);
         if ((insideX & insideZ) < 0) {
@@ -76,19 +75,19 @@ public final class RayRectangle {
         if ((bits(pastDoubt - past) | leavesX | leavesZ) < 0) {
             return Double.POSITIVE_INFINITY;
         }
-        // Of a side that is all but flat it may be in doubt on which side of it the ray starts.
+        // For an almost degenerate side it may be in doubt on which side of it the ray starts.
         long meetsX = insideX | (bits(wayDoubt - nearingX) & bits(doubt - Math.abs(startX)));
         long meetsZ = insideZ | (bits(wayDoubt - nearingZ) & bits(doubt - Math.abs(startZ)));
         if ((bits(past + pastDoubt) & meetsX & meetsZ) < 0) {
             double later = beyondX * Math.abs(wayZ) - beyondZ * Math.abs(wayX);
-            // The side across the own X or the own Z: the same bits as where both are asked.
+            // The side across the own X or the own Z, with the same bits as where both are computed.
             double nx = VectorMath.pick(later, cos, sin);
             double nz = VectorMath.pick(later, -sin, cos);
             double way = Math.abs(DoubleDouble.sumOfProducts(ux, nx, uz, nz));
             double far = DiscRectangle.gap(ox, oz, cx, cz, nx, nz, VectorMath.pick(later, hx, hz))
                     / way
                     * Math.sqrt(ux * ux + uz * uz);
-            // Nearer than the centre: no need to ask how far the farthest corner is.
+            // Nearer than the centre, so the farthest corner need not be computed.
             return Math.abs(later) > SURE * pastDoubt && far * far * (1 + 0x1p-50) + UNDERFLOW < dx * dx + dz * dz
                     ? far
                     : entry(ox, oz, ux, uz, cx, cz, hx, hz, cos, sin);
@@ -134,7 +133,7 @@ public final class RayRectangle {
             double way = Math.abs(DoubleDouble.sumOfProducts(ux, sin, uz, cos));
             share = way > 0 ? Math.max(share, gapZ / way) : share;
         }
-        // No point of the rectangle is further off than this: a hit along a side does not run away.
+        // No point of the rectangle is farther than this: it limits the distance of a hit along a side.
         double dx = ox - cx;
         double dz = oz - cz;
         double most = Math.sqrt(dx * dx + dz * dz) + Math.sqrt(hx * hx + hz * hz) * (1 + 0x1p-29);

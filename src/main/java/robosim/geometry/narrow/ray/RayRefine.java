@@ -5,21 +5,21 @@ import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.VectorMath;
 
 /**
- * The last correction of a ray's parameter in pairs of doubles, for distances that plain numbers leave uncertain: what
- * the surface's equation leaves at a place along the ray, to some 97 bits of its terms.
+ * The last correction of a ray's parameter in pairs of doubles, for distances that plain doubles leave uncertain: the
+ * residual of the surface's equation at a point of the ray, to about 97 bits of its terms.
  */
 final class RayRefine {
     /**
-     * What a remainder in pairs may be off by, as a share of the sum of its terms' magnitudes: some ten steps of 2^-102 to
-     * 2^-100 in a row, of which few are ever at their worst. A tenth of it
-     * shows in no distance: it decides only whether one is fine enough, and there it is some 2^-41 of the ulp asked about.
+     * The error bound of a residual in pairs of doubles, as a share of the sum of its terms' magnitudes: about ten
+     * successive steps of 2^-102 to 2^-100, few of which are ever at their worst. A tenth of it changes no distance: it
+     * decides only whether one is accurate enough, and there it is about 2^-41 of the ulp in question.
      */
     static final double ERROR = Filter.bound(0x1p-94);
 
     private static final double U = Filter.bound(VectorMath.U);
 
     private static final int TIME = 0;
-    private static final int TEMPORARY = 1; // and the next
+    private static final int TEMPORARY = 1; // uses the next pair too
     private static final int SIDE = 3;
     private static final int PLACE = 4;
     private static final int NORMAL = 7;
@@ -29,7 +29,7 @@ final class RayRefine {
 
     private final DoubleDoubles p = new DoubleDoubles(20);
 
-    /** A place along the ray seen from a point: {@code o - c + (t + tail) d}. */
+    /** Sets a point of the ray relative to c: {@code o - c + (t + tail) d}. */
     void place(
             double ox,
             double oy,
@@ -52,7 +52,7 @@ final class RayRefine {
         p.advance(PLACE, PLACE, TIME, FIRST, TEMPORARY);
     }
 
-    /** What is left of {@code x.(k x l) - half i.(k x l)} for columns i, k, l of a box, {@code half} signed. */
+    /** The residual of {@code x.(k x l) - half i.(k x l)} for columns i, k, l of a box, {@code half} signed. */
     double boxFace(double[] b, int i, int k, int l, double half) {
         column(b, k, FIRST);
         column(b, l, SECOND);
@@ -65,7 +65,7 @@ final class RayRefine {
         return p.get(OUT);
     }
 
-    /** What is left of {@code x.n} for the normal of a triangle that starts where x is seen from. */
+    /** The residual of {@code x.n} for the normal of a triangle whose first corner is the origin of x. */
     double trianglePlane(double[] t, int j) {
         for (int i = 0; i < 3; i++) {
             p.difference(FIRST + i, t[j + 3 + i], t[j + i]);
@@ -76,7 +76,7 @@ final class RayRefine {
         return p.get(OUT);
     }
 
-    /** What is left of {@code x.x - r^2}. */
+    /** The residual of {@code x.x - r^2}. */
     double sphere(double r) {
         p.product(SIDE, r, r);
         p.dot(OUT, PLACE, PLACE, TEMPORARY);
@@ -84,7 +84,7 @@ final class RayRefine {
         return p.get(OUT);
     }
 
-    /** What is left of {@code |x x a|^2 - r^2 a.a}. */
+    /** The residual of {@code |x x a|^2 - r^2 a.a}. */
     double side(double ax, double ay, double az, double r) {
         axis(ax, ay, az);
         p.cross(NORMAL, PLACE, FIRST, TEMPORARY);
@@ -96,7 +96,7 @@ final class RayRefine {
         return p.get(OUT);
     }
 
-    /** What is left of {@code x.a - half a.a}, {@code half} signed. */
+    /** The residual of {@code x.a - half a.a}, {@code half} signed. */
     double cap(double ax, double ay, double az, double half) {
         axis(ax, ay, az);
         p.dot(OUT, PLACE, FIRST, TEMPORARY);
@@ -107,8 +107,8 @@ final class RayRefine {
     }
 
     /**
-     * The bound of the parameter after a step of {@code rest / slope} from a remainder whose terms are of the size given;
-     * {@code bend} is half the second derivative, 0 for a plane.
+     * The error bound of the parameter after a step of {@code rest / slope}, from a residual whose terms have the given
+     * size; {@code bend} is half the second derivative, 0 for a plane.
      */
     static double error(double rest, double size, double slope, double slopeError, double bend) {
         double certain = Math.abs(slope) - slopeError;

@@ -9,13 +9,13 @@ import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 
 /**
- * A ray against a solid sphere. Exact verdict: with m the centre seen from the start, the sphere is met where
+ * A ray against a solid sphere. The verdict is exact: with m the centre relative to the start, the ray hits where
  * {@code m . d >= 0} and {@code |m x d|^2 <= r^2 |d|^2}.
  */
 final class RaySphere {
     private static final double U = Filter.bound(VectorMath.U);
 
-    /** Offset 1u each way, square 1u, two sums 2u; the radius's square and the difference add 2u. */
+    /** Offset 1u for each factor, square 1u, two sums 2u; the squared radius and the difference add 2u. */
     private static final double INSIDE_ERROR = 7 * U;
 
     /** Offset 1u, product 1u, two sums 2u. */
@@ -71,7 +71,7 @@ final class RaySphere {
         return exact(ox, oy, oz, dx, dy, dz, b, j);
     }
 
-    // One step of Newton's from about where the ray enters: seen from there the radius is all that can cancel.
+    // One Newton step from near the entry: relative to that point, only the radius can cancel.
     private static double surface(
             double ox,
             double oy,
@@ -93,7 +93,7 @@ final class RaySphere {
         double dd = dx * dx + dy * dy + dz * dz;
         double correction = (square - r * r) / (2 * inward);
         double certain = inward - inwardError;
-        // The square is off by 7u (its parts by 2u each way), the step by its own square's share that Newton leaves.
+        // The square is off by 7u (its parts by 2u for each factor), the step by the quadratic term that Newton leaves.
         double error = (5 * U * (square + r * r) + Math.abs(correction) * inwardError + correction * correction * dd)
                 / certain;
         double distance = VectorMath.along(t, correction, dx, dy, dz);
@@ -124,7 +124,10 @@ final class RaySphere {
         return distance(ray, m, m.square().subtract(ray.length(b[j + 3]).square()));
     }
 
-    /** To a sphere whose centre is seen at m from the start of an exact ray, and the start is outside by this much in squares. */
+    /**
+     * The distance to a sphere whose centre is at m from the start of an exact ray; the start is outside, and {@code
+     * outside} is its power.
+     */
     static double distance(ExactRay ray, ExactVector m, Dyadic outside) {
         if (outside.signum() <= 0) {
             return 0;

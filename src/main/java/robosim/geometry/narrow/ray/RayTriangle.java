@@ -10,13 +10,13 @@ import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 
 /**
- * A ray against a triangle, seen from both sides; a degenerate one is the segment or point that it is.
+ * A ray against a two-sided triangle; a degenerate one counts as a segment or a point.
  *
- * <p>With a, b, c seen from the start the line d passes inside where the three volumes {@code d (a x b)},
- * {@code d (b x c)}, {@code d (c x a)} have no two opposite signs. The verdict is exact, so an edge that two triangles
- * share lets nothing through. Two of the volumes are taken as {@code (d x a) . edge}, off by 8u of the sum of their
- * magnitudes (offset 1u, two products and a difference 2u, edge 1u, product and sum 3u); the third is the determinant
- * minus both. What that leaves in doubt is decided by {@link ExactTriangle}.
+ * <p>With a, b, c relative to the start, the line d passes inside where no two of the volumes {@code d (a x b)}, {@code
+ * d (b x c)}, {@code d (c x a)} have opposite signs. The verdict is exact, so no ray slips through an edge that two
+ * triangles share. Two of the volumes are computed as {@code (d x a) . edge}, off by 8u of the sum of their magnitudes
+ * (offset 1u, two products and a difference 2u, edge 1u, product and sum 3u); the third is the determinant minus both.
+ * Doubtful cases are decided by {@link ExactTriangle}.
  */
 public final class RayTriangle {
     private static final double U = Filter.bound(VectorMath.U);
@@ -39,7 +39,7 @@ public final class RayTriangle {
         double fx = t[j + 6] - t[j];
         double fy = t[j + 7] - t[j + 1];
         double fz = t[j + 8] - t[j + 2];
-        // The moment of the line about a, and the volumes of the edges that end there.
+        // The moment of the line about a, and the volumes of the edges that meet there.
         double mx = dy * az - dz * ay;
         double my = dz * ax - dx * az;
         double mz = dx * ay - dy * ax;
@@ -79,7 +79,7 @@ public final class RayTriangle {
         if (vSign * wSign * thirdSign * heightSign * detSign == 0) {
             return ExactTriangle.distance(ox, oy, oz, dx, dy, dz, t, j);
         }
-        // The plane again, seen from about the place that was hit, so that the distance no longer magnifies errors.
+        // The plane again, relative to a point near the hit, so that the distance no longer magnifies errors.
         double at = height / det;
         double hx = Math.fma(-at, dx, ax) + DoubleDouble.differenceTail(t[j], ox, ax);
         double hy = Math.fma(-at, dy, ay) + DoubleDouble.differenceTail(t[j + 1], oy, ay);
@@ -91,7 +91,7 @@ public final class RayTriangle {
         double distance = VectorMath.along(at, correction, dx, dy, dz);
         double inWorldUnits = error * VectorMath.length(dx, dy, dz);
         if (VectorMath.isFine(
-                inWorldUnits, distance, 0)) { // as it nearly always is: the coordinates only let more pass
+                inWorldUnits, distance, 0)) { // the usual case: the coordinates only make the test pass more often
             return distance;
         }
         double largest = Math.max(VectorMath.largest(ox, oy, oz), extent(t, j));
@@ -121,7 +121,7 @@ public final class RayTriangle {
         return value > error ? 1 : value < -error ? -1 : 0;
     }
 
-    /** The slow path: every sign exact, coplanar rays and degenerate triangles by their edges. */
+    /** The slow path: every sign exact; coplanar rays and degenerate triangles by their edges. */
     private static final class ExactTriangle {
         private ExactTriangle() {}
 
@@ -153,7 +153,7 @@ public final class RayTriangle {
                     : ray.distance(volume.abs(), ab.add(bc).add(ca).abs());
         }
 
-        // The ray lies in the plane, or the triangle has none.
+        // The ray lies in the plane, or the triangle is degenerate.
         private static double flat(ExactRay ray, ExactVector a, ExactVector b, ExactVector c) {
             ExactVector normal = b.minus(a).cross(c.minus(a));
             if (!normal.isZero()) {

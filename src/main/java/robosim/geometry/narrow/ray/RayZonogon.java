@@ -3,7 +3,7 @@ package robosim.geometry.narrow.ray;
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.narrow.leaf.Leaf;
 
-/** Where a ray enters what a box at any attitude throws on the plane: the sum of the segments of its own axes. */
+/** Where a ray enters the projection of a box at any attitude: the sum of the projections of its own axes. */
 final class RayZonogon {
     private RayZonogon() {}
 
@@ -11,7 +11,8 @@ final class RayZonogon {
      * The last of the strips between opposite sides that the ray enters, in lengths of the direction, for a ray that is
      * known to hit.
      *
-     * <p>From the stored numbers with the tails of all products, not from corners: as good at low angles as any.
+     * <p>Computed from the stored numbers with the tails of all products, not from corners, and so equally accurate at
+     * low angles.
      */
     static double entry(double ox, double oz, double ux, double uz, double[] row, int at) {
         double dx = ox - row[at];
@@ -39,7 +40,7 @@ final class RayZonogon {
     }
 
     private static double gap(double offset, double offsetTail, double gx, double gz, int axis, double[] row, int at) {
-        // Together with its tail, which has the sign where the difference of two products is all but nothing.
+        // Includes the tail, which decides the sign where the difference of two products almost vanishes.
         double whole = offset + offsetTail;
         double wholeTail = DoubleDouble.sumTail(offset, offsetTail, whole);
         double gap = Math.abs(whole);

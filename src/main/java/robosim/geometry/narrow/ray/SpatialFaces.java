@@ -4,7 +4,7 @@ import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
-/** The faces of every kind of leaf in space. */
+/** The faces of each kind of leaf in space. */
 final class SpatialFaces {
     private SpatialFaces() {}
 
@@ -49,7 +49,7 @@ final class SpatialFaces {
         round(face, qx - share * ax, qy - share * ay, qz - share * az, b[j + 3]);
     }
 
-    // Round about the nearest place on its segment.
+    // Away from the nearest point on its segment.
     private static void capsule(NearestFace face, double[] b, int j, double ax, double ay, double az) {
         double qx = face.px - b[j];
         double qy = face.py - b[j + 1];
@@ -67,7 +67,7 @@ final class SpatialFaces {
         }
     }
 
-    // A surface: only the side that faces the ray; of a segment, the side across it.
+    // A surface: only the side towards the ray. A degenerate one: the direction across the segment.
     private static void triangle(NearestFace face, double[] b, int j) {
         double ex = b[j + 3] - b[j];
         double ey = b[j + 4] - b[j + 1];

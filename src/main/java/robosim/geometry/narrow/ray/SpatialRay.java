@@ -13,7 +13,7 @@ public final class SpatialRay {
     private SpatialRay() {}
 
     /**
-     * World units from the start to the nearest point of the leaf along the ray.
+     * The distance in world units from the start to the nearest point of the leaf along the ray.
      *
      * @param ux direction of any length but zero
      * @param j where the leaf's row begins
@@ -42,7 +42,7 @@ public final class SpatialRay {
         if (power == 0) {
             return value;
         }
-        // In two steps, because from a subnormal the factor itself may be no double.
+        // In two steps, because for a subnormal the factor itself may not be representable.
         int first = power / 2;
         return Math.scalb(Math.scalb(value, first), power - first);
     }

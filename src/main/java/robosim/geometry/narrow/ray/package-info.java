@@ -1,4 +1,4 @@
-/** Where a ray meets a leaf, and the face that it meets. */
+/** Where a ray hits a leaf, and the face that it hits. */
 @NullMarked
 package robosim.geometry.narrow.ray;
 
