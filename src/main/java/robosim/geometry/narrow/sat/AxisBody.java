@@ -5,10 +5,10 @@ import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.PrismCorners;
 
 /**
- * A polytope as the method of separating axes sees it: how far it reaches along an axis, and which axes it brings.
+ * A polytope for the method of separating axes: its extent along an axis, and the axes that it contributes.
  *
- * <p>Loaded relative to an origin, in space or as its projection on XZ (all y are 0). Every coordinate is then off by at
- * most 8 units of roundoff (2^-53) of {@link #mx}, {@link #my}, {@link #mz}, the sums of the magnitudes that it is made of.
+ * <p>Loaded relative to an origin, in space or as its projection on XZ (all y are 0). Every coordinate is off by at
+ * most 8 units of roundoff (2^-53) of {@link #mx}, {@link #my}, {@link #mz}, the sums of the magnitudes that enter it.
  */
 public final class AxisBody {
     public static final int PLANAR = 0;
@@ -17,30 +17,32 @@ public final class AxisBody {
 
     public static final double ROUNDOFF = Filter.bound(32 * 0x1p-53);
 
-    /** More than any product of doubles in here loses by underflow. */
+    /** More than any product of doubles here loses to underflow. */
     public static final double TINY = 0x1p-1040;
 
     private static final int MOST_POINTS = 16;
     private static final int MOST_AXES = 8;
 
-    /** Where the body begins and ends along the axis of the last {@link #project}. */
+    /** The extent along the axis of the last {@link #project}. */
     double lo;
 
     double hi;
 
-    /** At least the magnitudes that any coordinate is summed from. */
+    /** Upper bounds of the magnitudes that each coordinate is summed from. */
     double mx;
 
     double my;
     double mz;
 
-    /** Face normals; exact but for a triangle's, which are off by 4 units of roundoff of {@link #normalSize}. */
+    /** Face normals; exact, except a triangle's, which are off by 4 units of roundoff of {@link #normalSize}. */
     int normals;
 
     final double[] normal = new double[3 * MOST_AXES];
     final double[] normalSize = new double[3 * MOST_AXES];
 
-    /** How each normal came about: {@link #GIVEN}, or one of the others with the numbers of the edges that it is made of. */
+    /**
+     * How each normal is computed: {@link #GIVEN}, or another of these constants plus the numbers of the edges used.
+     */
     final int[] recipe = new int[MOST_AXES];
 
     static final int GIVEN = 0;
@@ -50,7 +52,7 @@ public final class AxisBody {
 
     static final int ALONG = 32;
 
-    /** The cross product of edges p and q, as {@code CROSS + 8 p + q}. */
+    /** The cross product of edges p and q: {@code CROSS + 8 p + q}. */
     static final int CROSS = 64;
 
     /** Edge directions, off by at most one unit of roundoff in each coordinate. */
@@ -66,7 +68,7 @@ public final class AxisBody {
     private final double[] py = new double[MOST_POINTS];
     private final double[] pz = new double[MOST_POINTS];
 
-    // Without points: a centre and half vectors.
+    // Used where there are no points: a centre and half vectors.
     private double cx;
     private double cy;
     private double cz;
@@ -114,7 +116,7 @@ public final class AxisBody {
         }
     }
 
-    /** The projection on XZ, with the heights kept out of it. */
+    /** The projection on XZ, with all heights 0. */
     void planar(LeafKind kind, double[] row, int at, double ox, double oz) {
         clear();
         switch (kind) {
@@ -247,7 +249,7 @@ public final class AxisBody {
         doubtful = isDoubtful(0);
     }
 
-    // A wall seen from above is a segment: then its direction bounds it too, and any two axes bound a point.
+    // A vertical triangle projects to a segment, so its direction bounds it too; any two axes bound a point.
     private void planarTriangle() {
         addCross(0, 3);
         boolean flat = isDoubtful(0);
@@ -283,7 +285,7 @@ public final class AxisBody {
         addNormal(1, 0, -1);
     }
 
-    /** Whether rounding may have made a normal of nothing. */
+    /** Whether a normal may consist of rounding errors only. */
     private boolean isDoubtful(int axis) {
         int k = 3 * axis;
         for (int m = k; m < k + 3; m++) {

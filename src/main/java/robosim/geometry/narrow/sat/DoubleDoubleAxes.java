@@ -6,13 +6,13 @@ import robosim.geometry.narrow.leaf.LeafKind;
 /**
  * The second stage of {@link MovingAxes}: when the gap along one axis closes, in pairs of doubles.
  *
- * <p>What doubles lose in 32 units of 2^-53 of the magnitudes, pairs lose in as many of some 2^-102, as coordinates and
+ * <p>Where doubles lose 32 units of 2^-53 of the magnitudes, pairs lose as many units of about 2^-102. Coordinates and
  * edges are exact (a prism's corners are sums of three numbers), a cross product is off by 2^-99 of its parts and the
- * dot products by 2^-98: all together less than 2^-94, or {@link #SHARE} of the bound in doubles. Tails that are lost to
- * underflow, each below 2^-1074, are covered by {@link #LOST} of the coordinates and of 1, times the axis and 1.
+ * dot products by 2^-98: in all less than 2^-94, or {@link #SHARE} of the bound in doubles. Tails lost to underflow,
+ * each below 2^-1074, are covered by {@link #LOST} of the coordinates and of 1, times the axis and 1.
  */
 final class DoubleDoubleAxes {
-    /** Numbers of axes: a normal of the first or of the second body, by its place there. */
+    /** Numbers of axes: a normal of the first or of the second body, by its index there. */
     static final int FIRST = 0;
 
     static final int SECOND = 64;
@@ -65,9 +65,9 @@ final class DoubleDoubleAxes {
     /**
      * The time at which a gap closes, rounded down; NaN in doubt.
      *
-     * @param ahead whether the mover lies beyond the other along the axis, or else behind
-     * @param gapError of the gap in doubles
-     * @param speedError of the speed in doubles
+     * @param ahead whether the mover lies ahead of the other along the axis, or behind it
+     * @param gapError error bound of the gap in doubles
+     * @param speedError error bound of the speed in doubles
      */
     double time(int number, boolean ahead, double gapError, double speedError, AxisBody first, AxisBody second) {
         find(number, first, second);
@@ -107,7 +107,7 @@ final class DoubleDoubleAxes {
         if (index < IN_PLANE) {
             normal(fine, body, index, axis);
         } else {
-            // The normal uses p and q itself.
+            // The normal overwrites p and q.
             normal(fine, body, 0, axis);
             q[0].set(axis[0]);
             q[1].set(axis[1]);

@@ -4,12 +4,12 @@ import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.DoubleDoubleSum;
 import robosim.geometry.narrow.leaf.LeafKind;
 
-/** The twin of {@link AxisBody} in pairs of doubles: how far a polytope reaches along an axis. */
+/** The counterpart of {@link AxisBody} in pairs of doubles: a polytope's extent along an axis. */
 final class DoubleDoubleBody {
     private static final int MOST_POINTS = 16;
     private static final int MOST_EDGES = 8;
 
-    /** Where the body begins and ends along the axis of the last {@link #project}. */
+    /** The extent along the axis of the last {@link #project}. */
     final DoubleDoubleSum lo = new DoubleDoubleSum();
 
     final DoubleDoubleSum hi = new DoubleDoubleSum();
@@ -18,7 +18,7 @@ final class DoubleDoubleBody {
     private final double[] edgeTail = new double[3 * MOST_EDGES];
     private int edges;
 
-    /** Corners, or a centre alone with half vectors around it. */
+    /** Corners, or only a centre, with half vectors. */
     private final double[] point = new double[3 * MOST_POINTS];
 
     private final double[] pointTail = new double[3 * MOST_POINTS];
@@ -30,7 +30,7 @@ final class DoubleDoubleBody {
     private final DoubleDoubleCorners corners = new DoubleDoubleCorners();
     private final DoubleDoubleSum reach = new DoubleDoubleSum();
 
-    /** Loads a leaf as {@link AxisBody} does in a mode of {@link MovingAxes}. */
+    /** Loads a leaf as {@link AxisBody} does for a mode of {@link MovingAxes}. */
     void load(int mode, LeafKind kind, double[] row, int at, double ox, double oy, double oz) {
         points = 0;
         halves = 0;

@@ -10,8 +10,8 @@ public final class DoubleDoubleCorner {
     /**
      * Writes a corner relative to an origin; in the plane the second coordinate is 0.
      *
-     * @param source of a box the columns that count as they are, as bits, the others being turned back; of a triangle
-     *     where in its row the corner begins; of a prism the number of its corner, 8 more at the top
+     * @param source for a box, the columns added, as bits, the others being subtracted; for a triangle, where the
+     * corner begins in its row; for a prism, the number of its corner, plus 8 at the top
      */
     public void find(
             boolean flat,

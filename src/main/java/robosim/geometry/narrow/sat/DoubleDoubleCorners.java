@@ -3,7 +3,7 @@ package robosim.geometry.narrow.sat;
 import robosim.geometry.exact.DoubleDoubleSum;
 import robosim.geometry.narrow.leaf.PrismCorners;
 
-/** The twin of {@link PrismCorners} in pairs of doubles. */
+/** The counterpart of {@link PrismCorners} in pairs of doubles. */
 public final class DoubleDoubleCorners {
     final DoubleDoubleSum[] x = sums(8);
     final DoubleDoubleSum[] z = sums(8);

@@ -8,7 +8,7 @@ import robosim.geometry.exact.ExactMath;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.leaf.LeafKind;
 
-/** The exact twin of {@link MovingAxes}: the same axes, whatever their number, decided without rounding. */
+/** The exact counterpart of {@link MovingAxes}: the same axes, any number of them, without rounding. */
 public final class ExactAxes {
     private static final StageCounters.Counter EXACT = StageCounters.counter("MovingAxes");
 
@@ -17,8 +17,8 @@ public final class ExactAxes {
     private final Dyadic[] move;
     private final List<Direction> directions = new ArrayList<>();
 
-    // How far the mover lies beyond the other in a direction (below 0: how deep), how fast that grows, and the
-    // direction's length, squared.
+    // How far the mover lies beyond the other in a direction (negative: how deep), how fast that grows, and the
+    // direction's squared length.
     private record Direction(Dyadic gap, Dyadic speed, Dyadic square) {}
 
     private ExactAxes(ExactBody first, ExactBody second, Dyadic[] move) {
@@ -66,7 +66,7 @@ public final class ExactAxes {
         return axes.directions.stream().anyMatch(d -> d.gap.signum() > 0);
     }
 
-    /** Whether a lies wholly beyond b in a direction of the plane; (nx, nz) is taken as it is, of any length. */
+    /** Whether a lies wholly beyond b in a direction of the plane; (nx, nz) is used as given, of any length. */
     public static boolean isBeyond(
             LeafKind kindA, double[] a, int i, double nx, double nz, LeafKind kindB, double[] b, int j) {
         Dyadic[] axis = ExactBody.vector(nx, 0, nz);
@@ -89,7 +89,8 @@ public final class ExactAxes {
         }
     }
 
-    // Triangles in one plane need the normals of their edges in it; without area, those of a cube grown around them.
+    // Triangles in one plane need the normals of their edges in it; degenerate ones need those of a triangle thickened
+    // by a cube.
     private void inPlane(ExactBody body) {
         Dyadic[] normal = body.normals.get(0);
         boolean flat = ExactBody.isZero(first.normals.get(0)) || ExactBody.isZero(second.normals.get(0));

@@ -7,14 +7,14 @@ import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
 
 /**
- * Whether a plane (in the plane: a line) has the hull of some points on one side and that of others on the other, both
- * closed; asked of hulls that touch or overlap.
+ * Whether a plane (in the plane: a line) separates the convex hull of some points from that of others, where both may
+ * touch it; for hulls that touch or overlap.
  *
- * <p>If there is one, it can be turned about what they have in common until three points that are on no line are in it. So
+ * <p>Any such plane can be rotated about the common points until it contains three points that are not on one line. So
  * planes through three points are tried; doubles reject most.
  */
 public final class ExactBetween {
-    /** More than differences, a cross product and a dot product lose, as a share of their magnitudes. */
+    /** More than the differences, a cross product and a dot product lose, as a share of their magnitudes. */
     private static final double ROUNDOFF = 16 * 0x1p-53;
 
     private final ExactVector[] points;
@@ -36,9 +36,9 @@ public final class ExactBetween {
     }
 
     /**
-     * Whether there is one; where all points are in one plane, that is it.
+     * Whether there is one; if all points are in one plane, that plane is one.
      *
-     * @param pivot one of the upper points that all such planes are known to go through; -1 where none is known
+     * @param pivot one of the upper points that all such planes are known to contain; -1 where none is known
      */
     public static boolean exists(List<ExactVector> upper, List<ExactVector> lower, boolean inPlane, int pivot) {
         List<ExactVector> first = new ArrayList<>(upper);
@@ -67,7 +67,7 @@ public final class ExactBetween {
         return isFlat();
     }
 
-    /** Whether the plane through three points, if they are on no line, is one. */
+    /** Whether the plane through three points is one; false for points on one line. */
     private boolean isBetween(int p, int q, int r) {
         if (!mayBeBetween(p, q, r)) {
             return false;

@@ -6,12 +6,12 @@ import robosim.geometry.exact.Dyadic;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.PrismCorners;
 
-/** The exact twin of {@link AxisBody}: a polytope of the stored numbers, without rounding. */
+/** The exact counterpart of {@link AxisBody}: a polytope of the stored numbers, without rounding. */
 public final class ExactBody {
     final List<Dyadic[]> normals = new ArrayList<>();
     final List<Dyadic[]> edges = new ArrayList<>();
 
-    /** Corners, or a centre alone with half vectors around it. */
+    /** Corners, or only a centre, with half vectors. */
     final List<Dyadic[]> points = new ArrayList<>();
 
     private final List<Dyadic[]> halves = new ArrayList<>();
@@ -30,7 +30,7 @@ public final class ExactBody {
         return body;
     }
 
-    /** Where the body begins and ends along an axis. */
+    /** The extent along an axis. */
     Dyadic[] project(Dyadic[] axis) {
         Dyadic lo = dot(axis, points.get(0));
         Dyadic hi = lo;

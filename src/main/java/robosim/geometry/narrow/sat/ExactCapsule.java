@@ -6,8 +6,8 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
- * A capsule, or a sphere, which is one of no length, against others of the kind, boxes and triangles with exact numbers: the
- * squared distance from its segment is compared with that of its radius, and no root is taken. Slow.
+ * A capsule, or a sphere as one of length 0, against capsules, boxes and triangles in exact arithmetic. The squared
+ * distance from its segment is compared with the squared radius, without roots. Slow.
  */
 public final class ExactCapsule {
     private final ExactVector centre;
@@ -48,8 +48,8 @@ public final class ExactCapsule {
     }
 
     /**
-     * Whether it touches or overlaps a box or a triangle: an end of the segment is inside, or no farther than the radius from
-     * a side, or the segment is no farther than that from an edge, or goes through a side.
+     * Whether it touches or overlaps a box or a triangle: an end of the segment is inside or within the radius of a
+     * side, or the segment is within the radius of an edge or passes through a side.
      */
     public boolean touchesPolytope(ExactPolytope polytope) {
         ExactVector from = from();
@@ -78,17 +78,19 @@ public final class ExactCapsule {
         return height.square().compareTo(reach) <= 0 && side.coversFootOf(end, Dyadic.ONE);
     }
 
-    /** Whether a segment whose ends are at two heights, times the length of the normal, goes through a side. */
+    /** Whether a segment passes through a side, from the heights of its ends times the length of the normal. */
     private static boolean crosses(ExactPolytope.Side side, ExactVector from, Dyadic one, ExactVector to, Dyadic two) {
         if (one.signum() * two.signum() >= 0) {
-            return false; // an end in the plane has been asked
+            return false; // an end in the plane was tested before
         }
         Dyadic whole = two.subtract(one);
         ExactVector place = from.times(two).minus(to.times(one));
         return whole.signum() > 0 ? side.coversFootOf(place, whole) : side.coversFootOf(place.negate(), whole.negate());
     }
 
-    /** Whether two segments, each from a point along a vector, are no farther apart than the root of a square. */
+    /**
+     * Whether two segments, each given by a point and a vector, are no farther apart than the root of {@code square}.
+     */
     private static boolean areNear(ExactVector p, ExactVector u, ExactVector q, ExactVector v, Dyadic square) {
         if (isNear(p, q, v, square)
                 || isNear(p.plus(u), q, v, square)
@@ -101,7 +103,7 @@ public final class ExactCapsule {
         ExactVector w = q.minus(p);
         Dyadic alongU = w.cross(v).dot(normal);
         Dyadic alongV = w.cross(u).dot(normal);
-        // Strictly between all ends, which have been asked; segments that are parallel have nothing there.
+        // Strictly between all ends, which were tested before; nothing is there for parallel segments.
         return isBetween(alongU, length)
                 && isBetween(alongV, length)
                 && w.dot(normal).square().compareTo(square.multiply(length)) <= 0;
@@ -111,7 +113,7 @@ public final class ExactCapsule {
         return value.signum() > 0 && value.compareTo(most) < 0;
     }
 
-    /** Whether a point is no farther from a segment than the root of a square. */
+    /** Whether a point is no farther from a segment than the root of {@code square}. */
     private static boolean isNear(ExactVector point, ExactVector from, ExactVector along, Dyadic square) {
         ExactVector w = point.minus(from);
         if (w.square().compareTo(square) <= 0 || w.minus(along).square().compareTo(square) <= 0) {

@@ -8,10 +8,10 @@ import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.PairOrder;
 
 /**
- * A point that two boxes or triangles have in common, with exact numbers. Slow.
+ * A common point of two boxes or triangles, in exact arithmetic. Slow.
  *
- * <p>What two convex bodies share has a corner, if it is not empty. There a corner of one lies in the other, or an edge of
- * one goes through a side of the other, or two edges cross; the first of these that is found is the point.
+ * <p>If the intersection of two convex bodies is not empty, it has a corner. There a corner of one lies in the other,
+ * an edge of one passes through a side of the other, or two edges cross. The first of these that is found is the point.
  */
 public final class ExactCommon {
     private final ExactPolytope first;
@@ -23,8 +23,8 @@ public final class ExactCommon {
     }
 
     /**
-     * Writes a common point, each coordinate to two units in the last place; false where there is none. (a, b) and (b, a)
-     * give the same bits.
+     * Writes a common point, each coordinate to two units in the last place; false where there is none. (a, b) and (b,
+     * a) give the same bits.
      */
     public static boolean point(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, double[] out) {
         ExactPolytope p = new ExactPolytope(kindA, a, i);
@@ -119,7 +119,7 @@ public final class ExactCommon {
                 ExactVector w = q.from().minus(p.from());
                 Dyadic whole = across.square();
                 if (whole.signum() == 0 || w.dot(across).signum() != 0) {
-                    continue; // parallel, or they pass each other
+                    continue; // parallel or skew
                 }
                 Dyadic share = w.cross(q.along()).dot(across);
                 if (isShare(share, whole) && isShare(w.cross(p.along()).dot(across), whole)) {
@@ -134,7 +134,7 @@ public final class ExactCommon {
         return share.signum() >= 0 && share.compareTo(whole) <= 0;
     }
 
-    /** The point of an edge at a share of its length, times the whole. */
+    /** The point at a fraction of an edge's length, times {@code whole}. */
     private static ExactVector along(ExactPolytope.Edge edge, Dyadic share, Dyadic whole) {
         return edge.from().times(whole).plus(edge.along().times(share));
     }
@@ -146,7 +146,7 @@ public final class ExactCommon {
         return true;
     }
 
-    /** Both are brought near 1 before they become doubles. */
+    /** Both are scaled to near 1 before they are converted to doubles. */
     private static double ratio(Dyadic numerator, Dyadic denominator) {
         int top = denominator.magnitude();
         return numerator.scale(-top).doubleValue() / denominator.scale(-top).doubleValue();

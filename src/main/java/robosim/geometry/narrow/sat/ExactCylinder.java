@@ -6,11 +6,12 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
- * A cylinder {@code |(x - c).a| <= h a.a, |(x - c) x a| <= r |a|} against boxes and triangles with exact numbers. Slow.
+ * A cylinder {@code |(x - c).a| <= h a.a, |(x - c) x a| <= r |a|} against boxes and triangles in exact arithmetic.
+ * Slow.
  *
- * <p>They meet where an edge meets the cylinder, or where a side cuts it without an edge doing so; in the second case the
- * whole cut lies in the side, so that one point of the cut is enough: where the axis goes through the plane, or else the
- * middle of the chord that the plane cuts from a cap. Or the cylinder is inside the box altogether.
+ * <p>They meet where an edge meets the cylinder, where a side cuts it without an edge doing so, or where the cylinder
+ * is wholly inside the box. In the second case the whole cut lies in the side, so one point of the cut is enough: where
+ * the axis passes through the plane, or else the middle of the chord that the plane cuts from a cap.
  */
 public final class ExactCylinder {
     final ExactVector centre;
@@ -63,7 +64,7 @@ public final class ExactCylinder {
         ExactVector w = edge.from().minus(centre);
         Dyadic start = w.dot(axis);
         Dyadic slope = edge.along().dot(axis);
-        // The share of the edge between the caps, as fractions with positive denominators.
+        // The fraction of the edge between the caps, as fractions with positive denominators.
         Dyadic lowNumerator = Dyadic.ZERO;
         Dyadic lowDenominator = Dyadic.ONE;
         Dyadic highNumerator = Dyadic.ONE;
@@ -94,7 +95,7 @@ public final class ExactCylinder {
         Dyadic a = v.square();
         Dyadic b = u.dot(v);
         Dyadic c = u.square().subtract(reach);
-        Dyadic lowest = b.negate(); // over a: where q is least
+        Dyadic lowest = b.negate(); // divided by a: where q is least
         if (lowest.multiply(lowDenominator).compareTo(a.multiply(lowNumerator)) <= 0) {
             return isInside(a, b, c, lowNumerator, lowDenominator);
         }

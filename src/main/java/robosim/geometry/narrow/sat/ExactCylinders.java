@@ -4,7 +4,7 @@ import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
 import robosim.geometry.narrow.leaf.LeafKind;
 
-/** Two cylinders at any attitude with exact numbers: what can be decided about them without the roots of their rims. Slow. */
+/** Two cylinders at any attitude in exact arithmetic: what can be decided without the roots of their rims. Slow. */
 public final class ExactCylinders {
     private final ExactCylinder first;
     private final ExactCylinder second;
@@ -17,9 +17,9 @@ public final class ExactCylinders {
     }
 
     /**
-     * Two of which the axes are parallel: intervals along the axis, and discs across it. With a the first axis and w from
-     * centre to centre, {@code |w.a| <= h a.a + H |a.b|} (a height is counted in lengths of its own axis) and
-     * {@code |w x a|^2 <= (r + R)^2 a.a}.
+     * For parallel axes: intervals along the axis, and discs across it. With a the first axis and w from centre to
+     * centre, {@code |w.a| <= h a.a + H |a.b|} (each height is in lengths of its own axis) and {@code |w x a|^2 <= (r +
+     * R)^2 a.a}.
      */
     public boolean parallelTouch() {
         ExactVector a = first.axis;
@@ -34,7 +34,7 @@ public final class ExactCylinders {
         return first.axis.cross(second.axis).isZero();
     }
 
-    /** Whether a slab lies between the two: across a cap, across both axes, or one of two as given (of any length). */
+    /** Whether a slab separates the two: along either axis, across both, or along one of the given directions. */
     public boolean isApart(double px, double py, double pz, double qx, double qy, double qz) {
         return separates(first.axis)
                 || separates(second.axis)
@@ -43,7 +43,7 @@ public final class ExactCylinders {
                 || separates(ExactVector.of(qx, qy, qz));
     }
 
-    /** Whether both hold a point, one of the centres, or the middle of a cap. */
+    /** Whether both contain the given point, or one contains the centre of the other or of one of the other's caps. */
     public boolean haveInCommon(double x, double y, double z) {
         return bothHold(ExactVector.of(x, y, z)) || holdsMiddle(first, second) || holdsMiddle(second, first);
     }
@@ -60,8 +60,8 @@ public final class ExactCylinders {
     }
 
     /**
-     * Whether {@code |n.w| > h |n.a| + H |n.b| + r sqrt(|n x a|^2 / a.a) + R sqrt(|n x b|^2 / b.b)}: the four without roots
-     * are brought to one side and everything is multiplied by (a.a)(b.b), so that it reads D > sqrt(X) + sqrt(Y), which is
+     * Whether {@code |n.w| > h |n.a| + H |n.b| + r sqrt(|n x a|^2 / a.a) + R sqrt(|n x b|^2 / b.b)}. The terms without
+     * roots are moved to one side and all is multiplied by (a.a)(b.b), which gives D > sqrt(X) + sqrt(Y), that is
      * {@code D^2 - X - Y > 2 sqrt(X Y)}.
      */
     private boolean separates(ExactVector n) {

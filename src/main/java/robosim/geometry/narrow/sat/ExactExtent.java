@@ -6,11 +6,11 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
- * How far a leaf reaches along a direction, without rounding: from {@code low} less a root to {@code high} and that root,
- * where the root is that of {@code root / under}. In the plane the direction has y = 0.
+ * The extent of a leaf along a direction, without rounding: from {@code low} minus a root to {@code high} plus that
+ * root, the root of {@code root / under}. In the plane the direction has y = 0.
  */
 public record ExactExtent(Dyadic low, Dyadic high, Dyadic root, Dyadic under) {
-    /** Of a leaf of any convex kind, along a direction of any length. */
+    /** The extent of a leaf of any convex kind, along a direction of any length. */
     public static ExactExtent of(ExactVector n, LeafKind kind, double[] row, int at) {
         return switch (kind) {
             case UPRIGHT_BOX, BOX -> {
@@ -48,7 +48,7 @@ public record ExactExtent(Dyadic low, Dyadic high, Dyadic root, Dyadic under) {
         return kind.isTurned() ? ExactVector.of(row, at + Leaf.ROTATION + 1, 3) : ExactVector.of(0, 1, 0);
     }
 
-    /** Sign of the gap from where this ends to where another begins: at least 0 where the other lies wholly beyond. */
+    /** Sign of the gap from the end of this to the start of another: at least 0 where the other lies wholly beyond. */
     public int gapTo(ExactExtent beyond) {
         Dyadic gap = beyond.low.subtract(high);
         boolean plain = root.signum() == 0;
@@ -59,7 +59,7 @@ public record ExactExtent(Dyadic low, Dyadic high, Dyadic root, Dyadic under) {
         if (gap.signum() <= 0) {
             return -1;
         }
-        // gap against the root of p/s and the root of q/t: gap^2 - p/s - q/t against twice the root of pq/(st).
+        // gap against the root of p/s plus the root of q/t: gap^2 - p/s - q/t against twice the root of pq/(st).
         Dyadic both = under.multiply(beyond.under);
         Dyadic rest = gap.square()
                 .multiply(both)
@@ -68,7 +68,7 @@ public record ExactExtent(Dyadic low, Dyadic high, Dyadic root, Dyadic under) {
         return signLessRoot(rest, root.multiply(beyond.root).multiply(both).scale(2), Dyadic.ONE);
     }
 
-    /** Sign of a number less the root of a ratio. */
+    /** Sign of a number minus the root of a ratio. */
     private static int signLessRoot(Dyadic number, Dyadic root, Dyadic under) {
         return root.signum() == 0 || number.signum() < 0
                 ? root.signum() == 0 ? number.signum() : -1

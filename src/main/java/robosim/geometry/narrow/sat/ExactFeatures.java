@@ -8,8 +8,9 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
- * The corners, edge directions and face normals of a leaf as stored, without rounding: of a sphere its centre, of a
- * cylinder its axis, whose caps are its faces. In the plane all heights are 0, and what edges are across are faces.
+ * The corners, edge directions and face normals of a leaf as stored, without rounding. A sphere has its centre as
+ * corner, a cylinder its axis as edge and its caps as faces. In the plane all heights are 0, and edge normals are face
+ * normals.
  */
 public final class ExactFeatures {
     private static final ExactVector X = ExactVector.of(1, 0, 0);
@@ -20,7 +21,7 @@ public final class ExactFeatures {
     final List<ExactVector> edges = new ArrayList<>();
     final List<ExactVector> faces = new ArrayList<>();
 
-    /** Whether it is round about its corners' hull; else it is that hull. */
+    /** Whether it is round about the hull of its corners; otherwise it is that hull. */
     public final boolean isRound;
 
     private final boolean flat;
@@ -41,14 +42,16 @@ public final class ExactFeatures {
             for (ExactVector edge : edges) {
                 faces.add(new ExactVector(edge.z().negate(), Dyadic.ZERO, edge.x()));
             }
-            faces.addAll(edges); // where a segment ends
+            faces.addAll(edges); // the ends of a segment
             edges.clear();
         }
     }
 
     private boolean isProper = true;
 
-    /** Whether it has an inside or is a triangle with an area: between two of these all planes are found by their normals. */
+    /**
+     * Whether it has an interior or is a triangle with an area. Between two such leaves, the normals give all planes.
+     */
     public boolean isProper() {
         return isProper;
     }
@@ -95,7 +98,7 @@ public final class ExactFeatures {
                 || !arms[2].cross(arms[0]).isZero();
     }
 
-    /** Each corner this way and that way of where it was. */
+    /** Replaces each corner by two, moved by plus and minus the vector. */
     private void both(ExactVector arm) {
         List<ExactVector> before = List.copyOf(corners);
         corners.clear();
@@ -133,7 +136,7 @@ public final class ExactFeatures {
         }
         faces.add(normal);
         for (int k = 0; k < 3; k++) {
-            faces.add(edges.get(k).cross(normal)); // for what lies in its plane
+            faces.add(edges.get(k).cross(normal)); // for objects in its plane
         }
     }
 
@@ -155,7 +158,7 @@ public final class ExactFeatures {
         }
     }
 
-    /** Directions one of which a plane between this and another has, if they touch and are not rim against edge. */
+    /** Directions that include the normal of a separating plane, if the two touch and not by a rim against an edge. */
     List<ExactVector> normalsWith(ExactFeatures other) {
         List<ExactVector> normals = new ArrayList<>(faces);
         normals.addAll(other.faces);
@@ -175,8 +178,8 @@ public final class ExactFeatures {
     }
 
     /**
-     * Of two leaves that touch and do not overlap, the directions from b to a of planes between them, of each of which there
-     * is one: all of them, or all others are between these; or none where a rim touches what is no corner.
+     * For two leaves that touch and do not overlap: the directions from b to a of separating planes, each once. Either
+     * these are all such directions, or all others lie between them; none where a rim touches anything but a corner.
      */
     public static List<ExactVector> parting(
             boolean flat, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
@@ -198,14 +201,14 @@ public final class ExactFeatures {
         return a.cross(b).isZero() && a.dot(b).signum() > 0;
     }
 
-    /** From the corners and edges of another towards the centre or across the axis of this. */
+    /** From the corners and edges of another leaf towards the centre of this one or perpendicular to its axis. */
     private void addTangents(ExactFeatures other, List<ExactVector> normals) {
         for (ExactVector corner : other.corners) {
             ExactVector offset = corners.get(0).minus(corner);
             if (!edges.isEmpty()) {
                 ExactVector radial = across(offset, edges.get(0));
                 normals.add(radial);
-                // A corner on the rim: across the rim's tangent there and an edge.
+                // A corner on the rim: perpendicular to the rim's tangent there and an edge.
                 ExactVector tangent = edges.get(0).cross(radial);
                 for (ExactVector edge : other.edges) {
                     normals.add(tangent.cross(edge));
@@ -219,7 +222,7 @@ public final class ExactFeatures {
         }
     }
 
-    /** The part of a vector that is across another, times the other's square. */
+    /** The part of v perpendicular to another vector, times that vector's square. */
     private static ExactVector across(ExactVector v, ExactVector along) {
         return v.times(along.square()).minus(along.times(v.dot(along)));
     }

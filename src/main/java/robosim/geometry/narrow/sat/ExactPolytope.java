@@ -8,11 +8,11 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
- * A box or triangle with exact numbers, for separating axes and distances that doubles could not decide. Slow.
+ * A box or triangle in exact arithmetic, for separating axes and distances that doubles could not decide. Slow.
  *
- * <p>What is flat counts as infinitely little thickened: a triangle as a prism across its plane, a segment as a box along
- * it. The axes of the thick bodies separate these for any thickness, however small, and so (the sets being closed and
- * bounded) the flat ones too whenever these are apart.
+ * <p>A degenerate shape counts as thickened infinitesimally: a triangle as a prism across its plane, a segment as a box
+ * along it. The axes of the thick bodies separate these for any thickness, however small. As the sets are closed and
+ * bounded, they also separate the degenerate ones whenever these are apart.
  */
 public final class ExactPolytope {
     private static final ExactVector UNIT_X = ExactVector.of(1, 0, 0);
@@ -61,7 +61,7 @@ public final class ExactPolytope {
         }
     }
 
-    /** The sides' normals of a parallelepiped along the three edges. */
+    /** The side normals of the parallelepiped spanned by the three edges. */
     private void thicken() {
         faces.add(edges.get(1).cross(edges.get(2)));
         faces.add(edges.get(2).cross(edges.get(0)));
@@ -97,7 +97,7 @@ public final class ExactPolytope {
         edges.add(normal);
     }
 
-    /** Two unit directions that span space together with a segment's. */
+    /** Two unit directions that span space together with the direction of a segment. */
     private void chooseAcross(ExactVector along) {
         edges.clear();
         edges.add(along);
@@ -113,7 +113,7 @@ public final class ExactPolytope {
     /**
      * Whether an axis separates two.
      *
-     * @param doubts of two boxes only these axes are asked, in the order of {@link PolytopePolytope}
+     * @param doubts for two boxes, only these axes are tested, in the order of {@link PolytopePolytope}
      */
     static boolean apart(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, int doubts) {
         ExactPolytope p = new ExactPolytope(kindA, a, i);
@@ -156,7 +156,7 @@ public final class ExactPolytope {
         return greatest(axis.negate()).negate();
     }
 
-    /** The straight edges, each once: its beginning and the vector along it. */
+    /** The straight edges, each once: its start and the vector along it. */
     public List<Edge> outline() {
         List<Edge> outline = new ArrayList<>();
         if (!isBox) {
@@ -223,12 +223,15 @@ public final class ExactPolytope {
         return true;
     }
 
-    /** A straight edge from a point along a vector. */
+    /** A straight edge, given by a point and a vector. */
     public record Edge(ExactVector from, ExactVector along) {}
 
-    /** A triangle or parallelogram at a corner. */
+    /** A triangle or parallelogram with one corner given. */
     public record Side(ExactVector corner, ExactVector p, ExactVector q, ExactVector normal, boolean isParallelogram) {
-        /** Whether the foot of a point {@code numerator / denominator} (above 0) on the side's plane lies in the side. */
+        /**
+         * Whether the foot of the point {@code numerator / denominator} (denominator positive) on the side's plane is
+         * in the side.
+         */
         public boolean coversFootOf(ExactVector numerator, Dyadic denominator) {
             ExactVector w = numerator.minus(corner.times(denominator));
             Dyadic alongP = w.cross(q).dot(normal);

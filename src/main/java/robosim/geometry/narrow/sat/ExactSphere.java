@@ -4,7 +4,7 @@ import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactVector;
 import robosim.geometry.narrow.leaf.Leaf;
 
-/** A sphere against the other shapes with exact numbers: squares compared, no root taken. Slow. */
+/** A sphere against the other shapes in exact arithmetic: squares are compared, without roots. Slow. */
 public final class ExactSphere {
     private final ExactVector centre;
     private final Dyadic radius;
@@ -21,7 +21,7 @@ public final class ExactSphere {
         return ExactVector.at(row, at).minus(centre).square().compareTo(reach.square()) <= 0;
     }
 
-    /** The centre is inside, or no further than the radius from an end or inner point of an edge, or from a side. */
+    /** The centre is inside, or within the radius of an edge or a side. */
     public boolean touchesPolytope(ExactPolytope polytope) {
         if (polytope.contains(centre)) {
             return true;
@@ -48,16 +48,16 @@ public final class ExactSphere {
         }
         Dyadic ahead = w.dot(edge.along());
         Dyadic length = edge.along().square();
-        // Strictly between the ends, which have been asked: an edge without length has nothing there.
+        // Strictly between the ends, which were tested before; nothing is there for an edge of length 0.
         return ahead.signum() > 0
                 && ahead.compareTo(length) < 0
                 && w.square().multiply(length).subtract(ahead.square()).compareTo(square.multiply(length)) <= 0;
     }
 
     /**
-     * With A = a.a, s how far the centre is along a (times A) and q its squared distance from the axis line (times A):
-     * beside the cylinder q is compared with (r + R)^2 A; beyond a cap the distance to the disc's inside or rim with R,
-     * where the one root, 2 r sqrt(q), is removed by squaring.
+     * Let A = a.a, s the centre's coordinate along a (times A) and q its squared distance from the axis (times A).
+     * Beside the cylinder, q is compared with (r + R)^2 A. Beyond a cap, the distance to the disc's interior or rim is
+     * compared with R; squaring removes the only root, 2 r sqrt(q).
      */
     public boolean touchesCylinder(ExactCylinder cylinder) {
         ExactVector w = centre.minus(cylinder.centre);

@@ -4,23 +4,23 @@ import robosim.geometry.narrow.gjk.Support;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
- * A polytope moved straight on against another at rest: the method of separating axes with a velocity.
+ * A polytope in straight motion against another at rest: the method of separating axes with a velocity.
  *
- * <p>Along each axis the two are apart, or not, for an interval of times; the shapes touch while they do along every
- * axis, from the latest entry to the earliest exit. The plain doubles are followed by bounds of their error:
+ * <p>Along each axis the two overlap during an interval of times. The shapes touch while they overlap along every axis,
+ * from the latest entry to the earliest exit. The plain doubles come with error bounds:
  *
- * <p>A coordinate carries at most 8 units of roundoff u = 2^-53 (see {@link AxisBody}), a cross product of two edges 4, a
- * dot product 3, the sum over half vectors 3, the difference of the two ends 1, and the later quotient 3: 22 u of the sum
- * of magnitudes, taken as 32 u. What that leaves open goes to {@link ExactAxes}. A tenth of it lets no wrong answer
- * through on any input that was found: of the 22 a box or a triangle has only the roundings of its own coordinates, 1 to 5
- * and not the 8 of an octagon, and no more than one or two of the terms are as large as their sum of magnitudes at once. A
- * time that is believed is told from pairs of doubles in any case, so that the bound costs only calls of the next stage.
+ * <p>A coordinate carries at most 8 units of roundoff u = 2^-53 (see {@link AxisBody}), a cross product of two edges 4,
+ * a dot product 3, the sum over half vectors 3, the difference of the two ends 1, and the later quotient 3: 22 u of the
+ * sum of magnitudes, taken as 32 u. Cases left in doubt go to {@link ExactAxes}. With a tenth of the bound no input was
+ * found that gives a wrong answer. A box or a triangle has only the roundings of its own coordinates, 1 to 5 of the 22
+ * and not the 8 of an octagon, and no more than one or two of the terms are as large as their sum of magnitudes at
+ * once. Times are always computed in pairs of doubles, so the bound only costs calls of the next stage.
  */
 public final class MovingAxes {
     private static final double SMALL = 0x1p-900;
     private static final int MOST = 96;
 
-    /** Below this the squares of normals would underflow. */
+    /** Below this, the squares of normals would underflow. */
     private static final double MINUTE = 0x1p-200;
 
     private final AxisBody first = new AxisBody();
@@ -36,7 +36,7 @@ public final class MovingAxes {
     private final double[] length = new double[MOST];
     private final double[] lengthError = new double[MOST];
 
-    /** Which axis, for two entries each; see {@link DoubleDoubleAxes}. */
+    /** The axis of each two entries; see {@link DoubleDoubleAxes}. */
     private final int[] axis = new int[MOST / 2];
 
     private double dx;
@@ -160,7 +160,7 @@ public final class MovingAxes {
                         sizeZ);
     }
 
-    /** Notes both directions of an axis; answers whether one of them proves the whole way free. */
+    /** Records both directions of an axis; answers whether one of them proves the whole motion free. */
     private boolean separates(double nx, double ny, double nz, double sizeX, double sizeY, double sizeZ) {
         first.project(nx, ny, nz);
         second.project(nx, ny, nz);
@@ -198,13 +198,13 @@ public final class MovingAxes {
         count++;
     }
 
-    // The answer where the doubles give it, NaN where they cannot.
+    // The answer if doubles determine it, otherwise NaN.
     private double verdict;
 
-    // Then, the time of contact is at least this.
+    // A lower bound of the time of contact, if the two certainly meet.
     private double earliest;
 
-    /** Whether the two meet for certain on the way, at a time still to be told; else {@link #verdict} is the answer. */
+    /** Whether the two certainly meet, at a time yet to be computed; otherwise {@link #verdict} is the answer. */
     private boolean decide() {
         double enterLo = 0;
         double enterHi = 0;
@@ -260,7 +260,7 @@ public final class MovingAxes {
         return time;
     }
 
-    /** Overlapping for certain at the start: refused where the move goes against every least way out. */
+    /** Certainly overlapping at the start: blocked where the motion goes against every shortest way out. */
     private double fromContact() {
         double least = Double.POSITIVE_INFINITY;
         for (int k = 0; k < count; k++) {

@@ -6,18 +6,18 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
- * Whether two boxes or triangles, at any attitude, touch or overlap in space: the separating axes in doubles, and exactly
- * where rounding leaves a doubt. An instance holds the working memory.
+ * Whether two boxes or triangles, at any attitude, touch or overlap in space: separating axes in doubles, then exactly
+ * in doubtful cases. An instance holds the working memory.
  *
- * <p>The axes are the sides' normals of both and the cross products of their edges: 15, 13 or 11. In these few a pair of
- * which one is flat in the plane of the other, or no triangle at all but a segment or a point, always leaves a doubt.
+ * <p>The axes are the side normals of both and the cross products of their edges: 15, 13 or 11. With these few, doubt
+ * always remains for a shape that is flat in the plane of the other, or for a degenerate triangle.
  *
- * <p>The bounds, with u = 2^-53, n the axis and E the sums of the magnitudes that the coordinates come from. A point seen
- * from a's origin is off by u a coordinate, its projection by 3u more of |n|.E. A box's half width is the sum of three,
- * 2u, and added to the other's 1u; middles likewise: 7u of |n|.E. A triangle's middle and half width come each from two
- * of three projections, which count in both: twice 4 + 1 + 1, so 12u. The axis itself is off by 2u of the permanent P of
- * its cross products, by 4u where the edges are differences: 9u and 16u of P.E. An axis is an axis however it was rounded,
- * so that a gap beyond the first bound is a proof; that an axis does not separate needs the second.
+ * <p>The bounds, with u = 2^-53, n the axis and E the sums of the magnitudes that the coordinates come from. A point
+ * relative to a's origin is off by u a coordinate, its projection by 3u more of |n|.E. A box's half width is the sum of
+ * three, 2u, and is added to the other's, 1u; so are the middles: 7u of |n|.E. A triangle's middle and half width each
+ * come from two of three projections, which count in both: twice 4 + 1 + 1, so 12u. The axis itself is off by 2u of the
+ * permanent P of its cross products, by 4u where the edges are differences: 9u and 16u of P.E. An axis remains an axis
+ * however it was rounded, so a gap beyond the first bound is a proof; that an axis does not separate needs the second.
  */
 public final class PolytopePolytope {
     private static final double PROJECTED = Filter.bound(7.01 * 0x1p-53);
@@ -25,10 +25,10 @@ public final class PolytopePolytope {
     private static final double TRIANGLE_PROJECTED = Filter.bound(12.01 * 0x1p-53);
     private static final double TRIANGLE_WITH_AXIS = Filter.bound(16.01 * 0x1p-53);
 
-    /** What underflow may add to a gap, several times over. */
+    /** An upper bound, with a generous margin, of what underflow may add to a gap. */
     private static final double UNDERFLOW = 0x1p-1000;
 
-    /** Where underflow could count, doubles are not asked. */
+    /** Below this, underflow could matter and doubles are not used. */
     private static final double SMALL = Filter.bound(0x1p-900);
 
     private static final StageCounters.Counter EXACT = StageCounters.counter("PolytopePolytope");
@@ -36,11 +36,11 @@ public final class PolytopePolytope {
     private final Sides first = new Sides();
     private final Sides second = new Sides();
 
-    // The bounds for the pair in hand.
+    // The bounds for the current pair.
     private double projected;
     private double withAxis;
 
-    // The axis in hand and the permanents of its coordinates.
+    // The current axis and the permanents of its coordinates.
     private double nx;
     private double ny;
     private double nz;
@@ -109,7 +109,9 @@ public final class PolytopePolytope {
         }
     }
 
-    /** Makes the cross product of two edges the axis; false where the two are plainly parallel and it is exactly zero. */
+    /**
+     * Makes the cross product of two edges the axis; false where the two are clearly parallel and it is exactly zero.
+     */
     private boolean cross(double[] p, int k, double[] q, int m) {
         double yz = p[k + 1] * q[m + 2];
         double zy = p[k + 2] * q[m + 1];
@@ -145,11 +147,11 @@ public final class PolytopePolytope {
         return used <= 1;
     }
 
-    /** One of the two: a box by centre and half vectors, a triangle by corners, as seen from an origin. */
+    /** One of the two: a box by centre and half vectors, a triangle by corners, relative to an origin. */
     private static final class Sides {
         int faces;
 
-        /** Three edges' directions: a box's columns, a triangle's sides. */
+        /** The directions of three edges: a box's columns, a triangle's sides. */
         final double[] edges = new double[9];
 
         double extentX;

@@ -1,6 +1,6 @@
 /**
- * Polytopes and cylinders by separating axes, at rest and moving, in doubles, in pairs of doubles and in exact numbers; and
- * the exact features, extents and planes that other rooms decide by.
+ * Polytopes and cylinders by separating axes, at rest and moving, in doubles, in pairs of doubles and in exact
+ * arithmetic; and the exact features, extents and planes that other packages decide with.
  */
 @NullMarked
 package robosim.geometry.narrow.sat;
