@@ -6,17 +6,17 @@ import robosim.geometry.exact.ExactVector;
 import robosim.geometry.exact.VectorMath;
 
 /**
- * A closed cone {@code x.d >= cos |x| |d|} about an axis d from an apex, and what all kernels ask of it; one in each
- * {@link ConeScratch}. The cosine is the stored one; the sine follows from it.
+ * A closed cone {@code x.d >= cos |x| |d|} about an axis d from an apex, with the queries that all kernels share; one
+ * in each {@link ConeScratch}. The cosine is the stored one; the sine follows from it.
  */
 public final class Cone {
-    /** Where the unit axis, the cosine and the sine stand in {@link #pairs}. */
+    /** Indices of the unit axis, the cosine and the sine in {@link #pairs}. */
     static final int AXIS = 0;
 
     static final int COS = 3;
     static final int SIN = 4;
 
-    /** The first of the pairs that a kernel may use. */
+    /** The first pair that a kernel may use. */
     static final int FREE = 8;
 
     final DoubleDoubles pairs = new DoubleDoubles(64);
@@ -64,14 +64,14 @@ public final class Cone {
     }
 
     /**
-     * How deep a point seen from the apex is in the cone: {@code x.u - cos |x|}, negative outside. Concave, and no two
-     * points' depths differ by more than twice their distance.
+     * The depth in the cone of a point relative to the apex: {@code x.u - cos |x|}, negative outside. Concave; the
+     * depths of two points differ by at most twice their distance.
      */
     public double depth(double x, double y, double z) {
         return x * ux + y * uy + z * uz - cos * VectorMath.length(x, y, z);
     }
 
-    /** Whether a point seen from the apex is in the cone about d, exactly. */
+    /** Whether a point relative to the apex is in the cone about d; exact. */
     static boolean holds(ExactVector x, ExactVector d, Dyadic squareCos) {
         Dyadic ahead = x.dot(d);
         return ahead.signum() >= 0
@@ -79,11 +79,12 @@ public final class Cone {
     }
 
     /**
-     * Whether a sphere about m, seen from an apex that is outside of it, meets the cone about d, exactly.
+     * Whether a sphere about m, relative to an apex outside it, meets the cone about d; exact.
      *
-     * <p>It does where its centre is in the cone, or else no further from the border's direction in the plane of m and d
-     * than its radius, and ahead along that: {@code P = cos |m x d|} is at most {@code Q + R} with {@code Q = sin m.d} and
-     * {@code R = r |d|}, and {@code cos m.d + sin |m x d|} is at least 0. Their squares are rational.
+     * <p>It does if its centre is in the cone. Otherwise, take the direction of the border in the plane of m and d: the
+     * centre must be within the radius of it and ahead along it. That is, {@code P = cos |m x d|} is at most {@code Q +
+     * R} with {@code Q = sin m.d} and {@code R = r |d|}, and {@code cos m.d + sin |m x d|} is at least 0. Their squares
+     * are rational.
      */
     static boolean meetsSphere(ExactVector m, Dyadic radius, ExactVector d, Dyadic squareCos) {
         if (holds(m, d, squareCos)) {
@@ -107,11 +108,10 @@ public final class Cone {
     }
 
     /**
-     * Whether the segment from p to q, seen from the apex, meets the cone about d, exactly.
+     * Whether the segment from p to q, relative to the apex, meets the cone about d; exact.
      *
-     * <p>Where both ends are outside it can only cross the cone, so that along it the quadratic
-     * {@code (x.d)^2 - cos^2 x^2 d^2} is concave, has its vertex between the ends, is not negative there, and that
-     * place is ahead of the apex.
+     * <p>If both ends are outside, it can only cross the cone. Then along it the quadratic {@code (x.d)^2 - cos^2 x^2
+     * d^2} is concave, has its vertex between the ends, is not negative there, and that point is ahead of the apex.
      */
     static boolean meets(ExactVector p, ExactVector q, ExactVector d, Dyadic squareCos) {
         if (holds(p, d, squareCos) || holds(q, d, squareCos)) {

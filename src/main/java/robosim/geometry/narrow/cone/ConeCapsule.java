@@ -5,31 +5,31 @@ import robosim.geometry.exact.StageCounters;
 import robosim.geometry.exact.VectorMath;
 
 /**
- * The least distance from a cone's apex, outside a capsule, to the capsule inside the cone, as a lower bound.
+ * The distance from a cone's apex, outside a capsule, to the part of the capsule inside the cone, as a lower bound.
  *
- * <p>The places of the segment about which a ball reaches into the part of the cone up to some distance are an interval, as
- * that part is convex. So the distance of the ball about a place, as for {@link ConeSphere}, falls to its least and rises again
- * along the segment, and is found by golden section in doubles.
+ * <p>The part of the cone up to a given distance is convex, so the points of the segment whose ball reaches into it
+ * form an interval. Hence the distance of the ball about a point, as for {@link ConeSphere}, first falls and then rises
+ * along the segment; its minimum is found by golden-section search in doubles.
  *
- * <p>What is answered is certified by a plane, in pairs of doubles. For a direction n, no point of the capsule lies before
- * {@code min n.x - r |n|} over the segment, and no point of the cone at distance s lies beyond {@code s k(n)}, where k(n) is
- * the greatest n.y of all unit vectors y in the cone: so nothing is nearer than the one over the other. With n from the
- * nearest point to the place on the segment, and square to the segment where that is between its ends, the bound is off by
- * the square of what n is off by.
+ * <p>The answer is certified by a plane, in pairs of doubles. For a direction n, every point x of the capsule has n.x
+ * of at least {@code min n.x - r |n|}, the minimum taken over the segment, and every point of the cone at distance s
+ * has n.x of at most {@code s k(n)}, where k(n) is the maximum of n.y over the unit vectors y in the cone. So nothing
+ * is nearer than the quotient. With n from the nearest point to the point on the segment, made perpendicular to the
+ * segment if that is between its ends, the error of the bound is the square of the error of n.
  */
 final class ConeCapsule {
-    /** Steps of the golden section; each leaves 0.618 of the interval, so that after them it is 2^-52 of the segment. */
+    /** Steps of the golden-section search; each leaves 0.618 of the interval, all together 2^-52 of the segment. */
     private static final int STEPS = 75;
 
     private static final double GOLDEN = 0.6180339887498949;
 
-    /** Bracket that is wanted, as a share of the distance; a wider one is looked at again in pairs of doubles. */
+    /** The required width of the bracket, as a share of the distance; wider ones are refined in pairs of doubles. */
     private static final double TIGHT = 0x1p-41;
 
-    /** What a numerator is off by in pairs of doubles, as a share of its terms: some ten steps of 2^-102 to 2^-100. */
+    /** The error of a numerator in pairs of doubles, as a share of its terms: about ten steps of 2^-102 to 2^-100. */
     private static final double PAIRS_ERROR = 0x1p-92;
 
-    /** Of the plane where the border is grazed: as much of the sizes and the offset may be lost. */
+    /** The tilt of the plane where the border is grazed; it may lose as large a share of the sizes and the offset. */
     private static final double TILT = 0x1p-45;
 
     private static final StageCounters.Counter REFINED = StageCounters.counter("ConeCapsule.refined");
@@ -46,11 +46,11 @@ final class ConeCapsule {
     private static final int PAST = ALONG + 1;
     private static final int SHARE = PAST + 1;
     private static final int SUM = SHARE + 1;
-    private static final int TEMPORARY = SUM + 1; // and the next two
+    private static final int TEMPORARY = SUM + 1; // uses the next two too
 
     private Cone cone = new Cone();
 
-    // The segment in doubles: its middle seen from the apex, and from there to an end.
+    // The segment in doubles: its middle relative to the apex, and the vector from there to an end.
     private double mx;
     private double my;
     private double mz;
@@ -60,23 +60,23 @@ final class ConeCapsule {
     private double half;
     private double r;
 
-    /** Farther than all of the capsule. */
+    /** More than the distance of every point of the capsule. */
     private double far;
 
-    /** The distance of a point that is met, so at least the true distance; +Infinity where none is known. */
+    /** The distance of a point inside the cone, an upper bound; +Infinity where none is known. */
     private double upper;
 
-    /** Whether the last place is beside the cone, neither in it nor behind it. */
+    /** Whether the last point is beside the cone, neither in it nor behind it. */
     private boolean isBeside;
 
-    /** The distance, at most the true one; +Infinity where the capsule is proved to be outside the cone. */
+    /** A lower bound of the distance; +Infinity where the capsule is proved to be outside the cone. */
     double distance(Cone in, double[] b, int j, double ax, double ay, double az) {
         take(in, b, j, ax, ay, az);
         double t = search(-1, 1);
         double lower = certify(t, 0);
         if (isOpen(lower)) {
             REFINED.count();
-            // The place is known to some 2^-26 at least, as far as doubles see; pairs see on from there.
+            // Doubles give the point to at least about 2^-26; pairs refine it from there.
             double around = 0x1p-22;
             double from = Math.max(-1 - t, -around);
             double to = Math.min(1 - t, around);
@@ -113,7 +113,7 @@ final class ConeCapsule {
         far = 2 * (VectorMath.length(mx, my, mz) + VectorMath.length(hx, hy, hz) + r);
     }
 
-    /** The place on the segment, from -1 to 1, about which a ball is nearest. */
+    /** The point of the segment, from -1 to 1, whose ball is nearest. */
     private double search(double from, double to) {
         double low = from;
         double high = to;
@@ -138,14 +138,16 @@ final class ConeCapsule {
         }
         double best = atFirst <= atSecond ? first : second;
         double least = Math.min(atFirst, atSecond);
-        // Where it is least at an end, what is square to the segment would not be the plane.
+        // If the minimum is at an end, a plane perpendicular to the segment would be wrong.
         if (about(-1) <= least) {
             return -1;
         }
         return about(1) <= least ? 1 : best;
     }
 
-    /** The distance of the ball about a place; more than any of these where it is outside the cone, the farther the more. */
+    /**
+     * The distance of the ball about a point; for a ball outside the cone, larger than these and rising with the gap.
+     */
     private double about(double t) {
         double x = mx + t * hx;
         double y = my + t * hy;
@@ -163,7 +165,7 @@ final class ConeCapsule {
         return gap > r ? far + gap : along - Math.sqrt((r - past) * (r + past));
     }
 
-    /** The same near a place in pairs of doubles. */
+    /** The same near a point in pairs of doubles. */
     private double refine(double t, double from, double to) {
         double low = from;
         double high = to;
@@ -199,8 +201,8 @@ final class ConeCapsule {
     }
 
     /**
-     * Takes the place {@code t + rest} in pairs: X, AHEAD, ASIDE, PAST; and in ALONG the distance of the ball about it, or how
-     * far it is outside the cone. Answers whether the ball reaches into the cone.
+     * Computes the point {@code t + rest} in pairs: X, AHEAD, ASIDE, PAST; and in ALONG the distance of its ball, or
+     * how far the ball is outside the cone. Answers whether the ball reaches into the cone.
      */
     private boolean place(double t, double rest) {
         DoubleDoubles p = cone.pairs;
@@ -221,7 +223,7 @@ final class ConeCapsule {
         boolean isWithin = p.get(PAST) <= 0;
         isBeside = !isWithin && p.get(ALONG) >= 0;
         if (!isBeside) {
-            // In the cone, or behind: there the cone is nearest at its apex, which is outside the capsule.
+            // In the cone, or behind it: then the cone's nearest point is its apex, which is outside the capsule.
             p.dot(ALONG, X, X, TEMPORARY);
             p.root(ALONG, ALONG);
             if (isWithin) {
@@ -241,7 +243,7 @@ final class ConeCapsule {
         return true;
     }
 
-    /** The lower bound by the plane that the place {@code t + rest} suggests; the distance there becomes {@link #upper}. */
+    /** The lower bound from the plane suggested by {@code t + rest}; sets {@link #upper} to the distance there. */
     private double certify(double t, double rest) {
         DoubleDoubles p = cone.pairs;
         boolean isMet = place(t, rest);
@@ -259,7 +261,7 @@ final class ConeCapsule {
         return bound(t + rest);
     }
 
-    /** The same where the segment crosses the border and is so thin that the ball does not tell how: the plane along it. */
+    /** The same where the segment crosses the border and is too thin for the ball to decide: the plane along it. */
     private double certifyCrossing(double t, double rest) {
         DoubleDoubles p = cone.pairs;
         place(t, rest);
@@ -273,8 +275,8 @@ final class ConeCapsule {
         }
         p.dot(SUM, CROSS, A, TEMPORARY);
         p.dot(G, Cone.AXIS, A, TEMPORARY);
-        // What is square to the segment has its part along the border from the segment's part out of it, and the
-        // reverse.
+        // The vector perpendicular to the segment: its part along the border comes from the segment's part out of it,
+        // and vice versa.
         p.multiply(SHARE, SUM, Cone.COS);
         p.multiply(TEMPORARY, G, Cone.SIN);
         p.subtract(SHARE, SHARE, TEMPORARY);
@@ -291,7 +293,7 @@ final class ConeCapsule {
         return bound(t + rest);
     }
 
-    /** The same where the ball about the place all but touches the border: the plane there, tilted by so little. */
+    /** The same where the ball about the point almost touches the border: the plane there, slightly tilted. */
     private double certifyGrazing(double t, double rest) {
         place(t, rest);
         if (!(cone.pairs.get(ASIDE) > 0)) {
@@ -303,7 +305,7 @@ final class ConeCapsule {
         return bound(t + rest);
     }
 
-    /** N from SHARE and PAST: with e from the axis u to X, n = share (cos u + sin e) + past (cos e - sin u). */
+    /** N from SHARE and PAST: n = share (cos u + sin e) + past (cos e - sin u), where e points from the axis u to X. */
     private void tilt() {
         DoubleDoubles p = cone.pairs;
         p.multiply(G, SHARE, Cone.COS);
@@ -322,10 +324,13 @@ final class ConeCapsule {
         }
     }
 
-    /** {@code (min n.x - r |n|) / k(n)}, less what it may be off by; 0 where the plane tells nothing, more than far where all. */
+    /**
+     * {@code (min n.x - r |n|) / k(n)} minus its error bound; 0 where the plane proves nothing, over far where it
+     * proves a miss.
+     */
     private double bound(double place) {
         DoubleDoubles p = cone.pairs;
-        if (Math.abs(place) < 1 && half > 0) { // between the ends: square to the segment
+        if (Math.abs(place) < 1 && half > 0) { // between the ends: perpendicular to the segment
             p.dot(SUM, N, A, TEMPORARY);
             p.dot(SHARE, A, A, TEMPORARY);
             p.divide(SUM, SUM, SHARE);
@@ -342,7 +347,7 @@ final class ConeCapsule {
         p.multiply(PAST, ASIDE, Cone.COS);
         p.multiply(TEMPORARY, AHEAD, Cone.SIN);
         p.subtract(PAST, PAST, TEMPORARY);
-        // k(n): all of n where that is within the cone, else its part along the border's direction nearest to it.
+        // k(n): the length of n where n is in the cone, else its part along the nearest direction of the border.
         if (p.get(PAST) <= 0) {
             p.set(PAST, length, p.rest(SHARE));
         } else {

@@ -11,17 +11,17 @@ import robosim.geometry.narrow.ray.ExactRay;
 import robosim.geometry.narrow.ray.RayTriangle;
 
 /**
- * The corners of a box, a triangle or a prism seen from a cone's apex, in pairs of doubles, and the lists of its edges
- * and faces by corner. A face is the list of its edges.
+ * The corners of a box, a triangle or a prism relative to a cone's apex, in pairs of doubles, and the corner indices of
+ * its edges and faces. A face is the list of its edges.
  *
- * <p>A prism's corners come four an edge of its octagon: its two ends below, then above; an edge that the others cut off
- * is not there.
+ * <p>A prism has four corners for each edge of its octagon: the two ends at the bottom, then at the top. An edge that
+ * the others cut off is absent.
  */
 final class ConeCorners {
     private static final int[] TRIANGLE_EDGES = {0, 1, 1, 2, 2, 0};
     private static final int[][] TRIANGLE_FACES = {TRIANGLE_EDGES};
     private static final int[] BOX_EDGES = {0, 1, 2, 3, 4, 5, 6, 7, 0, 2, 1, 3, 4, 6, 5, 7, 0, 4, 1, 5, 2, 6, 3, 7};
-    /** Of a box without height, whose corners are there twice: its sides once, and its corners. */
+    /** For a box of height 0, whose corners coincide in pairs: its sides once, and its corners. */
     private static final int[] FLAT_EDGES = {0, 1, 4, 5, 0, 4, 1, 5, 0, 2, 1, 3, 4, 6, 5, 7};
 
     private static final int[][] BOX_FACES = {
@@ -33,7 +33,7 @@ final class ConeCorners {
         {1, 3, 3, 7, 7, 5, 5, 1}
     };
 
-    /** Which number of a prism's row each edge of the octagon lies on. */
+    /** The index in a prism's row of the bound that each edge of the octagon lies on. */
     private static final int[] FORM = {1, 5, 3, 6, 0, 4, 2, 7};
 
     private static final int[] PRISM_EDGES = new int[64];
@@ -84,7 +84,7 @@ final class ConeCorners {
         };
     }
 
-    /** The edges of a leaf that was laid flat. */
+    /** The edges of a leaf flattened into a plane. */
     static int[] flatEdges(LeafKind kind) {
         return kind == LeafKind.UPRIGHT_BOX ? FLAT_EDGES : edges(kind);
     }
@@ -102,7 +102,7 @@ final class ConeCorners {
         return !hasAbsent || !isAbsent[corner / 4];
     }
 
-    /** A side of a prism goes with its edge; the top and the bottom are always there. */
+    /** A side of a prism is present if its edge is; the top and the bottom always are. */
     boolean isFaceThere(int[] face) {
         return face.length > 8 || isThere(face[0]);
     }
@@ -130,7 +130,7 @@ final class ConeCorners {
 
     private void box(Cone cone, double[] row, int j) {
         extent = Math.max(VectorMath.largest(row[j], row[j + 1], row[j + 2]), row[j + 3] + row[j + 4] + row[j + 5]);
-        // Corner by corner the same sums would be taken many times over.
+        // Corner by corner, the same sums would be computed many times.
         for (int axis = 0; axis < 3; axis++) {
             double apex = axis == 0 ? cone.ox : axis == 1 ? cone.oy : cone.oz;
             DoubleDouble.sum(row[j + axis], -apex, pair, 0);
@@ -145,7 +145,9 @@ final class ConeCorners {
         }
     }
 
-    /** Puts the second pair on a number of a corner: added for the corner so much further on, taken away in place. */
+    /**
+     * Adds the second pair to a corner coordinate and stores the sum {@code further} on; subtracts the pair in place.
+     */
     private void spread(int at, int further) {
         double high = hi[at];
         double low = lo[at];
@@ -177,8 +179,8 @@ final class ConeCorners {
         }
     }
 
-    // The octagon's edges in turn: x high, x+z high, z high, x-z low, x low, x+z low, z low, x-z high. The free
-    // coordinate is z on the first and fifth and x on the others, and runs between what the other forms leave.
+    // The octagon's edges in order: x high, x+z high, z high, x-z low, x low, x+z low, z low, x-z high. The free
+    // coordinate is z on the first and fifth and x on the others; the other bounds limit it.
     private static double along(double[] b, int j, int k, int end) {
         double low;
         double high;
@@ -204,7 +206,7 @@ final class ConeCorners {
         return end == 0 ? low : high;
     }
 
-    // Around the octagon the free coordinate falls on these edges.
+    // In order around the octagon, the free coordinate decreases along these edges.
     private static boolean isDownward(int k) {
         return k >= 1 && k <= 4;
     }
@@ -225,7 +227,7 @@ final class ConeCorners {
         }
     }
 
-    /** A corner in exact numbers, in the ray's scale and not seen from its start. */
+    /** A corner in exact arithmetic, in the ray's scale and not relative to its start. */
     static ExactVector exact(ExactRay ray, LeafKind kind, double[] row, int j, int corner) {
         return switch (kind) {
             case UPRIGHT_BOX, BOX -> exactBox(ray, row, j, corner);
@@ -272,7 +274,7 @@ final class ConeCorners {
                 high = b[1].min(at.add(b[3])).min(at.add(b[5]).scale(-1));
             }
         }
-        // The two ends may have changed places in rounding; in exact numbers an edge that is not there is a point.
+        // Rounding may have swapped the two ends; in exact arithmetic an absent edge is a point.
         Dyadic free = (corner % 2 == 0) != isDownward(k) ? low.min(high) : low.max(high);
         Dyadic y = b[8 + (corner >> 1 & 1)];
         return switch (k % 4) {

@@ -5,23 +5,23 @@ import static robosim.geometry.exact.VectorMath.U;
 import robosim.geometry.exact.VectorMath;
 
 /**
- * The least distance from a cone's apex to a solid cylinder inside the cone, between two ends that are proved.
+ * A bracket, proved at both ends, of the distance from a cone's apex to the part of a solid cylinder inside the cone.
  *
- * <p>The nearest point that cone and cylinder have in common is unique. It is the cylinder's own nearest point where the cone
- * holds that; else it lies on the cone's border with the nearer cap, in closed form, where the cap holds the nearest point
- * of its plane in the cone; else with the mantle ({@link ConeCylinderMantle}), where that is between the caps; else with the
- * rim of the cap beyond which the mantle's lies ({@link ConeCylinderCap}). All this is in doubles, and what it led to is
- * then proved in pairs of doubles from both sides ({@link ConeCylinderBracket}): the least distance is the largest
- * {@code k(n) / s(n)} over directions n. What rounding led astray is not as narrow as it should be, and all the rest is
+ * <p>The nearest common point of cone and cylinder is unique. It is the cylinder's own nearest point if the cone
+ * contains that. Otherwise it lies on the cone's border, and there on the nearer cap, in closed form, if the cap
+ * contains the nearest point of its plane in the cone; else on the mantle ({@link ConeCylinderMantle}), if between the
+ * caps; else on the rim of the cap beyond which the mantle's point lies ({@link ConeCylinderCap}). All this is in
+ * doubles. The result is then proved in pairs of doubles from both sides ({@link ConeCylinderBracket}): the distance is
+ * the maximum of {@code k(n) / s(n)} over directions n. If rounding has left the bracket too wide, all other cases are
  * tried.
  *
- * <p>Silent only where a direction proves it: where its bound is beyond the farthest point of the cylinder.
+ * <p>Reports no hit only if a direction proves it: if its bound is beyond the farthest point of the cylinder.
  */
 final class ConeCylinder {
-    /** What is this share of a vector's length outside of a cone or within is so whatever was rounded. */
+    /** A point outside or inside a cone by more than this share of its length is so despite all rounding. */
     private static final double DOUBT = 32 * U;
 
-    /** So little does the cone's border rise along a mantle that is better searched around. */
+    /** Where the cone's border rises along a mantle by less than this, it is searched around the mantle instead. */
     private static final double LEVEL = 0x1p-12;
 
     private final ConeCylinderFrame frame = new ConeCylinderFrame();
@@ -29,7 +29,7 @@ final class ConeCylinder {
     private final ConeCylinderCap cap = new ConeCylinderCap();
     private final ConeCylinderBracket bracket = new ConeCylinderBracket();
 
-    /** The distance, not above the truth; infinite where nothing is heard. The apex is outside the cylinder. */
+    /** A lower bound of the distance; infinite on a miss. The apex must be outside the cylinder. */
     double distance(Cone cone, double[] b, int j, double axisX, double axisY, double axisZ) {
         frame.set(cone, b, j, axisX, axisY, axisZ);
         bracket.start(frame);
@@ -39,12 +39,12 @@ final class ConeCylinder {
         return bracket.isSilent() ? Double.POSITIVE_INFINITY : bracket.low();
     }
 
-    /** The other end of the bracket that {@link #distance} answered the lower end of. */
+    /** The upper end of the bracket whose lower end {@link #distance} returned. */
     double upper() {
         return bracket.isSilent() ? Double.POSITIVE_INFINITY : bracket.high();
     }
 
-    /** Whether the cylinder's own nearest point tells all: in the cone, or so far behind that a plane is between. */
+    /** Whether the cylinder's own nearest point decides: in the cone, or so far behind that a plane separates them. */
     private boolean isAlone() {
         double y = Math.max(0, frame.near);
         double x = Math.max(0, frame.gap);
@@ -67,7 +67,7 @@ final class ConeCylinder {
         return bracket.isDone();
     }
 
-    /** Whether the cone's border with the one part of the cylinder that it should be tells all. */
+    /** Whether the cone's border with the expected part of the cylinder decides. */
     private boolean isTouched() {
         if (frame.near > 0) {
             if (cap.isBehind(frame, frame.near)) {
@@ -130,8 +130,7 @@ final class ConeCylinder {
         }
     }
 
-    // The direction that points most against the cone of those between the cap's and the mantle's, and a little
-    // between.
+    // Among the directions between the cap's and the mantle's, the one most opposed to the cone, moved slightly inward.
     private void corner() {
         double along = Math.max(0, -frame.ua);
         double away = Math.max(0, -frame.up);
@@ -142,7 +141,7 @@ final class ConeCylinder {
         }
     }
 
-    /** Near where one part of the cylinder gives way to another the wrong one may have been taken. */
+    /** Near the boundary of two parts of the cylinder, the wrong one may have been chosen. */
     private void tryAll() {
         bracket.nearest();
         if (frame.near > 0 && !bracket.isDone()) {

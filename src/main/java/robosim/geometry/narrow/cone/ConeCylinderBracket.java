@@ -4,21 +4,22 @@ import robosim.geometry.exact.DoubleDoubles;
 import robosim.geometry.exact.VectorMath;
 
 /**
- * Both ends of the distance of a cylinder in a cone, in pairs of doubles: the lower from directions, the upper from points.
+ * Both bounds of the distance to a cylinder in a cone, in pairs of doubles: the lower from directions, the upper from
+ * points.
  *
- * <p>For any direction n no point of the cylinder within the cone is nearer than {@code k(n) / s(n)}, where k(n) is the least
- * n.x of the cylinder and s(n) the greatest of the cone's part inside the unit sphere. A point of the cylinder within the
- * cone is no nearer than the nearest. Whatever led to a direction or a point, what is taken from it is certain but for
- * the roundings of pairs, which are allowed for.
+ * <p>For any direction n no point of the cylinder within the cone is nearer than {@code k(n) / s(n)}, where k(n) is the
+ * minimum of n.x over the cylinder and s(n) its maximum over the part of the cone inside the unit sphere. Conversely,
+ * no point of the cylinder within the cone is nearer than the nearest. However a direction or a point was found, its
+ * bound is certain, with an allowance for the rounding of pairs.
  */
 final class ConeCylinderBracket {
-    /** Some twenty steps, each of which is off by 2^-100 of what goes in. */
+    /** About twenty steps, each off by 2^-100 of its operands. */
     private static final double ERROR = 0x1p-94;
 
-    /** So deep inside the cone, as a share of the extent, are the points that are looked for: deeper than {@link #ERROR}. */
+    /** Points are placed this deep inside the cone, as a share of the extent: deeper than {@link #ERROR}. */
     private static final double DEPTH = 0x1p-92;
 
-    /** A bracket as narrow as this share of the distance is narrow enough. */
+    /** The bracket is narrow enough at this share of the distance. */
     private static final double NARROW = 0x1p-42;
 
     private static final int STEPS = 12;
@@ -59,7 +60,7 @@ final class ConeCylinderBracket {
         return high;
     }
 
-    /** Takes both ends as known. */
+    /** Records both bounds as known. */
     void take(double lower, double upper) {
         low = Math.max(low, lower);
         high = Math.min(high, upper);
@@ -69,12 +70,14 @@ final class ConeCylinderBracket {
         return low > f.farthest;
     }
 
-    /** Whether there is nothing left to be done: silent, or narrow. */
+    /** Whether nothing is left to do: a proved miss, or a narrow bracket. */
     boolean isDone() {
         return isSilent() || high - low <= NARROW * low;
     }
 
-    /** The cylinder's own nearest point: a direction, a point where the cone holds it, else a plane beside it. */
+    /**
+     * The cylinder's own nearest point: a direction, a point if the cone contains it, and a plane touching the cone.
+     */
     void nearest() {
         for (int k = 0; k < 3; k++) {
             p.set(POINT + k, 0);
@@ -96,19 +99,19 @@ final class ConeCylinderBracket {
         direction();
     }
 
-    /** Along the axis. */
+    /** The direction of the axis. */
     void axis() {
         copy(NORMAL, ConeCylinderFrame.BODY);
         direction();
     }
 
-    /** Away from the axis. */
+    /** The direction away from the axis. */
     void away() {
         copy(NORMAL, ConeCylinderFrame.ACROSS);
         direction();
     }
 
-    /** A direction across the axis: where the apex is all but on the mantle, no other proves that a cone misses it. */
+    /** A direction perpendicular to the axis: if the apex is almost on the mantle, no other can prove a miss. */
     void across(double p0, double q0) {
         f.put(NORMAL, 0, p0, q0);
         p.dot(PART, NORMAL, ConeCylinderFrame.BODY, TEMPORARY);
@@ -118,8 +121,9 @@ final class ConeCylinderBracket {
     }
 
     /**
-     * Along the axis and away from it by so much: where both are positive, and the cone is behind both the lower cap's plane
-     * and the mantle's nearest, or all but, such a direction proves it.
+     * The combination of the directions along the axis and away from it with these weights. If both are positive and
+     * the cone is behind, or almost behind, both the lower cap's plane and the mantle's nearest plane, it proves a
+     * miss.
      */
     void corner(double along, double away) {
         p.set(PART, along);
@@ -133,8 +137,8 @@ final class ConeCylinderBracket {
     }
 
     /**
-     * The plane that touches the cone along the line of its border nearest to a vector of the frame, led around the cone to
-     * where it is farthest from the cylinder.
+     * The plane that touches the cone along the line of its border nearest to a vector of the frame, moved around the
+     * cone to where it is farthest from the cylinder.
      */
     void edge(double along, double p0, double q0) {
         f.put(POINT, along, p0, q0);
@@ -165,7 +169,7 @@ final class ConeCylinderBracket {
         }
     }
 
-    // POINT = the cylinder's point that is least far along NORMAL.
+    // POINT = the point of the cylinder with the minimum along NORMAL.
     private void lowest() {
         p.dot(PART, NORMAL, ConeCylinderFrame.BODY, TEMPORARY);
         boolean isUp = p.get(PART) > 0;
@@ -183,11 +187,11 @@ final class ConeCylinderBracket {
         p.advance(POINT, POINT, PART, ConeCylinderFrame.BODY, TEMPORARY);
     }
 
-    /** The lower cap's plane, where the cap holds its nearest point in the cone. */
+    /** The lower cap's plane, if the cap contains the plane's nearest point in the cone. */
     void cap(double along, double p0, double q0) {
         axis();
         f.put(POINT, along, p0, q0);
-        // Exactly in the plane: what is in its direction is taken out, and the cap's height put in.
+        // Moved exactly into the plane: the component along the plane's normal is replaced by the cap's height.
         p.dot(PART, POINT, ConeCylinderFrame.BODY, TEMPORARY);
         p.subtract(PART, ConeCylinderFrame.NEAR, PART);
         p.advance(POINT, POINT, PART, ConeCylinderFrame.BODY, TEMPORARY);
@@ -199,7 +203,7 @@ final class ConeCylinderBracket {
             if (isDone()) {
                 return;
             }
-            // Along the plane into the cone, as steep as that is.
+            // Into the cone within the plane, in the steepest direction.
             p.dot(PART, OUTWARD, ConeCylinderFrame.BODY, TEMPORARY);
             p.negate(PART);
             copy(RADIAL, OUTWARD);
@@ -228,7 +232,7 @@ final class ConeCylinderBracket {
         return p.get(PART) >= 0;
     }
 
-    /** A point of a rim near a place around it, led to the cone's border. */
+    /** A point of a rim near a point around it, moved to the cone's border. */
     void rim(boolean isFar, double p0, double q0) {
         int height = isFar ? ConeCylinderFrame.FAR : ConeCylinderFrame.NEAR;
         p.set(HEIGHT, p.get(height), p.rest(height));
@@ -237,8 +241,8 @@ final class ConeCylinderBracket {
     }
 
     /**
-     * The same where the rim just grazes the cone: doubles do not tell where it enters from where it leaves. It is led to where
-     * it is deepest first, and from there to the border on the side of the apex, which is reached from outside.
+     * The same where the rim only grazes the cone, and doubles cannot distinguish where it enters from where it leaves.
+     * The point is first moved to where it is deepest, then from outside to the border on the apex's side.
      */
     void grazedRim(boolean isFar, double p0, double q0) {
         int height = isFar ? ConeCylinderFrame.FAR : ConeCylinderFrame.NEAR;
@@ -278,7 +282,7 @@ final class ConeCylinderBracket {
     private void toBorder(int steps) {
         for (int i = 0; i < steps; i++) {
             onMantle();
-            // n = v + t w across the rim
+            // n = v + t w, perpendicular to the rim
             lean(AROUND);
             direction();
             flatten();
@@ -297,10 +301,11 @@ final class ConeCylinderBracket {
     }
 
     /**
-     * A point of the mantle near a place around it and a height, led to the cone's border and to where it is nearest. One of
-     * the two numbers leads to the border, the one along which that is steeper; the other to where n is across both.
+     * A point of the mantle near a given height and angle, moved to the cone's border and to where it is nearest. Of
+     * the two coordinates, the one along which the border is steeper leads to the border; the other to where n is
+     * perpendicular to both.
      *
-     * @param level below this slope along the axis, for a cylinder as wide as it is away, the border is sought around it
+     * @param level below this slope along the axis, for a cylinder as wide as it is away, the border is sought by angle
      */
     void mantle(double height, double p0, double q0, double level) {
         radial(p0, q0);
@@ -339,7 +344,7 @@ final class ConeCylinderBracket {
         }
     }
 
-    // Into the cone by no more than the depth, upwards or around the mantle.
+    // Into the cone by no more than the depth, along the axis or around the mantle.
     private void enter(boolean isUpwards) {
         for (int k = 0; k < 4; k++) {
             onMantle();
@@ -368,13 +373,13 @@ final class ConeCylinderBracket {
         return isAbove && p.get(PART) >= 0;
     }
 
-    // The unit vector across the axis that is nearest to one of the frame.
+    // The unit vector perpendicular to the axis that is nearest to one of the frame.
     private void radial(double p0, double q0) {
         f.put(RADIAL, 0, p0, q0);
         unit(RADIAL);
     }
 
-    // Around the axis by the angle in PART, a small one.
+    // Rotates about the axis by the small angle in PART.
     private void turn() {
         p.advance(RADIAL, RADIAL, PART, AROUND, TEMPORARY);
         unit(RADIAL);
@@ -391,7 +396,7 @@ final class ConeCylinderBracket {
         }
     }
 
-    // PART = how far to go at this rate for the point to be inside the cone by the depth.
+    // PART = the step at this rate that brings the point inside the cone by the depth.
     private void step(int rate) {
         p.set(REST, DEPTH * f.extent);
         p.add(REST, LATERAL, REST);
@@ -409,8 +414,8 @@ final class ConeCylinderBracket {
     }
 
     /**
-     * The unit vector from the cone's axis to the point, the outward normal of the plane that touches the cone there, and how
-     * far the point is outside of that plane.
+     * Computes the unit vector from the cone's axis to the point, the outward normal of the plane that touches the cone
+     * there, and the distance of the point outside that plane.
      */
     private void locate() {
         p.dot(AHEAD, POINT, Cone.AXIS, TEMPORARY);
@@ -444,7 +449,7 @@ final class ConeCylinderBracket {
         outward();
     }
 
-    // OUTWARD = the normal of the plane that touches the cone on the side of SIDE.
+    // OUTWARD = the normal of the plane that touches the cone in the direction of SIDE.
     private void outward() {
         for (int k = 0; k < 3; k++) {
             p.multiply(OUTWARD + k, SIDE + k, Cone.COS);
@@ -453,7 +458,7 @@ final class ConeCylinderBracket {
         }
     }
 
-    // NORMAL = v + t w across a vector, v along the border; the border's normal w alone where no such t is positive.
+    // NORMAL = v + t w perpendicular to a vector, v along the border; just the border's normal w unless t is positive.
     private void lean(int vector) {
         for (int k = 0; k < 3; k++) {
             p.multiply(NORMAL + k, SIDE + k, Cone.SIN);
@@ -472,7 +477,7 @@ final class ConeCylinderBracket {
         }
     }
 
-    // The same direction across the axis, where it is so but for rounding.
+    // Makes the direction exactly perpendicular to the axis, if it is so up to rounding.
     private void flatten() {
         p.dot(PART, NORMAL, ConeCylinderFrame.BODY, TEMPORARY);
         double size = VectorMath.largest(p.get(NORMAL), p.get(NORMAL + 1), p.get(NORMAL + 2));
@@ -489,7 +494,7 @@ final class ConeCylinderBracket {
         }
     }
 
-    /** Takes the point into account, which the cylinder holds, where the cone does. */
+    /** Uses the point, which is in the cylinder, as an upper bound if the cone contains it. */
     private void point() {
         if (p.get(LATERAL) <= -ERROR * f.extent && p.get(AHEAD) > 0) {
             p.dot(PART, POINT, POINT, TEMPORARY);
@@ -498,7 +503,7 @@ final class ConeCylinderBracket {
         }
     }
 
-    /** Takes the bound into account that NORMAL tells, of any length but 0. */
+    /** Uses the lower bound from NORMAL, which may have any length but 0. */
     private void direction() {
         double size = VectorMath.length(p.get(NORMAL), p.get(NORMAL + 1), p.get(NORMAL + 2));
         if (!(size > 0)) {
@@ -522,7 +527,7 @@ final class ConeCylinderBracket {
         if (!(p.get(VALUE) > 0)) {
             return;
         }
-        // s(n): along the border nearest to n, or along n itself where the cone holds that
+        // s(n): along the direction of the border nearest to n, or along n itself if the cone contains n
         p.dot(SUPPORT, NORMAL, Cone.AXIS, TEMPORARY);
         p.cross(LEAN, NORMAL, Cone.AXIS, TEMPORARY);
         p.dot(REST, LEAN, LEAN, TEMPORARY);

@@ -3,11 +3,13 @@ package robosim.geometry.narrow.cone;
 import robosim.geometry.exact.VectorMath;
 
 /**
- * The nearest point that a cone and a cylinder's cap have in common. In the cap's plane the cone is the inside of one
- * branch of a conic, whose axis is seen along the cone's own and begins nearest to the apex' foot; the cap is a disc.
+ * The nearest common point of a cone and a cylinder's cap. In the cap's plane, the cone is the inside of one branch of
+ * a conic, whose axis is the projection of the cone's and whose vertex is nearest to the apex's foot; the cap is a
+ * disc.
  *
- * <p>Across that axis both have chords: {@code gap}, from the conic's chord to the disc's, is a convex function of the place
- * along the axis. Where it is below 0 the two meet; where it is 0 the rim is on the cone's border.
+ * <p>Perpendicular to that axis both have chords. The {@code gap} from the conic's chord to the disc's is a convex
+ * function of the position along the axis. Where it is negative the two meet; where it is 0 the rim is on the cone's
+ * border.
  */
 final class ConeCylinderCap {
     private static final int STEPS = 110;
@@ -15,33 +17,33 @@ final class ConeCylinderCap {
 
     private ConeCylinderFrame f = new ConeCylinderFrame();
 
-    /** Whether disc and conic are apart, by all that doubles tell. */
+    /** Whether disc and conic are apart, according to doubles. */
     boolean isMissed;
 
-    /** Where the point is, or where the conic is nearest to the disc: along the axis, away from it and across. */
+    /** The point, or the conic's point nearest to the disc: along the axis, away from it and across. */
     double height;
 
     double p;
     double q;
 
-    /** Where they are apart, the same between the conic and the disc. */
+    /** Where they are apart, a point between the conic and the disc. */
     double betweenP;
 
     double betweenQ;
 
-    // Of the plane, turned so that it is above the apex: its height, the cone's axis along it, and the angles at
-    // which the conic begins and ends, seen from the apex: sines and cosines, not of length 1.
+    // The plane, turned so that it is above the apex: its height, the cone's axis along it, and the angles at which the
+    // conic begins and ends, seen from the apex: sines and cosines, not of length 1.
     private double level;
     private double beginCos;
     private double beginSin;
     private double endCos;
     private double endSin;
 
-    // The disc's centre along the conic's axis and aside of it.
+    // The disc's centre, along the conic's axis and beside it.
     private double centerAlong;
     private double centerAside;
 
-    // At the place last looked at.
+    // At the last position evaluated.
     private double chord;
     private double aside;
     private double gap;
@@ -49,8 +51,7 @@ final class ConeCylinderCap {
 
     private void set(ConeCylinderFrame frame, double at) {
         f = frame;
-        // Through the apex the plane would have but directions in common with the cone: a plane beside it tells them
-        // apart.
+        // A plane through the apex would have only directions in common with the cone, so a plane beside it is used.
         level = Math.max(Math.abs(at), BESIDE * f.extent);
         height = Math.copySign(level, at);
         double ua = at < 0 ? -f.ua : f.ua;
@@ -65,13 +66,13 @@ final class ConeCylinderCap {
         centerAside = isTurned ? f.away * (f.uq / f.across) : 0;
     }
 
-    /** Whether the cone does not reach the plane, by all that doubles tell. */
+    /** Whether the cone does not reach the plane, according to doubles. */
     boolean isBehind(ConeCylinderFrame frame, double at) {
         set(frame, at);
         return !(beginCos > 0);
     }
 
-    /** Whether the cap holds the point of its plane in the cone that is nearest to the apex; {@link #p} and {@link #q} are its place. */
+    /** Whether the cap contains its plane's nearest point in the cone, which is stored in {@link #p} and {@link #q}. */
     boolean holdsFoot(ConeCylinderFrame frame, double at) {
         set(frame, at);
         double along = beginSin > 0 ? level * beginSin / beginCos : 0;
@@ -80,7 +81,7 @@ final class ConeCylinderCap {
         return dx * dx + centerAside * centerAside <= f.radius * f.radius;
     }
 
-    /** Takes the nearest common point of the rim and the cone's border. */
+    /** Finds the nearest common point of the rim and the cone's border. */
     void solve(ConeCylinderFrame frame, double at) {
         set(frame, at);
         double begin = beginCos > 0 ? level * beginSin / beginCos : 0;
@@ -122,7 +123,7 @@ final class ConeCylinderCap {
         q = along * s - beside * c;
     }
 
-    // The place with the least gap, or the first that is found below 0.
+    // The position with the least gap, or the first found where it is negative.
     private double lowest(double low, double high) {
         double from = low;
         double to = high;
@@ -142,7 +143,7 @@ final class ConeCylinderCap {
         return at;
     }
 
-    // Where the gap is 0 between an end where it is not below and a middle where it is not above.
+    // Where the gap is 0 between an end where it is not negative and a middle where it is not positive.
     private double crossing(double end, double middle) {
         look(end);
         if (gap <= 0) {

@@ -4,14 +4,17 @@ import robosim.geometry.exact.DoubleDoubles;
 import robosim.geometry.exact.VectorMath;
 
 /**
- * A solid cylinder as a cone's apex sees it, in the cylinder's own frame: along its axis, away from the axis' nearest
- * point, and across both. The axis points so that the centre is not behind, and the third direction so that the cone's
- * axis is not: the nearest point in the cone is then on that side too.
+ * A solid cylinder relative to a cone's apex, in the cylinder's own frame: along its axis, away from the axis's nearest
+ * point, and perpendicular to both. The axis is oriented so that the centre is not behind, the third direction so that
+ * the cone's axis is not: then the nearest point in the cone is on that side too.
  *
- * <p>What the distance may be small against is taken from pairs of doubles and rounded once; all else is in doubles.
+ * <p>Values that the distance may be small against are computed in pairs of doubles and rounded once, all else in
+ * doubles.
  */
 final class ConeCylinderFrame {
-    /** Where the unit axis, the centre seen from the apex, its part across the axis and its length, and half the height are. */
+    /**
+     * Indices of the unit axis, the centre relative to the apex, its part across the axis, its length, half the height.
+     */
     static final int BODY = Cone.FREE;
 
     static final int CENTER = BODY + 3;
@@ -21,7 +24,7 @@ final class ConeCylinderFrame {
     static final int FAR = NEAR + 1;
     static final int HALF = FAR + 1;
 
-    /** The first of the cone's pairs that is free. */
+    /** The first free pair of the cone. */
     static final int FREE = HALF + 1;
 
     private static final int TEMPORARY = FREE;
@@ -30,23 +33,23 @@ final class ConeCylinderFrame {
     Cone cone = new Cone();
     double radius;
 
-    /** The largest offset from the apex and the sizes together. */
+    /** The largest offset from the apex plus the sizes. */
     double extent;
 
-    /** No point of the cylinder is as far from the apex. */
+    /** More than the distance of every point of the cylinder from the apex. */
     double farthest;
 
-    /** Between which heights above the apex the cylinder stands: the lower is negative where the apex is between. */
+    /** The heights of the cylinder's ends above the apex; the lower is negative if the apex is between them. */
     double near;
 
     double far;
 
-    /** From the cylinder's axis to the apex, and how far the apex is outside of the mantle. */
+    /** The distance from the cylinder's axis to the apex, and how far the apex is outside the mantle. */
     double away;
 
     double gap;
 
-    // The three directions in the world.
+    // The three directions in world coordinates.
     private double ax;
     private double ay;
     private double az;
@@ -57,13 +60,13 @@ final class ConeCylinderFrame {
     private double qy;
     private double qz;
 
-    /** The cone's axis: along the cylinder's, away from it, and across. */
+    /** The cone's axis: along the cylinder's, away from it, and perpendicular to both. */
     double ua;
 
     double up;
     double uq;
 
-    /** Of how much the cone's axis is across the cylinder's. */
+    /** The length of the cone's axis perpendicular to the cylinder's. */
     double across;
 
     void set(Cone cone, double[] b, int j, double axisX, double axisY, double axisZ) {
@@ -119,7 +122,7 @@ final class ConeCylinderFrame {
             py = p.get(ACROSS + 1) / away;
             pz = p.get(ACROSS + 2) / away;
         } else {
-            // Any direction across the axis: of the axes of space the one that is farthest from it.
+            // Any direction perpendicular to the axis, made from the world axis farthest from it.
             boolean isX = Math.abs(ax) < 0.6;
             boolean isY = !isX && Math.abs(ay) < 0.8;
             px = isX ? 1 : 0;
@@ -149,7 +152,7 @@ final class ConeCylinderFrame {
         across = VectorMath.length(0, up, uq);
     }
 
-    /** A vector of this frame in the world's, into the cone's pairs. */
+    /** Writes a vector of this frame, in world coordinates, into the cone's pairs. */
     void put(int vector, double along, double p, double q) {
         DoubleDoubles pairs = cone.pairs;
         pairs.set(vector, along * ax + p * px + q * qx);
@@ -157,7 +160,9 @@ final class ConeCylinderFrame {
         pairs.set(vector + 2, along * az + p * pz + q * qz);
     }
 
-    /** How far a point of this frame, seen from the apex, is outside the plane that touches the cone nearest to it. */
+    /**
+     * How far a point of this frame, relative to the apex, is outside the plane that touches the cone nearest to it.
+     */
     double outside(double along, double p, double q) {
         double ahead = along * ua + p * up + q * uq;
         double aside = VectorMath.length(p * uq - q * up, q * ua - along * uq, along * up - p * ua);

@@ -3,49 +3,50 @@ package robosim.geometry.narrow.cone;
 import robosim.geometry.exact.VectorMath;
 
 /**
- * The nearest point that a cone and the cylinder's mantle, without ends, have in common; the apex is outside the mantle.
+ * The nearest common point of a cone and the infinite mantle of the cylinder; the apex is outside the mantle.
  *
- * <p>The least distance to what the cone holds of a line along the mantle is a convex function of where the line is in the
- * plane across the axis, so that one slope of it tells on which side around the mantle the best line is: it is bracketed
- * by false position and by halves. Among the lines that the apex sees the slope decides by its sign alone, as it has a
- * positive product with the way from the apex. The line's own nearest point is in closed form.
+ * <p>The distance to the part of a line along the mantle that is inside the cone is a convex function of the line's
+ * position in the plane across the axis. So its slope at one line decides on which side around the mantle the best line
+ * is, which is bracketed by false position and bisection. For the lines visible from the apex the sign of the slope
+ * alone decides, as it has a positive product with the direction from the apex. The line's own nearest point is in
+ * closed form.
  */
 final class ConeCylinderMantle {
     private static final int STEPS = 160;
 
-    /** Takes the place of a slope that only its sign is needed of. */
+    /** Replaces a slope of which only the sign is needed. */
     private static final double FLAT = 0x1p-40;
 
     private ConeCylinderFrame f = new ConeCylinderFrame();
 
-    /** Whether no line meets the cone, by all that doubles tell. */
+    /** Whether no line meets the cone, according to doubles. */
     boolean isMissed;
 
-    /** Where the line is around the mantle: p less the radius times the cosine, and q. */
+    /** The line's position around the mantle: p minus the radius times the cosine, and q. */
     double cos;
 
     double sin;
 
-    /** How high above the apex its nearest point in the cone is. */
+    /** The height above the apex of its nearest point in the cone. */
     double height;
 
-    /** Where the cone is missed, a direction along its border there, along the axis, away and across; 0 where there is none. */
+    /** On a miss, a direction along the cone's border there: along the axis, away and across; 0 where there is none. */
     double edgeA;
 
     double edgeP;
     double edgeQ;
 
-    /** Where the cone is missed, the normal, away and across, of a plane along the axis halfway between the cone and the mantle. */
+    /** On a miss, the normal, away and across, of a plane along the axis halfway between the cone and the mantle. */
     double betweenP;
 
     double betweenQ;
 
-    // Of the line last looked at.
+    // The last line evaluated.
     private double slope;
     private double noise;
     private double rise;
 
-    // The line with the least slope of those that met the cone.
+    // The line with the least slope among those that met the cone.
     private double flattest;
     private double bestCos;
     private double bestSin;
@@ -56,7 +57,7 @@ final class ConeCylinderMantle {
         double firstCos = 1;
         double firstSin = 0;
         if (f.uq > f.cone.sin || (f.up < 0 && f.across > f.cone.sin)) {
-            // Seen along the axis the cone is a sector, which begins at an angle with this cosine and sine.
+            // Seen along the axis the cone is a sector; this is the cosine and sine of the angle where it begins.
             double reach = Math.sqrt((f.across - f.cone.sin) * (f.across + f.cone.sin));
             double square = f.across * f.across;
             double c = (f.up * reach + f.uq * f.cone.sin) / square;
@@ -119,7 +120,7 @@ final class ConeCylinderMantle {
             double s = firstSin + share * (lastSin - firstSin);
             double size = Math.sqrt(c * c + s * s);
             look(c / size, s / size);
-            // An end that stays twice counts for half: else false position would never leave it (Illinois).
+            // An end that stays twice counts half; otherwise false position would never leave it (Illinois algorithm).
             if (slope < 0) {
                 low = share;
                 atLow = slope;
@@ -140,7 +141,7 @@ final class ConeCylinderMantle {
         height = f.ua < 0 ? -rise : rise;
     }
 
-    /** A line's nearest height in the cone, and the slope of its distance around the mantle but for a positive factor. */
+    /** A line's nearest height in the cone, and the slope of its distance around the mantle up to a positive factor. */
     private void look(double c, double s) {
         cos = c;
         sin = s;
@@ -163,12 +164,12 @@ final class ConeCylinderMantle {
             }
             return;
         }
-        // The cone and the plane of the apex and the line: a sector, whose border the line crosses at this tangent.
+        // The plane of the apex and the line cuts the cone in a sector; the line crosses its border at this tangent.
         double square = (f.cone.sin - Math.abs(askew)) * (f.cone.sin + Math.abs(askew));
         double reach = Math.sqrt(Math.max(0, square));
         double run = b * f.cone.cos + steep * reach;
         if (square < 0 || !(run > 0)) {
-            // missed: the cone is on the side of its axis
+            // a miss: the cone is on the side of its axis
             rise = 0;
             slope = askew > 0 ? -base : base;
             return;

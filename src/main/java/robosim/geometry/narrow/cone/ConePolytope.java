@@ -12,25 +12,26 @@ import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.ray.ExactRay;
 
 /**
- * The least distance from a cone's apex to a polytope inside the cone. The nearest point is on a face: the nearest that
- * the whole plane has in the cone, where the face holds it, else on an edge.
+ * The distance from a cone's apex to the part of a polytope inside the cone. The nearest point is the nearest point in
+ * the cone of a face's plane, if the face contains it; otherwise it is on an edge.
  *
  * <p>Whether anything is in the cone is exact for the stored cosine: either the axis meets the polytope, or an edge
  * meets the cone. Distances of clipped edges and of faces are computed in pairs of doubles.
  */
 final class ConePolytope {
     /**
-     * Roundoff of the greatest depth of an edge, in u = 2^-53 of the distance of its farther end. An end is rounded once, a
-     * place between them is off by 6, and depth falls by up to twice that: 12; its own products, sums, root and difference
-     * add 9. The place is not quite the deepest: for an edge's direction that is off by 4 depth loses 4 of at most twice
-     * the distance, 8, and for a foot and a height off by 4 each at most 8 each. 45 in all, taken as 48.
+     * Roundoff of the greatest depth of an edge, in u = 2^-53 of the distance of its farther end. An end is rounded
+     * once, a point between them is off by 6, and depth changes by up to twice that: 12; its own products, sums, root
+     * and difference add 9. The point is not quite the deepest: if an edge's direction is off by 4, depth loses 4 of at
+     * most twice the distance, 8, and for a foot and a height off by 4 each at most 8 each. In all 45, taken as 48.
      *
-     * <p>Of a corner alone 5.1 are seen, more than a tenth. The rest is seldom at its worst too, a foot and a height only
-     * where the edge's line passes the apex as near as rounding, and no verdict was found that a tenth of the bound spoils.
+     * <p>For a corner alone 5.1 were observed, more than a tenth. The rest is rarely at its worst either: a foot and a
+     * height only if the edge's line passes the apex as near as rounding. No verdict was found that a tenth of the
+     * bound spoils.
      */
     private static final double FILTER = Filter.bound(48 * U);
 
-    /** More than underflow takes from a length. */
+    /** More than a length loses to underflow. */
     private static final double UNDERFLOW = 0x1p-530;
 
     private static final StageCounters.Counter EXACT = StageCounters.counter("ConePolytope");
@@ -49,7 +50,9 @@ final class ConePolytope {
     private final ConeCorners corners = new ConeCorners();
     private double extent;
 
-    /** The distance, where the axis itself meets the leaf at {@code axis} (+Infinity where it does not). */
+    /**
+     * The distance; {@code axis} is the distance where the axis itself meets the leaf (+Infinity where it does not).
+     */
     double distance(Cone cone, double axis, LeafKind kind, double[] row, int j) {
         corners.set(cone, kind, row, j);
         double best = edges(cone, ConeCorners.edges(kind), axis, kind, row, j);
@@ -64,7 +67,7 @@ final class ConePolytope {
         return best;
     }
 
-    /** The same for a leaf that lies flat in a plane through the apex and the axis: seen edge on, no face counts. */
+    /** The same for a leaf that is flat in a plane through the apex and the axis: all faces are edge on and ignored. */
     double flat(Cone cone, double axis, LeafKind kind, double[] row, int j) {
         corners.set(cone, kind, row, j);
         return edges(cone, ConeCorners.flatEdges(kind), axis, kind, row, j);
@@ -105,7 +108,7 @@ final class ConePolytope {
         double nearest = Math.max(0, Math.min(1, foot));
         double there = depth(cone, px, py, pz, ex, ey, ez, nearest);
         boolean isCorner = nearest == 0 || nearest == 1;
-        // Along the edge the distance has no slope at the foot, but it has one at a corner.
+        // Along the edge, the slope of the distance is 0 at the foot, but not at a corner.
         boolean isIn = (isCorner && Math.abs(there) <= error)
                 ? isExactlyHeld(cone, nearest == 0 ? from : to, kind, row, j)
                 : there >= 0;
@@ -116,8 +119,8 @@ final class ConePolytope {
     }
 
     /**
-     * Where the depth is greatest along a segment: it falls off on both sides of the place past the foot by
-     * {@code h k / sqrt(cos^2 - k^2)}, h the line's distance and k its direction's cosine, if k is below the cone's.
+     * Where the depth is greatest along a segment: it decreases to both sides of the point past the foot by {@code h k
+     * / sqrt(cos^2 - k^2)}, if k, the cosine of the line's direction, is below the cone's; h is the line's distance.
      */
     private static double deepest(
             Cone cone, double px, double py, double pz, double ex, double ey, double ez, double foot, double length) {
@@ -159,8 +162,8 @@ final class ConePolytope {
     }
 
     /**
-     * The distance at which the segment enters the cone between a share outside and one inside. Seen from the latter,
-     * {@code (x.u)^2 - cos^2 x^2} is {@code a t^2 + 2 b t + c} with c at least 0, and the first root is wanted.
+     * The distance at which the segment enters the cone between a share outside and one inside. Relative to the latter,
+     * {@code (x.u)^2 - cos^2 x^2} is {@code a t^2 + 2 b t + c} with c at least 0; its first root is needed.
      */
     private double entry(Cone cone, int from, int to, double outside, double deepest) {
         DoubleDoubles p = cone.pairs;
@@ -206,7 +209,7 @@ final class ConePolytope {
         return p.get(D);
     }
 
-    /** The quadratic as seen from a share of the segment, which is left in {@code POINT}. */
+    /** The quadratic relative to a share of the segment, whose point is stored in {@code POINT}. */
     private void seen(Cone cone, int from, int to, double share) {
         DoubleDoubles p = cone.pairs;
         corners.load(p, POINT, from);
@@ -224,8 +227,8 @@ final class ConePolytope {
     }
 
     /**
-     * The share that pairs of doubles tell to be deepest, where doubles took one for it that is outside: a short edge along
-     * the border is as deep everywhere as they can tell.
+     * The deepest share in pairs of doubles, where the one from doubles is outside: a short edge along the border is
+     * equally deep everywhere within their accuracy.
      */
     private double certain(Cone cone, int from, int to, double deepest) {
         double best = deepest;
@@ -242,7 +245,7 @@ final class ConePolytope {
         return best;
     }
 
-    // How far a share is within the cone: cos^2 of its own angle less that of the cone's; -1 behind the apex.
+    // How far a share is within the cone: cos^2 of its own angle minus that of the cone's; -1 behind the apex.
     private double angle(Cone cone, int from, int to, double share) {
         seen(cone, from, to, share);
         DoubleDoubles p = cone.pairs;
@@ -266,7 +269,7 @@ final class ConePolytope {
         double largest = 0;
         int first = 0;
         int second = 0;
-        // Neighbours may be degenerate: the two edges with the largest product tell the plane.
+        // Neighbours may be degenerate, so the two edges with the largest product define the plane.
         for (int i = 0; i < face.length; i += 2) {
             for (int k = i + 2; k < face.length; k += 2) {
                 int a = 3 * face[i];
@@ -297,7 +300,7 @@ final class ConePolytope {
         int at = 3 * face[0];
         double height = nx * v[at] + ny * v[at + 1] + nz * v[at + 2];
         if (!(largest > 0) || height == 0) {
-            return Double.POSITIVE_INFINITY; // an edge or less, or seen edge on: the edges tell all
+            return Double.POSITIVE_INFINITY; // a degenerate face, or edge on: the edges decide
         }
         double sign = height < 0 ? -1 : 1;
         double ahead = sign * (nx * cone.ux + ny * cone.uy + nz * cone.uz);
@@ -343,7 +346,7 @@ final class ConePolytope {
         return isLeft || isRight;
     }
 
-    /** The least distance to the plane of two edges within the cone. */
+    /** The distance to the plane of two edges within the cone. */
     private double plane(Cone cone, int[] face, int first, int second, boolean isSquare) {
         DoubleDoubles p = cone.pairs;
         edge(p, EDGE, face[first], face[first + 1]);

@@ -3,7 +3,7 @@ package robosim.geometry.narrow.cone;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.narrow.mesh.MeshScratch;
 
-/** The working memory of cones and sectors. */
+/** The working memory for cones and sectors. */
 public class ConeScratch extends MeshScratch {
     public final PlanarSector sector = new PlanarSector();
 

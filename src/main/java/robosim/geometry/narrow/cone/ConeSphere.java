@@ -9,16 +9,18 @@ import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.ray.ExactRay;
 
 /**
- * The least distance from a cone's apex, outside a sphere, to the sphere inside the cone: the farther a direction is
- * from the centre's, the later it meets the sphere, so the cone's direction nearest to the centre's tells all.
+ * The distance from a cone's apex, outside a sphere, to the part of the sphere inside the cone. The distance to the
+ * sphere grows with the angle from the centre's direction, so the cone's direction nearest to the centre's decides.
  *
- * <p>In pairs of doubles, off by less than 2^-90 of the coordinates; whether it is heard is exact for the stored cosine.
+ * <p>In pairs of doubles, off by less than 2^-90 of the coordinates; whether it is a hit is exact for the stored
+ * cosine.
  */
 final class ConeSphere {
     /**
-     * Roundoff of a distance from the border, some ten steps of 2^-100, as a share of the coordinates and the radius. No
-     * input was found that a tenth of it decides wrongly: the sine is irrational, so that a stored radius comes within
-     * 2^-93 of the border by chance only, once in 2^40; where it touches the border exactly, pairs give that exactly.
+     * Roundoff of a distance from the border, about ten steps of 2^-100, as a share of the coordinates and the radius.
+     * No input was found for which a tenth of it gives a wrong decision. The sine is irrational, so a stored radius
+     * comes within 2^-93 of the border only by chance, once in 2^40; where it touches the border exactly, pairs give
+     * that exactly.
      */
     private static final double FILTER = Filter.bound(0x1p-90);
 

@@ -1,6 +1,6 @@
 package robosim.geometry.narrow.cone;
 
-/** Working memory of the questions about cones. */
+/** Working memory for queries about cones. */
 final class ConeWorkspace {
     final Cone cone = new Cone();
     final ConePolytope polytope = new ConePolytope();

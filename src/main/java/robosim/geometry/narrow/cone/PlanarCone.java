@@ -10,18 +10,18 @@ import robosim.geometry.narrow.planar.PointPolygon;
 import robosim.geometry.narrow.ray.PlanarRay;
 
 /**
- * A sector of the XZ plane (the beam of a sonar) and the projection of a leaf.
+ * A sector of the XZ plane (the beam of a sonar) against the projection of a leaf.
  *
- * <p>What is certain in doubles is told from them: a shape that lies beyond one edge of the sector, and one of which the
- * nearest point lies within. What the edges cut is looked at in pairs of doubles, as flat things in the cone of space
- * whose section the sector is, so that the plane and space give the same verdicts, exact for the stored cosine.
+ * <p>Doubles decide the certain cases: a shape that lies beyond one edge of the sector, and one whose nearest point
+ * lies within. Shapes that the edges cut are computed in pairs of doubles, as flat shapes in the spatial cone whose
+ * section the sector is. So the plane and space give the same verdicts, exact for the stored cosine.
  */
 public final class PlanarCone {
     private static final double LEAST = 0x1p-100;
     private static final double MOST = 0x1p100;
     private static final double FILTER = Filter.bound(1.01);
 
-    /** The square of a side that is all but a point, beside what is not tiny itself. */
+    /** The square of a side that is negligible beside anything that is not tiny itself. */
     private static final double SHORT = 0x1p-900;
 
     private PlanarCone() {}
@@ -30,10 +30,10 @@ public final class PlanarCone {
      * Distance from (ox, oz) to the nearest point of the leaf's projection within the sector of the given half angle
      * about (ux, uz).
      *
-     * <p>Never more than what {@link PlanarRay} answers for the axis, bit for bit, and just that where the cosine is 1.
-     * Whether anything is within is exact for the stored cosine, but for a turned cylinder. Distances of boxes,
-     * triangles, octagons and discs are within 8 ulp of the largest of the distance and the coordinates and sizes that it
-     * was computed from.
+     * <p>Never more than what {@link PlanarRay} answers for the axis, bit for bit, and exactly that where the cosine is
+     * 1. Whether anything is within is exact for the stored cosine, except for a turned cylinder. Distances of boxes,
+     * triangles, octagons and discs are within 8 ulp of the largest of the distance and the coordinates and sizes that
+     * it was computed from.
      *
      * @param halfCos cosine of the half angle, which is in (0, 90) degrees; it alone decides what is within
      * @param halfSin its sine
@@ -56,11 +56,11 @@ public final class PlanarCone {
             ux = Math.scalb(Math.scalb(ux, shift / 2), shift - shift / 2);
             uz = Math.scalb(Math.scalb(uz, shift / 2), shift - shift / 2);
         }
-        if (halfCos >= 1) { // narrower than a cosine tells: its axis
+        if (halfCos >= 1) { // narrower than a cosine can express: only its axis
             return PlanarRay.scaled(ox, oz, ux, uz, kind, b, j, s);
         }
         double within = within(ox, oz, ux, uz, halfCos, halfSin, kind, b, j, s);
-        // Silence of the exact shapes is the axis's too; of a turned cylinder either is certified in its own way.
+        // A miss by the exact shapes holds for the axis too; for a turned cylinder each is certified separately.
         boolean isCertain =
                 within == 0 || (within == Double.POSITIVE_INFINITY && kind.fromAbove() != LeafKind.FromAbove.OVAL);
         return isCertain ? within : Math.min(within, PlanarRay.scaled(ox, oz, ux, uz, kind, b, j, s));
@@ -148,7 +148,7 @@ public final class PlanarCone {
         return s.cones().polytope.flat(s.cones().cone, axis, kind, s.flat, 0);
     }
 
-    /** The projection as a leaf of no height in the plane y = 0. */
+    /** The projection as a leaf of height 0 in the plane y = 0. */
     private static void flatten(LeafKind kind, double[] b, int j, double[] out) {
         System.arraycopy(b, j, out, 0, Leaf.STRIDE);
         switch (kind) {
@@ -171,7 +171,7 @@ public final class PlanarCone {
         }
     }
 
-    // The point of the outline that is nearest to the apex is left in q's point.
+    // Stores the point of the outline nearest to the apex in q's point.
     private static void nearest(PlanarShape q) {
         q.pointX = q.x[0];
         q.pointZ = q.z[0];
@@ -192,7 +192,7 @@ public final class PlanarCone {
             double ex = q.sideX[k];
             double ez = q.sideZ[k];
             double length = ex * ex + ez * ez;
-            // The foot of the apex on the side's line, where that is on the side.
+            // The foot of the apex on the side's line, if it is on the side.
             if (ex * ax + ez * az < 0 && ex * bx + ez * bz > 0 && length > SHORT) {
                 double past = ax * ez - az * ex;
                 double turn = past / length;

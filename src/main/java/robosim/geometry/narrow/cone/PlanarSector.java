@@ -3,12 +3,12 @@ package robosim.geometry.narrow.cone;
 import robosim.geometry.exact.Filter;
 import robosim.geometry.narrow.planar.PlanarShape;
 
-/** The two edges of a sector of the plane in doubles, and what they certainly hold or leave outside. */
+/** The two edges of a sector of the plane in doubles; decides what is certainly inside or outside. */
 final class PlanarSector {
     /**
      * Roundoff of a product with an edge in units of the magnitudes: 3u for the edge, u for the coordinates, 2u for the
-     * product; 8u are taken. No test tells a tenth of it from the whole: what the sine may be off by is added, at least 4u
-     * of itself, and that alone covers what these roundings were seen to add up to.
+     * product; taken as 8u. No test distinguishes a tenth of it from the whole: the error of the sine is added, at
+     * least 4u of itself, and that alone covers the observed sum of these roundings.
      */
     private static final double EDGE_ERROR = 8 * 0x1p-53;
 
@@ -19,16 +19,13 @@ final class PlanarSector {
     double rightX;
     double rightZ;
 
-    /** How far a product with an edge may be off, as a share of the other vector's size. */
+    /** The error bound of a product with an edge, as a share of the other vector's size. */
     private double doubt;
 
     /** At least the length of either edge. */
     private double most;
 
-    /**
-     * Takes a sector about (ux, uz). The cosine decides: by how much the sine differs from the one that belongs to it
-     * goes into the doubt.
-     */
+    /** Sets a sector about (ux, uz). The cosine decides: the error of the sine relative to it is added to the doubt. */
     void set(double ux, double uz, double halfCos, double halfSin) {
         leftX = ux * halfCos - uz * halfSin;
         leftZ = ux * halfSin + uz * halfCos;
@@ -39,7 +36,7 @@ final class PlanarSector {
         doubt = (FILTER + sineOff) * most;
     }
 
-    /** Whether a place within a square of the given error is certainly in the sector. */
+    /** Whether a point is certainly in the sector, with all points of a square of the given error around it. */
     boolean surelyHolds(double wx, double wz, double error) {
         double slack = slack(wx, wz, error);
         return wx * leftZ - wz * leftX > slack
@@ -73,7 +70,7 @@ final class PlanarSector {
         return left || right || behind;
     }
 
-    // A product of an edge with a place that is off by an error in both coordinates.
+    // The error of the product of an edge and a point that is off by the given error in both coordinates.
     private double slack(double wx, double wz, double error) {
         return doubt * (Math.abs(wx) + Math.abs(wz)) + 4 * most * error;
     }

@@ -4,15 +4,15 @@ import robosim.geometry.exact.DoubleDoubles;
 import robosim.geometry.narrow.planar.PlanarShape;
 
 /**
- * A sector and the oval that a turned cylinder throws on the plane, for an apex outside the oval.
+ * A sector and the oval projection of a turned cylinder, for an apex outside the oval.
  *
- * <p>Seen from the apex the oval is as far away as its outline in each direction, which falls to its nearest point and
- * rises beyond it, as it is convex. So the nearest point within the sector is the nearest of all, unless an edge of the
- * sector meets the oval where the outline still comes nearer outwards: then it is where that edge enters. Where no edge
- * meets the oval, all of it is within, or none.
+ * <p>As the oval is convex, the distance of its outline seen from the apex falls towards the nearest point and rises
+ * beyond it, as the direction turns. So the nearest point within the sector is the nearest of all, unless an edge of
+ * the sector meets the oval where the outline still comes nearer outwards: then it is where that edge enters. If no
+ * edge meets the oval, all of it is within, or none.
  *
- * <p>The oval is taken larger by its rounding error, and then all is decided in pairs of doubles: as the larger oval is
- * wider than 2^-50 of the coordinates in every direction, nothing that pairs round, some 2^-95 of them, matters beside it.
+ * <p>The oval is enlarged by its rounding error, then everything is decided in pairs of doubles: as the enlarged oval
+ * is wider than 2^-50 of the coordinates in every direction, the rounding of pairs, about 2^-95 of them, is negligible.
  */
 final class SectorOval {
     private static final int AXIS_X = 0;
@@ -31,7 +31,9 @@ final class SectorOval {
     private static final int CENTER_Z = 13;
     private static final int FREE = 14;
 
-    /** Less of a normal across an edge than this is none: the nearest point is then nearer by half its square at most. */
+    /**
+     * A smaller part of a normal across an edge counts as 0: the nearest point is nearer by half its square at most.
+     */
     private static final double LEVEL = 0x1p-40;
 
     private final DoubleDoubles p = new DoubleDoubles(32);
@@ -39,18 +41,18 @@ final class SectorOval {
     private double minor;
     private double reach;
 
-    /** Where the last edge enters, +Infinity where it misses. */
+    /** Where the last edge enters; +Infinity on a miss. */
     private double entry;
 
     private double exit;
 
-    /** The normal there across the edge, counter-clockwise, as a share of its length. */
+    /** The normal's part there across the edge, counter-clockwise, as a share of its length. */
     private double lean;
 
     /**
      * The distance to the nearest point within the sector, +Infinity where there is none.
      *
-     * @param nearest the distance to the nearest point of all, or what is certified to be less
+     * @param nearest the distance to the nearest point of all, or a certified lower bound
      */
     double distance(
             double ox,
@@ -107,11 +109,11 @@ final class SectorOval {
         p.difference(CENTER_X, row[at], ox);
         p.difference(CENTER_Z, row[at + 2], oz);
         turn(ALONG, ACROSS, CENTER_X, CENTER_Z);
-        p.negate(ALONG); // the apex from the centre
+        p.negate(ALONG); // the apex relative to the centre
         p.negate(ACROSS);
     }
 
-    // A vector in the oval's own frame.
+    // Transforms a vector into the oval's own frame.
     private void turn(int along, int across, int x, int z) {
         p.multiply(along, x, OVAL_X);
         p.multiply(FREE, z, OVAL_Z);
@@ -121,7 +123,7 @@ final class SectorOval {
         p.subtract(across, across, FREE);
     }
 
-    // The left (1) or the right (-1) edge, as the axis is seen from above with x to the right and z up.
+    // The left (1) or the right (-1) edge relative to the axis, seen from above with x to the right and z up.
     private void edge(int side) {
         p.multiply(EDGE_X, AXIS_X, COS);
         p.multiply(FREE, AXIS_Z, SIN);
@@ -145,7 +147,7 @@ final class SectorOval {
         }
     }
 
-    // The ellipse about one end of the straight part, made a circle of radius minor times radius.
+    // The ellipse about one end of the straight part, scaled to a circle of radius minor times radius.
     private void end(double at) {
         int x = FREE;
         int z = FREE + 1;
@@ -191,13 +193,13 @@ final class SectorOval {
         }
     }
 
-    // The rectangle between the two ends, which only its long sides bound.
+    // The rectangle between the two ends, bounded only by its long sides.
     private void middle() {
         int in = FREE;
         int place = FREE + 1;
         double way = p.get(WAY_ACROSS);
         if (way == 0) {
-            return; // along the sides: it meets an end, or nothing
+            return; // parallel to the sides: it meets an end, or nothing
         }
         for (int side = -1; side <= 1; side += 2) {
             p.set(in, side * radius);

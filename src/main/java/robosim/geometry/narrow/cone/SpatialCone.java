@@ -6,12 +6,13 @@ import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.ray.SpatialRay;
 
 /**
- * A cone in space against one leaf: the nearest point of the leaf inside the closed cone, never a fan of rays.
+ * A cone in space against one leaf: the nearest point of the leaf inside the closed cone, not a fan of rays.
  *
  * <p>Boxes, triangles and prisms: whether anything is in the cone is exact for the stored cosine, and the distance is
- * within 8 ulp of the largest coordinate. Spheres: exact likewise, within 2^-90. Cylinders: a lower bound of the distance, within
- * 2^-40 of it (nearer than 2^-44 of offset and sizes: within as much); infinite only where they are proved apart, while what
- * passes by closer than 2^-44 of offset and sizes may be heard. Capsules: a lower bound too, see {@link ConeCapsule}.
+ * within 8 ulp of the largest coordinate. Spheres: equally exact, within 2^-90. Cylinders: a lower bound of the
+ * distance, within 2^-40 of it (nearer than 2^-44 of offset and sizes: within as much); infinite only where they are
+ * proved apart, while a cylinder that passes closer than 2^-44 of offset and sizes may count as a hit. Capsules: also a
+ * lower bound, see {@link ConeCapsule}.
  */
 public final class SpatialCone {
     private SpatialCone() {}
@@ -20,8 +21,8 @@ public final class SpatialCone {
      * World units from the apex to the nearest point of the leaf inside the cone.
      *
      * @param ux the cone's axis, of any length but zero; its own direction decides, not that of a rounded unit vector
-     * @param halfCos cosine of half the opening angle, between 0 and 1, both excluded; it is what decides
-     * @param halfSin sine of the same
+     * @param halfCos cosine of half the opening angle, between 0 and 1, both excluded; it alone decides
+     * @param halfSin its sine
      * @return 0 where the apex is in the leaf; {@code +Infinity} where nothing of it is in the cone
      */
     public static double distance(
@@ -70,19 +71,21 @@ public final class SpatialCone {
     }
 
     /**
-     * The upper end of the bracket in which the last distance to a cylinder in a cone lies whose lower end was answered;
-     * of no meaning where the cone's axis itself met what is nearest.
+     * The upper end of the bracket whose lower end was the last distance to a cylinder in a cone; meaningless where the
+     * cone's axis itself hit the nearest leaf.
      */
     public static double upperEnd(ConeScratch s) {
         return s.cones().cylinder.upper();
     }
 
     /**
-     * Whether a box, a cylinder or a capsule surely lies beyond the plane that touches the cone along the line nearest to its centre m: with e the
-     * unit vector from the axis to m, the plane's normal is {@code n = e cos - u sin}.
+     * Whether a box, a cylinder or a capsule certainly lies beyond the plane that touches the cone along the line
+     * nearest to its centre m: with e the unit vector from the axis to m, the plane's normal is {@code n = e cos - u
+     * sin}.
      *
-     * <p>As m is not all but on the axis, e is off by 2^-30 of itself along the axis at most; u, sin, m and all else are off
-     * by some roundings of 2^-53. Their own axes are of length 1 to 2^-30. 2^-28 of all that is added up are taken.
+     * <p>As m is not almost on the axis, e is off by at most 2^-30 of itself along the axis; u, sin, m and all else are
+     * off by a few roundings of 2^-53. The leaf's own axes are of length 1 to 2^-30. The margin is 2^-28 of all
+     * summands.
      */
     private static boolean isSurelyBeyond(
             double ox,
@@ -98,7 +101,7 @@ public final class SpatialCone {
         double mx = row[j] - ox;
         double my = row[j + 1] - oy;
         double mz = row[j + 2] - oz;
-        // the sixth number of what has only two sizes only adds
+        // for leaves of two sizes, the sixth number only adds
         double size = Math.abs(mx) + Math.abs(my) + Math.abs(mz) + row[j + 3] + row[j + 4] + row[j + 5];
         double length = VectorMath.length(dx, dy, dz);
         // where no square loses bits or overflows
@@ -124,7 +127,7 @@ public final class SpatialCone {
         return gap > 0x1p-28 * size;
     }
 
-    /** How far a box, a cylinder or a capsule reaches from its centre along a unit vector. */
+    /** The extent of a box, a cylinder or a capsule from its centre along a unit vector. */
     private static double reach(double nx, double ny, double nz, LeafKind kind, double[] row, int j) {
         int r = j + Leaf.ROTATION;
         return switch (kind) {
@@ -135,7 +138,7 @@ public final class SpatialCone {
             case UPRIGHT_CYLINDER -> row[j + 3] * Math.sqrt(nx * nx + nz * nz) + row[j + 4] * Math.abs(ny);
             case CYLINDER -> {
                 double along = Math.abs(nx * row[r + 1] + ny * row[r + 4] + nz * row[r + 7]);
-                // The axis is of length 1 to 2^-30: of the square of the sine, so much is added.
+                // The axis is of length 1 to 2^-30, so that much is added to the square of the sine.
                 double across = Math.sqrt(Math.max(0, (1 - along) * (1 + along)) + 0x1p-29);
                 yield row[j + 3] * across + row[j + 4] * along;
             }

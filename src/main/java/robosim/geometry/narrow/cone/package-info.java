@@ -1,4 +1,4 @@
-/** The nearest point of a leaf within a cone, or a sector in the plane. */
+/** The nearest point of a leaf within a cone, or within a sector in the plane. */
 @NullMarked
 package robosim.geometry.narrow.cone;
 
