@@ -14,10 +14,7 @@ import robosim.geometry.model.ObjectGroup;
 import robosim.geometry.model.SerialForms;
 import robosim.geometry.model.SphereObject;
 
-/**
- * The allow-list of a message's classes: those that a stream may name, and those that they turn into while they are
- * read.
- */
+/** The allow-list of a message's classes: those that a stream may name, and those that replace them when it is read. */
 final class AllowedClasses {
     /**
      * The serialized form of {@link List#of} and the like; package-private in the JDK, but named in its documentation.
@@ -76,7 +73,7 @@ final class AllowedClasses {
         try {
             return Class.forName("java.util.CollSer");
         } catch (ClassNotFoundException e) {
-            throw new IllegalStateException("this Java has no java.util.CollSer, by which its lists are serialized", e);
+            throw new IllegalStateException("this Java has no java.util.CollSer, the serialized form of its lists", e);
         }
     }
 }

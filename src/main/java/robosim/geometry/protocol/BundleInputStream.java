@@ -60,8 +60,8 @@ final class BundleInputStream extends ObjectInputStream {
             return refuse("nesting must be at most " + Limits.MAX_DEPTH + " deep (got: more)");
         }
         if (references - referencesBefore > Limits.MAX_REFERENCES) {
-            return refuse("there must be at most " + Limits.MAX_REFERENCES
-                    + " objects in a message and what came since its sender last reset the stream (got: more)");
+            return refuse("a sender must send at most " + Limits.MAX_REFERENCES
+                    + " objects before it resets its stream (got: more)");
         }
         Class<?> type = info.serialClass();
         if (type != null && !allowed.holds(type)) {
@@ -150,7 +150,7 @@ final class BundleInputStream extends ObjectInputStream {
         parts += more;
         if (parts > Limits.MAX_PARTS) {
             throw new InvalidClassException("a message's objects must have at most " + Limits.MAX_PARTS
-                    + " parts, counted in every place that names them (got: more)");
+                    + " parts, counted at every reference to them (got: more)");
         }
     }
 }

@@ -41,14 +41,14 @@ public final class Limits {
     public static final long MAX_PARTS = 16_000_000;
 
     /**
-     * Maximum length of a string in bytes of modified UTF-8: what the short form in a Java stream can hold. A name has
-     * some 10 letters.
+     * Maximum length of a string in bytes of modified UTF-8: the limit of the short form in a Java stream. A name has
+     * about 10 letters.
      */
     public static final int MAX_TEXT_BYTES = 65_535;
 
     /**
      * Maximum size in bytes of the hello with which a JSON peer begins, small since the peer is not admitted yet. A
-     * secret has some 50.
+     * secret has about 50.
      */
     public static final int MAX_HELLO_BYTES = 8192;
 }

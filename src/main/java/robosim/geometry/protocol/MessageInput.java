@@ -101,7 +101,7 @@ final class MessageInput extends InputStream {
         }
         int value = peek();
         if (value == ObjectStreamConstants.TC_LONGSTRING) {
-            throw new ProtocolException("a text must have at most " + Limits.MAX_TEXT_BYTES + " bytes (got: more)");
+            throw new ProtocolException("a string must have at most " + Limits.MAX_TEXT_BYTES + " bytes (got: more)");
         }
         if (value != NONE) {
             take(1);

@@ -1,6 +1,6 @@
 package robosim.geometry.protocol;
 
-/** Is told by a reader whether a pause of its stream would be between two messages or inside a message. */
+/** Learns from a reader whether a pause of its stream would be between two messages or inside a message. */
 public interface MessagePace {
     /** Does nothing: for a stream without timeouts. */
     MessagePace NONE = new MessagePace() {

@@ -75,10 +75,10 @@ public final class MessageReader {
         if (message == null) {
             throw new ProtocolException("a message must be a bundle (got: null)");
         }
-        return Objects.requireNonNull(translator.decode(message), "the translator gave no bundle");
+        return Objects.requireNonNull(translator.decode(message), "the translator returned no bundle");
     }
 
-    /** The size of the message that was read last, bytes, without a reset before it. */
+    /** The size in bytes of the last message read, without a reset before it. */
     public int messageBytes() {
         return input.count();
     }
@@ -102,6 +102,6 @@ public final class MessageReader {
         }
         String text = failure.getMessage();
         String kind = failure.getClass().getSimpleName();
-        return "bytes that are no message: " + kind + (text == null ? "" : ", " + Text.line(text));
+        return "the bytes are not a message: " + kind + (text == null ? "" : ", " + Text.line(text));
     }
 }

@@ -6,7 +6,7 @@ import robosim.geometry.exact.Checks;
 
 /**
  * A move of one object: a straight translation along its own axes, then in place a turn about its own Y, then about its
- * own X. An answer repeats the request unchanged to the bit.
+ * own X. An answer repeats the request bit for bit.
  *
  * @param objectName the name of a moveable object
  * @param x          world units forward

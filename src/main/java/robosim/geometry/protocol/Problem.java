@@ -5,8 +5,8 @@ import java.util.function.Supplier;
 import robosim.geometry.exact.Checks;
 
 /**
- * Why one request of a bundle was refused, as text for people. The text is created on demand, so an encoding that does
- * not show it does not pay for it.
+ * Why one request of a bundle was refused, in human-readable text. The text is created on demand, so an encoding that
+ * does not show it does not pay for it.
  */
 public final class Problem {
     private final int index;
@@ -41,7 +41,7 @@ public final class Problem {
         return index;
     }
 
-    /** Why, as in {@code blocked by "wall 3" after 0.25 of the way}. */
+    /** The reason, as in {@code blocked by "wall 3" after 0.25 of the way}. */
     public String reason() {
         return words.get();
     }

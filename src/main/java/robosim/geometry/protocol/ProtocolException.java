@@ -12,12 +12,12 @@ public final class ProtocolException extends IOException {
     @Serial
     private static final long serialVersionUID = 1;
 
-    /** An exception with a reason for people. */
+    /** An exception with a human-readable reason. */
     public ProtocolException(String reason) {
         super(reason);
     }
 
-    /** An exception with a reason for people and a cause. */
+    /** An exception with a human-readable reason and a cause. */
     public ProtocolException(String reason, @Nullable Throwable cause) {
         super(reason, cause);
     }
@@ -25,7 +25,7 @@ public final class ProtocolException extends IOException {
     /** A message for which there is not enough memory, although it may be valid. */
     public static ProtocolException noMemory(Throwable cause) {
         return new ProtocolException(
-                "a message must fit into the memory that the module has left (got: " + cause
+                "a message must fit into the module's free memory (got: " + cause
                         + "); ask for less at a time, or give the module more memory (-Xmx)",
                 cause);
     }

@@ -6,7 +6,7 @@ import robosim.geometry.exact.NumberText;
 import robosim.geometry.model.GeometryObject;
 import robosim.geometry.model.Point;
 
-/** What a peer sent, and what objects are called, made fit for a line of a log. */
+/** Makes text from a peer, and the names of objects, safe for a line of a log. */
 public final class Text {
     private static final int LONGEST_QUOTE = 100;
     private static final int LONGEST_LINE = 500;
@@ -25,7 +25,9 @@ public final class Text {
         return plain(Checks.present("sentence", sentence), LONGEST_LINE);
     }
 
-    /** What an object is called: its name, on one line; without one what it is and where, to a thousandth. */
+    /**
+     * The name of an object for messages, on one line: its own name, or else its kind and its place to a thousandth.
+     */
     public static String name(GeometryObject object) {
         String name = Checks.present("object", object).name();
         if (name != null) {
@@ -36,7 +38,7 @@ public final class Text {
                 + NumberText.places(center.y(), 3) + ", " + NumberText.places(center.z(), 3) + ")";
     }
 
-    /** Text as XML has it; characters that it cannot have become U+FFFD. */
+    /** Text escaped for XML; characters that XML does not allow become U+FFFD. */
     public static String xml(String text) {
         StringBuilder escaped = new StringBuilder(Checks.present("text", text).length());
         text.codePoints().forEach(c -> {

@@ -44,7 +44,7 @@ public class HostilePeerTest {
                 Arguments.of("zeros", new byte[100], "AC ED 00 05"),
                 Arguments.of("other version", bytes(0xACED0006, 0), "StreamCorrupted"),
                 Arguments.of(
-                        "header, then text", join(header(), "hello".getBytes(StandardCharsets.UTF_8)), "no message"),
+                        "header, then text", join(header(), "hello".getBytes(StandardCharsets.UTF_8)), "not a message"),
                 Arguments.of("garbled message", garbled, "list"),
                 Arguments.of("hash map", stream(new HashMap<>()), "class \"java.util.HashMap\""),
                 Arguments.of("nested sets", stream(nested), "class \"java.util.HashSet\""),
@@ -53,7 +53,7 @@ public class HostilePeerTest {
                 Arguments.of("text object", stream("hello"), "must be a bundle"),
                 Arguments.of("an answer", Peer.bytes(new DistanceBundle(List.of(1.0))), "DistanceBundle"),
                 Arguments.of("array without end", forgedArray(Integer.MAX_VALUE), "at most 4000000 items"),
-                Arguments.of("array of negative length", forgedArray(-1), "no message"),
+                Arguments.of("array of negative length", forgedArray(-1), "not a message"),
                 Arguments.of("proxy", join(header(), new byte[] {0x73, 0x7D, 0, 0, 0, 0}), "proxy"),
                 Arguments.of("number", stream(3.5), "must be a bundle"));
     }
@@ -97,7 +97,7 @@ public class HostilePeerTest {
                 assertThat(sent).as("blocks of 64 kB before the reset").isLessThan(1000);
             }
             assertThat(hostile.isClosedByTheOtherEnd()).isTrue();
-            assertThat(log.linesWith("a text must have at most 65535 bytes")).hasSize(1);
+            assertThat(log.linesWith("a string must have at most 65535 bytes")).hasSize(1);
         }
     }
 

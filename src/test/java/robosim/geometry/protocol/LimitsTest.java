@@ -150,7 +150,7 @@ class LimitsTest {
         assertThat(MessageTest.readAll(MessageTest.write(longest))).containsExactly(longest);
         refused(
                 MessageTest.write(new MoveBundle(List.of(new MoveRequest("x".repeat(65_536), 0, 0, 0, 0, 0)))),
-                "a text must have at most 65535 bytes");
+                "a string must have at most 65535 bytes");
         MoveBundle bars = new MoveBundle(List.of(new MoveRequest("||||", 0, 0, 0, 0, 0)));
         assertThat(MessageTest.readAll(MessageTest.write(bars)))
                 .as("'|' is the code of a long text")
@@ -176,7 +176,7 @@ class LimitsTest {
                 out.writeObject(new MoveBundle(many.moves().subList(0, 999_000)));
             }
         }
-        refused(bytes.toByteArray(), "last reset");
+        refused(bytes.toByteArray(), "before it resets its stream");
     }
 
     private static InputStream repeated(byte[] stream, int header, int times) {

@@ -168,7 +168,7 @@ class SerialClassesTest {
         assertThat(forged).isEqualTo(1);
         assertThatThrownBy(() -> MessageTest.readAll(bytes))
                 .isInstanceOf(ProtocolException.class)
-                .hasMessageContaining("bytes that are no message");
+                .hasMessageContaining("the bytes are not a message");
     }
 
     /** Sets in sets, whose hash takes time that doubles with each level, are refused with the first class's name. */

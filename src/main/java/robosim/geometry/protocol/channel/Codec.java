@@ -14,6 +14,6 @@ interface Codec {
 
     void write(Reply reply) throws IOException;
 
-    /** The size of the message that was read last, bytes. */
+    /** The size in bytes of the last message read. */
     int messageBytes();
 }

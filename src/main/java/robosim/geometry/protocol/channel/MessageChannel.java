@@ -130,7 +130,7 @@ public final class MessageChannel {
         return encoding;
     }
 
-    /** The size of the message that was read last, bytes; 0 before the first. */
+    /** The size in bytes of the last message read; 0 before the first. */
     public int messageBytes() {
         Codec spoken = speech;
         return spoken == null ? 0 : spoken.messageBytes();
@@ -175,7 +175,7 @@ public final class MessageChannel {
     private Codec java(InputStream whole) throws IOException {
         encoding = Encoding.JAVA;
         if (!gate.admits(null)) {
-            throw new ProtocolException("a peer must tell a secret, as JSON lines can and Java serialization cannot"
+            throw new ProtocolException("a peer must send a secret, as JSON lines can and Java serialization cannot"
                     + " (got: Java serialization); use TLS with a certificate, or let the module dial");
         }
         MessageWriter writer = early == null ? new MessageWriter(out, translator) : early;

@@ -1,4 +1,4 @@
-/** Both directions of one connection, in the encoding that its peer speaks; no sockets. */
+/** Both directions of one connection, in the encoding of its peer; no sockets. */
 @NullMarked
 package robosim.geometry.protocol.channel;
 

@@ -28,7 +28,7 @@ final class Fields {
         return names.indexOf(name);
     }
 
-    /** How many fields there are. */
+    /** The number of fields. */
     int count() {
         return names.size();
     }

@@ -52,7 +52,7 @@ public final class JsonCodec {
     /**
      * The next bundle, once all hellos and pings before it have been answered; null at the end of the stream.
      *
-     * @throws ProtocolException where bytes are no message, the peer is not admitted, or the stream fails
+     * @throws ProtocolException if the bytes are not a message, the peer is not admitted, or the stream fails
      */
     public @Nullable Bundle read() throws ProtocolException {
         try {
@@ -149,7 +149,7 @@ public final class JsonCodec {
         }
     }
 
-    /** Sends an answer, whole and flushed. */
+    /** Writes an answer: one complete message, flushed. */
     public void write(Reply reply) throws IOException {
         send(output -> output.write(reply));
     }
@@ -164,7 +164,7 @@ public final class JsonCodec {
         }
     }
 
-    /** Bytes of the message that was read last. */
+    /** The size in bytes of the last message read. */
     public int messageBytes() {
         return messageBytes;
     }

@@ -26,7 +26,7 @@ import robosim.geometry.protocol.Text;
  * value must be of its type and within the limits. Errors name the place as a JSON pointer.
  */
 final class JsonInput implements Closeable {
-    /** Maximum length of a number: the longest double has some 1,080 exact digits. */
+    /** Maximum length of a number: the longest double has about 1,080 exact digits. */
     static final int MAX_NUMBER_LENGTH = 1_100;
 
     /** Maximum length of a whole number that has a decimal point or an exponent. */
@@ -53,7 +53,7 @@ final class JsonInput implements Closeable {
     private final boolean discreet;
     private int containers;
 
-    /** The string that was read last. */
+    /** The last string read. */
     private @Nullable String lastText;
 
     private JsonInput(JsonParser parser, boolean discreet) {
@@ -76,8 +76,8 @@ final class JsonInput implements Closeable {
         return new JsonInput(parser(bytes, at, length), true);
     }
 
-    // Not createParser(bytes, at, length): if names are not canonicalized, Jackson 2.22 takes at + length as the length
-    // when it exceeds 8,000 bytes, and reads beyond the line.
+    // Not createParser(bytes, at, length): if names are not canonicalized, Jackson 2.22 takes at + length for the
+    // length when it exceeds 8,000 bytes, and reads beyond the line.
     private static JsonParser parser(byte[] bytes, int at, int length) throws IOException {
         return length <= LineInput.BUFFER
                 ? FACTORY.createParser(new String(bytes, at, length, StandardCharsets.UTF_8))
@@ -85,7 +85,7 @@ final class JsonInput implements Closeable {
                         new InputStreamReader(new ByteArrayInputStream(bytes, at, length), StandardCharsets.UTF_8));
     }
 
-    /** The {@code type} of a message, at any position; the rest behind it is not read. */
+    /** The {@code type} of a message, at any position; what follows it is not read. */
     static String typeOf(JsonInput message) throws IOException {
         try (JsonInput in = message) {
             if (in.find("type")) {
@@ -101,14 +101,14 @@ final class JsonInput implements Closeable {
             in.begin();
             return in.isObject() && "type".equals(in.nextField()) && in.isText() ? in.text() : null;
         } catch (IOException e) {
-            return null; // reading all of it will report what is wrong
+            return null; // reading the whole message will report what is wrong
         }
     }
 
     /** Goes to a field of the line's object, at any position; returns whether it exists. */
     boolean find(String field) throws IOException {
         if (advance() == null) {
-            throw new ProtocolException("a line must hold a message (got: a blank line)");
+            throw new ProtocolException("a line must contain a message (got: a blank line)");
         }
         if (!isObject()) {
             throw refused("must be an object, {...} (got: " + kind() + ")");
@@ -286,7 +286,7 @@ final class JsonInput implements Closeable {
     /** The current value as a string without unpaired surrogates, no longer than a Java stream can hold. */
     String text() throws IOException {
         if (!isText()) {
-            throw refused("must be a text (got: " + kind() + ")");
+            throw refused("must be a string (got: " + kind() + ")");
         }
         String last = lastText;
         if (last != null && isAgain(last)) {
@@ -301,7 +301,7 @@ final class JsonInput implements Closeable {
                 k++;
                 bytes += 3;
             } else if (Character.isSurrogate(c)) {
-                throw refused("a text must have no half of a surrogate pair (got: " + told(String.valueOf(c)) + ")");
+                throw refused("a string must have no unpaired surrogate (got: " + told(String.valueOf(c)) + ")");
             }
         }
         if (bytes > Limits.MAX_TEXT_BYTES) {
@@ -374,7 +374,7 @@ final class JsonInput implements Closeable {
     }
 
     private static String tooLong() {
-        return "a text must have at most " + Limits.MAX_TEXT_BYTES + " bytes (got: more)";
+        return "a string must have at most " + Limits.MAX_TEXT_BYTES + " bytes (got: more)";
     }
 
     /** The parser's message without its advice, which is meant for programmers. */
@@ -390,7 +390,7 @@ final class JsonInput implements Closeable {
         }
         String told = Text.line(words.replaceFirst("(?s)(: | \\()?(was expecting|enable `|maybe a ).*", ""));
         String remedy = words.matches("(?s).*'[-+]?(?i:nan|inf).*")
-                ? "; a number is finite, and no echo or no end of a beam is null"
+                ? "; numbers are finite, and no echo or an unlimited range is null"
                 : "";
         return refused(what + remedy + " (got: " + told + ")");
     }
@@ -414,7 +414,7 @@ final class JsonInput implements Closeable {
         return switch (token) {
             case START_OBJECT -> "an object";
             case START_ARRAY -> "a list";
-            case VALUE_STRING -> "a text";
+            case VALUE_STRING -> "a string";
             case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT -> "a number";
             case VALUE_TRUE -> "true";
             case VALUE_FALSE -> "false";
@@ -452,7 +452,7 @@ final class JsonInput implements Closeable {
                 throw refused("a field must be one of " + fields + " (got: " + told(name) + ")");
             }
             if ((seen & 1L << index) != 0) {
-                throw refused("a field must come once (got: \"" + name + "\" twice)");
+                throw refused("a field must occur only once (got: \"" + name + "\" twice)");
             }
             seen |= 1L << index;
             advance();

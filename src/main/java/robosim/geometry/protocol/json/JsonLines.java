@@ -51,7 +51,7 @@ public final class JsonLines {
     /**
      * Reads a request that an environment may send.
      *
-     * @throws ProtocolException if the line is none; the message names the place
+     * @throws ProtocolException if the line is not a request; the message names the place
      */
     public static Bundle readRequest(String line) throws ProtocolException {
         byte[] bytes = bytes(line);
@@ -66,7 +66,7 @@ public final class JsonLines {
     /**
      * Reads an answer that a module may send.
      *
-     * @throws ProtocolException if the line is none; the message names the place
+     * @throws ProtocolException if the line is not an answer; the message names the place
      */
     public static Reply readReply(String line) throws ProtocolException {
         byte[] bytes = bytes(line);
@@ -132,7 +132,7 @@ public final class JsonLines {
             bytes = new byte[encoded.remaining()];
             encoded.get(bytes);
         } catch (CharacterCodingException e) {
-            throw new ProtocolException("a line must have no half of a surrogate pair (got: one)", e);
+            throw new ProtocolException("a line must have no unpaired surrogate (got: one)", e);
         }
         if (bytes.length > Limits.MAX_MESSAGE_BYTES) {
             throw new ProtocolException(
@@ -176,7 +176,7 @@ public final class JsonLines {
         }
         String text = e.getMessage();
         return new ProtocolException(
-                "a line that is no message: " + e.getClass().getSimpleName()
+                "the line is not a message: " + e.getClass().getSimpleName()
                         + (text == null ? "" : ", " + Text.line(text)),
                 e);
     }
@@ -192,7 +192,7 @@ public final class JsonLines {
         try (JsonGenerator generator = JsonInput.FACTORY.createGenerator(text)) {
             writing.write(new JsonOutput(generator));
         } catch (IOException e) {
-            throw new UncheckedIOException("a text cannot fail", e);
+            throw new UncheckedIOException("writing to a string cannot fail", e);
         }
         return wellFormed(text.toString());
     }

@@ -40,7 +40,7 @@ final class JsonObjects {
     private final JsonInput in;
     private long parts;
 
-    /** The number of parts of the object or list that was read last. */
+    /** The number of parts of the last object or list read. */
     private long weight;
 
     JsonObjects(JsonInput in) {
@@ -65,7 +65,7 @@ final class JsonObjects {
         parts += more;
         if (parts > Limits.MAX_PARTS) {
             throw in.refused("a message's objects must have at most " + Limits.MAX_PARTS
-                    + " parts, counted in every list that they are in (got: more)");
+                    + " parts, counted in every list that contains them (got: more)");
         }
     }
 

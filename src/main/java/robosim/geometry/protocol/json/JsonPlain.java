@@ -24,7 +24,7 @@ final class JsonPlain {
         Map<String, @Nullable Object> fields = new LinkedHashMap<>();
         for (String name = in.nextField(); name != null; name = in.nextField()) {
             if (fields.containsKey(name)) {
-                throw in.refused("a field must come once (got: " + in.told(name) + " twice)");
+                throw in.refused("a field must occur only once (got: " + in.told(name) + " twice)");
             }
             fields.put(name, value(in));
         }
@@ -47,6 +47,6 @@ final class JsonPlain {
         if (in.isNull()) {
             return null;
         }
-        throw in.refused("must be an object, a text, a number, true, false or null (got: " + in.kind() + ")");
+        throw in.refused("must be an object, a string, a number, true, false or null (got: " + in.kind() + ")");
     }
 }

@@ -74,14 +74,14 @@ public final class JsonRecord {
         return fields.containsKey(Checks.present("field", field));
     }
 
-    /** Whether the field is there and null. */
+    /** Whether the field exists and is null. */
     public boolean isNull(String field) {
         return has(field) && fields.get(field) == null;
     }
 
-    /** A text. */
+    /** A string. */
     public String text(String field) throws ProtocolException {
-        return value(field, String.class, "a text");
+        return value(field, String.class, "a string");
     }
 
     /** A finite number. */
@@ -149,7 +149,7 @@ public final class JsonRecord {
         try (JsonGenerator out = JsonInput.FACTORY.createGenerator(text)) {
             write(out, fields);
         } catch (IOException e) {
-            throw new UncheckedIOException("a text cannot fail", e);
+            throw new UncheckedIOException("writing to a string cannot fail", e);
         }
         return JsonLines.wellFormed(text.toString());
     }

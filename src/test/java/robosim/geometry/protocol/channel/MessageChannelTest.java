@@ -184,7 +184,7 @@ class MessageChannelTest {
                 "{\"type\":\"hello\",\"version\":2} | line 1, the message: version must be 1",
                 "{\"type\":\"hello\",\"version\":\"1\"} | line 1, the message: must be a number",
                 "{\"type\":\"hello\",\"version\":1}~{\"type\":\"hello\",\"version\":1} | line 2, a hello must come once",
-                "{\"type\":\"hello\",\"version\":1}~ | line 2, a line must hold a message (got: a blank line)",
+                "{\"type\":\"hello\",\"version\":1}~ | line 2, a line must contain a message (got: a blank line)",
                 "{\"type\":\"hello\",\"version\":1}~{\"type\":\"pong\"} | line 2, a request's type must be",
                 "{\"type\":\"hello\",\"version\":1}~{\"type\":\"ping\",\"id\":1.5} | line 2, at /id: must be a whole number",
                 "{\"type\":\"hello\",\"version\":1}~{\"type\":\"ping\",\"id\":9007199254740992} | line 2, at /id: must be",
@@ -303,7 +303,7 @@ class MessageChannelTest {
         assertThatThrownBy(refused::read).hasMessageContaining("a hello must have the field \"secret\" here");
         assertThat(lines()).hasSize(1);
         InputStream header = new ByteArrayInputStream(new byte[] {(byte) 0xAC});
-        assertThatThrownBy(() -> channel(header, secret -> false).read()).hasMessageContaining("must tell a secret");
+        assertThatThrownBy(() -> channel(header, secret -> false).read()).hasMessageContaining("must send a secret");
     }
 
     @Test

@@ -40,7 +40,7 @@ class JsonRecordTest {
     @Test
     void whatIsOfAnotherKindIsRefusedWithItsPlace() throws ProtocolException {
         JsonRecord record = JsonRecord.read("{\"a\":{\"b\":1.5,\"c\":null},\"d\":\"x\"}");
-        assertThatThrownBy(() -> record.text("a")).hasMessage("at /a: must be a text (got: another)");
+        assertThatThrownBy(() -> record.text("a")).hasMessage("at /a: must be a string (got: another)");
         assertThatThrownBy(() -> record.number("e")).hasMessage("at /e: must be a number (got: null or none)");
         assertThatThrownBy(() -> record.record("a").whole("b", 0, 9))
                 .hasMessage("at /a/b: must be a whole number from 0 to 9 (got: 1.5)");
