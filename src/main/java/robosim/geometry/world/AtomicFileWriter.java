@@ -29,7 +29,7 @@ public final class AtomicFileWriter {
 
     /**
      * Writes a file through a temporary file in the same folder, which is removed in any case. If the name is a link,
-     * its target is written; anything that is not a regular file, such as a device, is written directly.
+     * its target is written. Anything that is not a regular file, such as a device, is written directly.
      *
      * @throws IOException naming the file given
      */

@@ -11,7 +11,7 @@ import robosim.geometry.world.shared.FileProblem;
 /**
  * Reads the surface of a Wavefront OBJ file: its vertices and faces, with indices from 1 or back from the end.
  *
- * <p>Triangles and quads are kept; a quad that would fold over along the diagonal from its first corner is made to
+ * <p>Triangles and quads are kept; a quad that would fold over along the diagonal from its first corner is rotated to
  * begin at its second. A polygon with more corners, which may be concave, is cut into triangles; one that crosses
  * itself is refused. Vertex colours, normals, textures, materials, groups, smoothing, lines and points are ignored;
  * free-form curves and surfaces, which would be lost, are refused.
@@ -22,7 +22,7 @@ public final class ObjReader {
     /**
      * Reads a mesh in the units of its file.
      *
-     * @throws WorldException naming file and line, where the file cannot be read or holds no surface
+     * @throws WorldException naming file and line, if the file cannot be read or contains no surface
      */
     public static MeshObject read(Path file) throws WorldException {
         return read(file, 1);
@@ -32,7 +32,7 @@ public final class ObjReader {
      * Reads a mesh in other units.
      *
      * @param scale world units for each unit of the file; above 0
-     * @throws WorldException naming file and line, where the file cannot be read or holds no surface
+     * @throws WorldException naming file and line, if the file cannot be read or contains no surface
      */
     public static MeshObject read(Path file, double scale) throws WorldException {
         Checks.present("file", file);
@@ -49,7 +49,7 @@ public final class ObjReader {
      *
      * @param source the name of the stream in messages
      * @param scale  world units for each unit of the stream; above 0
-     * @throws WorldException naming source and line, where the stream fails or holds no surface
+     * @throws WorldException naming source and line, if the stream fails or contains no surface
      */
     public static MeshObject read(InputStream in, String source, double scale) throws WorldException {
         Checks.present("in", in);

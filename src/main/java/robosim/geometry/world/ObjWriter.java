@@ -22,9 +22,9 @@ import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Placement;
 
 /**
- * Writes the surfaces of a world as a Wavefront OBJ file, for other programs to look at: world units, Y up, an {@code o}
- * for each object. Boxes and meshes are what they are; a cylinder has {@link #SIDES} flat sides and a sphere or capsule as many
- * around, with their corners on the true surface, so that what is round is a little too small.
+ * Writes the surfaces of a world as a Wavefront OBJ file, for display in other programs: world units, Y up, an {@code
+ * o} for each object. Boxes and meshes are exact. A cylinder has {@link #SIDES} flat sides, and a sphere or capsule as
+ * many around; their corners are on the true surface, so round shapes are slightly too small.
  */
 public final class ObjWriter {
     /** Number of flat sides of a round shape. */
@@ -129,7 +129,7 @@ public final class ObjWriter {
         face(2 * SIDES, top);
     }
 
-    /** A sphere, or one that is cut at its equator and pulled apart by a half length to either side. */
+    /** A sphere; or one that is cut at its equator, with its halves moved apart by a half length each. */
     private void ball(double radius, double half, Placement place) throws IOException {
         int rings = half > 0 ? RINGS + 1 : RINGS;
         vertex(place, 0, -radius - half, 0);
@@ -171,12 +171,12 @@ public final class ObjWriter {
         vertices++;
     }
 
-    /** No viewer needs the sign of a zero. */
+    /** Drops the sign of a zero, which no viewer needs. */
     private static String number(double value) {
         return Decimal.of(value + 0.0);
     }
 
-    /** Writes a face whose corners count from 0 among the last vertices. */
+    /** Writes a face whose corners are counted from 0 among the last vertices. */
     private void face(int last, int... corners) throws IOException {
         out.write("f");
         for (int corner : corners) {

@@ -110,7 +110,7 @@ final class ObjectBuilder {
         boolean moveable = element.isTrue("moveable");
         if (name == null) {
             if (moveable) {
-                throw new IllegalArgumentException("a moveable object needs a name; add name=\"...\" (got: none)");
+                throw new IllegalArgumentException("a moveable object must have a name; add name=\"...\" (got: none)");
             }
             return object;
         }
@@ -125,7 +125,7 @@ final class ObjectBuilder {
         int given = (heading == null ? 0 : 1) + (turned == null ? 0 : 1) + (rotation == null ? 0 : 1);
         if (given > 1) {
             throw new IllegalArgumentException(
-                    "heading, turned and rotation say the same thing; leave one of them (got: " + given + " of them)");
+                    "only one of heading, turned and rotation may be given; remove the others (got: " + given + ")");
         }
         if (rotation != null) {
             return Pose.of(center, 0).oriented(numbers("rotation", rotation));
@@ -169,16 +169,17 @@ final class ObjectBuilder {
         if (file == null) {
             if (element.faces.isEmpty()) {
                 throw new IllegalArgumentException(
-                        "a mesh needs vertices with triangles or quads, or a file (got: neither)");
+                        "a mesh must have vertices with triangles or quads, or a file (got: neither)");
             }
             if (element.attribute("scale") != null) {
-                throw new IllegalArgumentException(
-                        "scale is for a mesh from a file; remove it (got: " + element.attribute("scale") + ")");
+                throw new IllegalArgumentException("scale applies only to a mesh from a file; remove it (got: "
+                        + element.attribute("scale") + ")");
             }
             return shared(mesh(element.vertices, element.faces.toArray(int[][]::new), element.bounds, solid));
         }
         if (!element.faces.isEmpty()) {
-            throw new IllegalArgumentException("a mesh has either vertices or a file; remove one of them (got: both)");
+            throw new IllegalArgumentException(
+                    "a mesh must have either vertices or a file; remove one of them (got: both)");
         }
         Path path = locate(element, file);
         double scale = number(element, "scale", "1");
@@ -220,7 +221,8 @@ final class ObjectBuilder {
     private Path locate(Element element, String file) throws FileProblem {
         if (base == null) {
             throw new IllegalArgumentException(
-                    "a world from a stream without a folder has no files; give the mesh inline (got: " + file + ")");
+                    "a world from a stream without a folder cannot use files; give the mesh inline (got: " + file
+                            + ")");
         }
         try {
             return Folder.locate(base, file, "world", "mesh");

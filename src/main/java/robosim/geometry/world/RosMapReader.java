@@ -17,10 +17,10 @@ import robosim.geometry.world.shared.FileProblem;
  * Reads a ROS occupancy map: a YAML file and the PGM (P2, P5) or PNG image that it names, in modes trinary, scale and
  * raw.
  *
- * <p>Occupied cells become walls: a small number of boxes that cover exactly these cells. A place (x, y, z) of the
- * map's frame, with z up from the floor, is (x, z - height / 2, -y) in the world, which is centred at the origin of the
- * map's frame, in metres, as high as its walls, and one cell wider all round than its contents: the whole image, free
- * cells included, and its edges. Yaw is a heading.
+ * <p>Occupied cells become walls: a small number of boxes that cover exactly these cells. A point (x, y, z) of the
+ * map's frame, with z up from the floor, is (x, z - height / 2, -y) in the world, in metres. The world is centred at
+ * the origin of the map's frame, is as high as its walls, and extends one cell beyond its contents on all sides. These
+ * are the whole image, free cells included, and its edges. Yaw is a heading.
  *
  * <p>The map ends where its image does: four more walls, one cell thick, stand along its edges outside the image, so
  * that no robot that starts in the map leaves it, and no ray. They are named {@code left}, {@code right}, {@code upper}
@@ -40,7 +40,7 @@ public final class RosMapReader {
     /**
      * Reads a map with walls of {@link #WALL_HEIGHT}.
      *
-     * @throws WorldException naming file and line, where the map or its image cannot be read
+     * @throws WorldException naming file and line, if the map or its image cannot be read
      */
     public static World read(Path yaml) throws WorldException {
         return read(yaml, WALL_HEIGHT);
@@ -50,7 +50,7 @@ public final class RosMapReader {
      * Reads a map with walls of a given height.
      *
      * @param height height of the walls and the world in metres; above 0
-     * @throws WorldException naming file and line, where the map or its image cannot be read
+     * @throws WorldException naming file and line, if the map or its image cannot be read
      */
     public static World read(Path yaml, double height) throws WorldException {
         return readImport(yaml, height).world();
@@ -98,7 +98,7 @@ public final class RosMapReader {
         }
         return List.of(yaml + ":" + settings.freeLine() + ": free_thresh should be at most occupied_thresh, "
                 + settings.occupied()
-                + "; as in the map server of ROS 2, what is above occupied_thresh is a wall, and no"
+                + "; as in the map server of ROS 2, each cell above occupied_thresh is a wall and no"
                 + " cell is unknown (got: " + settings.free() + ")");
     }
 }

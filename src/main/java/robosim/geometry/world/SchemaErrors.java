@@ -9,8 +9,7 @@ import org.jspecify.annotations.Nullable;
 import org.xml.sax.SAXParseException;
 
 /**
- * Translates messages of the schema validator for people: uses only the validator's error key, and the names that it
- * quotes.
+ * Translates messages of the schema validator into plain ones, using only its error key and the names that it quotes.
  */
 final class SchemaErrors {
     private static final Pattern KEY = Pattern.compile("^(cvc-[A-Za-z0-9.-]+)\\s*:");
@@ -22,15 +21,14 @@ final class SchemaErrors {
             Map.entry("number", "a decimal number, like 12, -0.5 or 1.5e-3"),
             Map.entry("positive", "a number above 0, like 2 or 0.001"),
             Map.entry(
-                    "size",
-                    "a length of at least 0, alone or with km, m, cm, mm, in or ft behind it, like 0.25 or 25cm"),
+                    "size", "a length of at least 0, alone or followed by km, m, cm, mm, in or ft, like 0.25 or 25cm"),
             Map.entry("point", "three lengths x y z, like 1 0 -2.5 or 1m 0 -25cm"),
-            Map.entry("heading", "a number of degrees, like 30, or two whose sum it is"),
+            Map.entry("heading", "a number of degrees, like 30, or two numbers to be added"),
             Map.entry("turn", "two numbers rx ry in degrees, like 0 90"),
             Map.entry("rotation", "nine numbers, row by row, like 1 0 0 0 1 0 0 0 1"),
             Map.entry("count", "a whole number from 1 to 10000"),
             Map.entry("boolean", "true or false"),
-            Map.entry("name", "a text with a visible character, of at most 1000 characters"),
+            Map.entry("name", "text of at most 1000 characters, one of them visible"),
             Map.entry("color", "# and six hexadecimal digits, like #cc8800"),
             Map.entry("unit", "km, m, cm, mm, in or ft"),
             Map.entry("dimension", "PLANAR or SPATIAL"),
@@ -38,7 +36,7 @@ final class SchemaErrors {
 
     private SchemaErrors() {}
 
-    /** Whether an error is only a preliminary to another one that names the place. */
+    /** Whether an error only precedes another one that names the place. */
     static boolean isDetail(SAXParseException error) {
         String key = key(error);
         return key != null
@@ -64,10 +62,10 @@ final class SchemaErrors {
             case "cvc-complex-type.2.4.a", "cvc-complex-type.2.4.c", "cvc-complex-type.2.4.d" ->
                 misplaced(quoted, element);
             case "cvc-complex-type.2.4.b" -> tag + " is not complete; add " + children(quoted);
-            case "cvc-complex-type.2.1" -> tag + " must be empty; remove what is in it";
-            case "cvc-complex-type.2.3" -> tag + " cannot hold text; remove it or make it a comment";
+            case "cvc-complex-type.2.1" -> tag + " must be empty; remove its content";
+            case "cvc-complex-type.2.3" -> tag + " cannot contain text; remove it or make it a comment";
             case "cvc-complex-type.3.2.2" ->
-                tag + " has no attribute " + attribute(quoted, element) + "; see world.xsd for those that it has";
+                tag + " has no attribute " + attribute(quoted, element) + "; see world.xsd for its attributes";
             case "cvc-complex-type.4" -> tag + " needs the attribute " + missing(quoted, element);
             case "cvc-attribute.3" -> wrongValue(quoted, element);
             default -> message.substring(message.indexOf(':') + 1).strip();
@@ -77,11 +75,11 @@ final class SchemaErrors {
     private static String misplaced(List<String> quoted, Element element) {
         String children = children(quoted);
         String where = element.parent == null ? "" : " in <" + element.parent.name + ">";
-        String remedy = children.isEmpty() ? "remove it" : "there can be " + children;
+        String remedy = children.isEmpty() ? "remove it" : "allowed here: " + children;
         String namespace = element.namespace.equals(WorldWriter.NAMESPACE)
                 ? ""
                 : " of the namespace \"" + element.namespace + "\"";
-        return "<" + element.name + ">" + namespace + " cannot stand here" + where + "; " + remedy;
+        return "<" + element.name + ">" + namespace + " is not allowed" + where + "; " + remedy;
     }
 
     private static String wrongValue(List<String> quoted, Element element) {

@@ -19,7 +19,7 @@ import robosim.geometry.world.shared.FileProblem;
  * Reads the collisions of SDFormat, versions 1.4 to 1.12: worlds, models, nested, included and merged ones, links and
  * frames. docs/importing.md says which parts of the format are read, ignored, left out and refused.
  *
- * <p>A place (x, y, z) of the file is (x, z, -y) in the world, in metres, so that Y is up; the file's X is forward. The
+ * <p>A point (x, y, z) of the file is (x, z, -y) in the world, in metres, so that Y is up; the file's X is forward. The
  * world is centred at the file's origin and leaves at least a metre around all objects. A static model becomes one
  * static object for each of its collisions, any other model one moveable object.
  *
@@ -33,7 +33,7 @@ public final class SdfReader {
      * Reads a file that contains one world, or only models.
      *
      * @param models folders whose subfolders are models, in addition to the file's own folder, for {@code model://}
-     * @throws WorldException naming file, line and remedy, where the file or one that it includes cannot be read
+     * @throws WorldException naming file, line and remedy, if the file or one that it includes cannot be read
      */
     public static WorldImport read(Path file, List<Path> models) throws WorldException {
         Checks.present("file", file);

@@ -13,7 +13,7 @@ import robosim.geometry.world.shared.FileProblem;
  *
  * <p>The file's length decides which of the two it is: a binary file of n triangles has 84 + 50 n bytes, whatever its
  * header says. Corners are joined only if their three numbers are the same, so a surface whose file rounds a corner in
- * two ways stays open. Normals, names, attributes and colours are ignored; only the order of corners counts. A text
+ * two ways stays open. Normals, names, attributes and colours are ignored; only the order of corners matters. A text
  * file may contain several solids, which become one mesh.
  */
 public final class StlReader {
@@ -22,7 +22,7 @@ public final class StlReader {
     /**
      * Reads a mesh in the units of its file.
      *
-     * @throws WorldException naming file and line, where the file cannot be read or holds no surface
+     * @throws WorldException naming file and line, if the file cannot be read or contains no surface
      */
     public static MeshObject read(Path file) throws WorldException {
         return read(file, 1);
@@ -32,7 +32,7 @@ public final class StlReader {
      * Reads a mesh in other units.
      *
      * @param scale world units for each unit of the file; above 0
-     * @throws WorldException naming file and line, where the file cannot be read or holds no surface
+     * @throws WorldException naming file and line, if the file cannot be read or contains no surface
      */
     public static MeshObject read(Path file, double scale) throws WorldException {
         Checks.present("file", file);
@@ -49,7 +49,7 @@ public final class StlReader {
      *
      * @param source the name of the stream in messages
      * @param scale  world units for each unit of the stream; above 0
-     * @throws WorldException naming source and line (of a binary one the triangle), where the stream fails or holds no
+     * @throws WorldException naming source and line (for a binary one the triangle), if the stream fails or contains no
      *     surface
      */
     public static MeshObject read(InputStream in, String source, double scale) throws WorldException {

@@ -5,7 +5,7 @@ import java.math.MathContext;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.world.shared.Numbers;
 
-/** A unit of length in a world file: as its world unit, or behind single numbers, as in {@code 25cm}. */
+/** A unit of length in a world file: as its world unit, or after single numbers, as in {@code 25cm}. */
 public enum Unit {
     KILOMETRE("km", "1000000"),
     METRE("m", "1000"),
@@ -42,17 +42,17 @@ public enum Unit {
         return null;
     }
 
-    /** A decimal number of this unit in another one: the nearest double. */
+    /** Converts a decimal number of this unit to another one: the nearest double. */
     double in(Unit other, String decimal) {
         BigDecimal length = new BigDecimal(decimal).multiply(millimetres);
-        // Between the units of ten the division ends; 60 digits leave no doubt in practice where it does not.
+        // Between the decimal units the division terminates; otherwise 60 digits leave no doubt in practice.
         return length.divide(other.millimetres, new MathContext(60 + length.precision()))
                 .doubleValue();
     }
 
-    /** A length in world units; it may carry a unit of its own where the world unit is known. */
+    /** A length in world units; it may carry its own unit if the world unit is known. */
     static double length(String token, @Nullable Unit worldUnit) {
-        if (token.isEmpty() || token.charAt(token.length() - 1) < 'A') { // no letter at its end: the ordinary case
+        if (token.isEmpty() || token.charAt(token.length() - 1) < 'A') { // no letter at its end: the usual case
             return Numbers.parse(token);
         }
         int end = token.length();
@@ -68,8 +68,8 @@ public enum Unit {
         double plain = Numbers.parse(number);
         if (worldUnit == null) {
             throw new IllegalArgumentException(
-                    "a length with a unit needs the world's own: add unit=\"m\" to <world>, or leave the unit away (got: "
-                            + token + ")");
+                    "a length with a unit needs a world with a unit: add unit=\"m\" to <world>, or omit this unit"
+                            + " (got: " + token + ")");
         }
         return unit == worldUnit ? plain : unit.in(worldUnit, number);
     }

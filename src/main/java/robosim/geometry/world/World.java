@@ -12,13 +12,13 @@ import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 
 /**
- * A world as a file holds it: its settings and its objects, in their order. A value; {@link #toGeometry()} makes one of
- * it that moves and measures.
+ * The content of a world file: its settings and its objects, in their order. A value; {@link #toGeometry()} creates a
+ * geometry from it that moves objects and measures.
  *
  * @param width     extent along X in world units, about the origin; above 0 and at most 2<sup>101</sup>
  * @param height    extent along Y; the ground is at {@code -height / 2}
  * @param length    extent along Z
- * @param unit      what one world unit is, for people and for lengths with a unit of their own; null where it is open
+ * @param unit      what one world unit is, for users and for lengths with their own unit; null if unspecified
  * @param dimension whether heights count
  * @param accuracy  what stands for an object in a query
  * @param objects   with names that are unique among them
@@ -32,7 +32,7 @@ public record World(
         Accuracy accuracy,
         List<WorldObject> objects) {
 
-    /** Refuses sizes that are none, and two objects of one name. */
+    /** Refuses invalid sizes, and two objects of one name. */
     public World {
         width = size("width", width);
         height = size("height", height);
@@ -49,7 +49,7 @@ public record World(
         }
     }
 
-    /** A world in space, decided exactly, without a unit. */
+    /** A SPATIAL world with accuracy EXACT, without a unit. */
     public World(double width, double height, double length, List<WorldObject> objects) {
         this(width, height, length, null, Dimension.SPATIAL, Accuracy.EXACT, objects);
     }
@@ -62,25 +62,26 @@ public record World(
     }
 
     /**
-     * This world with all its objects, added unchecked in their order: they may overlap, as the walls of a plan do.
+     * A geometry of this world with all its objects, added unchecked in their order: they may overlap, as the walls of
+     * a plan do.
      *
-     * @throws IllegalArgumentException naming the objects that reach beyond the world's border
+     * @throws IllegalArgumentException naming the objects that extend beyond the world's bounds
      */
     public Geometry toGeometry() {
         List<String> outside = new ArrayList<>();
         Geometry geometry = toGeometry(refused -> outside.add(refused.object().toString()));
         if (!outside.isEmpty()) {
             throw new IllegalArgumentException("every object must lie within the world of " + width + " x " + height
-                    + " x " + length + " about the origin; enlarge it or move them (got outside: "
+                    + " x " + length + " about the origin; enlarge the world or move them (got outside: "
                     + String.join("; ", outside) + ")");
         }
         return geometry;
     }
 
     /**
-     * This world with all objects that fit in, added unchecked in their order.
+     * A geometry of this world with all objects that fit in, added unchecked in their order.
      *
-     * @param refused told each object that reaches beyond the world's border and was left out
+     * @param refused receives each object that extends beyond the world's bounds and was left out
      */
     public Geometry toGeometry(Consumer<WorldObject> refused) {
         Checks.present("refused", refused);

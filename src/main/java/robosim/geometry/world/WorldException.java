@@ -3,7 +3,7 @@ package robosim.geometry.world;
 import java.io.IOException;
 import robosim.geometry.world.shared.FileProblem;
 
-/** A world file could not be read or written; names the file, line and column, and what to do about it. */
+/** A world file could not be read or written; names the file, line and column, and the remedy. */
 public final class WorldException extends IOException {
     private static final long serialVersionUID = 1;
 

@@ -115,7 +115,7 @@ final class WorldHandler extends DefaultHandler {
         Element element = new Element(open, uri, name, attributes, line(), column());
         open = element;
         if (element.groups() > Limits.MAX_GROUPS) {
-            throw refusal("groups must be at most " + Limits.MAX_GROUPS + " within each other (got: one more)");
+            throw refusal("groups must be nested at most " + Limits.MAX_GROUPS + " deep (got: one more)");
         }
         if (ObjectBuilder.isObject(element) && ++count > Limits.MAX_OBJECTS) {
             throw refusal("a world must have at most " + Limits.MAX_OBJECTS + " objects (got: more)");
@@ -159,9 +159,9 @@ final class WorldHandler extends DefaultHandler {
     public void endElement(String uri, String name, String qualified) throws SAXException {
         Element element = open;
         if (element == null) {
-            throw new IllegalStateException("an element ends that did not begin: " + name);
+            throw new IllegalStateException("an element ended that had not begun: " + name);
         }
-        // Before the validator, which would only say that some number is wrong, not which.
+        // Before the validator, which would only say that some number is wrong, not which one.
         mute = !succeeds(element, () -> builder.readText(element));
         validator.endElement(uri, name, qualified);
         flushDetail();
@@ -242,7 +242,7 @@ final class WorldHandler extends DefaultHandler {
     /** Nothing outside the file is ever read, whatever the defaults of features are. */
     @Override
     public InputSource resolveEntity(@Nullable String publicId, @Nullable String systemId) throws SAXException {
-        throw refusal("a world has no external entities; remove the reference (got: " + systemId + ")");
+        throw refusal("external entities are not allowed; remove the reference (got: " + systemId + ")");
     }
 
     // Errors of the validator.

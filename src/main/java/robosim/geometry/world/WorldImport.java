@@ -63,8 +63,8 @@ public record WorldImport(
      * ({@code .yaml}, {@code .yml}), SDFormat ({@code .sdf}, {@code .world}, {@code model.config} or the folder of a
      * model), or a mesh ({@code .obj}, {@code .stl}). A file with any other name is read as a world of this module.
      *
-     * @throws WorldException naming file, line and remedy, where the file cannot be read, is of no such format, or is
-     *     SDFormat of which nothing became an object
+     * @throws WorldException naming file, line and remedy, if the file cannot be read, is of no such format, or is
+     *     SDFormat that yields no object
      */
     public static WorldImport read(Path file, ImportOptions options) throws WorldException {
         Checks.present("file", file);
@@ -99,19 +99,19 @@ public record WorldImport(
         switch (ending) {
             case "pgm", "png" ->
                 throw new WorldException(new FileProblem(
-                        file.toString(), 0, 0, "a map is read from its .yaml, which says how large a cell is"));
+                        file.toString(), 0, 0, "a map is read from its .yaml file, which gives the size of a cell"));
             case "dae", "gltf", "glb", "fbx", "urdf", "xacro", "gz", "zip" ->
                 throw new WorldException(new FileProblem(
                         file.toString(),
                         0,
                         0,
-                        "files of this format are not read; unpack it, or export it as SDFormat, OBJ or STL (got: ."
-                                + ending + ")"));
+                        "files of this format are not supported; unpack this one, or export it as SDFormat,"
+                                + " OBJ or STL (got: ." + ending + ")"));
             default -> {}
         }
     }
 
-    /** Refuses SDFormat from which no object was made: an empty world is not what the user wants. */
+    /** Refuses SDFormat that yields no object: an empty world is not what the user wants. */
     private static WorldImport solid(Path file, WorldImport read) throws WorldException {
         if (!read.world.objects().isEmpty()) {
             return read;
@@ -123,8 +123,8 @@ public record WorldImport(
                 file.toString(),
                 0,
                 0,
-                "nothing of it is solid, so it would be an empty world; see that its models have collisions, and that they"
-                        + " are found (got: " + counted(read.read)
+                "nothing in it is solid, so the world would be empty; check that its models have collisions and"
+                        + " that they are found (got: " + counted(read.read)
                         + (reasons.isEmpty() ? "" : "; " + String.join("; ", reasons)) + ")"));
     }
 
@@ -179,14 +179,13 @@ public record WorldImport(
     }
 
     /**
-     * What was read and what was not, as lines for people; what is left out comes first, at most {@code most} items of
-     * it.
+     * What was read and what was not, as lines for users: first what was left out, at most {@code most} items of it.
      */
     public List<String> lines(int most) {
         List<String> lines = new ArrayList<>();
         lines.add("Read " + format + ": " + counted(read));
         if (!passedOver.isEmpty()) {
-            lines.add("Passed over, for it says nothing about what is solid: " + counted(passedOver));
+            lines.add("Ignored, as irrelevant to solid geometry: " + counted(passedOver));
         }
         shown(lines, skipped.stream().map(Skipped::toString).toList(), most);
         shown(lines, remarks, most);
@@ -196,7 +195,7 @@ public record WorldImport(
     private static void shown(List<String> lines, List<String> all, int most) {
         lines.addAll(all.subList(0, Math.min(most, all.size())));
         if (all.size() > most) {
-            lines.add("... and " + (all.size() - most) + " more of these");
+            lines.add("... and " + (all.size() - most) + " more");
         }
     }
 

@@ -41,7 +41,7 @@ public final class WorldReader {
      * Reads a world file of any format that {@link WorldImport#read} knows, with its default options. Each part of a
      * file of another format that is left out is logged as a warning to the system logger of this package.
      *
-     * @throws WorldException naming file, line, column and remedy, where the file cannot be read or is no world
+     * @throws WorldException naming file, line, column and remedy, if the file cannot be read or is not a world
      */
     public static World read(Path file) throws WorldException {
         WorldImport imported = WorldImport.read(file, ImportOptions.DEFAULT);
@@ -52,7 +52,8 @@ public final class WorldReader {
         if (skipped.size() > MOST_WARNINGS) {
             LOG.log(
                     System.Logger.Level.WARNING,
-                    () -> file + ": left out " + (skipped.size() - MOST_WARNINGS) + " more, which convert names");
+                    () -> file + ": left out " + (skipped.size() - MOST_WARNINGS)
+                            + " more; the command convert lists them");
         }
         return imported.world();
     }
@@ -62,7 +63,7 @@ public final class WorldReader {
      *
      * @param source the name of the stream in messages
      * @param base   the folder in whose tree mesh files are looked up; null if the stream may not refer to any
-     * @throws WorldException naming source, line, column and remedy, where the stream fails or holds no world
+     * @throws WorldException naming source, line, column and remedy, if the stream fails or contains no world
      */
     public static World read(InputStream in, String source, @Nullable Path base) throws WorldException {
         Checks.present("in", in);

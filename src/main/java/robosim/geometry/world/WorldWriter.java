@@ -48,7 +48,7 @@ public final class WorldWriter {
     /**
      * Writes a world file atomically: an existing file stays as it was until the new one is complete.
      *
-     * @throws WorldException if the file cannot be written, or would be larger than a file that is read may be
+     * @throws WorldException if the file cannot be written, or would exceed the maximum size of a file that is read
      * @throws IllegalArgumentException as {@link #toXml} does
      */
     public static void write(World world, Path file) throws WorldException {
@@ -65,8 +65,8 @@ public final class WorldWriter {
                     file.toString(),
                     0,
                     0,
-                    "a world file must have at most " + most + " bytes, or it could not be read again; write an .obj"
-                            + " instead, or keep large meshes in files of their own that the world names (got: more)"));
+                    "a world file must have at most " + most + " bytes, or it could not be read back; write an .obj"
+                            + " file instead, or keep large meshes in separate files (got: more)"));
         }
         try {
             AtomicFileWriter.write(file, out -> out.write(bytes));
@@ -91,8 +91,8 @@ public final class WorldWriter {
     /**
      * A world as the text of its file.
      *
-     * @throws IllegalArgumentException if XML cannot hold it: a name with a character that XML does not have or of
-     *     more than 1000 of them, or groups more than 50 deep
+     * @throws IllegalArgumentException if XML cannot express it: a name with a character that XML does not allow or of
+     *     more than 1000 characters, or groups more than 50 deep
      */
     public static String toXml(World world) {
         Checks.present("world", world);
@@ -124,7 +124,7 @@ public final class WorldWriter {
     private void object(GeometryObject object, @Nullable String color, List<SonarRing> sonars, int depth) {
         if (depth > Limits.MAX_GROUPS + 1) {
             throw new IllegalArgumentException(
-                    "groups must be at most " + Limits.MAX_GROUPS + " within each other (got: one more)");
+                    "groups must be nested at most " + Limits.MAX_GROUPS + " deep (got: one more)");
         }
         String tag = object.kind().word();
         indent(depth).append('<').append(tag);
@@ -161,7 +161,7 @@ public final class WorldWriter {
         }
         double heading = pose.heading();
         double lost = pose.lostHeading();
-        // A heading holds more than its rotation: later turns add to it and to its rounding error.
+        // A heading is more than its rotation: later turns add to it and to its rounding error.
         double[] made = Attitude.identity();
         Attitude.setHeading(made, 0, heading, lost);
         if (!Pose.of(center, made, 0).equals(pose)) {
@@ -302,7 +302,7 @@ public final class WorldWriter {
                 // XML 1.0, production 2
                 boolean legal = (c >= 0x20 && c < 0xd800) || (c >= 0xe000 && c <= 0xfffd) || c >= 0x10000;
                 if (!legal) {
-                    throw new IllegalArgumentException(attribute + " must have only characters that XML has (got: U+"
+                    throw new IllegalArgumentException(attribute + " must have only characters that XML allows (got: U+"
                             + Integer.toHexString(c) + ")");
                 }
                 out.appendCodePoint(c);

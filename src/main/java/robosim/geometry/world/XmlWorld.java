@@ -35,7 +35,7 @@ final class XmlWorld {
         return parse(in, source, base, null).world();
     }
 
-    /** All that is wrong with a file, as far as it can be read on; fails where it cannot be opened. */
+    /** All problems of a file, as far as it can be read; fails if it cannot be opened. */
     static List<FileProblem> problems(Path file) throws IOException {
         List<FileProblem> problems = new ArrayList<>();
         try (InputStream in = RegularFile.open(file)) {
@@ -75,7 +75,7 @@ final class XmlWorld {
         private static Schema load() {
             URL resource = XmlWorld.class.getResource("world.xsd");
             if (resource == null) {
-                throw new IllegalStateException("world.xsd is missing beside the classes of robosim.geometry.world");
+                throw new IllegalStateException("world.xsd is missing from the package robosim.geometry.world");
             }
             try {
                 SchemaFactory factory = SchemaFactory.newDefaultInstance();
@@ -84,7 +84,7 @@ final class XmlWorld {
                 factory.setProperty(XMLConstants.ACCESS_EXTERNAL_SCHEMA, "");
                 return factory.newSchema(resource);
             } catch (SAXException e) {
-                throw new IllegalStateException("world.xsd is no schema: " + e.getMessage(), e);
+                throw new IllegalStateException("world.xsd is not a valid schema: " + e.getMessage(), e);
             }
         }
     }

@@ -69,7 +69,8 @@ class ConvertCommandTest extends CommandRun {
         assertThat(run("convert", sdf, xml)).isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString())
                 .startsWith(sdf + ":1:50: there is no such file or folder below ")
-                .endsWith("give the folder that holds the model (got: model://inner_walls)" + System.lineSeparator());
+                .endsWith(
+                        "give the folder that contains the model (got: model://inner_walls)" + System.lineSeparator());
         assertThat(run("convert", sdf, xml, "--models", FILES.resolve("sdf"))).isZero();
         assertThat(WorldReader.read(xml).objects()).hasSize(7);
     }
@@ -93,7 +94,7 @@ class ConvertCommandTest extends CommandRun {
         assertThat(run("convert", sdf, xml)).isZero();
         assertThat(out.toString().lines().filter(line -> line.contains("left out")))
                 .hasSize(20);
-        assertThat(out.toString()).contains("... and 10 more of these");
+        assertThat(out.toString()).contains("... and 10 more");
         assertThat(run("convert", sdf, xml, "--all")).isZero();
         assertThat(out.toString().lines().filter(line -> line.contains("left out")))
                 .hasSize(30);
@@ -201,8 +202,8 @@ class ConvertCommandTest extends CommandRun {
                 List.of("convert", sdf, xml), List.of("check", sdf), List.of("render", sdf, "-o", folder + "/w.svg"))) {
             assertThat(run(line.toArray())).as(line.toString()).isEqualTo(ExitCodes.UNUSABLE);
             assertThat(err.toString())
-                    .startsWith(sdf + ": nothing of it is solid, so it would be an empty world; ")
-                    .contains("w.sdf:3: left out <mesh> of m::l::c: ", "no address in a network");
+                    .startsWith(sdf + ": nothing in it is solid, so the world would be empty; ")
+                    .contains("w.sdf:3: left out <mesh> of m::l::c: ", "network addresses are not followed");
         }
         assertThat(xml).doesNotExist();
     }
@@ -230,13 +231,13 @@ class ConvertCommandTest extends CommandRun {
                             "objects   7: ",
                             "note      " + config.toRealPath() + ":2:",
                             "only the name of the model's file matters here, and "
-                                    + (text.startsWith(named) ? "new.sdf" : "model.sdf") + " was taken");
+                                    + (text.startsWith(named) ? "new.sdf" : "model.sdf") + " was used");
         }
         assertThat(run("convert", model, folder.resolve("w.xml"))).isZero();
-        assertThat(out.toString()).contains("model.sdf was taken");
+        assertThat(out.toString()).contains("model.sdf was used");
         Files.delete(model.resolve("model.sdf"));
         assertThat(run("check", sdf, "--models", folder.resolve("models"))).isEqualTo(ExitCodes.UNUSABLE);
-        assertThat(err.toString()).contains("model.config:2:", "this is no well-formed XML");
+        assertThat(err.toString()).contains("model.config:2:", "this is not well-formed XML");
     }
 
     @ParameterizedTest
@@ -244,17 +245,17 @@ class ConvertCommandTest extends CommandRun {
             delimiter = '|',
             value = {
                 "w.xml|<?xml version='1.0'?><!-- x --><sdf version='1.6'/>|this is SDFormat; give it a name that ends in .sdf",
-                "w.sdf|<world xmlns='urn:robosim:world:1'/>|this is a world of the module; give it a name that ends in .xml",
+                "w.sdf|<world xmlns='urn:robosim:world:1'/>|this is a world of this module; give it a name that ends in .xml",
                 "w.xml|<robot name='r'/>|this is URDF",
                 "w.xml|<COLLADA/>|this is COLLADA",
-                "w.world|<!DOCTYPE html><html/>|this is a page of the web",
-                "w|P5 3 2 255 aaaaaa|this is a picture (PNM); a map of ROS is read from its .yaml",
+                "w.world|<!DOCTYPE html><html/>|this is a web page",
+                "w|P5 3 2 255 aaaaaa|this is an image (PNM); a ROS map is read from its .yaml file",
                 "w.yaml|%PDF-1.4|this is a PDF",
                 "w.sdf|PK\u0003\u0004 zip|this is an archive",
                 "w.obj|solid x|this is STL; give it a name that ends in .stl",
                 "w.stl|# x;v 0 0 0;|this is Wavefront OBJ; give it a name that ends in .obj",
-                "w.txt|image: a.pgm;resolution: 1|this is a map of ROS; give it a name that ends in .yaml",
-                "w.jsonl|{\"type\":\"scenario\"}|this is JSON; a recording",
+                "w.txt|image: a.pgm;resolution: 1|this is a ROS map; give it a name that ends in .yaml",
+                "w.jsonl|{\"type\":\"scenario\"}|this is JSON; recordings of this module end in .scenario.jsonl",
                 "w.xml|ply;format ascii|this is PLY",
                 "w.xml|glTF|this is glTF",
                 "w.yaml|<a/>|this is XML, with the root <a>",
@@ -310,7 +311,7 @@ class ConvertCommandTest extends CommandRun {
                 folder.resolve("w.sdf"),
                 "<sdf version='1.7'><world name='w'><include><uri>model://inner_walls</uri></include></world></sdf>");
         assertThat(run("check", sdf)).isEqualTo(ExitCodes.UNUSABLE);
-        assertThat(err.toString()).contains("give the folder that holds the model", "1 problem");
+        assertThat(err.toString()).contains("give the folder that contains the model", "1 problem");
         assertThat(run("check", sdf, "--models", FILES.resolve("sdf"))).isZero();
         assertThat(out.toString()).contains("objects   7: ", "verdict   fine");
         assertThat(run("check", sdf, "--models", "no")).isEqualTo(ExitCodes.UNUSABLE);
@@ -335,7 +336,7 @@ class ConvertCommandTest extends CommandRun {
                 .isEqualTo(ExitCodes.UNUSABLE);
         assertThat(err.toString()).startsWith("--models must be a folder that exists (got: no)");
         assertThat(run("convert", FILES.resolve("sdf/sensors.sdf"), xml)).isEqualTo(ExitCodes.UNUSABLE);
-        assertThat(err.toString()).startsWith(FILES.resolve("sdf/sensors.sdf") + ":41:11: this is no well-formed XML");
+        assertThat(err.toString()).startsWith(FILES.resolve("sdf/sensors.sdf") + ":41:11: this is not well-formed XML");
         assertThat(xml).doesNotExist();
     }
 }

@@ -37,13 +37,13 @@ class HostileFilesTest {
 
     @ParameterizedTest
     @CsvSource({
-        "a.yaml, 'image: ', [, lists and keys must be at most 20 within each other",
-        "b.yaml, 'image: ', '{a: ', lists and keys must be at most 20 within each other",
-        "c.sdf, '<sdf version=\"1.6\">\n', <x>, elements must be at most 200 within each other",
+        "a.yaml, 'image: ', [, lists and keys must be nested at most 20 deep",
+        "b.yaml, 'image: ', '{a: ', lists and keys must be nested at most 20 deep",
+        "c.sdf, '<sdf version=\"1.6\">\n', <x>, elements must be nested at most 200 deep",
         "d.sdf, '<x>\n', <x>, the root of SDFormat must be <sdf>",
         "e.xml, '<x>\n', <x>, the root",
         "f.xml, '<world xmlns=\"urn:robosim:world:1\" width=\"9\" height=\"9\" length=\"9\">\n', <group>,"
-                + " groups must be at most 50 within each other"
+                + " groups must be nested at most 50 deep"
     })
     void whatIsNestedWithoutEndIsRefusedByItsLine(String name, String head, String level, String message)
             throws IOException {
@@ -61,7 +61,7 @@ class HostileFilesTest {
     void aModelConfigThatIsNestedWithoutEnd() throws IOException {
         file("model.config", "<model>" + "<x>".repeat(60_000));
         file("model.sdf", "<sdf version=\"1.6\"><model name=\"m\"/></sdf>");
-        refused(folder, "elements must be at most 200 within each other");
+        refused(folder, "elements must be nested at most 200 deep");
     }
 
     /** The parser would keep all of it in memory before it tells of it. */
@@ -144,7 +144,7 @@ class HostileFilesTest {
     void whatIsNoFileIsNotWaitedFor(String name) throws IOException, InterruptedException {
         Path pipe = folder.resolve(name);
         assumeTrue(isMade(pipe), "pipes with names are a matter of Unix");
-        refused(pipe, "a regular file is needed");
+        refused(pipe, "the file must be a regular one");
         assertThat(WorldReader.problems(pipe)).hasSize(1);
     }
 
@@ -163,13 +163,13 @@ class HostileFilesTest {
                 file(
                         "a.sdf",
                         "<sdf version=\"1.6\"><world name=\"w\"><include><uri>m.sdf</uri></include></world></sdf>"),
-                "a regular file is needed");
+                "the file must be a regular one");
         refused(
                 file(
                         "b.sdf",
                         "<sdf version=\"1.6\"><model name=\"m\"><link name=\"l\"><collision name=\"c\"><geometry>"
                                 + "<mesh><uri>m.stl</uri></mesh></geometry></collision></link></model></sdf>"),
-                "a regular file is needed");
+                "the file must be a regular one");
     }
 
     private static boolean isMade(Path pipe) throws InterruptedException {

@@ -260,19 +260,19 @@ class RosMapReaderTest {
     @CsvSource(
             delimiter = '|',
             value = {
-                "P3 1 1 1 0|1|here must stand P2 or P5 (got: P3)",
+                "P3 1 1 1 0|1|P2 or P5 must come next (got: P3)",
                 "P2;# size;0 5 255|3|the width must be a whole number from 1 to 16777216 (got: 0)",
                 "P5 100000 100000 255;|1|an image must have 1 to 16777216 pixels (got: 100000 x 100000)",
                 "P5 9999999999 1 255;|1|(got: 9999999999)",
                 "P2 2 1 70000 0 0|1|the value of white must be a whole number from 1 to 65535 (got: 70000)",
-                "P2 2 1;9;0|3|here must stand a pixel (got: the end of the file)",
+                "P2 2 1;9;0|3|a pixel must come next (got: the end of the file)",
                 "P2 2 1;9;0 10|3|a pixel must be a whole number from 0 to 9 (got: 10)",
-                "P2 2 1;9;0 9;0|4|an image must end behind its last pixel",
-                "P5 2 1 255;a|0|an image of 2 x 1 pixels must have 2 bytes behind its head; it is cut off (got: 1)",
-                "P5 2 1 255;abc|0|something stands behind its last pixel, so save it anew (got: 3)",
-                "P5 2 1 255#a|0|it is cut off (got: 0)",
+                "P2 2 1;9;0 9;0|4|an image must end after its last pixel",
+                "P5 2 1 255;a|0|an image of 2 x 1 pixels must have 2 bytes after its header; it is truncated (got: 1)",
+                "P5 2 1 255;abc|0|there is extra data after its last pixel, so save it again (got: 3)",
+                "P5 2 1 255#a|0|it is truncated (got: 0)",
                 "P5 2 1 9;aa|0|a pixel must be at most white, 9 (got: 97 in column 1 of row 1)",
-                "P5 2 1 255|0|it is cut off (got: 0)",
+                "P5 2 1 255|0|it is truncated (got: 0)",
             })
     void refusesImagesWithPlaceAndRemedy(String image, int line, String message) throws IOException {
         Path yaml = map(image.replace(';', '\n'));
@@ -320,9 +320,9 @@ class RosMapReaderTest {
                 "image: map.img|image: /map.img|1|stay inside it (got: /map.img)",
                 "image: map.img|image: [a, b]|1|image must be a single value (got: a sequence)",
                 "image: map.img|picture: map.img|1|remove it (got: picture)",
-                "image: map.img|image: map.img;image: map.img|2|a key must stand once; remove one of them (got twice: image)",
+                "image: map.img|image: map.img;image: map.img|2|a key must occur only once; remove one of them (got twice: image)",
                 "image: map.img|~~|0|a map must have image; add it (got: none)",
-                "resolution: 0.5|resolution: 0|2|resolution must be above 0 metres to a cell (got: 0.0)",
+                "resolution: 0.5|resolution: 0|2|resolution must be above 0 metres per cell (got: 0.0)",
                 "resolution: 0.5|resolution: .nan|2|resolution: a number must be decimal and finite",
                 "resolution: 0.5|resolution: 1e-30|0|resolution must be far above the rounding of coordinates",
                 "resolution: 0.5|resolution: 1e99|0|2^100",
@@ -332,7 +332,7 @@ class RosMapReaderTest {
                 "negate: 0|negate: yes|4|negate must be 0, 1, false or true (got: yes)",
                 "occupied_thresh: 0.65|occupied_thresh: 65|5|occupied_thresh must be from 0 to 1 (got: 65.0)",
                 "mode: trinary|mode: ternary|7|mode must be trinary, scale or raw (got: ternary)",
-                "negate: 0|negate: [0|5|this is no YAML: ",
+                "negate: 0|negate: [0|5|this is not valid YAML: ",
             })
     void refusesSettingsWithPlaceAndRemedy(String was, String is, int line, String message) throws IOException {
         Path yaml = map("P2 1 1 1 0");
@@ -354,7 +354,7 @@ class RosMapReaderTest {
             Files.writeString(yaml, text);
             assertThatThrownBy(() -> RosMapReader.read(yaml))
                     .isInstanceOf(WorldException.class)
-                    .hasMessageContaining("a map must be keys with values");
+                    .hasMessageContaining("a map must consist of keys with values");
         }
         Files.writeString(yaml, "#".repeat(Limits.MAX_SETTINGS + 1));
         assertThatThrownBy(() -> RosMapReader.read(yaml)).hasMessageContaining("at most 65536 bytes (got: more)");

@@ -96,7 +96,7 @@ class SdfHostileTest {
                 "<sdf version=\"1.6\"><model name=\"m\"><include merge=\"1\"><uri>a.sdf</uri>"
                         + "<placement_frame>x</placement_frame><pose/></include></model></sdf>");
         assertThatThrownBy(() -> SdfReader.read(folder.resolve("a.sdf"), List.of()))
-                .hasMessageContaining("a file must not include itself, also not through others (got: a.sdf)");
+                .hasMessageContaining("a file must not include itself, directly or through others (got: a.sdf)");
         for (int k = 0; k < 60; k++) {
             file(
                     "d" + k + ".sdf",
@@ -104,11 +104,11 @@ class SdfHostileTest {
                             + ".sdf</uri></include></model></sdf>");
         }
         assertThatThrownBy(() -> SdfReader.read(folder.resolve("d0.sdf"), List.of()))
-                .hasMessageContaining("models must be at most 50 within each other, included ones too");
+                .hasMessageContaining("models must be nested at most 50 deep, included ones too");
         String deep = "<model name=\"m\">".repeat(60);
         Path nested = file("n.sdf", "<sdf version=\"1.6\">" + deep + "</model>".repeat(60) + "</sdf>");
         assertThatThrownBy(() -> SdfReader.read(nested, List.of()))
-                .hasMessageContaining("models must be at most 50 within each other (got: one more)");
+                .hasMessageContaining("models must be nested at most 50 deep (got: one more)");
     }
 
     /** A hundred thousand frames, each counting from the one before: no stack is deep enough to follow them by calls. */
@@ -176,7 +176,7 @@ class SdfHostileTest {
                 + "</model>".repeat(4);
         Path file = world(chain);
         assertThatThrownBy(() -> SdfReader.read(file, List.of()))
-                .hasMessageContaining("a name with those of the models around it must have at most 980 characters");
+                .hasMessageContaining("a name with those of the enclosing models must have at most 980 characters");
     }
 
     /** A file of megabytes that holds nothing but sensors costs no memory to speak of, and is no mistake. */

@@ -318,12 +318,12 @@ class SdfReaderTest {
         assertThat(read.skipped())
                 .extracting(each -> each.line() + " " + each.what() + ": " + each.reason())
                 .containsExactly(
-                        "2 <actor> \"walker\": an actor moves by a script",
+                        "2 <actor> \"walker\": an actor is moved by a script",
                         "3 <population> \"wood\": it places copies of a model at random",
-                        "4 <state>: the poses of a saved state are not read; models stand where their own <pose> says",
+                        "4 <state>: the poses of a saved state are not read; models are placed by their own <pose>",
                         "5 <colision>: SDFormat has no <colision> in <world>; check the spelling",
-                        "6 <custom:thing> \"y\": an extension of SDFormat, whose meaning is not known here",
-                        "9 <heightmap> of m::l::c: this shape is not read; use boxes, cylinders or a mesh");
+                        "6 <custom:thing> \"y\": an extension of SDFormat of unknown meaning",
+                        "9 <heightmap> of m::l::c: this shape is not supported; use boxes, cylinders or a mesh");
         assertThat(read.remarks())
                 .singleElement()
                 .asString()
@@ -349,7 +349,7 @@ class SdfReaderTest {
                 "<link name=\"l\"/>|0|",
                 "<model name=\"m\"><link name=\"l\"/><link name=\"l\"/></model>|2:49|names must be unique in m",
                 "<model name=\"m\"/><model name=\"m\"/>|2:35|names must be unique in the world",
-                "<model name=\"m\"><frame name=\"a\" attached_to=\"b\"/><frame name=\"b\" attached_to=\"a\"/><link name=\"l\"><pose relative_to=\"a\"/></link></model>|2:|poses must not count from each other in a circle",
+                "<model name=\"m\"><frame name=\"a\" attached_to=\"b\"/><frame name=\"b\" attached_to=\"a\"/><link name=\"l\"><pose relative_to=\"a\"/></link></model>|2:|poses must not be relative to each other in a cycle",
                 "<include><uri></uri></include>|2:15|<uri> must be a path",
                 "<include/>|2:11|<include> must have <uri>",
                 "<include><uri>t.sdf</uri></include>|2:15|a file must not include itself",
@@ -376,11 +376,11 @@ class SdfReaderTest {
                 "<box><size>1 -1 1</size></box>|<box>: length must be a number from 0",
                 "<box/>|<box> must have <size>",
                 "<cylinder><radius>1</radius></cylinder>|<cylinder> must have <length>",
-                "<plane><normal>0 1 0</normal></plane>|a plane must look straight up, to be the ground; use a box for m::l::c",
-                "<mesh><uri>a.obj</uri><submesh><name>x</name></submesh></mesh>|a part of a mesh cannot be read",
+                "<plane><normal>0 1 0</normal></plane>|a plane must face straight up, as the ground does; use a box for m::l::c",
+                "<mesh><uri>a.obj</uri><submesh><name>x</name></submesh></mesh>|part of a mesh cannot be read alone",
                 "<mesh><uri>a.obj</uri></mesh>|there is no such file or folder below",
-                "<box><size>1 1 1</size></box><sphere><radius>1</radius></sphere>|<geometry> must hold one shape (got: 2)",
-                "|<geometry> must hold one shape (got: 0)"
+                "<box><size>1 1 1</size></box><sphere><radius>1</radius></sphere>|<geometry> must contain one shape (got: 2)",
+                "|<geometry> must contain one shape (got: 0)"
             })
     void mistakesOfShapesAreNamed(String shape, String problem) throws IOException {
         Path file = world(solid("", shape == null ? "" : shape));
@@ -399,10 +399,10 @@ class SdfReaderTest {
                 "<sdf version='1.3'/>|version of <sdf> must be 1.4 to 1.12 (got: 1.3)",
                 "<sdf version='2.0'/>|version of <sdf> must be 1.4 to 1.12 (got: 2.0)",
                 "<sdf version='1.6'/>|<sdf> must have a <world> or a <model> (got: none)",
-                "<sdf version='1.6'><world name='a'/><world name='b'/></sdf>|a file must hold one world, or models alone",
-                "<!DOCTYPE sdf [<!ENTITY x 'y'>]><sdf version='1.6'/>|a document type is not accepted",
-                "<sdf version='1.6'><model name='&x;'/></sdf>|this is no well-formed XML: The entity \"x\" was referenced",
-                "<sdf version='1.6'>|this is no well-formed XML"
+                "<sdf version='1.6'><world name='a'/><world name='b'/></sdf>|a file must contain one world, or only models",
+                "<!DOCTYPE sdf [<!ENTITY x 'y'>]><sdf version='1.6'/>|a document type is not allowed",
+                "<sdf version='1.6'><model name='&x;'/></sdf>|this is not well-formed XML: The entity \"x\" was referenced",
+                "<sdf version='1.6'>|this is not well-formed XML"
             })
     void otherFilesAreRefused(String text, String problem) throws IOException {
         Path file = file("other.sdf", text);
@@ -417,7 +417,7 @@ class SdfReaderTest {
         assertThatThrownBy(() -> SdfReader.read(folder.resolve("no.sdf"), List.of()))
                 .hasMessage(folder.resolve("no.sdf") + ": there is no such file; check the path");
         assertThatThrownBy(() -> WorldImport.read(folder, ImportOptions.DEFAULT))
-                .hasMessage(folder
-                        + ": a folder must be that of a model, with model.config; name a file in it (got: none)");
+                .hasMessage(
+                        folder + ": a folder must be a model's, with model.config; else name a file in it (got: none)");
     }
 }

@@ -203,7 +203,7 @@ class SdfRealFilesTest {
         Path file = SDF.resolve("sensors.sdf"); // an element is named gz::system_priority
         assertThatThrownBy(() -> read(file))
                 .isInstanceOf(WorldException.class)
-                .hasMessageStartingWith(file + ":41:11: this is no well-formed XML: ")
+                .hasMessageStartingWith(file + ":41:11: this is not well-formed XML: ")
                 .hasMessageContaining("\"gz:\"");
     }
 
@@ -255,7 +255,7 @@ class SdfRealFilesTest {
         assertThatThrownBy(() -> read(file))
                 .hasMessageStartingWith(file + ":2:17: there is no such file or folder below ")
                 .hasMessageEndingWith(
-                        "check the name, or give the folder that holds the model (got: model://inner_walls)");
+                        "check the name, or give the folder that contains the model (got: model://inner_walls)");
         WorldImport read = SdfReader.read(file, List.of(SDF));
         assertThat(read.world().objects()).hasSize(7 + 7 + 9);
         assertThat(read.skipped()).hasSize(6);

@@ -133,14 +133,14 @@ class StlReaderTest {
             value = {
                 "~~|0|must begin with the word solid, or be binary with 84 + 50 bytes for each triangle (got: 0 bytes)",
                 "solids|0|(got: 6 bytes)",
-                "solid|1|here must stand facet or endsolid (got: the end of the file)",
+                "solid|1|facet or endsolid must come next (got: the end of the file)",
                 "solid a;;endsolid a|0|an STL file must have at least one triangle (got: none)",
-                "solid;facet 0 0 1|2|here must stand normal (got: 0)",
-                "solid;facet normal 0 0|2|here must stand a number of the normal (got: the end of the file)",
-                "solid;facet normal 0 0 1;loop|3|here must stand outer (got: loop)",
+                "solid;facet 0 0 1|2|normal must come next (got: 0)",
+                "solid;facet normal 0 0|2|a number of the normal must come next (got: the end of the file)",
+                "solid;facet normal 0 0 1;loop|3|outer must come next (got: loop)",
                 "solid;facet normal 0 0 1;outer loop;vertex 0 0 nan|4|z of a vertex: a number must be decimal",
                 "solid;facet normal 0 0 1;outer loop;vertex 0 1e99 0|4|must be a number from -2^100 to 2^100",
-                "solid;facet normal 0 0 1;outer loop;vertex 0 0 0;vertex 0 0 0;endloop|6|must stand vertex (got: endloop)",
+                "solid;facet normal 0 0 1;outer loop;vertex 0 0 0;vertex 0 0 0;endloop|6|vertex must come next (got: endloop)",
                 "solid;facet normal 0 0 1;outer loop;vertex 0 0 0;vertex 0 0 0;vertex 0 0 0;vertex 0 0 0|7|a facet is a triangle",
             })
     void refusesTextWithPlaceAndRemedy(String text, int line, String message) {
@@ -154,7 +154,7 @@ class StlReaderTest {
     @Test
     void refusesWhatStandsBehindASolid() {
         assertThatThrownBy(() -> read("solid;" + FACET + "endsolid;rest"))
-                .hasMessage("t.stl:10: here must stand solid or the file's end (got: rest)");
+                .hasMessage("t.stl:10: solid or the file's end must come next (got: rest)");
     }
 
     @Test

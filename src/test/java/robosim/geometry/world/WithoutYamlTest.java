@@ -31,7 +31,7 @@ class WithoutYamlTest {
                     .isInstanceOf(InvocationTargetException.class)
                     .cause()
                     .isInstanceOf(IOException.class)
-                    .hasMessageStartingWith(MAP + ": maps of ROS need snakeyaml-engine, which is not on the class path:"
+                    .hasMessageStartingWith(MAP + ": ROS maps need snakeyaml-engine, which is not on the class path:"
                             + " add org.snakeyaml:snakeyaml-engine:3.0.1 or newer (missing: org/snakeyaml/");
         }
     }

@@ -115,7 +115,7 @@ class WorldImportTest {
                 .hasSize(3 + 11)
                 .last()
                 .asString()
-                .isEqualTo("WARNING " + many + ": left out 2 more, which convert names");
+                .isEqualTo("WARNING " + many + ": left out 2 more; the command convert lists them");
         WorldReader.read(Path.of("worlds/maze.xml"));
         assertThat(log.lines()).hasSize(14);
     }
@@ -154,16 +154,16 @@ class WorldImportTest {
     @ParameterizedTest
     @ValueSource(
             strings = {
-                "map.pgm| a map is read from its .yaml, which says how large a cell is",
+                "map.pgm| a map is read from its .yaml file, which gives the size of a cell",
                 "map.PNG| a map is read from its .yaml",
-                "robot.urdf| files of this format are not read; unpack it, or export it as SDFormat, OBJ or STL (got:"
+                "robot.urdf| files of this format are not supported; unpack this one, or export it as SDFormat, OBJ or STL (got:"
                         + " .urdf)",
-                "world.sdf.gz| files of this format are not read; unpack it",
-                "model.dae| files of this format are not read",
-                "notes.txt|1:1: this is no well-formed XML",
-                "empty.sdf|1:1: this is no well-formed XML",
-                "model.config|1:1: this is no well-formed XML",
-                "map.yml| a map must be keys with values",
+                "world.sdf.gz| files of this format are not supported; unpack this one",
+                "model.dae| files of this format are not supported",
+                "notes.txt|1:1: this is not well-formed XML",
+                "empty.sdf|1:1: this is not well-formed XML",
+                "model.config|1:1: this is not well-formed XML",
+                "map.yml| a map must consist of keys with values",
                 "mesh.obj| an OBJ file must have at least one face",
                 "mesh.stl| an STL file must"
             })
@@ -200,9 +200,9 @@ class WorldImportTest {
                 .hasSize(5)
                 .startsWith(
                         "Read SDFormat: box 1, capsule 1, collision 7, cylinder 1, link 7, model 7, sphere 1",
-                        "Passed over, for it says nothing about what is solid: inertial 6, light 1, scene 1, visual 7")
+                        "Ignored, as irrelevant to solid geometry: inertial 6, light 1, scene 1, visual 7")
                 .last()
-                .isEqualTo("... and 1 more of these");
+                .isEqualTo("... and 1 more");
         assertThat(read.lines(2).get(2))
                 .startsWith(
                         FILES.resolve("sdf/shapes.sdf") + ":36: left out <plane> of ground_plane::link::collision: ");

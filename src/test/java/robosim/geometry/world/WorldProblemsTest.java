@@ -46,12 +46,12 @@ class WorldProblemsTest {
                         "t.xml:2", "t.xml:2", "t.xml:3", "t.xml:5", "t.xml:5", "t.xml:7", "t.xml:8", "t.xml:9");
         assertThat(problems.get(0)).contains("width of <box>");
         assertThat(problems.get(1)).contains("height of <box>");
-        assertThat(problems.get(2)).contains("<bo> cannot stand here");
+        assertThat(problems.get(2)).contains("<bo> is not allowed");
         assertThat(problems.get(3)).contains("names must be unique");
         assertThat(problems.get(4)).contains("colour");
         assertThat(problems.get(5)).contains("(got: 1,5)");
         assertThat(problems.get(6)).contains("<box> needs the attribute length");
-        assertThat(problems.get(7)).contains("a moveable object needs a name");
+        assertThat(problems.get(7)).contains("a moveable object must have a name");
     }
 
     @Test

@@ -127,11 +127,11 @@ class WorldReaderTest {
             delimiter = '|',
             quoteCharacter = '~',
             value = {
-                "<bo/>|2|6|<bo> cannot stand here in <world>; there can be <box>, <cylinder>, <sphere>, <capsule>, <mesh>, <group>",
-                "<sonar count='1'/>|2|19|<sonar> cannot stand here in <world>; there can be <box>",
-                "<box xmlns='other'/>|2|21|<box> of the namespace \"other\" cannot stand here",
+                "<bo/>|2|6|<bo> is not allowed in <world>; allowed here: <box>, <cylinder>, <sphere>, <capsule>, <mesh>, <group>",
+                "<sonar count='1'/>|2|19|<sonar> is not allowed in <world>; allowed here: <box>",
+                "<box xmlns='other'/>|2|21|<box> of the namespace \"other\" is not allowed",
                 "<box width='1' height='1' length='1'>~~<box width='1' height='1' length='1'/></box>|3|39|"
-                        + "<box> cannot stand here in <box>; there can be <sonar>",
+                        + "<box> is not allowed in <box>; allowed here: <sonar>",
                 "<box height='1' length='1'/>|2|29|<box> needs the attribute width",
                 "<box width='1' height='1' length='1' colour='#000000'/>|2|56|<box> has no attribute colour",
                 "<box width='abc' height='1' length='1'/>|2|41|width of <box> must be a length of at least 0,",
@@ -141,19 +141,19 @@ class WorldReaderTest {
                 "<box width='1d' height='1' length='1'/>|2|40|(got: 1d)",
                 "<box width='1 2' height='1' length='1'/>|2|41|(got: 1 2)",
                 "<box width='' height='1' length='1'/>|2|38|(got: )",
-                "<sphere radius='1mi'/>|2|23|or ft behind it, like 0.25 or 25cm (got: 1mi)",
-                "<sphere radius='1cm'/>|2|23|add unit=\"m\" to <world>, or leave the unit away (got: 1cm)",
+                "<sphere radius='1mi'/>|2|23|or ft, like 0.25 or 25cm (got: 1mi)",
+                "<sphere radius='1cm'/>|2|23|add unit=\"m\" to <world>, or omit this unit (got: 1cm)",
                 "<sphere radius='1e400'/>|2|25|radius: a number must be decimal and finite, like 12, -0.5 or 1.5e-3 (got: 1e400)",
                 "<sphere radius='1e40'/>|2|24|radius must be a number from 0 to 2^100 (got: 1.0E40)",
                 "<sphere center='1 2' radius='1'/>|2|34|center of <sphere> must be three lengths x y z",
                 "<sphere center='1 2 3 4' radius='1'/>|2|38|three lengths x y z, like 1 0 -2.5 or 1m 0 -25cm (got: 1 2 3 4)",
                 "<sphere turned='5' radius='1'/>|2|32|turned of <sphere> must be two numbers rx ry in degrees",
-                "<sphere heading='1' turned='5 5' radius='1'/>|2|46|leave one of them (got: 2 of them)",
+                "<sphere heading='1' turned='5 5' radius='1'/>|2|46|may be given; remove the others (got: 2)",
                 "<sphere rotation='1 0 0 0 1 0 0 0 2' radius='1'/>|2|50|orthonormal to 1e-9 (got: [1.0, 0.0,",
                 "<sphere rotation='1 0 0' radius='1'/>|2|38|nine numbers, row by row",
                 "<sphere moveable='yes' radius='1'/>|2|36|moveable of <sphere> must be true or false (got: yes)",
-                "<sphere moveable='true' radius='1'/>|2|37|a moveable object needs a name; add name=\"...\"",
-                "<sphere name=' ' radius='1'/>|2|30|name of <sphere> must be a text with a visible character",
+                "<sphere moveable='true' radius='1'/>|2|37|a moveable object must have a name; add name=\"...\"",
+                "<sphere name=' ' radius='1'/>|2|30|name of <sphere> must be text of at most 1000 characters",
                 "<sphere color='red' radius='1'/>|2|33|color of <sphere> must be # and six hexadecimal digits",
                 "<sphere radius='1'/>~~<sphere radius='1' name='a'/>~~~~<sphere radius='1' name='a'/>|5|30|"
                         + "rename this object or the one in line 3 (got twice: a)",
@@ -163,12 +163,12 @@ class WorldReaderTest {
                 "<sphere radius='1'><sonar count='4'/></sphere>|2|20|an object with sonars must have a name",
                 "<group/>|2|9|<group> is not complete; add <bounds>, <box>",
                 "<group><bounds/></group>|2|17|<bounds> is not complete; add <box>, <cylinder>, <sphere>",
-                "<group><bounds><mesh/></bounds></group>|2|23|<mesh> cannot stand here in <bounds>",
+                "<group><bounds><mesh/></bounds></group>|2|23|<mesh> is not allowed in <bounds>",
                 "<group><bounds><sphere radius='1'/></bounds><sphere radius='2'/></group>|2|8|boundingVolume must enclose its",
                 "<group><sphere radius='2' color='#ffffff'/></group>|2|44|<sphere> has no attribute color",
-                "hello|2|14|<world> cannot hold text",
-                "<sphere radius='1'>~~hello</sphere>|3|15|<sphere> cannot hold text",
-                "<mesh/>|2|8|a mesh needs vertices with triangles or quads, or a file (got: neither)",
+                "hello|2|14|<world> cannot contain text",
+                "<sphere radius='1'>~~hello</sphere>|3|15|<sphere> cannot contain text",
+                "<mesh/>|2|8|a mesh must have vertices with triangles or quads, or a file (got: neither)",
                 "<mesh><vertices>0 0 0</vertices></mesh>|2|40|<mesh> is not complete; add <triangles>, <quads>",
                 "<mesh><vertices>0 0~~ 0 1,5 0 0</vertices><triangles>0 1 2</triangles></mesh>|3|7|(got: 1,5)",
                 "<mesh><vertices>0 0~~ 0 1</vertices><triangles>0 1 2</triangles></mesh>|2|17|"
@@ -179,13 +179,13 @@ class WorldReaderTest {
                 "<mesh><vertices>0 0 0</vertices><quads>0 0 0</quads></mesh>|2|40|4 indices for each face are needed",
                 "<mesh><vertices>0 0 0</vertices><triangles>0 0 1</triangles></mesh>|2|7|faces[0] must have indices from 0 to 0",
                 "<mesh><vertices>0 0 0 1 0 0 0 1 0</vertices><triangles>0 1 2</triangles><bounds><sphere radius='9'/>"
-                        + "</bounds></mesh>|2|81|<bounds> cannot stand here in <mesh>; there can be <triangles>",
+                        + "</bounds></mesh>|2|81|<bounds> is not allowed in <mesh>; allowed here: <triangles>",
                 "<mesh solid='true'><vertices>0 0 0 1 0 0 0 1 0</vertices><triangles>0 1 2</triangles></mesh>|2|20|"
                         + "a solid mesh must be closed",
-                "<mesh file='a.obj'/>|2|21|a world from a stream without a folder has no files",
-                "<mesh scale='2'><vertices>0 0 0</vertices><quads>0 0 0 0</quads></mesh>|2|17|scale is for a mesh from a file",
-                "<box width='1'|2|15|this is no well-formed XML",
-                "<group>|2|10|this is no well-formed XML",
+                "<mesh file='a.obj'/>|2|21|a world from a stream without a folder cannot use files",
+                "<mesh scale='2'><vertices>0 0 0</vertices><quads>0 0 0 0</quads></mesh>|2|17|scale applies only to a mesh from a file",
+                "<box width='1'|2|15|this is not well-formed XML",
+                "<group>|2|10|this is not well-formed XML",
                 "<mesh><vertices>~~0 0 <!-- ~~ --> x 1 2</vertices><quads/></mesh>|4|0|(got: x)",
                 "<mesh><vertices>~~0 0 <!-- ~~ -->~~ 5~~ x 1 2</vertices><quads/></mesh>|6|3|(got: x)",
                 "<mesh><vertices><![CDATA[0 0]]> x 1 2</vertices><quads/></mesh>|2|0|(got: x)",
@@ -227,9 +227,9 @@ class WorldReaderTest {
             value = {
                 "<world width='1'/>|the root must be <world xmlns=\"urn:robosim:world:1\" ...>",
                 "<box xmlns='urn:robosim:world:1'/>|the root must be <world",
-                "''|no well-formed XML",
+                "''|not well-formed XML",
                 "<world xmlns='urn:robosim:world:1' width='1' height='0' length='1'/>|<world>: height must be above 0",
-                "hello|no well-formed XML",
+                "hello|not well-formed XML",
                 "<world xmlns='urn:robosim:world:1' width='1' height='1'/>|<world> needs the attribute length",
                 "<world xmlns='urn:robosim:world:1' width='1' height='1' length='1' unit='yd'/>|must be km, m, cm, mm, in or ft",
                 "<world xmlns='urn:robosim:world:1' width='1' height='1' length='1' dimension='2'/>|PLANAR or SPATIAL",
@@ -292,7 +292,7 @@ class WorldReaderTest {
                 "<!DOCTYPE world SYSTEM \"" + secret.toUri() + "\">" + OPEN + "/>",
                 "<!DOCTYPE world [<!ENTITY % x SYSTEM \"http://localhost:1/x\">%x;]>" + OPEN + "/>")) {
             assertThat(refusal(xml))
-                    .hasMessageContaining("t.xml:1:10: a document type is not accepted; remove <!DOCTYPE ...>")
+                    .hasMessageContaining("t.xml:1:10: a document type is not allowed; remove <!DOCTYPE ...>")
                     .hasMessageNotContaining("secret.txt")
                     .hasMessageNotContaining("the secret");
         }
@@ -342,7 +342,7 @@ class WorldReaderTest {
                         .objects())
                 .hasSize(1);
         assertThat(refusal(OPEN + ">" + "<group>".repeat(100_000)))
-                .hasMessageContaining("groups must be at most 50 within each other");
+                .hasMessageContaining("groups must be nested at most 50 deep");
     }
 
     @Test
@@ -469,7 +469,7 @@ class WorldReaderTest {
                 .hasMessage(folder.resolve("no.xml") + ": there is no such file; check the path");
         assertThatThrownBy(() -> WorldReader.read(folder))
                 .isInstanceOf(WorldException.class)
-                .hasMessageContaining("a folder must be that of a model, with model.config");
+                .hasMessageContaining("a folder must be a model's, with model.config");
     }
 
     @Test

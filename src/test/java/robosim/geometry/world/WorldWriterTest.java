@@ -145,7 +145,7 @@ class WorldWriterTest {
                 1, 2, 3, List.of(new WorldObject(new SphereObject(new Point(), 0).named("control \u0001 character"))));
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> WorldWriter.write(bad, file))
-                .withMessage("name must have only characters that XML has (got: U+1)");
+                .withMessage("name must have only characters that XML allows (got: U+1)");
         assertThat(WorldReader.read(file)).isEqualTo(good);
         try (var files = Files.list(folder)) {
             assertThat(files).containsExactly(file);

@@ -21,8 +21,7 @@ final class GridReachability {
     private static final double TURN = 360.0 / TURNS;
 
     /**
-     * Maximum number of places and headings of a grid: some seconds among boxes and cylinders, most of a minute among
-     * large meshes.
+     * Maximum number of places and headings of a grid: seconds among boxes and cylinders, up to a minute among meshes.
      */
     private static final double MOST = 60_000;
 
@@ -32,7 +31,7 @@ final class GridReachability {
      */
     static final int NEAR = 20_000;
 
-    /** Maximum number of places and headings of the whole grid of such a search, which has a bit for each. */
+    /** Maximum number of places and headings of the whole grid of such a search, each of which takes a bit. */
     private static final double MOST_NEAR = 1 << 28;
 
     /** How many of the places reached are kept for other queries. */
@@ -55,7 +54,7 @@ final class GridReachability {
     /** Places and headings after which it gives up. */
     private final int limit;
 
-    /** Number of places along X and Z, and how many of them come before the robot's own. */
+    /** Number of places along X and Z, and how many of them precede the robot's own. */
     private final int countX;
 
     private final int countZ;
@@ -135,7 +134,7 @@ final class GridReachability {
         return Math.min(bounds.width(), bounds.length());
     }
 
-    /** From corner to corner of an object's bounds, as seen from above. */
+    /** The diagonal of an object's bounds, seen from above. */
     static double diagonal(GeometryObject object) {
         Bounds bounds = object.bounds();
         return StrictMath.hypot(bounds.width(), bounds.length());
@@ -158,7 +157,7 @@ final class GridReachability {
         return step <= wanted || narrow == 0;
     }
 
-    /** Whether it explored everything that is reachable, and did not give up before. */
+    /** Whether it explored everything that is reachable, rather than giving up. */
     boolean isWhole() {
         return isWhole;
     }
@@ -211,7 +210,7 @@ final class GridReachability {
      */
     void go(List<GeometryObject> others, IntConsumer met, Watch watch) {
         if (!geometry.addObjectUnchecked(body)) {
-            throw new IllegalStateException("it does not stand within the world: " + body);
+            throw new IllegalStateException("the robot is not within the world: " + body);
         }
         try {
             start();
@@ -224,7 +223,7 @@ final class GridReachability {
                     isWhole = false;
                     break;
                 }
-                watch.at("the ways of " + name, at, Math.min(limit, (long) countX * countZ * turns));
+                watch.at("the paths of " + name, at, Math.min(limit, (long) countX * countZ * turns));
                 int state = queue[at];
                 int place = state / turns;
                 if (!placesSeen.get(place)) {

@@ -5,17 +5,17 @@ import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 
 /**
- * Which setting is enough.
+ * Which setting is sufficient.
  *
- * @param dimension the coarsest that answered every question alike; PLANAR in a PLANAR world, and the world's own where
- *                  it cannot be told
- * @param accuracy  the coarsest that did so in that dimension; the world's own where it cannot be told
- * @param isProven  whether PLANAR is enough whatever level moves and sonars are asked for: every object stands upright
- *                  and reaches the height of every robot's centre
- * @param met       how many of the questions met something: a place that is taken, a move that is refused, a sonar that
- *                  hears; none tells nothing
- * @param seed      of the questions
- * @param settings  what each setting answered, PLANAR before SPATIAL and the coarsest first
+ * @param dimension the coarsest that gave the same answer to every query; PLANAR in a PLANAR world, and the world's own
+ *                  if undecided
+ * @param accuracy  the coarsest that did so in that dimension; the world's own if undecided
+ * @param isProven  whether PLANAR is sufficient for all level moves and sonars: every object stands upright and reaches
+ *                  the height of every robot's centre
+ * @param met       number of queries that hit something: a place that is taken, a move that is refused, a sonar that
+ *                  gets an echo; with none, nothing is decided
+ * @param seed      seed of the queries
+ * @param settings  the answers of each setting, PLANAR before SPATIAL and the coarsest first
  */
 public record Needs(
         Dimension dimension, Accuracy accuracy, boolean isProven, int met, long seed, List<Setting> settings) {
@@ -24,17 +24,17 @@ public record Needs(
         settings = List.copyOf(settings);
     }
 
-    /** Whether enough was asked, and enough was there, to tell. */
+    /** Whether enough queries were made, and enough of them hit something, for a decision. */
     public boolean isTold() {
         return met > 0 && settings.stream().allMatch(Setting::isAskedEnough);
     }
 
-    /** What one setting answered. */
+    /** The answers of one setting. */
     public Setting setting(Dimension wanted, Accuracy level) {
         return settings.stream()
                 .filter(setting -> setting.dimension() == wanted && setting.accuracy() == level)
                 .findFirst()
                 .orElseThrow(() -> new IllegalArgumentException(
-                        "setting must have been asked (got: " + wanted + ", " + level + ")"));
+                        "setting must be one of those compared (got: " + wanted + ", " + level + ")"));
     }
 }

@@ -230,7 +230,7 @@ final class Questions {
         }
     }
 
-    /** Whether heights can make no difference to any level move or sonar. */
+    /** Whether heights cannot affect any level move or sonar. */
     private boolean isProven(List<WorldObject> robots) {
         List<Bounds> bounds = new ArrayList<>();
         for (WorldObject object : world.objects()) {
@@ -242,7 +242,7 @@ final class Questions {
         for (WorldObject robot : robots) {
             double height = robot.object().center().y();
             for (Bounds e : bounds) {
-                // Bounds are rounded outwards; so much further in lies the object itself.
+                // Bounds are rounded outwards; the object itself extends at least to this inset.
                 double inset = Math.ulp(Math.max(Math.abs(e.minY()), Math.abs(e.maxY()))) * 8;
                 if (!(e.minY() + inset <= height && height <= e.maxY() - inset)) {
                     return false;

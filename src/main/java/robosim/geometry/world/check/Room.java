@@ -6,14 +6,14 @@ import java.util.List;
  * A part of the world that robots share.
  *
  * @param robots their names, in the world's order
- * @param minX   of the places that the centre of one of them gets to, and half of its smaller side around them; so are
- *               the other three
- * @param area   of the places that the centre of one of them gets to, world units squared: their number times the
+ * @param minX   lower bound of the places that the centre of one of them reaches, extended by half of its smaller side;
+ *               the other three likewise
+ * @param area   area of the places that the centre of one of them reaches, world units squared: their number times the
  *               square of the step
- * @param places how many places of the grid that are; 1 where the robot cannot make a step
- * @param step   the grid's, world units: finer ways may have been missed
- * @param isTold whether the step was as fine as half of the robot's smaller extent, where it has any; else what was not reached tells
- *               nothing
+ * @param places number of these places of the grid; 1 if the robot cannot make a step
+ * @param step   step of the grid, world units: narrower passages may have been missed
+ * @param isTold whether the step was at most half of the robot's smaller extent, if it has any; otherwise nothing
+ *               follows for what was not reached
  */
 public record Room(
         List<String> robots,

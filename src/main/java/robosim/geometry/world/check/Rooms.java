@@ -238,7 +238,7 @@ final class Rooms {
                     .toList();
             GridReachability trip = largest(group);
             if (trip == null) {
-                throw new IllegalStateException("nobody was sent out from " + names);
+                throw new IllegalStateException("no robot searched from " + names);
             }
             rooms.add(trip.room(names));
         }

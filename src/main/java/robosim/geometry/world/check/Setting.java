@@ -4,16 +4,16 @@ import robosim.geometry.model.Accuracy;
 import robosim.geometry.model.Dimension;
 
 /**
- * What one setting answered, beside EXACT in the world's own dimension.
+ * The answers of one setting, compared with EXACT in the world's own dimension.
  *
- * @param places            how often it was asked whether a robot may stand somewhere
- * @param placesOtherwise   how often it said something else
- * @param moves             moves and turns
- * @param movesOtherwise    of them answered otherwise
- * @param distances         of sonars
- * @param distancesOtherwise of them off by more than a billionth of the world's diagonal
- * @param shortest          by how much a distance fell short at most, world units; {@code +Infinity} where it heard
- *                          something where there is no echo
+ * @param places             number of queries whether a robot may stand somewhere
+ * @param placesOtherwise    number of these with another answer
+ * @param moves              number of moves and turns
+ * @param movesOtherwise     number of these with another answer
+ * @param distances          number of sonar distances
+ * @param distancesOtherwise number of these that differ by more than a billionth of the world's diagonal
+ * @param shortest           the most by which a distance was too short, world units; {@code +Infinity} if there was an
+ *                           echo where there should be none
  */
 public record Setting(
         Dimension dimension,
@@ -25,7 +25,7 @@ public record Setting(
         int distances,
         int distancesOtherwise,
         double shortest) {
-    /** Minimum number of moves, and of distances, that must be queried to call a setting enough. */
+    /** Minimum number of moves, and of distances, that must be queried to call a setting sufficient. */
     public static final int MIN_ANSWERS = 50;
 
     /** Whether there were enough moves and distances to compare. */
@@ -33,7 +33,7 @@ public record Setting(
         return moves >= MIN_ANSWERS && distances >= MIN_ANSWERS;
     }
 
-    /** Whether enough was asked and everything was answered alike. */
+    /** Whether enough was asked and all answers were the same. */
     public boolean isSame() {
         return isAskedEnough() && placesOtherwise + movesOtherwise + distancesOtherwise == 0;
     }

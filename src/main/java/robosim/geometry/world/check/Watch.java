@@ -1,8 +1,8 @@
 package robosim.geometry.world.check;
 
-/** Told how far a check is; it may take a while. */
+/** Receives the progress of a check, which may take a while. */
 @FunctionalInterface
 public interface Watch {
-    /** So much of that work is done. */
+    /** Reports that a share of some work is done. */
     void at(String work, long done, long total);
 }

@@ -35,24 +35,25 @@ import robosim.geometry.world.WorldObject;
  * extent, a search near the start uses steps of that half; if that does not finish either, it is unknown whether the
  * robots are shut in, and {@link Room#isTold} is false.
  *
- * <p><b>Needs.</b> The same questions, drawn from a fixed seed, are put to the world in both dimensions at each accuracy:
- * may a robot stand at a place, may it make a random move or turn from there, what does one of its sonars hear (in
- * a world without sonars, a line in a random direction). The places are random, and for each robot also its own start and
- * some that it got to. A setting is enough where it answers all of them as EXACT in the world's own dimension does; where
- * fewer than {@link Setting#MIN_ANSWERS} moves or distances could be asked, as nobody has room or there is no robot, and where none
- * of them met anything, nothing can be told. A robot that is a mesh, and so slow, asks a twentieth of what others do.
+ * <p><b>Needs.</b> The same queries, drawn from a fixed seed, are made in both dimensions at each accuracy: whether a
+ * robot may stand at a place, whether it may make a random move or turn from there, and what one of its sonars measures
+ * (in a world without sonars, a line in a random direction). The places are random; for each robot they include its own
+ * start and some places that it reached. A setting is sufficient if it answers all of them as EXACT in the world's own
+ * dimension does. Nothing is decided if fewer than {@link Setting#MIN_ANSWERS} moves or distances could be queried, for
+ * lack of free places or of robots, or if none of them hit anything. A robot that is a mesh, and therefore slow, gets a
+ * twentieth of the queries of others.
  *
- * @param world           the world checked
- * @param counts          number of objects of each kind that occurs
- * @param members         number of members of groups
- * @param triangles       number of triangles of all meshes, a quad counting as two
- * @param robots          the moveable objects
- * @param sonars          number of sensors in all rings
- * @param outside         objects that extend beyond the world's bounds; they are ignored in the rest of the check
- * @param overlaps        pairs in contact: all with a moveable object, and the first ones of two static objects
- * @param staticOverlaps  how many pairs of static objects are in contact, those in {@code overlaps} included
- * @param rooms           groups of robots that can reach each other; the first room has the most
- * @param needs           which accuracy and dimension are enough
+ * @param world          the world checked
+ * @param counts         number of objects of each kind that occurs
+ * @param members        number of members of groups
+ * @param triangles      number of triangles of all meshes, a quad counting as two
+ * @param robots         the moveable objects
+ * @param sonars         number of sensors in all rings
+ * @param outside        objects that extend beyond the world's bounds; they are ignored in the rest of the check
+ * @param overlaps       pairs in contact: all with a moveable object, and the first ones of two static objects
+ * @param staticOverlaps number of pairs of static objects in contact, including those in {@code overlaps}
+ * @param rooms          groups of robots that can reach each other; the first room has the most
+ * @param needs          which accuracy and dimension are sufficient
  */
 public record WorldCheck(
         World world,

@@ -1,4 +1,4 @@
-/** What there is to know of a world before robots are let loose in it: contacts, rooms, and which accuracy is enough. */
+/** What to know about a world before robots run in it: contacts, rooms, and which accuracy is sufficient. */
 @NullMarked
 package robosim.geometry.world.check;
 

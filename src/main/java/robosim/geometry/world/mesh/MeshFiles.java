@@ -8,17 +8,19 @@ import robosim.geometry.model.MeshObject;
 import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.RegularFile;
 
-/** What the readers of meshes share: how a file is opened, what a scale may be, and which reader a file's name asks for. */
+/**
+ * What the readers of meshes share: opening a file, the limits of a scale, and the choice of a reader by a file's name.
+ */
 public final class MeshFiles {
     private MeshFiles() {}
 
-    /** A reader of one format: of a stream, which it leaves open. */
+    /** A reader of one format, which leaves the stream open. */
     @FunctionalInterface
     public interface Format {
         public MeshObject read(InputStream in, String source, double scale) throws FileProblem;
     }
 
-    /** Whether a name ends as those of the formats do that are read: .obj and .stl. */
+    /** Whether a name has the ending of a supported format: .obj or .stl. */
     public static boolean isNamed(String file) {
         return isStl(file) || file.toLowerCase(Locale.ROOT).endsWith(".obj");
     }
@@ -27,7 +29,7 @@ public final class MeshFiles {
         return file.toLowerCase(Locale.ROOT).endsWith(".stl");
     }
 
-    /** The surface of a file, in the format that its name ends in; OBJ where that tells nothing. */
+    /** Reads the surface of a file, in the format given by the ending of its name; OBJ if that is unknown. */
     public static MeshObject read(Path file, double scale) throws FileProblem {
         return read(file, scale, isStl(file.toString()) ? StlSurface::read : ObjSurface::read);
     }

@@ -17,7 +17,7 @@ import robosim.geometry.world.shared.FileProblem;
 import robosim.geometry.world.shared.Limits;
 import robosim.geometry.world.shared.Numbers;
 
-/** The surface of a Wavefront OBJ file while it is read: its vertices and its faces, polygons cut. */
+/** The surface of a Wavefront OBJ file while it is read: its vertices and its faces, with polygons cut. */
 public final class ObjSurface {
     private static final Set<String> PASSED_OVER = Set.of(
             "vn",
@@ -126,8 +126,9 @@ public final class ObjSurface {
             case "f" -> face(words);
             default -> {
                 if (!PASSED_OVER.contains(words[0])) {
-                    throw new IllegalArgumentException("a statement must be v, f or one that a surface can do without,"
-                            + " such as vn, vt, usemtl or g; export the mesh as polygons (got: " + words[0] + ")");
+                    throw new IllegalArgumentException("a statement must be v, f or one that does not affect the"
+                            + " surface, such as vn, vt, usemtl or g; export the mesh as polygons (got: "
+                            + words[0] + ")");
                 }
             }
         }
@@ -154,7 +155,7 @@ public final class ObjSurface {
             int index = Numbers.integer(slash < 0 ? word : word.substring(0, slash));
             face[k] = index > 0 ? index - 1 : vertices.size() + index;
             if (index == 0 || face[k] < 0 || face[k] >= vertices.size()) {
-                throw new IllegalArgumentException("a face must use vertices that stand before it, from 1 to "
+                throw new IllegalArgumentException("a face must use vertices defined before it, from 1 to "
                         + vertices.size() + " or -1 to -" + vertices.size() + " (got: " + index + ")");
             }
         }

@@ -14,7 +14,7 @@ import robosim.geometry.world.shared.AsciiScanner;
 import robosim.geometry.world.shared.Bounded;
 import robosim.geometry.world.shared.FileProblem;
 
-/** The surface of an STL file while it is read: its triangles, with corners that are equal joined. */
+/** The surface of an STL file while it is read: its triangles, with equal corners joined. */
 public final class StlSurface {
     private static final int HEADER = 84;
     private static final int TRIANGLE = 50;
@@ -75,8 +75,8 @@ public final class StlSurface {
         long need = HEADER + TRIANGLE * count;
         return begin
                 + (bytes.length < need
-                        ? "; if it is one, it is cut off (got: "
-                        : "; if it is one, something stands behind its last triangle, so save it anew (got: ")
+                        ? "; if it is one, it is truncated (got: "
+                        : "; if it is one, there is extra data after its last triangle, so save it again (got: ")
                 + bytes.length + " bytes that would hold " + count + " triangles, which take " + need + ")";
     }
 
@@ -86,7 +86,7 @@ public final class StlSurface {
         for (int k = 0; k < count; k++) {
             int[] face = new int[3];
             for (int corner = 0; corner < 3; corner++) {
-                int at = HEADER + TRIANGLE * k + 12 * (corner + 1); // behind the normal
+                int at = HEADER + TRIANGLE * k + 12 * (corner + 1); // after the normal
                 try {
                     face[corner] = vertex(numbers.getFloat(at), numbers.getFloat(at + 4), numbers.getFloat(at + 8));
                 } catch (IllegalArgumentException e) {

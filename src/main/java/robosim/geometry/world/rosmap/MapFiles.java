@@ -23,7 +23,7 @@ public final class MapFiles {
                     yaml.toString(),
                     0,
                     0,
-                    "maps of ROS need snakeyaml-engine, which is not on the class path: add"
+                    "ROS maps need snakeyaml-engine, which is not on the class path: add"
                             + " org.snakeyaml:snakeyaml-engine:3.0.1 or newer (missing: " + e.getMessage() + ")",
                     e);
         }

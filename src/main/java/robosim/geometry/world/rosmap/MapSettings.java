@@ -84,12 +84,12 @@ public record MapSettings(
                         .orElse(null);
             } catch (MarkedYamlEngineException e) {
                 int line = e.getProblemMark().map(mark -> mark.getLine() + 1).orElse(0);
-                throw new FileProblem(source, line, 0, "this is no YAML: " + e.getProblem(), e);
+                throw new FileProblem(source, line, 0, "this is not valid YAML: " + e.getProblem(), e);
             } catch (YamlEngineException e) {
-                throw new FileProblem(source, 0, 0, "this is no YAML: " + e.getMessage(), e);
+                throw new FileProblem(source, 0, 0, "this is not valid YAML: " + e.getMessage(), e);
             }
             if (!(root instanceof MappingNode mapping)) {
-                throw new FileProblem(source, 0, 0, "a map must be keys with values, such as image: map.pgm");
+                throw new FileProblem(source, 0, 0, "a map must consist of keys with values, such as image: map.pgm");
             }
             for (NodeTuple entry : mapping.getValue()) {
                 entry(entry);
@@ -114,8 +114,8 @@ public record MapSettings(
                             source,
                             line,
                             0,
-                            "lists and keys must be at most " + Limits.MAX_NESTED
-                                    + " within each other; a map needs two (got: one more)");
+                            "lists and keys must be nested at most " + Limits.MAX_NESTED
+                                    + " deep; a map needs two levels (got: one more)");
                 }
             }
         }
@@ -130,7 +130,7 @@ public record MapSettings(
                                 + " remove it (got: " + key + ")");
             }
             if (values.putIfAbsent(key, entry.getValueNode()) != null) {
-                throw wrong(node, "a key must stand once; remove one of them (got twice: " + key + ")");
+                throw wrong(node, "a key must occur only once; remove one of them (got twice: " + key + ")");
             }
         }
 
@@ -138,7 +138,7 @@ public record MapSettings(
             double resolution = number("resolution", value("resolution"));
             if (!(resolution > 0)) {
                 throw wrong(
-                        value("resolution"), "resolution must be above 0 metres to a cell (got: " + resolution + ")");
+                        value("resolution"), "resolution must be above 0 metres per cell (got: " + resolution + ")");
             }
             double[] origin = origin();
             boolean isNegated = negate();

@@ -10,7 +10,7 @@ import robosim.geometry.world.shared.Limits;
 
 /** The occupied cells of a map as boxes, placed in the world. */
 public final class MapWalls {
-    /** Metres of the walls of a map, which has none of its own: a door's. */
+    /** Height in metres of the walls of a map, which does not specify it: that of a door. */
     public static final double HEIGHT = 2;
 
     /** Cells must be far larger than the rounding of their coordinates. */
@@ -23,7 +23,7 @@ public final class MapWalls {
     private final OccupancyGrid grid;
     private final double height;
 
-    /** @param height metres of the walls; above 0 */
+    /** @param height height of the walls in metres; above 0 */
     public MapWalls(MapSettings settings, OccupancyGrid grid, double height) {
         this.settings = settings;
         this.grid = grid;
@@ -91,7 +91,7 @@ public final class MapWalls {
         }
         if (settings.resolution() < LEAST_ULPS * Math.ulp(farthest)) {
             throw new IllegalArgumentException("resolution must be far above the rounding of coordinates at the map's"
-                    + " place; bring origin nearer to 0 (got: " + settings.resolution() + " at " + farthest + ")");
+                    + " position; move origin closer to 0 (got: " + settings.resolution() + " at " + farthest + ")");
         }
         return farthest + settings.resolution();
     }

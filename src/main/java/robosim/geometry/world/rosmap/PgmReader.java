@@ -33,10 +33,11 @@ public final class PgmReader {
                     source,
                     0,
                     0,
-                    "an image of " + width + " x " + height + " pixels must have " + need + " bytes behind its head; "
+                    "an image of " + width + " x " + height + " pixels must have " + need + " bytes after its header; "
                             + (there < need
-                                    ? "it is cut off (got: " + Math.max(0, there) + ")"
-                                    : "something stands behind its last pixel, so save it anew (got: " + there + ")"));
+                                    ? "it is truncated (got: " + Math.max(0, there) + ")"
+                                    : "there is extra data after its last pixel, so save it again (got: " + there
+                                            + ")"));
         }
         return binary(bytes, from, source, new OccupancyGrid(width, height, settings), white);
     }
@@ -48,7 +49,7 @@ public final class PgmReader {
             }
         }
         if (words.next()) {
-            throw words.wrong("an image must end behind its last pixel (got: "
+            throw words.wrong("an image must end after its last pixel (got: "
                     + words.word().length() + " more)");
         }
         return grid;

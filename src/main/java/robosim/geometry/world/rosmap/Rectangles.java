@@ -23,7 +23,7 @@ public final class Rectangles {
         for (int from = left.nextSetBit(0); from >= 0; from = left.nextSetBit(from)) {
             if (found.size() == most) {
                 throw new IllegalArgumentException("the walls of a map must fit in " + most
-                        + " boxes; clean it of single cells or join cells to larger ones (got: more)");
+                        + " boxes; remove single cells or use larger cells (got: more)");
             }
             int row = from / width;
             int end = Math.min(left.nextClearBit(from), (row + 1) * width);

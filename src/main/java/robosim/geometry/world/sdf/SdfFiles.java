@@ -113,7 +113,7 @@ public final class SdfFiles {
                     folder.toString(),
                     0,
                     0,
-                    "a folder must be that of a model, with " + SdfManifest.NAME + "; name a file in it (got: none)");
+                    "a folder must be a model's, with " + SdfManifest.NAME + "; else name a file in it (got: none)");
         }
         try {
             String name = isNamed ? SdfManifest.read(manifest, remarks) : SdfManifest.DEFAULT;
@@ -147,9 +147,8 @@ public final class SdfFiles {
                 if (Files.exists(candidate)) {
                     Path real = candidate.toRealPath();
                     if (folders.stream().noneMatch(real::startsWith)) {
-                        throw uri.wrong(
-                                "<uri> must lead to a file below the folder of the file that is read, or below a"
-                                        + " folder of models that was given (got: " + name + ")");
+                        throw uri.wrong("<uri> must refer to a file below the folder of the file being read, or below a"
+                                + " given model folder (got: " + name + ")");
                     }
                     return real;
                 }
@@ -196,7 +195,7 @@ public final class SdfFiles {
             searched.append(searched.isEmpty() ? "" : ", ").append(folder);
         }
         return uri.wrong("there is no such file or folder below " + searched + "; check the name, or give the folder"
-                + " that holds the model (got: " + uri.value() + ")");
+                + " that contains the model (got: " + uri.value() + ")");
     }
 
     /** Counts the bytes of a file that is about to be read. */
@@ -210,7 +209,7 @@ public final class SdfFiles {
             throw FileProblem.unreadable(file, e);
         }
         if (bytes > Limits.MAX_INCLUDED_BYTES) {
-            throw uri.wrong("all files that a file of SDFormat brings in must have at most " + Limits.MAX_INCLUDED_BYTES
+            throw uri.wrong("all files that an SDFormat file includes must have at most " + Limits.MAX_INCLUDED_BYTES
                     + " bytes together (got: more, with " + file + ")");
         }
     }

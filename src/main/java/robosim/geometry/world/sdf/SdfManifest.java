@@ -45,7 +45,7 @@ public final class SdfManifest extends DefaultHandler {
      * The name of the model's file. If the XML is not well-formed, as in many descriptions with an unescaped {@code &},
      * it is the name found before the error, or model.sdf if that exists.
      *
-     * @param remarks takes what is worth a word
+     * @param remarks receives remarks
      */
     static String read(Path file, Consumer<String> remarks) throws FileProblem {
         SdfManifest manifest = new SdfManifest(file);
@@ -62,7 +62,7 @@ public final class SdfManifest extends DefaultHandler {
                 throw e;
             }
             remarks.accept(e.getMessage() + "; only the name of the model's file matters here, and " + manifest.model
-                    + " was taken");
+                    + " was used");
         }
         if (manifest.model == null) {
             throw new FileProblem(

@@ -117,7 +117,7 @@ public final class SdfNames {
         return names != null && (names.isEmpty() || names.contains(child));
     }
 
-    /** Whether ignored children of an element are things of their own rather than mere properties. */
+    /** Whether ignored children of an element are separate things rather than mere properties. */
     static boolean isCounted(String parent) {
         return switch (parent) {
             case "sdf", "world", "model", "include", "link", "collision" -> true;
@@ -132,15 +132,15 @@ public final class SdfNames {
             return known;
         }
         return child.indexOf(':') >= 0
-                ? "an extension of SDFormat, whose meaning is not known here"
+                ? "an extension of SDFormat of unknown meaning"
                 : "SDFormat has no <" + child + "> in <" + parent + ">; check the spelling";
     }
 
     private static @Nullable String known(String child) {
         return switch (child) {
-            case "actor" -> "an actor moves by a script";
+            case "actor" -> "an actor is moved by a script";
             case "population" -> "it places copies of a model at random";
-            case "state" -> "the poses of a saved state are not read; models stand where their own <pose> says";
+            case "state" -> "the poses of a saved state are not read; models are placed by their own <pose>";
             default -> null;
         };
     }

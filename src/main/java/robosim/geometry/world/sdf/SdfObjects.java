@@ -76,7 +76,8 @@ public final class SdfObjects {
         SdfElement element = model.element;
         String name = unique(inner.path, element);
         try {
-            // One shape that turns about the model's own vertical is the object itself; else a group keeps the frame.
+            // A single shape that turns about the model's own vertical is the object itself; else a group keeps the
+            // frame.
             GeometryObject only = body.members.get(0);
             GeometryObject whole = body.members.size() == 1 && body.first.isOnTheSpot()
                     ? only.at(place.then(body.first).pose())
@@ -200,7 +201,7 @@ public final class SdfObjects {
     /** Refuses a name that is too long to append a number. */
     static void checkName(String name, SdfElement place) throws FileProblem {
         if (name.length() > Limits.MAX_ATTRIBUTE - 20) {
-            throw place.wrong("a name with those of the models around it must have at most "
+            throw place.wrong("a name with those of the enclosing models must have at most "
                     + (Limits.MAX_ATTRIBUTE - 20) + " characters (got: " + name.length() + ")");
         }
     }

@@ -112,7 +112,7 @@ public final class SdfParser extends DefaultHandler {
         }
         SdfElement element = new SdfElement(file, name, line(), column(), values);
         if (name.equals("model") && ++models > Limits.MAX_GROUPS) {
-            throw refusal("models must be at most " + Limits.MAX_GROUPS + " within each other (got: one more)");
+            throw refusal("models must be nested at most " + Limits.MAX_GROUPS + " deep (got: one more)");
         }
         if (parent != null) {
             // Otherwise a search for the collisions of a link would go through all of its poses, again for each
@@ -129,7 +129,7 @@ public final class SdfParser extends DefaultHandler {
 
     private void bounded() throws SAXException {
         if (++count > Limits.MAX_ELEMENTS) {
-            throw refusal("a file must have at most " + Limits.MAX_ELEMENTS + " elements that matter (got: more)");
+            throw refusal("a file must have at most " + Limits.MAX_ELEMENTS + " relevant elements (got: more)");
         }
     }
 
@@ -207,7 +207,7 @@ public final class SdfParser extends DefaultHandler {
 
     @Override
     public InputSource resolveEntity(@Nullable String publicId, @Nullable String systemId) throws SAXException {
-        throw refusal("a world has no external entities; remove the reference (got: " + systemId + ")");
+        throw refusal("external entities are not allowed; remove the reference (got: " + systemId + ")");
     }
 
     private SAXException refusal(String problem) {

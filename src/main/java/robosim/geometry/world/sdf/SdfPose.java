@@ -22,7 +22,7 @@ public final class SdfPose {
     static Placement read(SdfElement pose) throws FileProblem {
         String format = pose.attribute("rotation_format");
         if (pose.attributes.containsKey("frame") && !pose.attribute("frame").isEmpty()) {
-            throw pose.wrong("the attribute frame of <pose> never had a meaning; say relative_to=\""
+            throw pose.wrong("the attribute frame of <pose> never had a meaning; use relative_to=\""
                     + pose.attribute("frame") + "\" in version 1.7 or later, or remove it (got: frame)");
         }
         String degrees = pose.attribute("degrees");

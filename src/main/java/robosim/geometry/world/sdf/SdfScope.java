@@ -12,7 +12,7 @@ import robosim.geometry.world.shared.Placement;
 
 /**
  * A scope of names that can refer to each other: those directly in a world or in a model. Computes the placement of
- * each in the scope's frame, whichever of them is relative to which.
+ * each in the scope's frame, in any order of dependence.
  */
 public final class SdfScope {
     /** The scope's own frame, by its reserved name. */
@@ -55,8 +55,8 @@ public final class SdfScope {
         for (SdfNode at = node; at != null && at.local == null; at = next(at)) {
             if (at.isOpen) {
                 throw at.place()
-                        .wrong("poses must not count from each other in a circle; let one of them count from the model"
-                                + " (got: " + at.relativeTo() + ")");
+                        .wrong("poses must not be relative to each other in a cycle; make one of them relative to"
+                                + " the model (got: " + at.relativeTo() + ")");
             }
             at.isOpen = true;
             waiting.push(at);
@@ -67,7 +67,7 @@ public final class SdfScope {
             at.isOpen = false;
         }
         if (node.local == null) {
-            throw new IllegalStateException("a place was not worked out");
+            throw new IllegalStateException("a placement was not computed");
         }
         return node.local;
     }
@@ -110,7 +110,7 @@ public final class SdfScope {
         SdfNode node = nodes.get(end < 0 ? name : name.substring(0, end));
         if (node == null || (end >= 0 && node.inner == null)) {
             throw place.wrong("there is no such frame in " + (path.isEmpty() ? "the world" : "model " + path)
-                    + "; name a link, frame, joint or model that it holds (got: " + name + ")");
+                    + "; name a link, frame, joint or model in it (got: " + name + ")");
         }
         return node;
     }

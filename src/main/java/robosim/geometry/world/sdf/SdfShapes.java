@@ -47,7 +47,7 @@ public final class SdfShapes {
             if (geometry.children.isEmpty() && !geometry.skipped.isEmpty()) {
                 return null;
             }
-            throw geometry.wrong("<geometry> must hold one shape (got: " + geometry.children.size() + ")");
+            throw geometry.wrong("<geometry> must contain one shape (got: " + geometry.children.size() + ")");
         }
         SdfElement shape = geometry.children.get(0);
         tree.account(shape);
@@ -64,7 +64,8 @@ public final class SdfShapes {
                 case "plane" -> plane(shape, owner, place);
                 case "empty" -> null;
                 default -> {
-                    tree.skip(shape, named(shape, owner), "this shape is not read; use boxes, cylinders or a mesh");
+                    tree.skip(
+                            shape, named(shape, owner), "this shape is not supported; use boxes, cylinders or a mesh");
                     yield null;
                 }
             };
@@ -92,14 +93,14 @@ public final class SdfShapes {
         Point given = SdfPose.place(normal.x(), normal.y(), normal.z());
         Point up = place.direction(given.x(), given.y(), given.z());
         if (!(up.x() == 0 && up.z() == 0 && up.y() > 0)) {
-            throw shape.wrong("a plane must look straight up, to be the ground; use a box for " + owner
+            throw shape.wrong("a plane must face straight up, as the ground does; use a box for " + owner
                     + " (got: a normal of " + up.x() + " " + (0.0 - up.z()) + " " + up.y() + " in the world)");
         }
         tree.ground(
                 shape,
                 named(shape, owner),
                 "it is infinite ground, at height " + place.origin().y()
-                        + ", and a world has no plane; use a box if robots must meet it");
+                        + ", and a world has no planes; use a box if robots must collide with it");
         return null;
     }
 
@@ -108,7 +109,7 @@ public final class SdfShapes {
         String name = uri.value();
         SdfElement submesh = shape.child("submesh");
         if (submesh != null) {
-            throw submesh.wrong("a part of a mesh cannot be read; save it as a file of its own, for " + owner
+            throw submesh.wrong("part of a mesh cannot be read alone; save it as a separate file, for " + owner
                     + " (got: <submesh>)");
         }
         if (!MeshFiles.isNamed(name)) {
@@ -116,7 +117,7 @@ public final class SdfShapes {
             return null;
         }
         if (SdfFiles.isRemote(name)) {
-            tree.skip(shape, named(shape, owner), "no address in a network is followed, " + name);
+            tree.skip(shape, named(shape, owner), "network addresses are not followed: " + name);
             return null;
         }
         Path file = files.find(uri);

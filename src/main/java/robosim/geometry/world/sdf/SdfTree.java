@@ -17,7 +17,7 @@ public final class SdfTree {
     private static final Map<String, String> WELL_KNOWN = Map.of(
             "model://sun", "it is a light",
             "model://ground_plane",
-                    "it is infinite ground, and a world has no plane; use a box if robots must meet it");
+                    "it is infinite ground, and a world has no planes; use a box if robots must collide with it");
 
     private final SdfFiles files;
     private final Map<String, Integer> passedOver = new TreeMap<>();
@@ -78,8 +78,8 @@ public final class SdfTree {
             if (sdf.children.size() > 1) {
                 throw sdf.children
                         .get(1)
-                        .wrong("a file must hold one world, or models alone; part it in two (got: <"
-                                + sdf.children.get(1).name + "> beside another)");
+                        .wrong("a file must contain one world, or only models; split it in two (got: <"
+                                + sdf.children.get(1).name + "> and another)");
             }
             account(holder);
         } else if (sdf.children.isEmpty() && sdf.skipped.isEmpty()) {
@@ -104,7 +104,7 @@ public final class SdfTree {
 
     private void skip(SdfElement place, LeftOut each) throws FileProblem {
         if (skipped.size() >= Limits.MAX_OBJECTS) {
-            throw place.wrong("at most " + Limits.MAX_OBJECTS + " things may be left out of a world (got: more)");
+            throw place.wrong("at most " + Limits.MAX_OBJECTS + " elements may be left out of a world (got: more)");
         }
         skipped.add(each);
     }
@@ -124,13 +124,13 @@ public final class SdfTree {
 
     private void add(SdfScope scope, SdfElement element, @Nullable SdfNode home) throws FileProblem {
         if (++depth > Limits.MAX_GROUPS) {
-            throw element.wrong("models must be at most " + Limits.MAX_GROUPS
-                    + " within each other, included ones too (got: one more)");
+            throw element.wrong(
+                    "models must be nested at most " + Limits.MAX_GROUPS + " deep, included ones too (got: one more)");
         }
         for (SdfElement child : element.children) {
             if (++nodes > Limits.MAX_FRAMES) {
                 throw child.wrong("a world must have at most " + Limits.MAX_FRAMES
-                        + " models, links and frames, with all that it includes (got: more)");
+                        + " models, links and frames, those of included files too (got: more)");
             }
             switch (child.name) {
                 case "model" -> model(scope, child, home);
@@ -216,8 +216,8 @@ public final class SdfTree {
             skip(
                     include,
                     "<include> of " + address,
-                    "no address in a network is followed; fetch the model, write model://NAME, and give the folder"
-                            + " that holds it");
+                    "network addresses are not followed; download the model, write model://NAME, and give the folder"
+                            + " that contains it");
             return;
         }
         SdfElement root = files.included(uri);
@@ -234,7 +234,7 @@ public final class SdfTree {
             wellKnown.add(root.file);
         }
         if (!open.add(root.file)) {
-            throw uri.wrong("a file must not include itself, also not through others (got: " + address + ")");
+            throw uri.wrong("a file must not include itself, directly or through others (got: " + address + ")");
         }
         account(root);
         SdfElement model = theModel(root, uri);
@@ -250,7 +250,7 @@ public final class SdfTree {
             return null;
         }
         if (root.children.size() != 1 || !root.children.get(0).name.equals("model")) {
-            throw uri.wrong("an included file must hold one model (got: " + root.children.size()
+            throw uri.wrong("an included file must contain one model (got: " + root.children.size()
                     + " models or worlds in " + root.file.shown() + ")");
         }
         return root.children.get(0);

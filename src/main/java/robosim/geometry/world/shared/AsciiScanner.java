@@ -2,7 +2,7 @@ package robosim.geometry.world.shared;
 
 import java.nio.charset.StandardCharsets;
 
-/** Scans the bytes of a file for words separated by white space, and keeps the line of each. */
+/** Splits the bytes of a file into words at white space, and records the line of each. */
 public final class AsciiScanner {
     private final byte[] bytes;
     private final String source;
@@ -65,7 +65,7 @@ public final class AsciiScanner {
         }
     }
 
-    /** The index of the bytes behind the current word: after the single white space, or the comment, that ends it. */
+    /** The index of the bytes after the current word: after the single white space, or the comment, that ends it. */
     public int behind() {
         if (to < bytes.length && bytes[to] == comment) {
             skipComment();
@@ -133,7 +133,7 @@ public final class AsciiScanner {
     }
 
     private FileProblem missing(String what) {
-        return wrong("here must stand " + what + " (got: " + (from < to ? shown() : "the end of the file") + ")");
+        return wrong(what + " must come next (got: " + (from < to ? shown() : "the end of the file") + ")");
     }
 
     private String shown() {

@@ -4,7 +4,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import robosim.geometry.exact.NumberText;
 
-/** Doubles as people write them: the fewest digits that read back to the same bits, the same on every JDK. */
+/** Doubles in decimal notation: the fewest digits that read back to the same bits, the same on every JDK. */
 public final class Decimal {
     /** A decimal with at most this many digits is the shortest one of its double. */
     private static final int SURE = 15;

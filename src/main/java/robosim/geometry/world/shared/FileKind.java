@@ -24,7 +24,8 @@ public final class FileKind {
      * What a file really is and what to do with it, if it is not in the format it was read as; null if that is unknown,
      * or it is in that format.
      *
-     * @param readAs the ending that its reader is for: {@code xml}, {@code sdf}, {@code yaml}, {@code obj} or {@code stl}
+     * @param readAs the ending of the names that its reader expects: {@code xml}, {@code sdf}, {@code yaml}, {@code
+     *     obj} or {@code stl}
      */
     public static @Nullable String other(Path file, String readAs) {
         byte[] head;
@@ -40,25 +41,25 @@ public final class FileKind {
 
     private static @Nullable String binary(String bytes) {
         if (bytes.startsWith("\u0089PNG") || bytes.startsWith("\u00ff\u00d8\u00ff") || bytes.startsWith("GIF8")) {
-            return "this is a picture; a map of ROS is read from its .yaml";
+            return "this is an image; a ROS map is read from its .yaml file";
         }
         if (bytes.matches("(?s)P[1-6]\\s.*")) {
-            return "this is a picture (PNM); a map of ROS is read from its .yaml";
+            return "this is an image (PNM); a ROS map is read from its .yaml file";
         }
         if (bytes.startsWith("PK\u0003\u0004") || bytes.startsWith("\u001f\u008b") || bytes.startsWith("BZh")) {
             return "this is an archive; unpack it first";
         }
         if (bytes.startsWith("glTF")) {
-            return "this is glTF, which is not read; export it as OBJ or STL";
+            return "this is glTF, which is not supported; export it as OBJ or STL";
         }
         if (bytes.startsWith("Kaydara FBX")) {
-            return "this is FBX, which is not read; export it as OBJ or STL";
+            return "this is FBX, which is not supported; export it as OBJ or STL";
         }
         if (bytes.startsWith("%PDF")) {
-            return "this is a PDF, and holds no world";
+            return "this is a PDF, which contains no world";
         }
         if (bytes.startsWith("\u00ac\u00ed")) {
-            return "this is a conversation in Java serialization; replay and view take the folder that it is in";
+            return "this is a conversation in Java serialization; give its folder to replay or view";
         }
         return null;
     }
@@ -70,10 +71,10 @@ public final class FileKind {
             return xml(root.group(1), readAs);
         }
         if (text.startsWith("ply")) {
-            return "this is PLY, which is not read; export it as OBJ or STL";
+            return "this is PLY, which is not supported; export it as OBJ or STL";
         }
         if (text.stripLeading().startsWith("{")) {
-            return "this is JSON; a recording of the module ends in .scenario.jsonl, and replay and view take it";
+            return "this is JSON; recordings of this module end in .scenario.jsonl and are for replay and view";
         }
         if (!readAs.equals("stl") && text.toLowerCase(Locale.ROOT).startsWith("solid")) {
             return "this is STL; give it a name that ends in .stl";
@@ -82,7 +83,7 @@ public final class FileKind {
             return "this is Wavefront OBJ; give it a name that ends in .obj";
         }
         if (!readAs.equals("yaml") && RESOLUTION.matcher(text).find()) {
-            return "this is a map of ROS; give it a name that ends in .yaml";
+            return "this is a ROS map; give it a name that ends in .yaml";
         }
         return null;
     }
@@ -91,12 +92,12 @@ public final class FileKind {
         return switch (root) {
             case "sdf" -> readAs.equals("sdf") ? null : "this is SDFormat; give it a name that ends in .sdf or .world";
             case "world" ->
-                readAs.equals("xml") ? null : "this is a world of the module; give it a name that ends in .xml";
-            case "robot" -> "this is URDF, which is not read; export it as SDFormat (gz sdf -p does)";
-            case "COLLADA" -> "this is COLLADA, which is not read; export it as OBJ or STL";
-            case "svg" -> "this is a picture (SVG), and holds no world";
-            case "html" -> "this is a page of the web: what was fetched is no file but the page around it";
-            case "gazebo", "gazebo_world" -> "this is a world of a Gazebo older than SDFormat 1.4; convert it there";
+                readAs.equals("xml") ? null : "this is a world of this module; give it a name that ends in .xml";
+            case "robot" -> "this is URDF, which is not supported; export it as SDFormat (gz sdf -p does)";
+            case "COLLADA" -> "this is COLLADA, which is not supported; export it as OBJ or STL";
+            case "svg" -> "this is an image (SVG), which contains no world";
+            case "html" -> "this is a web page: what was downloaded is not the file but the page around it";
+            case "gazebo", "gazebo_world" -> "this is a Gazebo world older than SDFormat 1.4; convert it with Gazebo";
             default ->
                 readAs.equals("xml") || readAs.equals("sdf") ? null : "this is XML, with the root <" + root + ">";
         };

@@ -5,7 +5,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 
-/** What is wrong with a file, where, and what to do about it; users are told by a {@code WorldException}. */
+/** What is wrong with a file, where, and the remedy; users get it as a {@code WorldException}. */
 public final class FileProblem extends IOException {
     private static final long serialVersionUID = 1;
 
@@ -14,10 +14,10 @@ public final class FileProblem extends IOException {
     private final int column;
 
     /**
-     * At a place of a file.
+     * A problem at a place in a file.
      *
-     * @param line   counted from 1; 0 where the problem has none
-     * @param column counted from 1; 0 where the problem has none
+     * @param line   counted from 1; 0 if the problem concerns no line
+     * @param column counted from 1; 0 if the problem concerns no column
      */
     public FileProblem(String source, int line, int column, String problem, @Nullable Throwable cause) {
         super(place(source, line, column) + problem, cause);
@@ -26,7 +26,7 @@ public final class FileProblem extends IOException {
         this.column = column;
     }
 
-    /** That nothing else led to. */
+    /** A problem without a cause. */
     public FileProblem(String source, int line, int column, String problem) {
         this(source, line, column, problem, null);
     }

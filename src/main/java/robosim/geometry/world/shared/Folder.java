@@ -40,7 +40,7 @@ public final class Folder {
     }
 
     private static IllegalArgumentException outside(String file, String owner) {
-        return new IllegalArgumentException("file must be a path with / from the " + owner
+        return new IllegalArgumentException("file must be a path with / relative to the " + owner
                 + " file's folder, and stay inside it (got: " + file + ")");
     }
 }

@@ -5,16 +5,16 @@ public final class Limits {
     /** Maximum number of problems reported for one file. */
     public static final int MAX_PROBLEMS = 100;
 
-    /** Bytes of one file of any format. A mesh of a million triangles takes some 60 MB as XML, OBJ or binary STL. */
+    /** Bytes of one file of any format. A mesh of a million triangles takes about 60 MB as XML, OBJ or binary STL. */
     public static final long MAX_BYTES = 128L << 20;
 
-    /** Boxes, cylinders, spheres, meshes and groups of one world, members too. The warehouse has some 2,700. */
+    /** Boxes, cylinders, spheres, meshes and groups of one world, members included. The warehouse has about 2,700. */
     public static final int MAX_OBJECTS = 200_000;
 
-    /** Elements of one SDFormat file that are read. A world of 3,000 shapes has some 30,000. */
+    /** Elements of one SDFormat file that are read. A world of 3,000 shapes has about 30,000. */
     public static final int MAX_ELEMENTS = 2_000_000;
 
-    /** Models, links, frames and joints of one world, included files counted. A world of 3,000 shapes has 6,000. */
+    /** Models, links, frames and joints of one world, including included files. A world of 3,000 shapes has 6,000. */
     public static final int MAX_FRAMES = 500_000;
 
     /** Bytes of all files that one SDFormat file includes: models and meshes. */
@@ -23,10 +23,10 @@ public final class Limits {
     /** Vertices of all meshes of one SDFormat file; each scale of a mesh counts separately. */
     public static final long MAX_VERTICES = 20_000_000;
 
-    /** Characters of one attribute. The longest useful one, a rotation of 9 exact numbers, has some 220. */
+    /** Characters of one attribute. The longest useful one, a rotation of 9 exact numbers, has about 220. */
     public static final int MAX_ATTRIBUTE = 1000;
 
-    /** Nesting depth of XML elements. Groups or models at their own limits reach some 60. */
+    /** Nesting depth of XML elements. Groups or models at their own limits reach about 60. */
     public static final int MAX_DEPTH = 200;
 
     /** Bytes of one tag or comment of XML, which its parser keeps in memory. A mesh of 60,000 triangles has 4,000,000. */
@@ -38,10 +38,10 @@ public final class Limits {
     /** Nesting depth of groups. The deepest realistic case tried is a shelf in a row in a hall: 3. */
     public static final int MAX_GROUPS = 50;
 
-    /** Characters of one statement of an OBJ file. A polygon of 1,000 corners with all its indices has some 20,000. */
+    /** Characters of one statement of an OBJ file. A polygon of 1,000 corners with all its indices has about 20,000. */
     public static final int MAX_STATEMENT = 100_000;
 
-    /** Corners of one polygon of an OBJ file, which is cut into triangles in quadratic time: some milliseconds. */
+    /** Corners of one polygon of an OBJ file, which is cut into triangles in quadratic time: a few milliseconds. */
     public static final int MAX_CORNERS = 1000;
 
     /** Faces of one mesh file, after its polygons are cut. A file of 128 MB has 3,000,000, unless it repeats faces. */

@@ -3,21 +3,21 @@ package robosim.geometry.world.shared;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
-/** Numbers of a text: decimal, finite, and nothing else that Java would take for a number. */
+/** Parses numbers: decimal and finite ones, and nothing else that Java would accept. */
 public final class Numbers {
-    /** A double is written in at most 24 characters; people who count exactly need some more. */
+    /** A double has at most 24 characters; longer exact decimals are allowed up to this length. */
     static final int MAX_LENGTH = 100;
 
     private static final Pattern SPACE = Pattern.compile("\\s+");
 
     private Numbers() {}
 
-    /** The words of a text between white space; one empty word where it has none. */
+    /** The words of a text, separated by white space; one empty word if it has none. */
     public static String[] words(String text) {
         return SPACE.split(text.strip(), -1);
     }
 
-    /** A number; the message of the exception says what it must be and what came. */
+    /** A number; the message of the exception says what is required and what was given. */
     public static double parse(String token) {
         if (isDecimal(token)) {
             try {
@@ -32,7 +32,7 @@ public final class Numbers {
         throw wrong(token, null);
     }
 
-    /** An index as XML has it: from 0. */
+    /** An index in XML: from 0. */
     public static int index(String token) {
         int index = integer(token, " of at least 0");
         if (index < 0) {
@@ -70,7 +70,7 @@ public final class Numbers {
                 return false;
             }
         }
-        // An exponent of more digits is no double, and exact arithmetic on it would take its time.
+        // No double has an exponent of more digits, and exact arithmetic on it would take long.
         return exponentDigits <= 3;
     }
 

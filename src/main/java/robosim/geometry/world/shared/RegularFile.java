@@ -17,9 +17,9 @@ public final class RegularFile {
                     0,
                     0,
                     Files.isDirectory(file)
-                            ? "a file is needed; name one in this folder (got: a folder)"
-                            : "a regular file is needed; save what a pipe or a device gives to one (got: a pipe, a"
-                                    + " socket or a device)");
+                            ? "the path must be that of a file; name one in this folder (got: a folder)"
+                            : "the file must be a regular one; save the output of a pipe or device to one (got: a pipe,"
+                                    + " a socket or a device)");
         }
         return Files.newInputStream(file);
     }

@@ -1,4 +1,4 @@
-/** What the formats share: files opened with care, numbers of a text, frames within frames, limits, and what is wrong where. */
+/** What the formats share: safe opening of files, numbers in text, nested frames, limits, and located problems. */
 @NullMarked
 package robosim.geometry.world.shared;
 

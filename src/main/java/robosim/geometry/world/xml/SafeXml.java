@@ -12,7 +12,7 @@ import robosim.geometry.world.shared.FileProblem;
 
 /** Hardened XML parsing: no document type, no entities, and nothing that the file refers to is read. */
 public final class SafeXml {
-    /** Parser and validator are made to speak English, their root language: it is what {@code SchemaErrors} reads. */
+    /** Parser and validator are set to English, their default language, which {@code SchemaErrors} parses. */
     public static final String LOCALE = "http://apache.org/xml/properties/locale";
 
     /**
@@ -41,7 +41,7 @@ public final class SafeXml {
             }
             return reader;
         } catch (ParserConfigurationException e) {
-            throw new IllegalStateException("the JDK's XML parser refuses to be hardened", e);
+            throw new IllegalStateException("the JDK's XML parser does not support the secure settings", e);
         }
     }
 
@@ -49,8 +49,8 @@ public final class SafeXml {
     public static FileProblem refusal(String source, SAXParseException e) {
         String message = String.valueOf(e.getMessage());
         String problem = message.contains("disallow-doctype-decl")
-                ? "a document type is not accepted; remove <!DOCTYPE ...>, a world has no entities"
-                : "this is no well-formed XML: " + message;
+                ? "a document type is not allowed; remove <!DOCTYPE ...>, as a world has no entities"
+                : "this is not well-formed XML: " + message;
         return new FileProblem(source, e.getLineNumber(), e.getColumnNumber(), problem, e);
     }
 }

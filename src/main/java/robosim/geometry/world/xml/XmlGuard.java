@@ -40,8 +40,8 @@ public final class XmlGuard extends XMLFilterImpl implements LexicalHandler {
     /**
      * Parses a stream with the hardened parser.
      *
-     * @param source what messages call the stream
-     * @throws SAXException around a {@link FileProblem}, where it is against the limits
+     * @param source the name of the stream in messages
+     * @throws SAXException around a {@link FileProblem}, if it exceeds the limits
      */
     public static void parse(InputStream in, String source, DefaultHandler follower) throws SAXException, IOException {
         XmlGuard guard = new XmlGuard(SafeXml.reader(), source, follower);
@@ -95,7 +95,7 @@ public final class XmlGuard extends XMLFilterImpl implements LexicalHandler {
                     source,
                     locator == null ? 0 : locator.getLineNumber(),
                     locator == null ? 0 : locator.getColumnNumber(),
-                    "elements must be at most " + Limits.MAX_DEPTH + " within each other (got: one more)"));
+                    "elements must be nested at most " + Limits.MAX_DEPTH + " deep (got: one more)"));
         }
         super.startElement(uri, name, qualified, attributes);
     }
@@ -140,7 +140,7 @@ public final class XmlGuard extends XMLFilterImpl implements LexicalHandler {
         silent = 0;
     }
 
-    // There is no document type, so no entity either.
+    // Without a document type, there are no entities.
 
     @Override
     public void startDTD(String name, @Nullable String publicId, @Nullable String systemId) {}

@@ -1,4 +1,4 @@
-/** XML from strangers, parsed within limits. */
+/** Parsing of untrusted XML, within limits. */
 @NullMarked
 package robosim.geometry.world.xml;
 
