@@ -21,7 +21,8 @@ final class GridReachability {
     private static final double TURN = 360.0 / TURNS;
 
     /**
-     * Maximum number of places and headings of a grid: seconds among boxes and cylinders, up to a minute among meshes.
+     * Maximum number of places and headings of a grid: a few seconds among boxes and cylinders, most of a minute among
+     * large meshes.
      */
     private static final double MOST = 60_000;
 
