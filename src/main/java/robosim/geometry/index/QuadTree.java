@@ -294,7 +294,7 @@ public final class QuadTree {
     }
 
     /** Gives up spare room. */
-    private void trim() {
+    public void trim() {
         if (ArrayGrowth.isWasteful(limit, listed.length)) {
             resize(limit);
         }

@@ -1,6 +1,6 @@
 /**
  * Indexes over boxes: {@link robosim.geometry.index.QuadTree} for the objects of a world, with tiles and regions of the
- * plane; {@link robosim.geometry.index.boxes.OctTree} for objects stacked in height; and {@link
+ * plane; {@link robosim.geometry.index.hierarchy.Hierarchy} for the objects of a world in space; and {@link
  * robosim.geometry.index.boxes.BoxTree} for the triangles of a mesh.
  *
  * <p>They handle numbers and boxes, not shapes. Boxes are closed and given rounded outward, so a query never misses

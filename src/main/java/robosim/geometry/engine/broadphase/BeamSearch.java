@@ -1,11 +1,9 @@
 package robosim.geometry.engine.broadphase;
 
-import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.index.QuadCursor;
-import robosim.geometry.index.boxes.OctTree;
-import robosim.geometry.index.boxes.SpaceKeys;
-import robosim.geometry.model.Dimension;
+import robosim.geometry.index.hierarchy.NearestCursor;
+import robosim.geometry.index.hierarchy.RayCursor;
 import robosim.geometry.narrow.Cast;
 
 /**
@@ -15,9 +13,6 @@ import robosim.geometry.narrow.Cast;
 public abstract class BeamSearch {
     /** More than what a square may lose by underflow. */
     private static final double UNDERFLOW = 0x1p-1000;
-
-    /** Among so few objects in the quadtree, heights are not worth a look. */
-    private static final int FEW = 4;
 
     /** How many objects are remembered that a ray has been tried on. */
     private static final int RECENT = 8;
@@ -29,6 +24,7 @@ public abstract class BeamSearch {
     private double oy;
     private double oz;
     private double ux;
+    private double uy;
     private double uz;
     private boolean isCone;
     private double halfCos;
@@ -40,12 +36,6 @@ public abstract class BeamSearch {
     private double leftZ;
     private double rightX;
     private double rightZ;
-
-    /** Where bounds begin along the beam, with their heights. */
-    private final SpaceKeys keys = new SpaceKeys();
-
-    private boolean hasHeights;
-    private double highest;
 
     /** By the last bits of an id: the query's number above the id. */
     private final long[] recent = new long[RECENT];
@@ -93,6 +83,7 @@ public abstract class BeamSearch {
 
     private void takeUnit() {
         ux = cast.unit(0);
+        uy = cast.unit(1);
         uz = cast.unit(2);
     }
 
@@ -134,13 +125,16 @@ public abstract class BeamSearch {
     }
 
     private double searchTrees(LeafTable table, double limit, int ignored) {
-        double reach = searchSpace(table, limit, ignored);
-        if (isCone) {
-            return searchSector(table, reach, ignored);
+        SpaceIndex space = table.space;
+        if (space != null) {
+            takeUnit();
+            double reach = searchSpace(table, space, space.still, limit, ignored);
+            return searchSpace(table, space, space.moving, reach, ignored);
         }
-        double dx = cast.way(0);
-        double dz = cast.way(2);
-        return dx == 0 && dz == 0 ? searchColumn(table, reach, ignored) : searchLine(table, reach, ignored, dx, dz);
+        if (isCone) {
+            return searchSector(table, limit, ignored);
+        }
+        return searchLine(table, limit, ignored, cast.way(0), cast.way(2));
     }
 
     private void searchBesideTree(LeafTable table, double limit, int ignored) {
@@ -159,9 +153,8 @@ public abstract class BeamSearch {
         }
     }
 
-    /** Searches the quadtree along a line that is not vertical. */
+    /** Searches the quadtree along a line. */
     private double searchLine(LeafTable table, double limit, int ignored, double dx, double dz) {
-        boolean isPlanar = table.dimension == Dimension.PLANAR;
         int mark = table.mark;
         double slack = slack(table);
         double inverse = cast.inverseLength();
@@ -175,7 +168,7 @@ public abstract class BeamSearch {
             // What is the nearest so far comes again where it lies across regions.
             int id = local | mark;
             if (id != ignored && !isNearest(id)) {
-                reach = isPlanar ? meetOnPlane(table, id, outlines, local, reach) : meetOnce(table, id, reach);
+                reach = meetOnPlane(table, id, outlines, local, reach);
                 last = loose(reach, slack) * inverse;
             }
         }
@@ -191,23 +184,11 @@ public abstract class BeamSearch {
     private double meetOnce(LeafTable table, int id, double reach) {
         long mark = query | id;
         int place = id & (RECENT - 1);
-        if (recent[place] == mark || !isAtHeight(table, id, reach)) {
+        if (recent[place] == mark) {
             return reach;
         }
         recent[place] = mark;
         return meet(table, id, reach);
-    }
-
-    /** Searches what stands in the quadtree above and below the start. */
-    private double searchColumn(LeafTable table, double limit, int ignored) {
-        double reach = limit;
-        table.cursor.startBox(ox, oz, ox, oz);
-        for (int local = table.cursor.next(); local >= 0; local = table.cursor.next()) {
-            if ((local | table.mark) != ignored) {
-                reach = meet(table, local | table.mark, reach);
-            }
-        }
-        return reach;
     }
 
     /** Searches the quadtree in the sector that is the cone as seen from above. */
@@ -218,48 +199,46 @@ public abstract class BeamSearch {
         cursor.startSector(ox, oz, leftX, leftZ, rightX, rightZ, loose(reach, slack));
         for (int local = cursor.next(loose(reach, slack)); local >= 0; local = cursor.next(loose(reach, slack))) {
             int id = local | table.mark;
-            if (id != ignored && coneMeets(table, id, loose(reach, slack)) && isAtHeight(table, id, reach)) {
+            if (id != ignored && coneMeets(table, id, loose(reach, slack))) {
                 reach = meet(table, id, reach);
             }
         }
         return reach;
     }
 
-    /** Searches the octree, in which are no moveable objects. */
-    private double searchSpace(LeafTable table, double limit, int ignored) {
-        hasHeights = false;
-        if (table.dimension == Dimension.PLANAR) {
+    /** Searches one hierarchy of a world with heights. */
+    private double searchSpace(LeafTable table, SpaceIndex space, SpaceIndex.Part part, double limit, int ignored) {
+        if (part.isEmpty()) {
             return limit;
         }
-        OctTree.@Nullable Cursor stacked = table.spaceIndex.cursor();
-        hasHeights = stacked != null || table.tree.size() > FEW;
-        if (!hasHeights) {
-            return limit;
-        }
-        takeUnit();
-        double uy = cast.unit(1);
-        highest = 0x1p-44 * (table.spaceIndex.most() + Math.abs(oy));
-        if (isCone) {
-            keys.startCone(ox, oy, oz, ux, uy, uz, halfCos, halfSin);
-        } else {
-            keys.startRay(ox, oy, oz, ux, uy, uz);
-        }
+        return isCone ? searchCone(table, space, part, limit, ignored) : searchRay(table, part.rays, limit, ignored);
+    }
+
+    private double searchRay(LeafTable table, RayCursor cursor, double limit, int ignored) {
         double reach = limit;
-        if (stacked != null) {
-            double slack = slack(table) + highest;
-            stacked.start(table.bounds(), keys);
-            for (int local = stacked.next(loose(reach, slack)); local >= 0; local = stacked.next(loose(reach, slack))) {
-                if ((local | table.mark) != ignored) {
-                    reach = meet(table, local | table.mark, reach);
-                }
+        cursor.start(ox, oy, oz, ux, uy, uz);
+        for (int local = cursor.next(reach); local >= 0; local = cursor.next(reach)) {
+            int id = local | table.mark;
+            if (id != ignored) {
+                reach = meet(table, id, reach);
             }
         }
         return reach;
     }
 
-    /** Whether the beam may meet an object's bounds, with its height, within reach. */
-    private boolean isAtHeight(LeafTable table, int id, double reach) {
-        return !hasHeights || keys.key(table.bounds(), table.boundsAt(id)) <= loose(reach, slack(table) + highest);
+    private double searchCone(
+            LeafTable table, SpaceIndex space, SpaceIndex.Part part, double limit, int ignored) {
+        double reach = limit;
+        double slack = slack(table) + 0x1p-44 * (space.most() + Math.abs(oy));
+        space.keys.startCone(ox, oy, oz, ux, uy, uz, halfCos, halfSin);
+        NearestCursor cursor = part.nearest;
+        cursor.start(table.bounds());
+        for (int local = cursor.next(loose(reach, slack)); local >= 0; local = cursor.next(loose(reach, slack))) {
+            if ((local | table.mark) != ignored) {
+                reach = meet(table, local | table.mark, reach);
+            }
+        }
+        return reach;
     }
 
     /**

@@ -1,11 +1,9 @@
 package robosim.geometry.engine.broadphase;
 
 import java.util.Arrays;
-import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.index.QuadCursor;
-import robosim.geometry.index.boxes.OctTree;
-import robosim.geometry.index.boxes.SpaceKeys;
+import robosim.geometry.index.hierarchy.BoxCursor;
 import robosim.geometry.index.tiles.NearTarget;
 
 /**
@@ -16,7 +14,6 @@ import robosim.geometry.index.tiles.NearTarget;
 public final class BoxQuery {
     private final ObjectTable objects;
     private final BoxTarget target;
-    private final SpaceKeys keys = new SpaceKeys();
     private final NearTarget passOn = this::passOn;
 
     private int[] ids = new int[16];
@@ -60,26 +57,31 @@ public final class BoxQuery {
     }
 
     private void gather(LeafTable of, double[] box, int but) {
-        QuadCursor cursor = of.cursor;
-        int found = cursor.gather(
-                box[0], box[2], box[3], box[5], but ^ of.mark, of.leaves().outlines());
-        for (int k = 0; k < found; k++) {
-            add(cursor.gathered(k) | of.mark);
-        }
-        OctTree.@Nullable Cursor stacked = of.spaceIndex.cursor();
-        if (stacked != null) {
-            keys.startBox(box);
-            stacked.start(of.bounds(), keys);
-            for (int local = stacked.next(0); local >= 0; local = stacked.next(0)) {
-                if ((local | of.mark) != but) {
-                    add(local | of.mark);
-                }
+        SpaceIndex space = of.space;
+        if (space == null) {
+            QuadCursor cursor = of.cursor;
+            int found = cursor.gather(
+                    box[0], box[2], box[3], box[5], but ^ of.mark, of.leaves().outlines());
+            for (int k = 0; k < found; k++) {
+                add(cursor.gathered(k) | of.mark);
             }
+        } else {
+            gather(of, space.still.boxes, box, but);
+            gather(of, space.moving.boxes, box, but);
         }
         for (int k = 0; k < of.moversBesideTree(); k++) {
             int id = objects.mover(k);
             if (id != but && of.meets(id, box)) {
                 add(id);
+            }
+        }
+    }
+
+    private void gather(LeafTable of, BoxCursor cursor, double[] box, int but) {
+        cursor.start(box);
+        for (int local = cursor.next(); local >= 0; local = cursor.next()) {
+            if ((local | of.mark) != but) {
+                add(local | of.mark);
             }
         }
     }
@@ -98,6 +100,9 @@ public final class BoxQuery {
     }
 
     private boolean probes(LeafTable of, double[] box, int but) {
+        if (of.space != null) {
+            return meetsEach(of, box, but);
+        }
         double x = box[0] / 2 + box[3] / 2;
         double z = box[2] / 2 + box[5] / 2;
         double halfX = QuadCursor.half(box[0], box[3]);
@@ -130,6 +135,10 @@ public final class BoxQuery {
     }
 
     private boolean meetsInTree(LeafTable of, double[] box, int but) {
+        SpaceIndex space = of.space;
+        if (space != null) {
+            return meets(of, space.still.boxes, box, but) || meets(of, space.moving.boxes, box, but);
+        }
         of.cursor.startBox(box[0], box[2], box[3], box[5]);
         for (int local = of.cursor.next(); local >= 0; local = of.cursor.next()) {
             int id = local | of.mark;
@@ -140,17 +149,18 @@ public final class BoxQuery {
         return false;
     }
 
-    private boolean meetsBesideTree(LeafTable of, double[] box, int but) {
-        OctTree.@Nullable Cursor stacked = of.spaceIndex.cursor();
-        if (stacked != null) {
-            keys.startBox(box);
-            stacked.start(of.bounds(), keys);
-            for (int local = stacked.next(0); local >= 0; local = stacked.next(0)) {
-                if ((local | of.mark) != but && target.meet(of, local | of.mark)) {
-                    return true;
-                }
+    private boolean meets(LeafTable of, BoxCursor cursor, double[] box, int but) {
+        cursor.startSettled(box);
+        for (int local = cursor.next(); local >= 0; local = cursor.next()) {
+            int id = local | of.mark;
+            if (id != but && of.meets(id, box) && target.meet(of, id)) {
+                return true;
             }
         }
+        return false;
+    }
+
+    private boolean meetsBesideTree(LeafTable of, double[] box, int but) {
         for (int k = 0; k < of.moversBesideTree(); k++) {
             int id = objects.mover(k);
             if (id != but && of.meets(id, box) && target.meet(of, id)) {

@@ -29,7 +29,9 @@ public final class LeafTable {
     final Dimension dimension;
     final QuadTree tree;
     final QuadCursor cursor;
-    final StaticSpaceIndex spaceIndex;
+
+    /** Where objects are looked for in a world with heights; null in one without, where the quadtree has them. */
+    final @Nullable SpaceIndex space;
 
     /** More than any place or size in the plane. */
     final double extent;
@@ -43,7 +45,7 @@ public final class LeafTable {
     private LeafColumn leaves;
     private final LeafRanges spans;
 
-    /** So few moveable objects are tried one by one just as fast; more of them are in the quadtree. */
+    /** So few moveable objects are tried one by one just as fast; more of them are in a tree. */
     private static final int FEW_MOVERS = 16;
 
     private int movers;
@@ -86,7 +88,7 @@ public final class LeafTable {
         this.dimension = dimension;
         tree = new QuadTree(-width / 2, -length / 2, width / 2, length / 2, this::trim);
         cursor = tree.cursor();
-        spaceIndex = new StaticSpaceIndex(dimension == Dimension.SPATIAL);
+        space = dimension == Dimension.SPATIAL ? new SpaceIndex(this::trim) : null;
         extent = width + length;
         isFlat = dimension == Dimension.PLANAR && accuracy == Accuracy.EXACT;
     }
@@ -100,7 +102,7 @@ public final class LeafTable {
         mark = ObjectTable.SHARED;
         tree = of.tree.view();
         cursor = tree.cursor();
-        spaceIndex = of.spaceIndex.view();
+        space = of.space == null ? null : of.space.view();
         leaves = of.leaves.view();
         spans = of.spans;
         shapes = of.shapes;
@@ -109,7 +111,11 @@ public final class LeafTable {
 
     /** Builds now what is otherwise built on demand. From now on nothing may change here, and many threads may ask views of it. */
     void freeze() {
-        tree.freeze();
+        if (space == null) {
+            tree.freeze();
+        } else {
+            space.freeze();
+        }
         trim();
     }
 
@@ -168,8 +174,10 @@ public final class LeafTable {
             shapes[id] = (byte) (shapes[id] | MOVER | shape(id, object));
             movers++;
             countMovers(id);
+        } else if (space == null) {
+            tree.list(id);
         } else {
-            spaceIndex.add(id, tree);
+            space.still.tree.add(id, tree.boxes());
         }
     }
 
@@ -184,7 +192,7 @@ public final class LeafTable {
         };
     }
 
-    /** Adds all moveable objects to the quadtree once there are more than a few. */
+    /** Adds all moveable objects to a tree once there are more than a few. */
     private void countMovers(int last) {
         if (hasMoversInTree) {
             list(last);
@@ -204,10 +212,14 @@ public final class LeafTable {
         double[] b = bounds();
         int at = 6 * id;
         leaves.outline(id, b[at], b[at + 2], b[at + 3], b[at + 5]);
-        tree.list(id);
+        if (space == null) {
+            tree.list(id);
+        } else {
+            space.moving.tree.add(id, b);
+        }
     }
 
-    /** How many moveable objects are not in the quadtree: all of them or none. */
+    /** How many moveable objects are in no tree: all of them or none. */
     int moversBesideTree() {
         return hasMoversInTree ? 0 : movers;
     }
@@ -218,6 +230,7 @@ public final class LeafTable {
         if (ArrayGrowth.isWasteful(limit, shapes.length)) {
             shapes = Arrays.copyOf(shapes, limit);
         }
+        tree.trim();
         leaves.trim();
     }
 
@@ -229,10 +242,18 @@ public final class LeafTable {
 
     void remove(int id) {
         if (!objects.isMoveable(id)) {
-            spaceIndex.remove(id, tree);
+            if (space == null) {
+                tree.remove(id);
+            } else {
+                space.still.tree.remove(id);
+            }
         } else {
             movers--;
-            tree.remove(id);
+            if (space == null) {
+                tree.remove(id);
+            } else if (hasMoversInTree) {
+                space.moving.tree.remove(id);
+            }
         }
         if (id < forms.length) {
             forms[id] = null;
@@ -276,9 +297,14 @@ public final class LeafTable {
         }
         if (hasMoversInTree) {
             leaves.outline(id, box[0], box[2], box[3], box[5]);
+        }
+        if (hasMoversInTree && space == null) {
             tree.move(id, box);
-        } else {
-            tree.keep(id, box);
+            return;
+        }
+        tree.keep(id, box);
+        if (hasMoversInTree && space != null) {
+            space.moving.tree.move(id, tree.boxes());
         }
     }
 

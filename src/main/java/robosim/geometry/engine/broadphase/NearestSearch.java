@@ -1,10 +1,8 @@
 package robosim.geometry.engine.broadphase;
 
-import org.jspecify.annotations.Nullable;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.index.QuadCursor;
-import robosim.geometry.index.boxes.OctTree;
-import robosim.geometry.index.boxes.SpaceKeys;
+import robosim.geometry.index.hierarchy.NearestCursor;
 import robosim.geometry.narrow.Distance;
 
 /** Shows a target the objects around a box, nearest first, and none farther than the target still looks. */
@@ -14,7 +12,6 @@ public final class NearestSearch {
 
     private final ObjectTable objects;
     private final NearestTarget target;
-    private final SpaceKeys keys = new SpaceKeys();
 
     public NearestSearch(ObjectTable objects, NearestTarget target) {
         this.objects = objects;
@@ -45,7 +42,21 @@ public final class NearestSearch {
         double z = box[2] / 2 + box[5] / 2;
         double hx = Math.max(box[3] - x, x - box[0]);
         double hz = Math.max(box[5] - z, z - box[2]);
-        double radius = Math.sqrt(hx * hx + hz * hz + UNDERFLOW) * (1 + 0x1p-50);
+        SpaceIndex space = table.space;
+        if (space == null) {
+            double radius = Math.sqrt(hx * hx + hz * hz + UNDERFLOW) * (1 + 0x1p-50);
+            return searchPlane(table, x, z, radius, sizes, limit, ignored);
+        }
+        double y = box[1] / 2 + box[4] / 2;
+        double hy = Math.max(box[4] - y, y - box[1]);
+        double radius = Math.sqrt(hx * hx + hy * hy + hz * hz + UNDERFLOW) * (1 + 0x1p-50);
+        space.keys.startPoint(x, y, z);
+        double reach = searchSpace(table, space.still.nearest, radius, sizes, limit, ignored);
+        return searchSpace(table, space.moving.nearest, radius, sizes, reach, ignored);
+    }
+
+    private double searchPlane(
+            LeafTable table, double x, double z, double radius, double sizes, double limit, int ignored) {
         double reach = limit;
         QuadCursor cursor = table.cursor;
         cursor.startPoint(x, z, Distance.reach(reach, sizes) + radius);
@@ -56,18 +67,16 @@ public final class NearestSearch {
                 reach = target.meet(table, local | table.mark, reach);
             }
         }
-        OctTree.@Nullable Cursor stacked = table.spaceIndex.cursor();
-        if (stacked == null) {
-            return reach;
-        }
-        double y = box[1] / 2 + box[4] / 2;
-        double hy = Math.max(box[4] - y, y - box[1]);
-        double around = Math.sqrt(hx * hx + hy * hy + hz * hz + UNDERFLOW) * (1 + 0x1p-50);
-        keys.startPoint(x, y, z);
-        stacked.start(table.bounds(), keys);
-        for (int local = stacked.next(Distance.reach(reach, sizes) + around);
+        return reach;
+    }
+
+    private double searchSpace(
+            LeafTable table, NearestCursor cursor, double radius, double sizes, double limit, int ignored) {
+        double reach = limit;
+        cursor.start(table.bounds());
+        for (int local = cursor.next(Distance.reach(reach, sizes) + radius);
                 local >= 0;
-                local = stacked.next(Distance.reach(reach, sizes) + around)) {
+                local = cursor.next(Distance.reach(reach, sizes) + radius)) {
             if ((local | table.mark) != ignored) {
                 reach = target.meet(table, local | table.mark, reach);
             }

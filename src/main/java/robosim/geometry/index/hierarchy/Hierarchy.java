@@ -1,0 +1,454 @@
+package robosim.geometry.index.hierarchy;
+
+import java.util.Arrays;
+import robosim.geometry.index.ArrayGrowth;
+
+/**
+ * A bounding-volume hierarchy over objects in space, each given by a small id that the caller chooses and a box. Objects
+ * come, go and move at any time.
+ *
+ * <p>A node has up to {@link #WIDTH} children, each of which is a node or an object. The bounds of children are floats,
+ * rounded outward. An object that is added goes down to where the surface area grows least; one that moves stays where it
+ * is as long as it is near the other objects of its node. When enough objects have come or gone since the hierarchy was
+ * last built, and enough queries have been asked since to pay for it, it is built anew by the surface area heuristic, see
+ * {@link SurfaceAreaSplits}. So a change costs a descent, and a rebuild is charged to a quarter as many changes as there are objects.
+ *
+ * <p>The boxes stay with the caller: the six numbers of an object, its minimum corner and its maximum, begin at 6 times its
+ * id. May be used by one thread at a time, unless it is frozen.
+ */
+public final class Hierarchy {
+    /** The most children of a node. */
+    static final int WIDTH = 4;
+
+    /** Number of floats in a child's bounds: minimum corner, maximum corner. */
+    static final int PART = 6;
+
+    /** Offset of a node's links, one for each child, as the bits of ints. */
+    static final int LINKS = WIDTH * PART;
+
+    /** Number of floats in a node: with an array's header, a node fills two lines of the cache. */
+    static final int STRIDE = 32;
+
+    /** The link of a child that is missing. The link of an object is its id with the sign bit set, that of a node its number. */
+    static final int NONE = 0x7f000000;
+
+    /** The first capacity of a cursor's stack: enough for millions of objects that are not crowded. */
+    static final int STACK = 64;
+
+    /** Once an object is this deep the hierarchy is built anew, and then none is. */
+    private static final int DEEP = 120;
+
+    /** So few changes are not worth a rebuild. */
+    private static final int FEW = 8;
+
+    /** What a change takes from the queries that have been asked: as long as they alternate, nothing is built anew. */
+    private static final int CHANGE = 16;
+
+    float[] nodes = new float[STRIDE];
+
+    /** By node, the slot that it hangs from: 4 times the parent's number plus the child's. -1 for the root. */
+    private int[] parents = new int[1];
+
+    /** By id, the slot that the object hangs from; -1 if it is not in the tree. */
+    private int[] slots = new int[0];
+
+    private int count = 1;
+
+    /** The first of the nodes that were given up, which are chained by their parents; -1 for none. */
+    private int free = -1;
+
+    private int size;
+
+    /** Objects that came, or came elsewhere, since the tree was last built. */
+    private int changes;
+
+    /** Queries since then, less what the changes took. */
+    private int asked;
+
+    /** The greatest magnitude of any coordinate of a box so far. */
+    private double most;
+
+    private final float[] box = new float[PART];
+    private boolean isFrozen;
+
+    private final Runnable whenBuilt;
+
+    /** An empty hierarchy, with an action to run whenever it has been built anew. */
+    public Hierarchy(Runnable whenBuilt) {
+        this.whenBuilt = whenBuilt;
+        clear(0);
+        parents[0] = -1;
+    }
+
+
+    /** The greatest float that is at most a number. */
+    static float lower(double value) {
+        float nearest = (float) value;
+        return nearest > value ? Math.nextDown(nearest) : nearest;
+    }
+
+    /** The least float that is at least a number. */
+    static float upper(double value) {
+        float nearest = (float) value;
+        return nearest < value ? Math.nextUp(nearest) : nearest;
+    }
+
+    /** The number of objects. */
+    public int size() {
+        return size;
+    }
+
+    /** Whether an object is in the tree. */
+    public boolean contains(int id) {
+        return id < slots.length && slots[id] >= 0;
+    }
+
+    /** The greatest magnitude of any coordinate of a box so far. */
+    public double most() {
+        return most;
+    }
+
+    /** Adds an object that is not in the tree. */
+    public void add(int id, double[] boxes) {
+        if (contains(id)) {
+            throw new IllegalArgumentException("id must not be in the tree (got: " + id + ")");
+        }
+        reserve(id);
+        size++;
+        countChange();
+        take(id, boxes);
+        insert(id);
+    }
+
+    private void reserve(int id) {
+        if (id >= slots.length) {
+            int before = slots.length;
+            slots = Arrays.copyOf(slots, ArrayGrowth.of(id));
+            Arrays.fill(slots, before, slots.length, -1);
+        }
+    }
+
+    private void countChange() {
+        changes++;
+        asked = Math.max(0, asked - CHANGE);
+    }
+
+    /** Removes an object that is in the tree. */
+    public void remove(int id) {
+        size--;
+        countChange();
+        unlink(id);
+    }
+
+    /** Gives an object of the tree the box that the caller has for it now. */
+    public void move(int id, double[] boxes) {
+        take(id, boxes);
+        int slot = slots[id];
+        int above = parents[slot / WIDTH];
+        if (above >= 0 && isBeside(at(above))) {
+            unlink(id);
+            countChange();
+            insert(id);
+        } else {
+            System.arraycopy(box, 0, nodes, at(slot), PART);
+            refit(slot / WIDTH);
+        }
+    }
+
+    /** Whether the centre of the box at hand is outside the bounds that begin at an index. */
+    private boolean isBeside(int at) {
+        for (int axis = 0; axis < 3; axis++) {
+            float middle = 0.5f * box[axis] + 0.5f * box[3 + axis];
+            if (!(nodes[at + axis] <= middle && middle <= nodes[at + 3 + axis])) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private void take(int id, double[] boxes) {
+        for (int axis = 0; axis < 3; axis++) {
+            double low = boxes[6 * id + axis];
+            double high = boxes[6 * id + 3 + axis];
+            box[axis] = lower(low);
+            box[3 + axis] = upper(high);
+            most = Math.max(most, Math.max(-low, high));
+        }
+    }
+
+    /** Where the bounds of a slot begin. */
+    private static int at(int slot) {
+        return STRIDE * (slot / WIDTH) + PART * (slot % WIDTH);
+    }
+
+    private int link(int slot) {
+        return Float.floatToRawIntBits(nodes[STRIDE * (slot / WIDTH) + LINKS + slot % WIDTH]);
+    }
+
+    private void link(int slot, int to) {
+        nodes[STRIDE * (slot / WIDTH) + LINKS + slot % WIDTH] = Float.intBitsToFloat(to);
+        if (to < 0) {
+            slots[to & Integer.MAX_VALUE] = slot;
+        } else if (to != NONE) {
+            parents[to] = slot;
+        }
+    }
+
+    private void clear(int node) {
+        for (int slot = WIDTH * node; slot < WIDTH * node + WIDTH; slot++) {
+            clearSlot(slot);
+        }
+    }
+
+    private void clearSlot(int slot) {
+        int at = at(slot);
+        Arrays.fill(nodes, at, at + 3, Float.POSITIVE_INFINITY);
+        Arrays.fill(nodes, at + 3, at + 6, Float.NEGATIVE_INFINITY);
+        link(slot, NONE);
+    }
+
+    private int claim() {
+        int node = free;
+        if (node >= 0) {
+            free = parents[node];
+        } else {
+            node = count++;
+            if (node >= parents.length) {
+                parents = Arrays.copyOf(parents, Math.max(2 * parents.length, 16));
+                nodes = Arrays.copyOf(nodes, STRIDE * parents.length);
+            }
+        }
+        clear(node);
+        return node;
+    }
+
+    private void giveUp(int node) {
+        parents[node] = free;
+        free = node;
+    }
+
+    /** Hangs the box at hand where the surface area grows least. */
+    private void insert(int id) {
+        int node = 0;
+        int depth = 1;
+        while (true) {
+            int best = cheapest(node);
+            int spare = spare(node);
+            int link = best < 0 ? NONE : link(best);
+            if (spare >= 0 && (link < 0 || link == NONE || cost(at(best)) >= area(box, 0))) {
+                System.arraycopy(box, 0, nodes, at(spare), PART);
+                link(spare, Integer.MIN_VALUE | id);
+                break;
+            }
+            if (link < 0) {
+                int made = claim();
+                System.arraycopy(nodes, at(best), nodes, at(WIDTH * made), PART);
+                link(WIDTH * made, link);
+                link(best, made);
+                link = made;
+            }
+            grow(at(best));
+            node = link;
+            depth++;
+        }
+        if (depth > DEEP) {
+            build();
+        }
+    }
+
+    /** The child whose area grows least by the box at hand, of several the smallest; -1 where there is none. */
+    private int cheapest(int node) {
+        int best = -1;
+        double least = Double.POSITIVE_INFINITY;
+        double smallest = Double.POSITIVE_INFINITY;
+        for (int slot = WIDTH * node; slot < WIDTH * node + WIDTH; slot++) {
+            if (link(slot) == NONE) {
+                continue;
+            }
+            double cost = cost(at(slot));
+            double area = cost <= least ? area(nodes, at(slot)) : 0;
+            if (cost < least || (cost == least && area < smallest) || best < 0) {
+                best = slot;
+                least = cost;
+                smallest = area;
+            }
+        }
+        return best;
+    }
+
+    private int spare(int node) {
+        for (int slot = WIDTH * node; slot < WIDTH * node + WIDTH; slot++) {
+            if (link(slot) == NONE) {
+                return slot;
+            }
+        }
+        return -1;
+    }
+
+    /** By how much the area of the bounds that begin at an index would grow by the box at hand. */
+    private double cost(int at) {
+        double x = Math.max((double) nodes[at + 3], box[3]) - Math.min(nodes[at], box[0]);
+        double y = Math.max((double) nodes[at + 4], box[4]) - Math.min(nodes[at + 1], box[1]);
+        double z = Math.max((double) nodes[at + 5], box[5]) - Math.min(nodes[at + 2], box[2]);
+        return x * y + y * z + z * x - area(nodes, at);
+    }
+
+    private static double area(float[] of, int at) {
+        double x = (double) of[at + 3] - of[at];
+        double y = (double) of[at + 4] - of[at + 1];
+        double z = (double) of[at + 5] - of[at + 2];
+        return x * y + y * z + z * x;
+    }
+
+    private void grow(int at) {
+        for (int axis = 0; axis < 3; axis++) {
+            nodes[at + axis] = Math.min(nodes[at + axis], box[axis]);
+            nodes[at + 3 + axis] = Math.max(nodes[at + 3 + axis], box[3 + axis]);
+        }
+    }
+
+    private void unlink(int id) {
+        int slot = slots[id];
+        slots[id] = -1;
+        clearSlot(slot);
+        int node = slot / WIDTH;
+        int above = parents[node];
+        int left = onlyChild(node);
+        if (above >= 0 && left != NONE) {
+            if (left < 0) { // a node keeps at least two children, but for the root
+                throw new IllegalStateException("node must have had two children (got: node " + node + ")");
+            }
+            System.arraycopy(nodes, at(left), nodes, at(above), PART);
+            link(above, link(left));
+            giveUp(node);
+            node = above / WIDTH;
+        }
+        refit(node);
+    }
+
+    /** The slot of a node's only child; -1 where it has none, {@link #NONE} where it has more. */
+    private int onlyChild(int node) {
+        int only = -1;
+        for (int slot = WIDTH * node; slot < WIDTH * node + WIDTH; slot++) {
+            if (link(slot) != NONE) {
+                if (only >= 0) {
+                    return NONE;
+                }
+                only = slot;
+            }
+        }
+        return only;
+    }
+
+    /** Gives the slots above a node the bounds of their nodes, as far as these change. */
+    private void refit(int from) {
+        for (int slot = parents[from]; slot >= 0; slot = parents[slot / WIDTH]) {
+            if (!measure(link(slot), at(slot))) {
+                return;
+            }
+        }
+    }
+
+    /** Writes the bounds of a node's children from an index on; false where they are there already. */
+    private boolean measure(int node, int to) {
+        boolean changes = false;
+        for (int axis = 0; axis < 3; axis++) {
+            int a = STRIDE * node + axis;
+            float low = Math.min(
+                    Math.min(nodes[a], nodes[a + PART]), Math.min(nodes[a + 2 * PART], nodes[a + 3 * PART]));
+            a += 3;
+            float high = Math.max(
+                    Math.max(nodes[a], nodes[a + PART]), Math.max(nodes[a + 2 * PART], nodes[a + 3 * PART]));
+            changes |= nodes[to + axis] != low || nodes[to + 3 + axis] != high;
+            nodes[to + axis] = low;
+            nodes[to + 3 + axis] = high;
+        }
+        return changes;
+    }
+
+    /** To be called before a query: builds the hierarchy anew where this is worth while. */
+    public void settle() {
+        if (changes != 0 && !isFrozen) {
+            asked++;
+            if (changes > FEW && 4L * changes >= size && 4L * asked >= size) {
+                build();
+            }
+        }
+    }
+
+    /** Builds the hierarchy as well as it can be. From now on it must not be changed, and many threads may query it. */
+    public void freeze() {
+        if (changes != 0) {
+            build();
+        }
+        isFrozen = true;
+    }
+
+    private void build() {
+        float[] boxes = new float[PART * size];
+        int[] ids = new int[size];
+        int found = 0;
+        for (int id = 0; found < size; id++) {
+            if (slots[id] >= 0) {
+                System.arraycopy(nodes, at(slots[id]), boxes, PART * found, PART);
+                ids[found++] = id;
+            }
+        }
+        SurfaceAreaSplits splits = new SurfaceAreaSplits(boxes, ids);
+        count = 1;
+        free = -1;
+        clear(0);
+        if (size > 0) {
+            fill(0, splits, 0, size, 0);
+        }
+        changes = 0;
+        asked = 0;
+        whenBuilt.run();
+    }
+
+    /** Fills an empty node with the items of a range: divides the parts with the greatest areas until there are enough. */
+    private void fill(int node, SurfaceAreaSplits splits, int from, int to, int depth) {
+        int[] starts = {from, to, 0, 0, 0};
+        splits.measure(from, to);
+        double[] areas = {to - from > 1 ? splits.area() : -1, -1, -1, -1};
+        float[] bounds = new float[LINKS];
+        splits.copyBounds(bounds, 0);
+        int parts = 1;
+        while (parts < WIDTH) {
+            int largest = 0;
+            for (int k = 1; k < parts; k++) {
+                largest = areas[k] > areas[largest] ? k : largest;
+            }
+            if (areas[largest] < 0) {
+                break;
+            }
+            int middle = splits.split(starts[largest], starts[largest + 1], depth);
+            System.arraycopy(starts, largest + 1, starts, largest + 2, parts - largest);
+            System.arraycopy(areas, largest + 1, areas, largest + 2, parts - largest - 1);
+            System.arraycopy(bounds, PART * (largest + 1), bounds, PART * (largest + 2), PART * (parts - largest - 1));
+            starts[largest + 1] = middle;
+            parts++;
+            for (int k = largest; k < largest + 2; k++) {
+                splits.measure(starts[k], starts[k + 1]);
+                areas[k] = starts[k + 1] - starts[k] > 1 ? splits.area() : -1;
+                splits.copyBounds(bounds, PART * k);
+            }
+        }
+        for (int k = 0; k < parts; k++) {
+            int slot = WIDTH * node + k;
+            System.arraycopy(bounds, PART * k, nodes, at(slot), PART);
+            if (starts[k + 1] - starts[k] == 1) {
+                link(slot, Integer.MIN_VALUE | splits.item(starts[k]));
+            } else {
+                int child = claim();
+                link(slot, child);
+                fill(child, splits, starts[k], starts[k + 1], depth + 1);
+            }
+        }
+    }
+
+    /** The bytes that the hierarchy takes. */
+    public long bytes() {
+        return 4L * (nodes.length + parents.length + slots.length);
+    }
+}

@@ -1,0 +1,238 @@
+package robosim.geometry.index.hierarchy;
+
+import java.util.Arrays;
+
+/**
+ * Follows a ray through a {@link Hierarchy}, nearer children first. Where the ray enters a child is computed in floats,
+ * and is a lower bound: the bounds are widened by more than the floats can be off by. Allocates nothing once its stack has
+ * grown.
+ */
+public final class RayCursor {
+    /**
+     * The share of the coordinates by which bounds are widened. With u = 2^-24: the inverse of the direction is off by u of
+     * the way to a plane, the start times the inverse by u of itself, and the sum by u of the way: less than 4u of the
+     * coordinates of the start and of the plane. This is 16u.
+     */
+    private static final double PAD = 0x1p-20;
+
+    /** Coordinates below this can be multiplied by an inverse of a direction as floats. */
+    private static final double LARGEST = 0x1p60;
+
+    /** Coordinates of the start and bounds may all be as small as this; below, floats would underflow. */
+    private static final double SMALLEST = 0x1p-60;
+
+    /**
+     * The smallest component of a direction. A smaller one is taken for this: over any way through the world, the two
+     * differ by less than the widening.
+     */
+    private static final double FLATTEST = 0x1p-40;
+
+    /** A relative error of a few roundings to float. */
+    private static final double ROUNDED = 0x1p-21;
+
+    private static final int WIDTH = Hierarchy.WIDTH;
+    private static final int PART = Hierarchy.PART;
+    private static final int LINKS = Hierarchy.LINKS;
+    private static final int NONE = Hierarchy.NONE;
+
+    private final Hierarchy tree;
+    private int[] links = new int[Hierarchy.STACK];
+
+    /** Where the ray enters what the links lead to: the bits of floats of at least 0, which sort like the floats. */
+    private int[] entries = new int[links.length];
+
+    private int depth;
+    private boolean isWhole;
+
+    // The inverse direction; and for each axis what gives the parameter of the near and of the far plane when it is added to
+    // a plane times the inverse.
+    private float ix;
+    private float iy;
+    private float iz;
+    private float nearX;
+    private float nearY;
+    private float nearZ;
+    private float farX;
+    private float farY;
+    private float farZ;
+
+    private double pad;
+
+    /** A cursor over a hierarchy. */
+    public RayCursor(Hierarchy tree) {
+        this.tree = tree;
+    }
+
+    /** Starts at a point along a direction of about unit length. */
+    public void start(double ox, double oy, double oz, double ux, double uy, double uz) {
+        tree.settle();
+        links[0] = 0;
+        entries[0] = 0;
+        depth = tree.size() == 0 ? 0 : 1;
+        double reach = Math.max(tree.most(), Math.max(Math.abs(ox), Math.max(Math.abs(oy), Math.abs(oz))));
+        isWhole = !(reach < LARGEST && reach > SMALLEST);
+        pad = PAD * reach;
+        double x = inverse(ux);
+        double y = inverse(uy);
+        double z = inverse(uz);
+        ix = (float) x;
+        iy = (float) y;
+        iz = (float) z;
+        double wide = pad * Math.abs(x);
+        nearX = (float) (-ox * x - wide);
+        farX = (float) (-ox * x + wide);
+        wide = pad * Math.abs(y);
+        nearY = (float) (-oy * y - wide);
+        farY = (float) (-oy * y + wide);
+        wide = pad * Math.abs(z);
+        nearZ = (float) (-oz * z - wide);
+        farZ = (float) (-oz * z + wide);
+    }
+
+    private static double inverse(double slope) {
+        return Math.abs(slope) < FLATTEST ? Math.copySign(1 / FLATTEST, slope) : 1 / slope;
+    }
+
+    /**
+     * The next object whose bounds begin within a limit, perhaps some more; -1 after the last. The limit may shrink from
+     * call to call.
+     */
+    public int next(double limit) {
+        if (isWhole) {
+            return nextOfAll();
+        }
+        int within = within(limit);
+        float[] n = tree.nodes;
+        int[] stack = links;
+        int[] begins = entries;
+        int top = depth;
+        float x = ix;
+        float y = iy;
+        float z = iz;
+        // Where the near and the far planes stand in a child's bounds.
+        int nx = x < 0 ? 3 : 0;
+        int ny = y < 0 ? 4 : 1;
+        int nz = z < 0 ? 5 : 2;
+        int fx = 3 - nx;
+        int fy = 5 - ny;
+        int fz = 7 - nz;
+        while (top > 0) {
+            int link = stack[--top];
+            if (begins[top] > within) {
+                continue;
+            }
+            while (link >= 0) {
+                if (top + WIDTH > stack.length) {
+                    growStack();
+                    stack = links;
+                    begins = entries;
+                }
+                int at = link * Hierarchy.STRIDE;
+                int enterA = enter(n, at + nx, at + ny, at + nz, x, y, z);
+                int leaveA = leave(n, at + fx, at + fy, at + fz, x, y, z, within);
+                int b = at + PART;
+                int enterB = enter(n, b + nx, b + ny, b + nz, x, y, z);
+                int leaveB = leave(n, b + fx, b + fy, b + fz, x, y, z, within);
+                int c = at + 2 * PART;
+                int enterC = enter(n, c + nx, c + ny, c + nz, x, y, z);
+                int leaveC = leave(n, c + fx, c + fy, c + fz, x, y, z, within);
+                int d = at + 3 * PART;
+                int enterD = enter(n, d + nx, d + ny, d + nz, x, y, z);
+                int leaveD = leave(n, d + fx, d + fy, d + fz, x, y, z, within);
+                int next = NONE;
+                int begin = 0;
+                if (enterA <= leaveA) {
+                    next = Float.floatToRawIntBits(n[at + LINKS]);
+                    begin = enterA;
+                }
+                if (enterB <= leaveB) {
+                    int other = Float.floatToRawIntBits(n[at + LINKS + 1]);
+                    boolean isNearer = next == NONE || enterB < begin;
+                    if (next != NONE) {
+                        stack[top] = isNearer ? next : other;
+                        begins[top++] = isNearer ? begin : enterB;
+                    }
+                    next = isNearer ? other : next;
+                    begin = isNearer ? enterB : begin;
+                }
+                if (enterC <= leaveC) {
+                    int other = Float.floatToRawIntBits(n[at + LINKS + 2]);
+                    boolean isNearer = next == NONE || enterC < begin;
+                    if (next != NONE) {
+                        stack[top] = isNearer ? next : other;
+                        begins[top++] = isNearer ? begin : enterC;
+                    }
+                    next = isNearer ? other : next;
+                    begin = isNearer ? enterC : begin;
+                }
+                if (enterD <= leaveD) {
+                    int other = Float.floatToRawIntBits(n[at + LINKS + 3]);
+                    boolean isNearer = next == NONE || enterD < begin;
+                    if (next != NONE) {
+                        stack[top] = isNearer ? next : other;
+                        begins[top++] = isNearer ? begin : enterD;
+                    }
+                    next = isNearer ? other : next;
+                    begin = isNearer ? enterD : begin;
+                }
+                link = next;
+                if (link == NONE) {
+                    break;
+                }
+            }
+            if (link != NONE) {
+                depth = top;
+                return link & Integer.MAX_VALUE;
+            }
+        }
+        depth = 0;
+        return -1;
+    }
+
+    private void growStack() {
+        links = Arrays.copyOf(links, 2 * links.length);
+        entries = Arrays.copyOf(entries, links.length);
+    }
+
+    private int enter(float[] n, int ax, int ay, int az, float x, float y, float z) {
+        return Math.max(
+                Math.max(0, Float.floatToRawIntBits(Math.fma(n[ax], x, nearX))),
+                Math.max(
+                        Float.floatToRawIntBits(Math.fma(n[ay], y, nearY)),
+                        Float.floatToRawIntBits(Math.fma(n[az], z, nearZ))));
+    }
+
+    private int leave(float[] n, int ax, int ay, int az, float x, float y, float z, int within) {
+        return Math.min(
+                Math.min(within, Float.floatToRawIntBits(Math.fma(n[ax], x, farX))),
+                Math.min(
+                        Float.floatToRawIntBits(Math.fma(n[ay], y, farY)),
+                        Float.floatToRawIntBits(Math.fma(n[az], z, farZ))));
+    }
+
+    /** The bits of a float that is at least a limit, with what the entries may be off by. */
+    private int within(double limit) {
+        double most = limit * (1 + ROUNDED) + pad;
+        return Float.floatToRawIntBits(most < Float.MAX_VALUE ? (float) most : Float.POSITIVE_INFINITY);
+    }
+
+    /** Every object, one after the other: where coordinates are beyond what floats can tell apart. */
+    private int nextOfAll() {
+        while (depth > 0) {
+            int link = links[--depth];
+            if (link < 0) {
+                return link & Integer.MAX_VALUE;
+            }
+            for (int k = 0; k < WIDTH; k++) {
+                int child = Float.floatToRawIntBits(tree.nodes[link * Hierarchy.STRIDE + LINKS + k]);
+                if (child != NONE) {
+                    if (depth == links.length) {
+                        growStack();
+                    }
+                    links[depth++] = child;
+                }
+            }
+        }
+        return -1;
+    }
+}

@@ -1,0 +1,245 @@
+package robosim.geometry.index.hierarchy;
+
+import java.util.Arrays;
+
+/**
+ * Splits ranges of boxes in two by the surface area heuristic over sixteen bins of each axis (Wald 2007), or in half where
+ * that does not apply. The items are reordered as they are split.
+ */
+final class SurfaceAreaSplits {
+    private static final int BINS = 16;
+
+    /** Ranges of more items than this are binned along the axis of the greatest extent only, which is nearly as good. */
+    private static final int MANY = 1 << 12;
+
+    /** From this depth on every split is in half. */
+    private static final int HEURISTIC_DEPTH = 48;
+
+    private static final int BOX = Hierarchy.PART;
+
+    private final float[] boxes;
+    private final int[] items;
+
+    // The bounds of the range measured last, and of twice the centres of its boxes.
+    private final float[] range = new float[BOX];
+    private final float[] middles = new float[BOX];
+
+    private final float[] binBounds = new float[BOX * BINS];
+    private final int[] binCounts = new int[BINS];
+    private final double[] costRight = new double[BINS];
+    private final float[] grown = new float[BOX];
+
+    private double leastCost;
+    private int bestBin;
+
+    /**
+     * Takes the boxes, six floats for each item, and reorders them.
+     *
+     * @param items what the boxes belong to
+     */
+    SurfaceAreaSplits(float[] boxes, int[] items) {
+        this.boxes = boxes;
+        this.items = items;
+    }
+
+    int item(int place) {
+        return items[place];
+    }
+
+    /** Takes the bounds of a range. */
+    void measure(int from, int to) {
+        empty(range, 0);
+        empty(middles, 0);
+        for (int k = BOX * from; k < BOX * to; k += BOX) {
+            for (int axis = 0; axis < 3; axis++) {
+                float low = boxes[k + axis];
+                float high = boxes[k + 3 + axis];
+                float middle = low + high;
+                range[axis] = Math.min(range[axis], low);
+                range[axis + 3] = Math.max(range[axis + 3], high);
+                middles[axis] = Math.min(middles[axis], middle);
+                middles[axis + 3] = Math.max(middles[axis + 3], middle);
+            }
+        }
+    }
+
+    /** Writes the bounds of the range measured last, six floats. */
+    void copyBounds(float[] to, int at) {
+        System.arraycopy(range, 0, to, at, BOX);
+    }
+
+    /** Half the surface area of the bounds of the range measured last. */
+    double area() {
+        return area(range, 0);
+    }
+
+    /** Splits a range of at least two items; returns where the second part begins, and neither is empty. */
+    int split(int from, int to, int depth) {
+        int half = (from + to) >>> 1;
+        if (to - from == 2) {
+            return half;
+        }
+        measure(from, to);
+        int longest = longestAxis();
+        int axis = longest;
+        int bin = -1;
+        leastCost = Double.POSITIVE_INFINITY;
+        if (depth < HEURISTIC_DEPTH) {
+            for (int each = 0; each < 3; each++) {
+                if ((to - from <= MANY || each == longest) && isWide(each)) {
+                    double before = leastCost;
+                    tryAxis(from, to, each);
+                    if (leastCost < before) {
+                        axis = each;
+                        bin = bestBin;
+                    }
+                }
+            }
+        }
+        if (bin > 0) {
+            int middle = partition(from, to, axis, bin);
+            if (middle > from && middle < to) {
+                return middle;
+            }
+        }
+        select(from, to - 1, half, axis);
+        return half;
+    }
+
+    private int longestAxis() {
+        float x = middles[3] - middles[0];
+        float y = middles[4] - middles[1];
+        float z = middles[5] - middles[2];
+        return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+    }
+
+    /** Whether centres differ along an axis, and by so much that bins can be told apart. */
+    private boolean isWide(int axis) {
+        float scaling = scaling(axis);
+        return scaling > 0 && scaling < Float.POSITIVE_INFINITY;
+    }
+
+    private float scaling(int axis) {
+        return BINS / (middles[axis + 3] - middles[axis]);
+    }
+
+    /** Finds the bin along an axis at which the second part should begin, if it is better than those found so far. */
+    private void tryAxis(int from, int to, int axis) {
+        float low = middles[axis];
+        float scaling = scaling(axis);
+        Arrays.fill(binCounts, 0);
+        for (int bin = 0; bin < BINS; bin++) {
+            empty(binBounds, BOX * bin);
+        }
+        for (int k = from; k < to; k++) {
+            int bin = bin(k, axis, low, scaling);
+            binCounts[bin]++;
+            grow(binBounds, BOX * bin, boxes, BOX * k);
+        }
+        empty(grown, 0);
+        int right = 0;
+        for (int bin = BINS - 1; bin > 0; bin--) {
+            right += binCounts[bin];
+            grow(grown, 0, binBounds, BOX * bin);
+            costRight[bin] = right == 0 ? Double.POSITIVE_INFINITY : right * area(grown, 0);
+        }
+        empty(grown, 0);
+        int left = 0;
+        for (int bin = 1; bin < BINS; bin++) {
+            left += binCounts[bin - 1];
+            grow(grown, 0, binBounds, BOX * (bin - 1));
+            double cost = left == 0 ? Double.POSITIVE_INFINITY : left * area(grown, 0) + costRight[bin];
+            if (cost < leastCost) {
+                leastCost = cost;
+                bestBin = bin;
+            }
+        }
+    }
+
+    private int partition(int from, int to, int axis, int cut) {
+        float low = middles[axis];
+        float scaling = scaling(axis);
+        int left = from;
+        int right = to - 1;
+        while (true) {
+            while (left <= right && bin(left, axis, low, scaling) < cut) {
+                left++;
+            }
+            while (left <= right && bin(right, axis, low, scaling) >= cut) {
+                right--;
+            }
+            if (left >= right) {
+                return left;
+            }
+            swap(left++, right--);
+        }
+    }
+
+    private void swap(int p, int q) {
+        int item = items[p];
+        items[p] = items[q];
+        items[q] = item;
+        for (int k = 0; k < BOX; k++) {
+            float number = boxes[BOX * p + k];
+            boxes[BOX * p + k] = boxes[BOX * q + k];
+            boxes[BOX * q + k] = number;
+        }
+    }
+
+    private int bin(int place, int axis, float low, float scaling) {
+        return Math.min(BINS - 1, (int) ((middle(place, axis) - low) * scaling));
+    }
+
+    // Hoare's selection: place k gets the item that sorting by centre would put there, with smaller ones before it.
+    private void select(int from, int to, int k, int axis) {
+        int low = from;
+        int high = to;
+        while (low < high) {
+            float pivot = middle((low + high) >>> 1, axis);
+            int i = low;
+            int j = high;
+            while (i <= j) {
+                while (middle(i, axis) < pivot) {
+                    i++;
+                }
+                while (middle(j, axis) > pivot) {
+                    j--;
+                }
+                if (i <= j) {
+                    swap(i++, j--);
+                }
+            }
+            if (k <= j) {
+                high = j;
+            } else if (k >= i) {
+                low = i;
+            } else {
+                return;
+            }
+        }
+    }
+
+    /** Twice the centre of an item's box. */
+    private float middle(int place, int axis) {
+        return boxes[BOX * place + axis] + boxes[BOX * place + 3 + axis];
+    }
+
+    private static double area(float[] of, int at) {
+        double x = (double) of[at + 3] - of[at];
+        double y = (double) of[at + 4] - of[at + 1];
+        double z = (double) of[at + 5] - of[at + 2];
+        return x * y + y * z + z * x;
+    }
+
+    private static void empty(float[] of, int at) {
+        Arrays.fill(of, at, at + 3, Float.POSITIVE_INFINITY);
+        Arrays.fill(of, at + 3, at + 6, Float.NEGATIVE_INFINITY);
+    }
+
+    private static void grow(float[] of, int at, float[] by, int from) {
+        for (int i = 0; i < 3; i++) {
+            of[at + i] = Math.min(of[at + i], by[from + i]);
+            of[at + 3 + i] = Math.max(of[at + 3 + i], by[from + 3 + i]);
+        }
+    }
+}
