@@ -100,15 +100,17 @@ public final class Cast {
 
     /** A coordinate (0 to 2) of the line's unit direction; in PLANAR that of its projection. */
     public double unit(int axis) {
-        return way(axis) / length();
+        takeUnit();
+        return axis == 0 ? ux : axis == 1 ? uy : uz;
     }
 
-    /** Computes the unit direction, which is needed for meshes only. */
+    /** Computes the unit direction, which the plane does without. */
     private void takeUnit() {
         if (!hasUnit) {
-            ux = unit(0);
-            uy = unit(1);
-            uz = unit(2);
+            double length = length();
+            ux = dx / length;
+            uy = dy / length;
+            uz = dz / length;
             hasUnit = true;
         }
     }

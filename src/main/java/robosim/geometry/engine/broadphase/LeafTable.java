@@ -81,7 +81,9 @@ public final class LeafTable {
         this.objects = objects;
         mark = 0;
         leaves = new LeafColumn(1);
-        leaves.reserveUpright(0);
+        if (dimension == Dimension.PLANAR) {
+            leaves.reserveUpright(0);
+        }
         spans = new LeafRanges();
         shapes = new byte[ArrayGrowth.FIRST];
         this.accuracy = accuracy;
@@ -164,11 +166,13 @@ public final class LeafTable {
     /** Takes an object in that has been placed, with the bounds of what stands for it. */
     void add(int id, GeometryObject object, LeafColumn placed, double[] box) {
         reserve(id);
-        int leaf = spans.claim(id, placed.size(), leaves, !object.isMoveable() && placed.fitsUpright());
+        int leaf = claim(id, object, placed);
         leaves.copy(placed, leaf);
         tree.keep(id, box);
         longest = Math.max(longest, Distance.sides(box));
-        leaves.outline(id, box[0], box[2], box[3], box[5]);
+        if (space == null) {
+            leaves.outline(id, box[0], box[2], box[3], box[5]);
+        }
         shapes[id] = placed.size() == 1 && leaves.kind(leaf).isDisc() ? DISC : 0;
         if (object.isMoveable()) {
             shapes[id] = (byte) (shapes[id] | MOVER | shape(id, object));
@@ -179,6 +183,13 @@ public final class LeafTable {
         } else {
             space.still.tree.add(id, tree.boxes());
         }
+    }
+
+    /** Where an object's leaves are to stand: in the plane, an upright static one has half a row. */
+    private int claim(int id, GeometryObject object, LeafColumn placed) {
+        return space == null
+                ? spans.claim(id, placed.size(), leaves, !object.isMoveable() && placed.fitsUpright())
+                : spans.claimWhole(id, placed.size(), leaves);
     }
 
     private byte shape(int id, GeometryObject object) {
@@ -210,9 +221,9 @@ public final class LeafTable {
 
     private void list(int id) {
         double[] b = bounds();
-        int at = 6 * id;
-        leaves.outline(id, b[at], b[at + 2], b[at + 3], b[at + 5]);
         if (space == null) {
+            int at = 6 * id;
+            leaves.outline(id, b[at], b[at + 2], b[at + 3], b[at + 5]);
             tree.list(id);
         } else {
             space.moving.tree.add(id, b);
@@ -295,10 +306,8 @@ public final class LeafTable {
             }
             shapes[id] = (byte) (leaves.kind(first(id)).isDisc() ? shapes[id] | DISC : shapes[id] & ~DISC);
         }
-        if (hasMoversInTree) {
-            leaves.outline(id, box[0], box[2], box[3], box[5]);
-        }
         if (hasMoversInTree && space == null) {
+            leaves.outline(id, box[0], box[2], box[3], box[5]);
             tree.move(id, box);
             return;
         }
@@ -348,7 +357,7 @@ public final class LeafTable {
 
     /** Whether one leaf of half a row stands for an object: {@link #uprightLeaf}. */
     public boolean isUpright(int id) {
-        return leaves.isUprightObject(ObjectTable.local(id));
+        return space == null && leaves.isUprightObject(ObjectTable.local(id));
     }
 
     /** The one leaf of an object that {@link #isUpright}. */

@@ -42,6 +42,11 @@ public final class LeafRanges {
             }
             return id | UPRIGHT;
         }
+        return claimWhole(id, number, column);
+    }
+
+    /** Makes room in a column for the leaves of an object as full rows and returns the first one's number. */
+    public int claimWhole(int id, int number, LeafColumn column) {
         if (isPlain) {
             lookUp(column);
         }

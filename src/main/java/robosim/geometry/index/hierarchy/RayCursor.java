@@ -109,6 +109,12 @@ public final class RayCursor {
         float x = ix;
         float y = iy;
         float z = iz;
+        float gx = nearX;
+        float gy = nearY;
+        float gz = nearZ;
+        float hx = farX;
+        float hy = farY;
+        float hz = farZ;
         // Where the near and the far planes stand in a child's bounds.
         int nx = x < 0 ? 3 : 0;
         int ny = y < 0 ? 4 : 1;
@@ -128,17 +134,17 @@ public final class RayCursor {
                     begins = entries;
                 }
                 int at = link * Hierarchy.STRIDE;
-                int enterA = enter(n, at + nx, at + ny, at + nz, x, y, z);
-                int leaveA = leave(n, at + fx, at + fy, at + fz, x, y, z, within);
+                int enterA = enter(n, at + nx, at + ny, at + nz, x, y, z, gx, gy, gz);
+                int leaveA = leave(n, at + fx, at + fy, at + fz, x, y, z, hx, hy, hz, within);
                 int b = at + PART;
-                int enterB = enter(n, b + nx, b + ny, b + nz, x, y, z);
-                int leaveB = leave(n, b + fx, b + fy, b + fz, x, y, z, within);
+                int enterB = enter(n, b + nx, b + ny, b + nz, x, y, z, gx, gy, gz);
+                int leaveB = leave(n, b + fx, b + fy, b + fz, x, y, z, hx, hy, hz, within);
                 int c = at + 2 * PART;
-                int enterC = enter(n, c + nx, c + ny, c + nz, x, y, z);
-                int leaveC = leave(n, c + fx, c + fy, c + fz, x, y, z, within);
+                int enterC = enter(n, c + nx, c + ny, c + nz, x, y, z, gx, gy, gz);
+                int leaveC = leave(n, c + fx, c + fy, c + fz, x, y, z, hx, hy, hz, within);
                 int d = at + 3 * PART;
-                int enterD = enter(n, d + nx, d + ny, d + nz, x, y, z);
-                int leaveD = leave(n, d + fx, d + fy, d + fz, x, y, z, within);
+                int enterD = enter(n, d + nx, d + ny, d + nz, x, y, z, gx, gy, gz);
+                int leaveD = leave(n, d + fx, d + fy, d + fz, x, y, z, hx, hy, hz, within);
                 int next = NONE;
                 int begin = 0;
                 if (enterA <= leaveA) {
@@ -194,20 +200,32 @@ public final class RayCursor {
         entries = Arrays.copyOf(entries, links.length);
     }
 
-    private int enter(float[] n, int ax, int ay, int az, float x, float y, float z) {
+    private static int enter(
+            float[] n, int ax, int ay, int az, float x, float y, float z, float gx, float gy, float gz) {
         return Math.max(
-                Math.max(0, Float.floatToRawIntBits(Math.fma(n[ax], x, nearX))),
+                Math.max(0, Float.floatToRawIntBits(Math.fma(n[ax], x, gx))),
                 Math.max(
-                        Float.floatToRawIntBits(Math.fma(n[ay], y, nearY)),
-                        Float.floatToRawIntBits(Math.fma(n[az], z, nearZ))));
+                        Float.floatToRawIntBits(Math.fma(n[ay], y, gy)),
+                        Float.floatToRawIntBits(Math.fma(n[az], z, gz))));
     }
 
-    private int leave(float[] n, int ax, int ay, int az, float x, float y, float z, int within) {
+    private static int leave(
+            float[] n,
+            int ax,
+            int ay,
+            int az,
+            float x,
+            float y,
+            float z,
+            float hx,
+            float hy,
+            float hz,
+            int within) {
         return Math.min(
-                Math.min(within, Float.floatToRawIntBits(Math.fma(n[ax], x, farX))),
+                Math.min(within, Float.floatToRawIntBits(Math.fma(n[ax], x, hx))),
                 Math.min(
-                        Float.floatToRawIntBits(Math.fma(n[ay], y, farY)),
-                        Float.floatToRawIntBits(Math.fma(n[az], z, farZ))));
+                        Float.floatToRawIntBits(Math.fma(n[ay], y, hy)),
+                        Float.floatToRawIntBits(Math.fma(n[az], z, hz))));
     }
 
     /** The bits of a float that is at least a limit, with what the entries may be off by. */

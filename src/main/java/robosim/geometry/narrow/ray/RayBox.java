@@ -25,11 +25,105 @@ final class RayBox {
     private static final double SLOPE_ERROR = 5 * U;
     private static final double REST_ERROR = 10 * U;
 
+    /** The share of all coordinates that covers the roundings of the plain stage and how far columns are from orthonormal. */
+    private static final double PLAIN_ERROR = Filter.bound(0x1p-40);
+
+    private static final double PLAIN_UNDERFLOW = Filter.bound(0x1p-800);
+
     private static final StageCounters.Counter EXACT = StageCounters.counter("RayBox");
 
     private RayBox() {}
 
+    /** Where the plain stage does not know the face that the ray enters by. */
+    private static final int UNKNOWN = -1;
+
+    /** What the plain stage says of a ray that misses. */
+    private static final int MISSED = -2;
+
     static double distance(
+            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
+        double mx = ox - b[j];
+        double my = oy - b[j + 1];
+        double mz = oz - b[j + 2];
+        double slack = PLAIN_ERROR * (size(ox, oy, oz)
+                                + size(b[j], b[j + 1], b[j + 2])
+                                + size(b[j + 3], b[j + 4], b[j + 5]))
+                + PLAIN_UNDERFLOW;
+        int face = plainFace(mx, my, mz, dx, dy, dz, b, j, slack);
+        if (face == MISSED) {
+            return Double.POSITIVE_INFINITY;
+        }
+        if (face != UNKNOWN) {
+            double t = enter(mx, my, mz, dx, dy, dz, b, j, face);
+            double distance = turnedPlane(ox, oy, oz, dx, dy, dz, b, j, face, t, s);
+            if (distance >= 0) {
+                return distance;
+            }
+        }
+        return inSlabs(ox, oy, oz, dx, dy, dz, b, j, s);
+    }
+
+    private static double size(double x, double y, double z) {
+        return Math.abs(x) + Math.abs(y) + Math.abs(z);
+    }
+
+    /**
+     * The slab that a ray certainly enters last, from outside, in the box's own frame, to which the stored columns take it as
+     * if they were orthonormal: all half sizes are taken larger and smaller by more than that and the roundings may matter.
+     */
+    private static int plainFace(
+            double mx, double my, double mz, double dx, double dy, double dz, double[] b, int j, double slack) {
+        double first = 0;
+        double firstLate = 0;
+        double second = 0;
+        double leave = Double.POSITIVE_INFINITY;
+        double leaveLate = Double.POSITIVE_INFINITY;
+        int face = UNKNOWN;
+        for (int i = 0; i < 3; i++) {
+            int r = j + Leaf.ROTATION + i;
+            double at = mx * b[r] + my * b[r + 3] + mz * b[r + 6];
+            double slope = dx * b[r] + dy * b[r + 3] + dz * b[r + 6];
+            double half = b[j + Leaf.SIZE + i];
+            double ahead = slope > 0 ? -at : at;
+            double inverse = 1 / Math.abs(slope);
+            double near = ahead - half;
+            double far = ahead + half;
+            double early = (near - slack) * inverse;
+            double late = (near + slack) * inverse;
+            if (early > first) {
+                second = Math.max(second, firstLate);
+                first = early;
+                firstLate = late;
+                face = i;
+            } else {
+                second = Math.max(second, late);
+            }
+            leave = Math.min(leave, (far - slack) * inverse);
+            leaveLate = Math.min(leaveLate, (far + slack) * inverse);
+        }
+        if (first > leaveLate) {
+            return MISSED;
+        }
+        return first >= second && firstLate <= leave ? face : UNKNOWN;
+    }
+
+    /** Where the ray enters a slab, as {@link #inSlabs} computes it. */
+    private static double enter(
+            double mx, double my, double mz, double dx, double dy, double dz, double[] b, int j, int i) {
+        int r = j + Leaf.ROTATION;
+        int k = r + (i == 2 ? 0 : i + 1);
+        int l = r + (i == 0 ? 2 : i - 1);
+        double nx = b[k + 3] * b[l + 6] - b[k + 6] * b[l + 3];
+        double ny = b[k + 6] * b[l] - b[k] * b[l + 6];
+        double nz = b[k] * b[l + 3] - b[k + 3] * b[l];
+        double det = b[r + i] * nx + b[r + i + 3] * ny + b[r + i + 6] * nz;
+        double half = b[j + Leaf.SIZE + i] * det;
+        double offset = mx * nx + my * ny + mz * nz;
+        double slope = dx * nx + dy * ny + dz * nz;
+        return (slope > 0 ? -half - offset : half - offset) / slope;
+    }
+
+    private static double inSlabs(
             double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
         RayInterval in = s.ray;
         in.reset();
