@@ -2,6 +2,7 @@ package robosim.geometry.engine.broadphase;
 
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.index.QuadCursor;
+import robosim.geometry.index.hierarchy.Hierarchy;
 import robosim.geometry.index.hierarchy.NearestCursor;
 import robosim.geometry.index.hierarchy.RayCursor;
 import robosim.geometry.narrow.Cast;
@@ -128,6 +129,9 @@ public abstract class BeamSearch {
         SpaceIndex space = table.space;
         if (space != null) {
             takeUnit();
+            if (!isCone) {
+                space.rays.aim(ox, oy, oz, ux, uy, uz, space.most());
+            }
             double reach = searchSpace(table, space, space.still, limit, ignored);
             return searchSpace(table, space, space.moving, reach, ignored);
         }
@@ -211,12 +215,12 @@ public abstract class BeamSearch {
         if (part.isEmpty()) {
             return limit;
         }
-        return isCone ? searchCone(table, space, part, limit, ignored) : searchRay(table, part.rays, limit, ignored);
+        return isCone ? searchCone(table, space, part, limit, ignored) : searchRay(table, space.rays, part.tree, limit, ignored);
     }
 
-    private double searchRay(LeafTable table, RayCursor cursor, double limit, int ignored) {
+    private double searchRay(LeafTable table, RayCursor cursor, Hierarchy tree, double limit, int ignored) {
         double reach = limit;
-        cursor.start(ox, oy, oz, ux, uy, uz);
+        cursor.start(tree);
         for (int local = cursor.next(reach); local >= 0; local = cursor.next(reach)) {
             int id = local | table.mark;
             if (id != ignored) {

@@ -2,7 +2,7 @@ package robosim.geometry.engine.broadphase;
 
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.index.QuadCursor;
-import robosim.geometry.index.hierarchy.NearestCursor;
+import robosim.geometry.index.hierarchy.PointCursor;
 import robosim.geometry.narrow.Distance;
 
 /** Shows a target the objects around a box, nearest first, and none farther than the target still looks. */
@@ -50,9 +50,10 @@ public final class NearestSearch {
         double y = box[1] / 2 + box[4] / 2;
         double hy = Math.max(box[4] - y, y - box[1]);
         double radius = Math.sqrt(hx * hx + hy * hy + hz * hz + UNDERFLOW) * (1 + 0x1p-50);
-        space.keys.startPoint(x, y, z);
-        double reach = searchSpace(table, space.still.nearest, radius, sizes, limit, ignored);
-        return searchSpace(table, space.moving.nearest, radius, sizes, reach, ignored);
+        space.points.start(space.still.tree, x, y, z);
+        double reach = searchSpace(table, space.points, radius, sizes, limit, ignored);
+        space.points.start(space.moving.tree, x, y, z);
+        return searchSpace(table, space.points, radius, sizes, reach, ignored);
     }
 
     private double searchPlane(
@@ -71,9 +72,8 @@ public final class NearestSearch {
     }
 
     private double searchSpace(
-            LeafTable table, NearestCursor cursor, double radius, double sizes, double limit, int ignored) {
+            LeafTable table, PointCursor cursor, double radius, double sizes, double limit, int ignored) {
         double reach = limit;
-        cursor.start(table.bounds());
         for (int local = cursor.next(Distance.reach(reach, sizes) + radius);
                 local >= 0;
                 local = cursor.next(Distance.reach(reach, sizes) + radius)) {

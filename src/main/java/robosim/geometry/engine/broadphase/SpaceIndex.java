@@ -3,6 +3,7 @@ package robosim.geometry.engine.broadphase;
 import robosim.geometry.index.hierarchy.BoxCursor;
 import robosim.geometry.index.hierarchy.Hierarchy;
 import robosim.geometry.index.hierarchy.NearestCursor;
+import robosim.geometry.index.hierarchy.PointCursor;
 import robosim.geometry.index.hierarchy.RayCursor;
 import robosim.geometry.index.boxes.SpaceKeys;
 
@@ -11,16 +12,14 @@ import robosim.geometry.index.boxes.SpaceKeys;
  * ones, which changes all the time and is built anew more often.
  */
 final class SpaceIndex {
-    /** A hierarchy with the cursors of one thread. */
+    /** A hierarchy with cursors of one thread. */
     static final class Part {
         final Hierarchy tree;
-        final RayCursor rays;
         final BoxCursor boxes;
         final NearestCursor nearest;
 
         Part(Hierarchy tree, SpaceKeys keys) {
             this.tree = tree;
-            rays = new RayCursor(tree);
             boxes = new BoxCursor(tree);
             nearest = new NearestCursor(tree, keys);
         }
@@ -30,8 +29,12 @@ final class SpaceIndex {
         }
     }
 
-    /** What the cursors for cones and nearest distances look for. */
+    /** What the cursors for cones look for. */
     final SpaceKeys keys = new SpaceKeys();
+
+    // For rays through both hierarchies, and for what is near a point.
+    final RayCursor rays = new RayCursor();
+    final PointCursor points = new PointCursor();
 
     final Part still;
     final Part moving;

@@ -8,10 +8,11 @@ import robosim.geometry.index.ArrayGrowth;
  * come, go and move at any time.
  *
  * <p>A node has up to {@link #WIDTH} children, each of which is a node or an object. The bounds of children are floats,
- * rounded outward. An object that is added goes down to where the surface area grows least; one that moves stays where it
- * is as long as it is near the other objects of its node. When enough objects have come or gone since the hierarchy was
+ * rounded outward. An object that is added goes down to where the surface area grows least; one that moves stays in its
+ * node as long as it is near that. When enough objects have come or gone since the hierarchy was
  * last built, and enough queries have been asked since to pay for it, it is built anew by the surface area heuristic, see
- * {@link SurfaceAreaSplits}. So a change costs a descent, and a rebuild is charged to a quarter as many changes as there are objects.
+ * {@link SurfaceAreaSplits}. So a change costs a descent, and a rebuild is charged to a quarter as many changes as there
+ * are objects.
  *
  * <p>The boxes stay with the caller: the six numbers of an object, its minimum corner and its maximum, begin at 6 times its
  * id. May be used by one thread at a time, unless it is frozen.
@@ -39,9 +40,16 @@ public final class Hierarchy {
     private static final int DEEP = 120;
 
     /** So few changes are not worth a rebuild. */
-    private static final int FEW = 8;
+    private static final int FEW = 32;
 
-    /** What a change takes from the queries that have been asked: as long as they alternate, nothing is built anew. */
+    /** An object that comes or goes counts for as much as this many that merely leave the bounds of their node. */
+    private static final int CAME = 16;
+
+    /** An object that is farther outside its node than this many sizes of that is hung elsewhere. */
+    private static final float FAR = 1;
+
+    /** What an object that comes or goes takes from the queries that have been
+     * asked: as long as they alternate, nothing is built anew. */
     private static final int CHANGE = 16;
 
     float[] nodes = new float[STRIDE];
@@ -59,7 +67,7 @@ public final class Hierarchy {
 
     private int size;
 
-    /** Objects that came, or came elsewhere, since the tree was last built. */
+    /** Changes since the tree was last built: {@link #CAME} for each object that came or went, 1 for each that left its node. */
     private int changes;
 
     /** Queries since then, less what the changes took. */
@@ -129,7 +137,7 @@ public final class Hierarchy {
     }
 
     private void countChange() {
-        changes++;
+        changes += CAME;
         asked = Math.max(0, asked - CHANGE);
     }
 
@@ -144,26 +152,51 @@ public final class Hierarchy {
     public void move(int id, double[] boxes) {
         take(id, boxes);
         int slot = slots[id];
+        int at = at(slot);
         int above = parents[slot / WIDTH];
-        if (above >= 0 && isBeside(at(above))) {
+        if (above < 0) {
+            System.arraycopy(box, 0, nodes, at, PART);
+            return;
+        }
+        int around = at(above);
+        boolean isOuter = isOuter(at, around);
+        boolean isWithin = isWithin(around, 0);
+        if (!isWithin && !isWithin(around, FAR)) {
+            changes += CAME;
             unlink(id);
-            countChange();
             insert(id);
-        } else {
-            System.arraycopy(box, 0, nodes, at(slot), PART);
+            return;
+        }
+        System.arraycopy(box, 0, nodes, at, PART);
+        if (!isWithin) {
+            changes++;
+        }
+        if (isOuter || !isWithin) {
             refit(slot / WIDTH);
         }
     }
 
-    /** Whether the centre of the box at hand is outside the bounds that begin at an index. */
-    private boolean isBeside(int at) {
+    /** Whether bounds that begin at an index touch the bounds around them from within. */
+    private boolean isOuter(int at, int around) {
+        return nodes[at] <= nodes[around]
+                || nodes[at + 1] <= nodes[around + 1]
+                || nodes[at + 2] <= nodes[around + 2]
+                || nodes[at + 3] >= nodes[around + 3]
+                || nodes[at + 4] >= nodes[around + 4]
+                || nodes[at + 5] >= nodes[around + 5];
+    }
+
+    /** Whether the box at hand is within the bounds that begin at an index, made larger on each side by a share of them. */
+    private boolean isWithin(int at, float share) {
         for (int axis = 0; axis < 3; axis++) {
-            float middle = 0.5f * box[axis] + 0.5f * box[3 + axis];
-            if (!(nodes[at + axis] <= middle && middle <= nodes[at + 3 + axis])) {
-                return true;
+            float low = nodes[at + axis];
+            float high = nodes[at + 3 + axis];
+            float more = share == 0 ? 0 : share * (high - low);
+            if (!(low - more <= box[axis] && box[3 + axis] <= high + more)) {
+                return false;
             }
         }
-        return false;
+        return true;
     }
 
     private void take(int id, double[] boxes) {
@@ -370,7 +403,7 @@ public final class Hierarchy {
     public void settle() {
         if (changes != 0 && !isFrozen) {
             asked++;
-            if (changes > FEW && 4L * changes >= size && 4L * asked >= size) {
+            if (changes > FEW && changes >= 4L * size && 4L * asked >= size) {
                 build();
             }
         }

@@ -35,7 +35,7 @@ public final class RayCursor {
     private static final int LINKS = Hierarchy.LINKS;
     private static final int NONE = Hierarchy.NONE;
 
-    private final Hierarchy tree;
+    private Hierarchy tree = new Hierarchy(() -> {});
     private int[] links = new int[Hierarchy.STACK];
 
     /** Where the ray enters what the links lead to: the bits of floats of at least 0, which sort like the floats. */
@@ -58,18 +58,14 @@ public final class RayCursor {
 
     private double pad;
 
-    /** A cursor over a hierarchy. */
-    public RayCursor(Hierarchy tree) {
-        this.tree = tree;
-    }
-
-    /** Starts at a point along a direction of about unit length. */
-    public void start(double ox, double oy, double oz, double ux, double uy, double uz) {
-        tree.settle();
-        links[0] = 0;
-        entries[0] = 0;
-        depth = tree.size() == 0 ? 0 : 1;
-        double reach = Math.max(tree.most(), Math.max(Math.abs(ox), Math.max(Math.abs(oy), Math.abs(oz))));
+    /**
+     * Sets a ray, for any number of hierarchies one after the other.
+     *
+     * @param ux a direction of about unit length
+     * @param most at least the greatest magnitude of any coordinate of a box in them
+     */
+    public void aim(double ox, double oy, double oz, double ux, double uy, double uz, double most) {
+        double reach = Math.max(most, Math.max(Math.abs(ox), Math.max(Math.abs(oy), Math.abs(oz))));
         isWhole = !(reach < LARGEST && reach > SMALLEST);
         pad = PAD * reach;
         double x = inverse(ux);
@@ -87,6 +83,17 @@ public final class RayCursor {
         wide = pad * Math.abs(z);
         nearZ = (float) (-oz * z - wide);
         farZ = (float) (-oz * z + wide);
+    }
+
+    /** Starts to follow the ray through a hierarchy. */
+    public void start(Hierarchy through) {
+        if (tree != through) { // writing a reference is slow
+            tree = through;
+        }
+        through.settle();
+        links[0] = 0;
+        entries[0] = 0;
+        depth = through.size() == 0 ? 0 : 1;
     }
 
     private static double inverse(double slope) {

@@ -45,11 +45,18 @@ final class RayBox {
         double mx = ox - b[j];
         double my = oy - b[j + 1];
         double mz = oz - b[j + 2];
-        double slack = PLAIN_ERROR * (size(ox, oy, oz)
-                                + size(b[j], b[j + 1], b[j + 2])
-                                + size(b[j + 3], b[j + 4], b[j + 5]))
-                + PLAIN_UNDERFLOW;
-        int face = plainFace(mx, my, mz, dx, dy, dz, b, j, slack);
+        double slack = slack(ox, oy, oz, b, j);
+        int r = j + Leaf.ROTATION;
+        int face = plainFace(
+                mx * b[r] + my * b[r + 3] + mz * b[r + 6],
+                mx * b[r + 1] + my * b[r + 4] + mz * b[r + 7],
+                mx * b[r + 2] + my * b[r + 5] + mz * b[r + 8],
+                dx * b[r] + dy * b[r + 3] + dz * b[r + 6],
+                dx * b[r + 1] + dy * b[r + 4] + dz * b[r + 7],
+                dx * b[r + 2] + dy * b[r + 5] + dz * b[r + 8],
+                b,
+                j + Leaf.SIZE,
+                slack);
         if (face == MISSED) {
             return Double.POSITIVE_INFINITY;
         }
@@ -63,6 +70,11 @@ final class RayBox {
         return inSlabs(ox, oy, oz, dx, dy, dz, b, j, s);
     }
 
+    private static double slack(double ox, double oy, double oz, double[] b, int j) {
+        return PLAIN_ERROR * (size(ox, oy, oz) + size(b[j], b[j + 1], b[j + 2]) + size(b[j + 3], b[j + 4], b[j + 5]))
+                + PLAIN_UNDERFLOW;
+    }
+
     private static double size(double x, double y, double z) {
         return Math.abs(x) + Math.abs(y) + Math.abs(z);
     }
@@ -70,41 +82,48 @@ final class RayBox {
     /**
      * The slab that a ray certainly enters last, from outside, in the box's own frame, to which the stored columns take it as
      * if they were orthonormal: all half sizes are taken larger and smaller by more than that and the roundings may matter.
+     *
+     * @param x the start
+     * @param dx the direction
+     * @param at where the half sizes begin
      */
     private static int plainFace(
-            double mx, double my, double mz, double dx, double dy, double dz, double[] b, int j, double slack) {
-        double first = 0;
-        double firstLate = 0;
-        double second = 0;
-        double leave = Double.POSITIVE_INFINITY;
-        double leaveLate = Double.POSITIVE_INFINITY;
-        int face = UNKNOWN;
-        for (int i = 0; i < 3; i++) {
-            int r = j + Leaf.ROTATION + i;
-            double at = mx * b[r] + my * b[r + 3] + mz * b[r + 6];
-            double slope = dx * b[r] + dy * b[r + 3] + dz * b[r + 6];
-            double half = b[j + Leaf.SIZE + i];
-            double ahead = slope > 0 ? -at : at;
-            double inverse = 1 / Math.abs(slope);
-            double near = ahead - half;
-            double far = ahead + half;
-            double early = (near - slack) * inverse;
-            double late = (near + slack) * inverse;
-            if (early > first) {
-                second = Math.max(second, firstLate);
-                first = early;
-                firstLate = late;
-                face = i;
-            } else {
-                second = Math.max(second, late);
-            }
-            leave = Math.min(leave, (far - slack) * inverse);
-            leaveLate = Math.min(leaveLate, (far + slack) * inverse);
-        }
-        if (first > leaveLate) {
+            double x, double y, double z, double dx, double dy, double dz, double[] b, int at, double slack) {
+        double ix = 1 / Math.abs(dx);
+        double iy = 1 / Math.abs(dy);
+        double iz = 1 / Math.abs(dz);
+        // How far the centre is ahead along each axis. Where the ray is parallel to a slab, a quotient is infinite or no number,
+        // which is never certain.
+        double aheadX = dx > 0 ? -x : x;
+        double aheadY = dy > 0 ? -y : y;
+        double aheadZ = dz > 0 ? -z : z;
+        double nearX = aheadX - b[at];
+        double nearY = aheadY - b[at + 1];
+        double nearZ = aheadZ - b[at + 2];
+        double farX = aheadX + b[at];
+        double farY = aheadY + b[at + 1];
+        double farZ = aheadZ + b[at + 2];
+        double earlyX = (nearX - slack) * ix;
+        double earlyY = (nearY - slack) * iy;
+        double earlyZ = (nearZ - slack) * iz;
+        double first = Math.max(Math.max(earlyX, earlyY), Math.max(earlyZ, 0));
+        if (first > Math.min(Math.min((farX + slack) * ix, (farY + slack) * iy), (farZ + slack) * iz)) {
             return MISSED;
         }
-        return first >= second && firstLate <= leave ? face : UNKNOWN;
+        double leave = Math.min(Math.min((farX - slack) * ix, (farY - slack) * iy), (farZ - slack) * iz);
+        double lateX = (nearX + slack) * ix;
+        double lateY = (nearY + slack) * iy;
+        double lateZ = (nearZ + slack) * iz;
+        if (!(first > 0 && Math.max(Math.max(lateX, lateY), lateZ) <= leave)) {
+            return UNKNOWN;
+        }
+        if (earlyX >= Math.max(lateY, lateZ)) {
+            return 0;
+        }
+        if (earlyY >= Math.max(lateX, lateZ)) {
+            return 1;
+        }
+        return earlyZ >= Math.max(lateX, lateY) ? 2 : UNKNOWN;
     }
 
     /** Where the ray enters a slab, as {@link #inSlabs} computes it. */
@@ -171,6 +190,51 @@ final class RayBox {
 
     /** A box whose own Y is the world's: two slabs in the plane, and an interval of heights. */
     static double upright(
+            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
+        double mx = ox - b[j];
+        double mz = oz - b[j + 2];
+        int face = plainFace(
+                mx * b[j + 6] + mz * b[j + 12],
+                oy - b[j + 1],
+                mx * b[j + 8] + mz * b[j + 14],
+                dx * b[j + 6] + dz * b[j + 12],
+                dy,
+                dx * b[j + 8] + dz * b[j + 14],
+                b,
+                j + Leaf.SIZE,
+                slack(ox, oy, oz, b, j));
+        if (face == MISSED) {
+            return Double.POSITIVE_INFINITY;
+        }
+        if (face != UNKNOWN) {
+            double distance = face == 1
+                    ? heightPlane(oy, b[j + 1], b[j + 4], dx, dy, dz, enterHeights(oy, b[j + 1], b[j + 4], dy))
+                    : uprightPlane(ox, oy, oz, dx, dy, dz, b, j, face, enterPlan(mx, mz, dx, dz, b, j, face), s);
+            if (distance >= 0) {
+                return distance;
+            }
+        }
+        return inUprightSlabs(ox, oy, oz, dx, dy, dz, b, j, s);
+    }
+
+    /** Where the ray enters an interval of heights, as {@link #clipHeights} has it. */
+    private static double enterHeights(double oy, double c, double h, double dy) {
+        double offset = oy - c;
+        return (dy > 0 ? -h - offset : h - offset) / dy;
+    }
+
+    /** Where the ray enters one of the two slabs in the plane, as {@link #clipPlan} has it. */
+    private static double enterPlan(double mx, double mz, double dx, double dz, double[] b, int j, int face) {
+        double nx = face == 0 ? b[j + 14] : -b[j + 12];
+        double nz = face == 0 ? -b[j + 8] : b[j + 6];
+        double det = b[j + 6] * b[j + 14] - b[j + 8] * b[j + 12];
+        double half = b[j + Leaf.SIZE + face] * det;
+        double offset = mx * nx + mz * nz;
+        double slope = dx * nx + dz * nz;
+        return (slope > 0 ? -half - offset : half - offset) / slope;
+    }
+
+    private static double inUprightSlabs(
             double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
         RayInterval in = s.ray;
         in.reset();
