@@ -215,7 +215,9 @@ public abstract class BeamSearch {
         if (part.isEmpty()) {
             return limit;
         }
-        return isCone ? searchCone(table, space, part, limit, ignored) : searchRay(table, space.rays, part.tree, limit, ignored);
+        return isCone
+                ? searchCone(table, space, part, limit, ignored)
+                : searchRay(table, space.rays, part.tree, limit, ignored);
     }
 
     private double searchRay(LeafTable table, RayCursor cursor, Hierarchy tree, double limit, int ignored) {
@@ -230,8 +232,7 @@ public abstract class BeamSearch {
         return reach;
     }
 
-    private double searchCone(
-            LeafTable table, SpaceIndex space, SpaceIndex.Part part, double limit, int ignored) {
+    private double searchCone(LeafTable table, SpaceIndex space, SpaceIndex.Part part, double limit, int ignored) {
         double reach = limit;
         double slack = slack(table) + 0x1p-44 * (space.most() + Math.abs(oy));
         space.keys.startCone(ox, oy, oz, ux, uy, uz, halfCos, halfSin);

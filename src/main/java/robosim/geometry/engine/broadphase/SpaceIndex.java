@@ -1,11 +1,11 @@
 package robosim.geometry.engine.broadphase;
 
+import robosim.geometry.index.boxes.SpaceKeys;
 import robosim.geometry.index.hierarchy.BoxCursor;
 import robosim.geometry.index.hierarchy.Hierarchy;
 import robosim.geometry.index.hierarchy.NearestCursor;
 import robosim.geometry.index.hierarchy.PointCursor;
 import robosim.geometry.index.hierarchy.RayCursor;
-import robosim.geometry.index.boxes.SpaceKeys;
 
 /**
  * Where the objects of a table are looked for in a world with heights: one hierarchy of static objects, and one of moveable

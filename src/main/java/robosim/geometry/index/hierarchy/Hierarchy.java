@@ -88,7 +88,6 @@ public final class Hierarchy {
         parents[0] = -1;
     }
 
-
     /** The greatest float that is at most a number. */
     static float lower(double value) {
         float nearest = (float) value;
@@ -387,11 +386,11 @@ public final class Hierarchy {
         boolean changes = false;
         for (int axis = 0; axis < 3; axis++) {
             int a = STRIDE * node + axis;
-            float low = Math.min(
-                    Math.min(nodes[a], nodes[a + PART]), Math.min(nodes[a + 2 * PART], nodes[a + 3 * PART]));
+            float low =
+                    Math.min(Math.min(nodes[a], nodes[a + PART]), Math.min(nodes[a + 2 * PART], nodes[a + 3 * PART]));
             a += 3;
-            float high = Math.max(
-                    Math.max(nodes[a], nodes[a + PART]), Math.max(nodes[a + 2 * PART], nodes[a + 3 * PART]));
+            float high =
+                    Math.max(Math.max(nodes[a], nodes[a + PART]), Math.max(nodes[a + 2 * PART], nodes[a + 3 * PART]));
             changes |= nodes[to + axis] != low || nodes[to + 3 + axis] != high;
             nodes[to + axis] = low;
             nodes[to + 3 + axis] = high;

@@ -62,7 +62,11 @@ public final class NearestCursor {
         for (int k = 0; k < WIDTH; k++) {
             int link = Float.floatToRawIntBits(tree.nodes[at + Hierarchy.LINKS + k]);
             if (link != Hierarchy.NONE) {
-                push(base, link < 0 ? keys.key(boxes, 6 * (link & Integer.MAX_VALUE)) : key(at + PART * k), link, limit);
+                push(
+                        base,
+                        link < 0 ? keys.key(boxes, 6 * (link & Integer.MAX_VALUE)) : key(at + PART * k),
+                        link,
+                        limit);
             }
         }
     }

@@ -44,7 +44,8 @@ public final class RayCursor {
     private int depth;
     private boolean isWhole;
 
-    // The inverse direction; and for each axis what gives the parameter of the near and of the far plane when it is added to
+    // The inverse direction; and for each axis what gives the parameter of the near and of the far plane when it is
+    // added to
     // a plane times the inverse.
     private float ix;
     private float iy;
@@ -217,17 +218,7 @@ public final class RayCursor {
     }
 
     private static int leave(
-            float[] n,
-            int ax,
-            int ay,
-            int az,
-            float x,
-            float y,
-            float z,
-            float hx,
-            float hy,
-            float hz,
-            int within) {
+            float[] n, int ax, int ay, int az, float x, float y, float z, float hx, float hy, float hz, int within) {
         return Math.min(
                 Math.min(within, Float.floatToRawIntBits(Math.fma(n[ax], x, hx))),
                 Math.min(

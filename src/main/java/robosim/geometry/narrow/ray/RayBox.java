@@ -42,37 +42,71 @@ final class RayBox {
 
     static double distance(
             double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
+        double plain = plain(ox, oy, oz, dx, dy, dz, b, j, s);
+        return plain >= 0 ? plain : inSlabs(ox, oy, oz, dx, dy, dz, b, j, s);
+    }
+
+    /** The distance where plain numbers are sure of it, the same to the bit as of {@link #inSlabs}; else below 0. */
+    static double plain(
+            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
         double mx = ox - b[j];
         double my = oy - b[j + 1];
         double mz = oz - b[j + 2];
         double slack = slack(ox, oy, oz, b, j);
         int r = j + Leaf.ROTATION;
+        double alongX = dx * b[r] + dy * b[r + 3] + dz * b[r + 6];
+        double alongY = dx * b[r + 1] + dy * b[r + 4] + dz * b[r + 7];
+        double alongZ = dx * b[r + 2] + dy * b[r + 5] + dz * b[r + 8];
+        if (isFlat(alongX, alongY, alongZ, dx, dy, dz)
+                && (isInDoubt(alongX, dx, dy, dz, b, r + 1, r + 2)
+                        || isInDoubt(alongY, dx, dy, dz, b, r + 2, r)
+                        || isInDoubt(alongZ, dx, dy, dz, b, r, r + 1))) {
+            return -1;
+        }
         int face = plainFace(
                 mx * b[r] + my * b[r + 3] + mz * b[r + 6],
                 mx * b[r + 1] + my * b[r + 4] + mz * b[r + 7],
                 mx * b[r + 2] + my * b[r + 5] + mz * b[r + 8],
-                dx * b[r] + dy * b[r + 3] + dz * b[r + 6],
-                dx * b[r + 1] + dy * b[r + 4] + dz * b[r + 7],
-                dx * b[r + 2] + dy * b[r + 5] + dz * b[r + 8],
+                alongX,
+                alongY,
+                alongZ,
                 b,
                 j + Leaf.SIZE,
                 slack);
         if (face == MISSED) {
             return Double.POSITIVE_INFINITY;
         }
-        if (face != UNKNOWN) {
-            double t = enter(mx, my, mz, dx, dy, dz, b, j, face);
-            double distance = turnedPlane(ox, oy, oz, dx, dy, dz, b, j, face, t, s);
-            if (distance >= 0) {
-                return distance;
-            }
-        }
-        return inSlabs(ox, oy, oz, dx, dy, dz, b, j, s);
+        return face == UNKNOWN
+                ? -1
+                : turnedPlane(ox, oy, oz, dx, dy, dz, b, j, face, enter(mx, my, mz, dx, dy, dz, b, j, face), s);
     }
 
     private static double slack(double ox, double oy, double oz, double[] b, int j) {
         return PLAIN_ERROR * (size(ox, oy, oz) + size(b[j], b[j + 1], b[j + 2]) + size(b[j + 3], b[j + 4], b[j + 5]))
                 + PLAIN_UNDERFLOW;
+    }
+
+    /** Whether a ray may be parallel to a slab: whether one of its slopes is nearly 0. */
+    private static boolean isFlat(double x, double y, double z, double dx, double dy, double dz) {
+        return !(Math.min(Math.min(Math.abs(x), Math.abs(y)), Math.abs(z)) > PLAIN_ERROR * size(dx, dy, dz));
+    }
+
+    /** The same for one slope to a slab, whose normal is the cross product of two columns. */
+    private static boolean isInDoubt(double slope, double dx, double dy, double dz, double[] b, int k, int l) {
+        return isInDoubt(
+                slope,
+                dx,
+                dy,
+                dz,
+                dx * size(b[k + 3] * b[l + 6], b[k + 6] * b[l + 3], 0),
+                dy * size(b[k + 6] * b[l], b[k] * b[l + 6], 0),
+                dz * size(b[k] * b[l + 3], b[k + 3] * b[l], 0));
+    }
+
+    /** Whether a slope is nearly 0 and something was rounded, which the slabs leave to exact numbers. */
+    private static boolean isInDoubt(
+            double slope, double dx, double dy, double dz, double partX, double partY, double partZ) {
+        return !(Math.abs(slope) > PLAIN_ERROR * size(dx, dy, dz)) && size(partX, partY, partZ) != 0;
     }
 
     private static double size(double x, double y, double z) {
@@ -92,7 +126,8 @@ final class RayBox {
         double ix = 1 / Math.abs(dx);
         double iy = 1 / Math.abs(dy);
         double iz = 1 / Math.abs(dz);
-        // How far the centre is ahead along each axis. Where the ray is parallel to a slab, a quotient is infinite or no number,
+        // How far the centre is ahead along each axis. Where the ray is parallel to a slab, a quotient is infinite or
+        // no number,
         // which is never certain.
         double aheadX = dx > 0 ? -x : x;
         double aheadY = dy > 0 ? -y : y;
@@ -142,7 +177,7 @@ final class RayBox {
         return (slope > 0 ? -half - offset : half - offset) / slope;
     }
 
-    private static double inSlabs(
+    static double inSlabs(
             double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
         RayInterval in = s.ray;
         in.reset();
@@ -191,30 +226,41 @@ final class RayBox {
     /** A box whose own Y is the world's: two slabs in the plane, and an interval of heights. */
     static double upright(
             double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
+        double plain = plainUpright(ox, oy, oz, dx, dy, dz, b, j, s);
+        return plain >= 0 ? plain : inUprightSlabs(ox, oy, oz, dx, dy, dz, b, j, s);
+    }
+
+    /** The distance where plain numbers are sure of it, the same to the bit as of {@link #inUprightSlabs}; else below 0. */
+    static double plainUpright(
+            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
         double mx = ox - b[j];
         double mz = oz - b[j + 2];
+        double alongX = dx * b[j + 6] + dz * b[j + 12];
+        double alongZ = dx * b[j + 8] + dz * b[j + 14];
+        if (isFlat(alongX, dy, alongZ, dx, dy, dz)
+                && (isInDoubt(alongX, dx, dy, dz, dx * b[j + 14], 0, dz * b[j + 8])
+                        || isInDoubt(alongZ, dx, dy, dz, dx * b[j + 12], 0, dz * b[j + 6]))) {
+            return -1;
+        }
         int face = plainFace(
                 mx * b[j + 6] + mz * b[j + 12],
                 oy - b[j + 1],
                 mx * b[j + 8] + mz * b[j + 14],
-                dx * b[j + 6] + dz * b[j + 12],
+                alongX,
                 dy,
-                dx * b[j + 8] + dz * b[j + 14],
+                alongZ,
                 b,
                 j + Leaf.SIZE,
                 slack(ox, oy, oz, b, j));
         if (face == MISSED) {
             return Double.POSITIVE_INFINITY;
         }
-        if (face != UNKNOWN) {
-            double distance = face == 1
-                    ? heightPlane(oy, b[j + 1], b[j + 4], dx, dy, dz, enterHeights(oy, b[j + 1], b[j + 4], dy))
-                    : uprightPlane(ox, oy, oz, dx, dy, dz, b, j, face, enterPlan(mx, mz, dx, dz, b, j, face), s);
-            if (distance >= 0) {
-                return distance;
-            }
+        if (face == UNKNOWN) {
+            return -1;
         }
-        return inUprightSlabs(ox, oy, oz, dx, dy, dz, b, j, s);
+        return face == 1
+                ? heightPlane(oy, b[j + 1], b[j + 4], dx, dy, dz, enterHeights(oy, b[j + 1], b[j + 4], dy))
+                : uprightPlane(ox, oy, oz, dx, dy, dz, b, j, face, enterPlan(mx, mz, dx, dz, b, j, face), s);
     }
 
     /** Where the ray enters an interval of heights, as {@link #clipHeights} has it. */
@@ -234,7 +280,7 @@ final class RayBox {
         return (slope > 0 ? -half - offset : half - offset) / slope;
     }
 
-    private static double inUprightSlabs(
+    static double inUprightSlabs(
             double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
         RayInterval in = s.ray;
         in.reset();

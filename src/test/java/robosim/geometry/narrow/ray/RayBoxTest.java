@@ -1,0 +1,110 @@
+package robosim.geometry.narrow.ray;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.narrow.Leaves;
+import robosim.geometry.narrow.leaf.LeafKind;
+
+/** What plain numbers are sure of is what the slabs with their bounds say, to the bit. */
+class RayBoxTest {
+    private final RayScratch scratch = new RayScratch();
+    private int sure;
+    private int missed;
+    private int left;
+
+    @ParameterizedTest
+    @EnumSource(names = {"BOX", "UPRIGHT_BOX"})
+    void plainNumbersSayTheSameOfRandomRays(LeafKind kind) {
+        SplittableRandom random = new SplittableRandom(31);
+        for (int i = 0; i < 60_000; i++) {
+            double size = Math.scalb(1, random.nextInt(-30, 31));
+            double[] row = Leaves.random(kind, random, size);
+            double[] o = Leaves.vector(random, 3 * size);
+            double[] d = Leaves.vector(random, 1);
+            if (random.nextInt(3) > 0) {
+                double[] target = inside(row, random, 1.2);
+                d = new double[] {target[0] - o[0], target[1] - o[1], target[2] - o[2]};
+            }
+            compare(kind, row, o, d);
+        }
+        assertThat(sure).isGreaterThan(15_000);
+        assertThat(missed).isGreaterThan(15_000);
+        assertThat(left).isBetween(100, 15_000);
+    }
+
+    /** Along edges and faces, through corners, from the surface, off by some ulps: mostly for the slabs. */
+    @ParameterizedTest
+    @EnumSource(names = {"BOX", "UPRIGHT_BOX"})
+    void plainNumbersSayTheSameWhereEverythingTies(LeafKind kind) {
+        SplittableRandom random = new SplittableRandom(32);
+        for (int i = 0; i < 60_000; i++) {
+            double[] row = random.nextBoolean() ? Leaves.grid(kind, random) : Leaves.random(kind, random, 2);
+            double[] o = random.nextBoolean() ? corner(row, random) : Leaves.gridVector(random, 5);
+            double[] to = corner(row, random);
+            double[] d = {to[0] - o[0], to[1] - o[1], to[2] - o[2]};
+            if (random.nextInt(4) == 0) {
+                Arrays.fill(d, 0);
+                d[random.nextInt(3)] = random.nextBoolean() ? 1 : -1;
+            }
+            for (int axis = 0; axis < 3; axis++) {
+                o[axis] -= random.nextInt(3) == 0 ? 3 * d[axis] : 0;
+                o[axis] += random.nextInt(-2, 3) * Math.ulp(o[axis]);
+            }
+            if (d[0] != 0 || d[1] != 0 || d[2] != 0) {
+                compare(kind, row, o, d);
+            }
+        }
+        assertThat(sure).isGreaterThan(1000);
+        assertThat(left).isGreaterThan(10_000);
+    }
+
+    private void compare(LeafKind kind, double[] row, double[] o, double[] d) {
+        boolean isUpright = kind == LeafKind.UPRIGHT_BOX;
+        double plain = isUpright
+                ? RayBox.plainUpright(o[0], o[1], o[2], d[0], d[1], d[2], row, 0, scratch)
+                : RayBox.plain(o[0], o[1], o[2], d[0], d[1], d[2], row, 0, scratch);
+        if (!(plain >= 0)) {
+            left++;
+            return;
+        }
+        double slabs = isUpright
+                ? RayBox.inUprightSlabs(o[0], o[1], o[2], d[0], d[1], d[2], row, 0, scratch)
+                : RayBox.inSlabs(o[0], o[1], o[2], d[0], d[1], d[2], row, 0, scratch);
+        assertThat(plain)
+                .as("%s %s from %s along %s", kind, Arrays.toString(row), Arrays.toString(o), Arrays.toString(d))
+                .isEqualTo(slabs);
+        if (plain < Double.POSITIVE_INFINITY) {
+            sure++;
+        } else {
+            missed++;
+        }
+    }
+
+    private static double[] inside(double[] row, SplittableRandom random, double most) {
+        double[] own = new double[3];
+        for (int axis = 0; axis < 3; axis++) {
+            own[axis] = random.nextDouble(-most, most) * row[3 + axis];
+        }
+        return placed(row, own);
+    }
+
+    private static double[] corner(double[] row, SplittableRandom random) {
+        double[] own = new double[3];
+        for (int axis = 0; axis < 3; axis++) {
+            own[axis] = random.nextInt(-1, 2) * row[3 + axis];
+        }
+        return placed(row, own);
+    }
+
+    private static double[] placed(double[] row, double[] own) {
+        double[] at = new double[3];
+        for (int axis = 0; axis < 3; axis++) {
+            at[axis] = row[axis] + row[6 + 3 * axis] * own[0] + row[7 + 3 * axis] * own[1] + row[8 + 3 * axis] * own[2];
+        }
+        return at;
+    }
+}
