@@ -24,7 +24,7 @@ import robosim.geometry.narrow.Scratch;
  * A world: a box centred at the origin with objects in it. It answers three questions: May this object be here? How far
  * may it move? How far away is the nearest surface?
  *
- * <p>Static objects are indexed by a quadtree or, where heights count and the scene is stacked, by an octree. Up to 16
+ * <p>Static objects are indexed by a quadtree or, where heights count, by a bounding-volume hierarchy. Up to 16
  * moveable objects are kept in a list; more are put in the quadtree too. No answer depends on this choice.
  *
  * <p>No part of an object may leave the world, on the way or at the end: a call that would add or move it so returns
