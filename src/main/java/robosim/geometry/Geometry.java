@@ -25,7 +25,7 @@ import robosim.geometry.narrow.Scratch;
  * may it move? How far away is the nearest surface?
  *
  * <p>Static objects are indexed by a quadtree or, where heights count, by a bounding-volume hierarchy. Up to 16
- * moveable objects are kept in a list; more are put in the quadtree too. No answer depends on this choice.
+ * moveable objects are kept in a list; more are put in a tree too. No answer depends on this choice.
  *
  * <p>No part of an object may leave the world, on the way or at the end: a call that would add or move it so returns
  * false. The world's bounds are closed (touching them is inside), are always checked against the exact shape, and echo

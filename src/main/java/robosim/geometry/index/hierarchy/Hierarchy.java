@@ -9,10 +9,10 @@ import robosim.geometry.index.ArrayGrowth;
  *
  * <p>A node has up to {@link #WIDTH} children, each of which is a node or an object. The bounds of children are floats,
  * rounded outward. An object that is added goes down to where the surface area grows least; one that moves stays in its
- * node as long as it is near that. When enough objects have come or gone since the hierarchy was
- * last built, and enough queries have been asked since to pay for it, it is built anew by the surface area heuristic, see
- * {@link SurfaceAreaSplits}. So a change costs a descent, and a rebuild is charged to a quarter as many changes as there
- * are objects.
+ * node as long as it is near that. When enough objects have come or gone since the hierarchy was last built, and enough
+ * queries have been asked since to pay for it, it is built anew by the surface area heuristic, see {@link
+ * SurfaceAreaSplits}. So a change costs a descent, and a rebuild is charged to a quarter as many changes as there are
+ * objects.
  *
  * <p>The boxes stay with the caller: the six numbers of an object, its minimum corner and its maximum, begin at 6 times its
  * id. May be used by one thread at a time, unless it is frozen.
