@@ -128,12 +128,7 @@ public abstract class BeamSearch {
     private double searchTrees(LeafTable table, double limit, int ignored) {
         SpaceIndex space = table.space;
         if (space != null) {
-            takeUnit();
-            if (!isCone) {
-                space.rays.aim(ox, oy, oz, ux, uy, uz, space.most());
-            }
-            double reach = searchSpace(table, space, space.still, limit, ignored);
-            return searchSpace(table, space, space.moving, reach, ignored);
+            return searchSpace(table, space, limit, ignored);
         }
         if (isCone) {
             return searchSector(table, limit, ignored);
@@ -210,14 +205,16 @@ public abstract class BeamSearch {
         return reach;
     }
 
-    /** Searches one hierarchy of a world with heights. */
-    private double searchSpace(LeafTable table, SpaceIndex space, SpaceIndex.Part part, double limit, int ignored) {
-        if (part.isEmpty()) {
-            return limit;
+    /** Searches the hierarchies of a world with heights. */
+    private double searchSpace(LeafTable table, SpaceIndex space, double limit, int ignored) {
+        takeUnit();
+        if (isCone) {
+            space.nearest.cone(ox, oy, oz, ux, uy, uz, halfCos, halfSin);
+            return searchCone(table, space, limit, ignored);
         }
-        return isCone
-                ? searchCone(table, space, part, limit, ignored)
-                : searchRay(table, space.rays, part.tree, limit, ignored);
+        space.rays.aim(ox, oy, oz, ux, uy, uz, space.most());
+        double reach = searchRay(table, space.rays, space.still, limit, ignored);
+        return searchRay(table, space.rays, space.moving, reach, ignored);
     }
 
     private double searchRay(LeafTable table, RayCursor cursor, Hierarchy tree, double limit, int ignored) {
@@ -232,15 +229,15 @@ public abstract class BeamSearch {
         return reach;
     }
 
-    private double searchCone(LeafTable table, SpaceIndex space, SpaceIndex.Part part, double limit, int ignored) {
+    private double searchCone(LeafTable table, SpaceIndex space, double limit, int ignored) {
         double reach = limit;
         double slack = slack(table) + 0x1p-44 * (space.most() + Math.abs(oy));
-        space.keys.startCone(ox, oy, oz, ux, uy, uz, halfCos, halfSin);
-        NearestCursor cursor = part.nearest;
-        cursor.start(table.bounds());
+        NearestCursor cursor = space.nearest;
+        cursor.start(space.still, space.moving);
         for (int local = cursor.next(loose(reach, slack)); local >= 0; local = cursor.next(loose(reach, slack))) {
-            if ((local | table.mark) != ignored) {
-                reach = meet(table, local | table.mark, reach);
+            int id = local | table.mark;
+            if (id != ignored) {
+                reach = meet(table, id, reach);
             }
         }
         return reach;

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.index.QuadCursor;
 import robosim.geometry.index.hierarchy.BoxCursor;
+import robosim.geometry.index.hierarchy.Hierarchy;
 import robosim.geometry.index.tiles.NearTarget;
 
 /**
@@ -66,8 +67,8 @@ public final class BoxQuery {
                 add(cursor.gathered(k) | of.mark);
             }
         } else {
-            gather(of, space.still.boxes, box, but);
-            gather(of, space.moving.boxes, box, but);
+            gather(of, space.boxes, space.still, box, but);
+            gather(of, space.boxes, space.moving, box, but);
         }
         for (int k = 0; k < of.moversBesideTree(); k++) {
             int id = objects.mover(k);
@@ -77,8 +78,8 @@ public final class BoxQuery {
         }
     }
 
-    private void gather(LeafTable of, BoxCursor cursor, double[] box, int but) {
-        cursor.start(box);
+    private void gather(LeafTable of, BoxCursor cursor, Hierarchy tree, double[] box, int but) {
+        cursor.start(tree, box);
         for (int local = cursor.next(); local >= 0; local = cursor.next()) {
             if ((local | of.mark) != but) {
                 add(local | of.mark);
@@ -137,7 +138,7 @@ public final class BoxQuery {
     private boolean meetsInTree(LeafTable of, double[] box, int but) {
         SpaceIndex space = of.space;
         if (space != null) {
-            return meets(of, space.still.boxes, box, but) || meets(of, space.moving.boxes, box, but);
+            return meets(of, space.boxes, space.still, box, but) || meets(of, space.boxes, space.moving, box, but);
         }
         of.cursor.startBox(box[0], box[2], box[3], box[5]);
         for (int local = of.cursor.next(); local >= 0; local = of.cursor.next()) {
@@ -149,8 +150,8 @@ public final class BoxQuery {
         return false;
     }
 
-    private boolean meets(LeafTable of, BoxCursor cursor, double[] box, int but) {
-        cursor.startSettled(box);
+    private boolean meets(LeafTable of, BoxCursor cursor, Hierarchy tree, double[] box, int but) {
+        cursor.startSettled(tree, box);
         for (int local = cursor.next(); local >= 0; local = cursor.next()) {
             int id = local | of.mark;
             if (id != but && of.meets(id, box) && target.meet(of, id)) {

@@ -181,7 +181,7 @@ public final class LeafTable {
         } else if (space == null) {
             tree.list(id);
         } else {
-            space.still.tree.add(id, tree.boxes());
+            space.still.add(id, tree.boxes());
         }
     }
 
@@ -226,7 +226,7 @@ public final class LeafTable {
             leaves.outline(id, b[at], b[at + 2], b[at + 3], b[at + 5]);
             tree.list(id);
         } else {
-            space.moving.tree.add(id, b);
+            space.moving.add(id, b);
         }
     }
 
@@ -256,14 +256,14 @@ public final class LeafTable {
             if (space == null) {
                 tree.remove(id);
             } else {
-                space.still.tree.remove(id);
+                space.still.remove(id);
             }
         } else {
             movers--;
             if (space == null) {
                 tree.remove(id);
             } else if (hasMoversInTree) {
-                space.moving.tree.remove(id);
+                space.moving.remove(id);
             }
         }
         if (id < forms.length) {
@@ -313,7 +313,7 @@ public final class LeafTable {
         }
         tree.keep(id, box);
         if (hasMoversInTree && space != null) {
-            space.moving.tree.move(id, tree.boxes());
+            space.moving.move(id, tree.boxes());
         }
     }
 

@@ -2,7 +2,7 @@ package robosim.geometry.engine.broadphase;
 
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.index.QuadCursor;
-import robosim.geometry.index.hierarchy.PointCursor;
+import robosim.geometry.index.hierarchy.NearestCursor;
 import robosim.geometry.narrow.Distance;
 
 /** Shows a target the objects around a box, nearest first, and none farther than the target still looks. */
@@ -50,10 +50,9 @@ public final class NearestSearch {
         double y = box[1] / 2 + box[4] / 2;
         double hy = Math.max(box[4] - y, y - box[1]);
         double radius = Math.sqrt(hx * hx + hy * hy + hz * hz + UNDERFLOW) * (1 + 0x1p-50);
-        space.points.start(space.still.tree, x, y, z);
-        double reach = searchSpace(table, space.points, radius, sizes, limit, ignored);
-        space.points.start(space.moving.tree, x, y, z);
-        return searchSpace(table, space.points, radius, sizes, reach, ignored);
+        space.nearest.around(x, y, z);
+        space.nearest.start(space.still, space.moving);
+        return searchSpace(table, space.nearest, radius, sizes, limit, ignored);
     }
 
     private double searchPlane(
@@ -72,7 +71,7 @@ public final class NearestSearch {
     }
 
     private double searchSpace(
-            LeafTable table, PointCursor cursor, double radius, double sizes, double limit, int ignored) {
+            LeafTable table, NearestCursor cursor, double radius, double sizes, double limit, int ignored) {
         double reach = limit;
         for (int local = cursor.next(Distance.reach(reach, sizes) + radius);
                 local >= 0;

@@ -1,43 +1,20 @@
 package robosim.geometry.engine.broadphase;
 
-import robosim.geometry.index.boxes.SpaceKeys;
 import robosim.geometry.index.hierarchy.BoxCursor;
 import robosim.geometry.index.hierarchy.Hierarchy;
 import robosim.geometry.index.hierarchy.NearestCursor;
-import robosim.geometry.index.hierarchy.PointCursor;
 import robosim.geometry.index.hierarchy.RayCursor;
 
 /**
  * Where the objects of a table are looked for in a world with heights: one hierarchy of static objects, and one of moveable
- * ones, which changes all the time and is built anew more often.
+ * ones, which changes all the time and is built anew more often; with the cursors of one thread over both.
  */
 final class SpaceIndex {
-    /** A hierarchy with cursors of one thread. */
-    static final class Part {
-        final Hierarchy tree;
-        final BoxCursor boxes;
-        final NearestCursor nearest;
-
-        Part(Hierarchy tree, SpaceKeys keys) {
-            this.tree = tree;
-            boxes = new BoxCursor(tree);
-            nearest = new NearestCursor(tree, keys);
-        }
-
-        boolean isEmpty() {
-            return tree.size() == 0;
-        }
-    }
-
-    /** What the cursors for cones look for. */
-    final SpaceKeys keys = new SpaceKeys();
-
-    // For rays through both hierarchies, and for what is near a point.
+    final Hierarchy still;
+    final Hierarchy moving;
     final RayCursor rays = new RayCursor();
-    final PointCursor points = new PointCursor();
-
-    final Part still;
-    final Part moving;
+    final BoxCursor boxes = new BoxCursor();
+    final NearestCursor nearest = new NearestCursor();
 
     /**
      * An empty index.
@@ -45,13 +22,13 @@ final class SpaceIndex {
      * @param whenBuilt what to do when the hierarchy of static objects has been built anew
      */
     SpaceIndex(Runnable whenBuilt) {
-        still = new Part(new Hierarchy(whenBuilt), keys);
-        moving = new Part(new Hierarchy(() -> {}), keys);
+        still = new Hierarchy(whenBuilt);
+        moving = new Hierarchy(() -> {});
     }
 
     private SpaceIndex(SpaceIndex of) {
-        still = new Part(of.still.tree, keys);
-        moving = new Part(of.moving.tree, keys);
+        still = of.still;
+        moving = of.moving;
     }
 
     /** The same objects, of which none comes or goes any more, for one more thread to ask. */
@@ -60,12 +37,12 @@ final class SpaceIndex {
     }
 
     void freeze() {
-        still.tree.freeze();
-        moving.tree.freeze();
+        still.freeze();
+        moving.freeze();
     }
 
     /** No object that was ever here has a coordinate of a greater magnitude. */
     double most() {
-        return Math.max(still.tree.most(), moving.tree.most());
+        return Math.max(still.most(), moving.most());
     }
 }

@@ -1,4 +1,4 @@
-/** Trees of boxes in space for the triangles of a mesh, and the keys by which queries order boxes. */
+/** Trees over the boxes of a mesh's triangles, how boxes are split, and the keys by which queries in the plane order them. */
 @NullMarked
 package robosim.geometry.index.boxes;
 

@@ -11,7 +11,7 @@ import robosim.geometry.index.ArrayGrowth;
  * rounded outward. An object that is added goes down to where the surface area grows least; one that moves stays in its
  * node as long as it is near that. When enough objects have come or gone since the hierarchy was last built, and enough
  * queries have been asked since to pay for it, it is built anew by the surface area heuristic, see {@link
- * SurfaceAreaSplits}. So a change costs a descent, and a rebuild is charged to a quarter as many changes as there are
+ * HierarchyBuilder}. So a change costs a descent, and a rebuild is charged to a quarter as many changes as there are
  * objects.
  *
  * <p>The boxes stay with the caller: the six numbers of an object, its minimum corner and its maximum, begin at 6 times its
@@ -48,8 +48,10 @@ public final class Hierarchy {
     /** An object that is farther outside its node than this many sizes of that is hung elsewhere. */
     private static final float FAR = 1;
 
-    /** What an object that comes or goes takes from the queries that have been
-     * asked: as long as they alternate, nothing is built anew. */
+    /**
+     * What an object that comes or goes takes from the queries that have been asked: as long as they alternate, nothing is
+     * built anew.
+     */
     private static final int CHANGE = 16;
 
     float[] nodes = new float[STRIDE];
@@ -142,13 +144,21 @@ public final class Hierarchy {
 
     /** Removes an object that is in the tree. */
     public void remove(int id) {
+        requireHere(id);
         size--;
         countChange();
         unlink(id);
     }
 
+    private void requireHere(int id) {
+        if (!contains(id)) {
+            throw new IllegalArgumentException("id must be in the tree (got: " + id + ")");
+        }
+    }
+
     /** Gives an object of the tree the box that the caller has for it now. */
     public void move(int id, double[] boxes) {
+        requireHere(id);
         take(id, boxes);
         int slot = slots[id];
         int at = at(slot);
@@ -209,7 +219,7 @@ public final class Hierarchy {
     }
 
     /** Where the bounds of a slot begin. */
-    private static int at(int slot) {
+    static int at(int slot) {
         return STRIDE * (slot / WIDTH) + PART * (slot % WIDTH);
     }
 
@@ -217,7 +227,8 @@ public final class Hierarchy {
         return Float.floatToRawIntBits(nodes[STRIDE * (slot / WIDTH) + LINKS + slot % WIDTH]);
     }
 
-    private void link(int slot, int to) {
+    /** Hangs a child from a slot. */
+    void link(int slot, int to) {
         nodes[STRIDE * (slot / WIDTH) + LINKS + slot % WIDTH] = Float.intBitsToFloat(to);
         if (to < 0) {
             slots[to & Integer.MAX_VALUE] = slot;
@@ -239,7 +250,8 @@ public final class Hierarchy {
         link(slot, NONE);
     }
 
-    private int claim() {
+    /** A new node, without children. */
+    int claim() {
         int node = free;
         if (node >= 0) {
             free = parents[node];
@@ -346,10 +358,7 @@ public final class Hierarchy {
         int node = slot / WIDTH;
         int above = parents[node];
         int left = onlyChild(node);
-        if (above >= 0 && left != NONE) {
-            if (left < 0) { // a node keeps at least two children, but for the root
-                throw new IllegalStateException("node must have had two children (got: node " + node + ")");
-            }
+        if (above >= 0 && left != NONE) { // a node keeps at least two children, but for the root
             System.arraycopy(nodes, at(left), nodes, at(above), PART);
             link(above, link(left));
             giveUp(node);
@@ -426,61 +435,14 @@ public final class Hierarchy {
                 ids[found++] = id;
             }
         }
-        SurfaceAreaSplits splits = new SurfaceAreaSplits(boxes, ids);
         count = 1;
         free = -1;
         clear(0);
         if (size > 0) {
-            fill(0, splits, 0, size, 0);
+            new HierarchyBuilder(this, boxes, ids).fill(0, 0, size, 0);
         }
         changes = 0;
         asked = 0;
         whenBuilt.run();
-    }
-
-    /** Fills an empty node with the items of a range: divides the parts with the greatest areas until there are enough. */
-    private void fill(int node, SurfaceAreaSplits splits, int from, int to, int depth) {
-        int[] starts = {from, to, 0, 0, 0};
-        splits.measure(from, to);
-        double[] areas = {to - from > 1 ? splits.area() : -1, -1, -1, -1};
-        float[] bounds = new float[LINKS];
-        splits.copyBounds(bounds, 0);
-        int parts = 1;
-        while (parts < WIDTH) {
-            int largest = 0;
-            for (int k = 1; k < parts; k++) {
-                largest = areas[k] > areas[largest] ? k : largest;
-            }
-            if (areas[largest] < 0) {
-                break;
-            }
-            int middle = splits.split(starts[largest], starts[largest + 1], depth);
-            System.arraycopy(starts, largest + 1, starts, largest + 2, parts - largest);
-            System.arraycopy(areas, largest + 1, areas, largest + 2, parts - largest - 1);
-            System.arraycopy(bounds, PART * (largest + 1), bounds, PART * (largest + 2), PART * (parts - largest - 1));
-            starts[largest + 1] = middle;
-            parts++;
-            for (int k = largest; k < largest + 2; k++) {
-                splits.measure(starts[k], starts[k + 1]);
-                areas[k] = starts[k + 1] - starts[k] > 1 ? splits.area() : -1;
-                splits.copyBounds(bounds, PART * k);
-            }
-        }
-        for (int k = 0; k < parts; k++) {
-            int slot = WIDTH * node + k;
-            System.arraycopy(bounds, PART * k, nodes, at(slot), PART);
-            if (starts[k + 1] - starts[k] == 1) {
-                link(slot, Integer.MIN_VALUE | splits.item(starts[k]));
-            } else {
-                int child = claim();
-                link(slot, child);
-                fill(child, splits, starts[k], starts[k + 1], depth + 1);
-            }
-        }
-    }
-
-    /** The bytes that the hierarchy takes. */
-    public long bytes() {
-        return 4L * (nodes.length + parents.length + slots.length);
     }
 }

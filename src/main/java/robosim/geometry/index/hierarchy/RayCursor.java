@@ -35,11 +35,15 @@ public final class RayCursor {
     private static final int LINKS = Hierarchy.LINKS;
     private static final int NONE = Hierarchy.NONE;
 
-    private Hierarchy tree = new Hierarchy(() -> {});
-    private int[] links = new int[Hierarchy.STACK];
+    /** More than any key; its lower half is below 0, as of an object. */
+    private static final long MISSED = Long.MAX_VALUE;
 
-    /** Where the ray enters what the links lead to: the bits of floats of at least 0, which sort like the floats. */
-    private int[] entries = new int[links.length];
+    private Hierarchy tree = new Hierarchy(() -> {});
+    /**
+     * What is still to be looked at: links in the lower halves, and above them where the ray enters, as the bits of floats of at
+     * least 0, which sort like the floats.
+     */
+    private long[] stack = new long[Hierarchy.STACK];
 
     private int depth;
     private boolean isWhole;
@@ -92,8 +96,7 @@ public final class RayCursor {
             tree = through;
         }
         through.settle();
-        links[0] = 0;
-        entries[0] = 0;
+        stack[0] = 0;
         depth = through.size() == 0 ? 0 : 1;
     }
 
@@ -111,8 +114,7 @@ public final class RayCursor {
         }
         int within = within(limit);
         float[] n = tree.nodes;
-        int[] stack = links;
-        int[] begins = entries;
+        long[] stack = this.stack;
         int top = depth;
         float x = ix;
         float y = iy;
@@ -131,17 +133,16 @@ public final class RayCursor {
         int fy = 5 - ny;
         int fz = 7 - nz;
         while (top > 0) {
-            int link = stack[--top];
-            if (begins[top] > within) {
+            long nearest = stack[--top];
+            if ((int) (nearest >>> Integer.SIZE) > within) {
                 continue;
             }
-            while (link >= 0) {
+            while ((int) nearest >= 0) {
                 if (top + WIDTH > stack.length) {
-                    growStack();
-                    stack = links;
-                    begins = entries;
+                    stack = growStack();
                 }
-                int at = link * Hierarchy.STRIDE;
+                int at = (int) nearest * Hierarchy.STRIDE;
+                nearest = MISSED;
                 int enterA = enter(n, at + nx, at + ny, at + nz, x, y, z, gx, gy, gz);
                 int leaveA = leave(n, at + fx, at + fy, at + fz, x, y, z, hx, hy, hz, within);
                 int b = at + PART;
@@ -153,59 +154,48 @@ public final class RayCursor {
                 int d = at + 3 * PART;
                 int enterD = enter(n, d + nx, d + ny, d + nz, x, y, z, gx, gy, gz);
                 int leaveD = leave(n, d + fx, d + fy, d + fz, x, y, z, hx, hy, hz, within);
-                int next = NONE;
-                int begin = 0;
                 if (enterA <= leaveA) {
-                    next = Float.floatToRawIntBits(n[at + LINKS]);
-                    begin = enterA;
+                    long key = key(enterA, n[at + LINKS]);
+                    nearest = key;
                 }
                 if (enterB <= leaveB) {
-                    int other = Float.floatToRawIntBits(n[at + LINKS + 1]);
-                    boolean isNearer = next == NONE || enterB < begin;
-                    if (next != NONE) {
-                        stack[top] = isNearer ? next : other;
-                        begins[top++] = isNearer ? begin : enterB;
+                    long key = key(enterB, n[at + LINKS + 1]);
+                    if (nearest != MISSED) {
+                        stack[top++] = Math.max(nearest, key);
                     }
-                    next = isNearer ? other : next;
-                    begin = isNearer ? enterB : begin;
+                    nearest = Math.min(nearest, key);
                 }
                 if (enterC <= leaveC) {
-                    int other = Float.floatToRawIntBits(n[at + LINKS + 2]);
-                    boolean isNearer = next == NONE || enterC < begin;
-                    if (next != NONE) {
-                        stack[top] = isNearer ? next : other;
-                        begins[top++] = isNearer ? begin : enterC;
+                    long key = key(enterC, n[at + LINKS + 2]);
+                    if (nearest != MISSED) {
+                        stack[top++] = Math.max(nearest, key);
                     }
-                    next = isNearer ? other : next;
-                    begin = isNearer ? enterC : begin;
+                    nearest = Math.min(nearest, key);
                 }
                 if (enterD <= leaveD) {
-                    int other = Float.floatToRawIntBits(n[at + LINKS + 3]);
-                    boolean isNearer = next == NONE || enterD < begin;
-                    if (next != NONE) {
-                        stack[top] = isNearer ? next : other;
-                        begins[top++] = isNearer ? begin : enterD;
+                    long key = key(enterD, n[at + LINKS + 3]);
+                    if (nearest != MISSED) {
+                        stack[top++] = Math.max(nearest, key);
                     }
-                    next = isNearer ? other : next;
-                    begin = isNearer ? enterD : begin;
-                }
-                link = next;
-                if (link == NONE) {
-                    break;
+                    nearest = Math.min(nearest, key);
                 }
             }
-            if (link != NONE) {
+            if (nearest != MISSED) {
                 depth = top;
-                return link & Integer.MAX_VALUE;
+                return (int) nearest & Integer.MAX_VALUE;
             }
         }
         depth = 0;
         return -1;
     }
 
-    private void growStack() {
-        links = Arrays.copyOf(links, 2 * links.length);
-        entries = Arrays.copyOf(entries, links.length);
+    private static long key(int enter, float link) {
+        return (long) enter << Integer.SIZE | (Float.floatToRawIntBits(link) & 0xffffffffL);
+    }
+
+    private long[] growStack() {
+        stack = Arrays.copyOf(stack, 2 * stack.length);
+        return stack;
     }
 
     private static int enter(
@@ -235,17 +225,17 @@ public final class RayCursor {
     /** Every object, one after the other: where coordinates are beyond what floats can tell apart. */
     private int nextOfAll() {
         while (depth > 0) {
-            int link = links[--depth];
+            int link = (int) stack[--depth];
             if (link < 0) {
                 return link & Integer.MAX_VALUE;
             }
             for (int k = 0; k < WIDTH; k++) {
                 int child = Float.floatToRawIntBits(tree.nodes[link * Hierarchy.STRIDE + LINKS + k]);
                 if (child != NONE) {
-                    if (depth == links.length) {
+                    if (depth == stack.length) {
                         growStack();
                     }
-                    links[depth++] = child;
+                    stack[depth++] = child;
                 }
             }
         }

@@ -6,24 +6,24 @@ import java.util.Arrays;
  * A priority queue (binary heap) of items, smallest key first; equal keys come in the order of their items. Grows,
  * never shrinks.
  */
-final class EntryQueue {
+public final class EntryQueue {
     private double[] keys = new double[64];
     private int[] items = new int[64];
     private int size;
 
-    void clear() {
+    public void clear() {
         size = 0;
     }
 
-    boolean isEmpty() {
+    public boolean isEmpty() {
         return size == 0;
     }
 
-    double leastKey() {
+    public double leastKey() {
         return size == 0 ? Double.POSITIVE_INFINITY : keys[0];
     }
 
-    void push(double key, int item) {
+    public void push(double key, int item) {
         if (size == keys.length) {
             keys = Arrays.copyOf(keys, 2 * size);
             items = Arrays.copyOf(items, 2 * size);
@@ -43,7 +43,7 @@ final class EntryQueue {
     }
 
     /** Removes and returns the item with the smallest key; the queue must not be empty. */
-    int pop() {
+    public int pop() {
         int least = items[0];
         size--;
         double key = keys[size];

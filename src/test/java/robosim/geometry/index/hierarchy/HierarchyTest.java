@@ -14,7 +14,6 @@ import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import robosim.geometry.index.boxes.SpaceKeys;
 
 /** The hierarchy and its cursors against a list of the same boxes. */
 class HierarchyTest {
@@ -35,13 +34,12 @@ class HierarchyTest {
     private final SplittableRandom random = new SplittableRandom(51);
     private final double[] boxes = new double[6 * MOST];
     private final TreeSet<Integer> in = new TreeSet<>();
-    private final SpaceKeys keys = new SpaceKeys();
     private int built;
     private final Hierarchy tree = new Hierarchy(() -> built++);
+    private final Hierarchy other = new Hierarchy(() -> {});
     private final RayCursor rays = new RayCursor();
-    private final PointCursor points = new PointCursor();
-    private final BoxCursor inBox = new BoxCursor(tree);
-    private final NearestCursor nearest = new NearestCursor(tree, keys);
+    private final BoxCursor inBox = new BoxCursor();
+    private final NearestCursor nearest = new NearestCursor();
     private int met;
     private int passedBy;
 
@@ -173,7 +171,7 @@ class HierarchyTest {
             box[3] = Math.max(box[0], box[3]);
         }
         List<Integer> found = new ArrayList<>();
-        inBox.startSettled(box);
+        inBox.startSettled(tree, box);
         for (int id = inBox.next(); id >= 0; id = inBox.next()) {
             found.add(id);
         }
@@ -278,12 +276,22 @@ class HierarchyTest {
             p[axis] = scale * random.nextDouble(-20, 20);
         }
         double limit = random.nextInt(8) == 0 ? INFINITE : scale * random.nextDouble(15);
-        points.start(tree, p[0], p[1], p[2]);
+        nearest.around(p[0], p[1], p[2]);
+        startNearest();
         List<Integer> found = new ArrayList<>();
-        for (int id = points.next(limit); id >= 0; id = points.next(limit)) {
+        for (int id = nearest.next(limit); id >= 0; id = nearest.next(limit)) {
             found.add(id);
         }
         count(found, in.stream().filter(id -> distance(id, p) <= limit).toList());
+    }
+
+    /** In the first place or in the second, beside a hierarchy without objects. */
+    private void startNearest() {
+        if (random.nextBoolean()) {
+            nearest.start(tree, other);
+        } else {
+            nearest.start(other, tree);
+        }
     }
 
     private double distance(int id, double[] p) {
@@ -307,8 +315,8 @@ class HierarchyTest {
             d[axis] /= length;
             o[axis] = scale * random.nextDouble(-20, 20);
         }
-        keys.startCone(o[0], o[1], o[2], d[0], d[1], d[2], cos, StrictMath.sin(half));
-        nearest.start(boxes);
+        nearest.cone(o[0], o[1], o[2], d[0], d[1], d[2], cos, StrictMath.sin(half));
+        startNearest();
         List<Integer> found = new ArrayList<>();
         for (int id = nearest.next(limit); id >= 0; id = nearest.next(limit)) {
             found.add(id);
@@ -354,9 +362,10 @@ class HierarchyTest {
         tree.freeze();
         for (int k = 0; k < 200; k++) {
             double[] p = {random.nextDouble(-20, 20), random.nextDouble(-20, 20), random.nextDouble(-20, 20)};
-            points.start(tree, p[0], p[1], p[2]);
+            nearest.around(p[0], p[1], p[2]);
+            startNearest();
             double limit = INFINITE;
-            for (int id = points.next(limit); id >= 0; id = points.next(limit)) {
+            for (int id = nearest.next(limit); id >= 0; id = nearest.next(limit)) {
                 limit = Math.min(limit, distance(id, p));
                 taken++;
             }
@@ -367,18 +376,21 @@ class HierarchyTest {
         assertThat(taken).isBetween(200, 200 * 12);
     }
 
-    /** A thousand objects each a quarter of the one before: no tree over them is flat, none may be as deep as a list. */
+    /** Each object encloses those before it, so that each goes down from the top: the tree would become a list. */
     @Test
-    void objectsOfAllSizesMakeNoList() {
-        double[] many = new double[6 * 1000];
+    void whatBecomesTooDeepIsBuiltAnew() {
+        double[] many = new double[6 * 2000];
         Hierarchy deep = new Hierarchy(() -> built++);
-        for (int id = 0; id < 1000; id++) {
-            double size = Math.scalb(1, 90 - id % 180) * (1 + id * 1e-3);
-            Arrays.fill(many, 6 * id, 6 * id + 3, 0);
+        int deepest = 0;
+        for (int id = 0; id < 2000; id++) {
+            double size = Math.scalb(1 + id * 1e-6, id / 10 - 100);
+            Arrays.fill(many, 6 * id, 6 * id + 3, -size);
             Arrays.fill(many, 6 * id + 3, 6 * id + 6, size);
             deep.add(id, many);
-            assertThat(depth(deep, 0)).isLessThan(125);
+            deepest = Math.max(deepest, depth(deep, 0));
         }
+        assertThat(deepest).isBetween(100, 124);
+        assertThat(built).as("times it was built anew as it became too deep").isGreaterThan(0);
     }
 
     private static int depth(Hierarchy of, int node) {
@@ -391,10 +403,13 @@ class HierarchyTest {
     }
 
     @Test
-    void refusesAnIdTwice() {
+    void refusesAnIdTwiceAndOneThatIsNotThere() {
         tree.add(7, boxes);
         assertThatThrownBy(() -> tree.add(7, boxes)).hasMessageContaining("(got: 7)");
         tree.remove(7);
         assertThat(tree.contains(7)).isFalse();
+        assertThatThrownBy(() -> tree.remove(7)).hasMessageContaining("id must be in the tree (got: 7)");
+        assertThatThrownBy(() -> tree.move(8, boxes)).hasMessageContaining("id must be in the tree (got: 8)");
+        assertSound();
     }
 }

@@ -1,4 +1,4 @@
-package robosim.geometry.index.hierarchy;
+package robosim.geometry.index.boxes;
 
 import java.util.Arrays;
 
@@ -6,16 +6,13 @@ import java.util.Arrays;
  * Splits ranges of boxes in two by the surface area heuristic over sixteen bins of each axis (Wald 2007), or in half where
  * that does not apply. The items are reordered as they are split.
  */
-final class SurfaceAreaSplits {
+public final class SurfaceAreaSplits {
     private static final int BINS = 16;
 
-    /** Ranges of more items than this are binned along the axis of the greatest extent only, which is nearly as good. */
-    private static final int MANY = 1 << 12;
-
     /** From this depth on every split is in half. */
-    private static final int HEURISTIC_DEPTH = 48;
+    static final int HEURISTIC_DEPTH = 48;
 
-    private static final int BOX = Hierarchy.PART;
+    private static final int BOX = 6;
 
     private final float[] boxes;
     private final int[] items;
@@ -29,25 +26,33 @@ final class SurfaceAreaSplits {
     private final double[] costRight = new double[BINS];
     private final float[] grown = new float[BOX];
 
+    private final int few;
+
+    // The best split of the range measured last.
     private double leastCost;
+    private int bestAxis;
     private int bestBin;
 
     /**
      * Takes the boxes, six floats for each item, and reorders them.
      *
      * @param items what the boxes belong to
+     * @param few ranges of at most so many items are binned along all axes, larger ones along that of the greatest extent only,
+     *     which is nearly as good
      */
-    SurfaceAreaSplits(float[] boxes, int[] items) {
+    public SurfaceAreaSplits(float[] boxes, int[] items, int few) {
         this.boxes = boxes;
         this.items = items;
+        this.few = few;
     }
 
-    int item(int place) {
+    /** The item at a place. */
+    public int item(int place) {
         return items[place];
     }
 
     /** Takes the bounds of a range. */
-    void measure(int from, int to) {
+    public void measure(int from, int to) {
         empty(range, 0);
         empty(middles, 0);
         for (int k = BOX * from; k < BOX * to; k += BOX) {
@@ -64,45 +69,54 @@ final class SurfaceAreaSplits {
     }
 
     /** Writes the bounds of the range measured last, six floats. */
-    void copyBounds(float[] to, int at) {
+    public void copyBounds(float[] to, int at) {
         System.arraycopy(range, 0, to, at, BOX);
     }
 
     /** Half the surface area of the bounds of the range measured last. */
-    double area() {
+    public double area() {
         return area(range, 0);
     }
 
     /** Splits a range of at least two items; returns where the second part begins, and neither is empty. */
-    int split(int from, int to, int depth) {
-        int half = (from + to) >>> 1;
+    public int split(int from, int to, int depth) {
         if (to - from == 2) {
-            return half;
+            return from + 1;
         }
         measure(from, to);
-        int longest = longestAxis();
-        int axis = longest;
-        int bin = -1;
+        cost(from, to, depth);
+        return divide(from, to);
+    }
+
+    /**
+     * Finds the best split of the range measured last.
+     *
+     * @return the sum over its parts of area times number of items; infinite where the heuristic does not apply
+     */
+    double cost(int from, int to, int depth) {
         leastCost = Double.POSITIVE_INFINITY;
+        int longest = longestAxis();
+        bestAxis = longest;
         if (depth < HEURISTIC_DEPTH) {
-            for (int each = 0; each < 3; each++) {
-                if ((to - from <= MANY || each == longest) && isWide(each)) {
-                    double before = leastCost;
-                    tryAxis(from, to, each);
-                    if (leastCost < before) {
-                        axis = each;
-                        bin = bestBin;
-                    }
+            for (int axis = 0; axis < 3; axis++) {
+                if ((to - from <= few || axis == longest) && isWide(axis)) {
+                    tryAxis(from, to, axis);
                 }
             }
         }
-        if (bin > 0) {
-            int middle = partition(from, to, axis, bin);
+        return leastCost;
+    }
+
+    /** Splits the range measured last as {@link #cost} found best; returns where the second part begins. */
+    int divide(int from, int to) {
+        if (leastCost < Double.POSITIVE_INFINITY) {
+            int middle = partition(from, to, bestAxis, bestBin);
             if (middle > from && middle < to) {
                 return middle;
             }
         }
-        select(from, to - 1, half, axis);
+        int half = (from + to) >>> 1;
+        select(from, to - 1, half, bestAxis);
         return half;
     }
 
@@ -151,6 +165,7 @@ final class SurfaceAreaSplits {
             double cost = left == 0 ? Double.POSITIVE_INFINITY : left * area(grown, 0) + costRight[bin];
             if (cost < leastCost) {
                 leastCost = cost;
+                bestAxis = axis;
                 bestBin = bin;
             }
         }
