@@ -264,7 +264,7 @@ final class RayBox {
     }
 
     /** Where the ray enters an interval of heights, as {@link #clipHeights} has it. */
-    private static double enterHeights(double oy, double c, double h, double dy) {
+    static double enterHeights(double oy, double c, double h, double dy) {
         double offset = oy - c;
         return (dy > 0 ? -h - offset : h - offset) / dy;
     }

@@ -25,6 +25,49 @@ final class RayCylinder {
     /** Upright: the axis is the world's Y. */
     static double upright(
             double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
+        double plain = plainUpright(ox, oy, oz, dx, dy, dz, b, j, s);
+        return plain >= 0 ? plain : inUprightBounds(ox, oy, oz, dx, dy, dz, b, j, s);
+    }
+
+    /** The distance where plain numbers are sure of it, the same to the bit as of {@link #inUprightBounds}; else below 0. */
+    static double plainUpright(
+            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
+        PlainCylinder plain = s.plainCylinder;
+        int face = plain.face(
+                ox - b[j],
+                oy - b[j + 1],
+                oz - b[j + 2],
+                dx,
+                dy,
+                dz,
+                0,
+                1,
+                0,
+                b[j + 3],
+                b[j + 4],
+                size(ox, oy, oz, b, j));
+        return switch (face) {
+            case PlainCylinder.MISSED -> Double.POSITIVE_INFINITY;
+            case PlainCylinder.INSIDE -> 0;
+            case PlainCylinder.SIDE -> side(ox, oy, oz, dx, dy, dz, b, j, 0, 1, 0, plain.enter, s);
+            case PlainCylinder.CAP -> {
+                double t = RayBox.enterHeights(oy, b[j + 1], b[j + 4], dy);
+                yield RayBox.heightPlane(oy, b[j + 1], b[j + 4], dx, dy, dz, t);
+            }
+            default -> -1;
+        };
+    }
+
+    private static double size(double ox, double oy, double oz, double[] b, int j) {
+        return Math.abs(ox)
+                + Math.abs(oy)
+                + Math.abs(oz)
+                + (Math.abs(b[j]) + Math.abs(b[j + 1]) + Math.abs(b[j + 2]))
+                + (b[j + 3] + b[j + 4]);
+    }
+
+    static double inUprightBounds(
+            double ox, double oy, double oz, double dx, double dy, double dz, double[] b, int j, RayScratch s) {
         RayInterval in = s.ray;
         in.reset();
         if (!RayBox.clipHeights(in, oy, b[j + 1], b[j + 4], dy)) {
@@ -52,6 +95,70 @@ final class RayCylinder {
 
     /** A cylinder about the given axis. */
     static double about(
+            double ox,
+            double oy,
+            double oz,
+            double dx,
+            double dy,
+            double dz,
+            double[] b,
+            int j,
+            double ax,
+            double ay,
+            double az,
+            RayScratch s) {
+        double plain = plain(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, s);
+        return plain >= 0 ? plain : inBounds(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, s);
+    }
+
+    /** The distance where plain numbers are sure of it, the same to the bit as of {@link #inBounds}; else below 0. */
+    static double plain(
+            double ox,
+            double oy,
+            double oz,
+            double dx,
+            double dy,
+            double dz,
+            double[] b,
+            int j,
+            double ax,
+            double ay,
+            double az,
+            RayScratch s) {
+        double mx = ox - b[j];
+        double my = oy - b[j + 1];
+        double mz = oz - b[j + 2];
+        PlainCylinder plain = s.plainCylinder;
+        int face = plain.face(mx, my, mz, dx, dy, dz, ax, ay, az, b[j + 3], b[j + 4], size(ox, oy, oz, b, j));
+        return switch (face) {
+            case PlainCylinder.MISSED -> Double.POSITIVE_INFINITY;
+            case PlainCylinder.INSIDE -> 0;
+            case PlainCylinder.SIDE -> side(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, plain.enter, s);
+            case PlainCylinder.CAP ->
+                cap(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, enterCap(mx, my, mz, dx, dy, dz, b[j + 4], ax, ay, az), s);
+            default -> -1;
+        };
+    }
+
+    /** Where the ray enters the heights, as {@link #inBounds} has it. */
+    private static double enterCap(
+            double mx,
+            double my,
+            double mz,
+            double dx,
+            double dy,
+            double dz,
+            double h,
+            double ax,
+            double ay,
+            double az) {
+        double along = mx * ax + my * ay + mz * az;
+        double half = h * (ax * ax + ay * ay + az * az);
+        double slope = dx * ax + dy * ay + dz * az;
+        return (slope > 0 ? -half - along : half - along) / slope;
+    }
+
+    static double inBounds(
             double ox,
             double oy,
             double oz,
