@@ -258,7 +258,7 @@ public final class Hierarchy {
         } else {
             node = count++;
             if (node >= parents.length) {
-                parents = Arrays.copyOf(parents, Math.max(2 * parents.length, 16));
+                parents = Arrays.copyOf(parents, ArrayGrowth.of(node));
                 nodes = Arrays.copyOf(nodes, STRIDE * parents.length);
             }
         }
@@ -440,6 +440,10 @@ public final class Hierarchy {
         clear(0);
         if (size > 0) {
             new HierarchyBuilder(this, boxes, ids).fill(0, 0, size, 0);
+        }
+        if (ArrayGrowth.isWasteful(count, parents.length)) {
+            parents = Arrays.copyOf(parents, count);
+            nodes = Arrays.copyOf(nodes, STRIDE * count);
         }
         changes = 0;
         asked = 0;
