@@ -4,7 +4,8 @@ import java.util.Arrays;
 
 /**
  * Splits ranges of boxes in two by the surface area heuristic over sixteen bins of each axis (Wald 2007), or in half where
- * that does not apply. The items are reordered as they are split.
+ * that does not apply; a few boxes, between any two of them in their order along an axis. The items are reordered as they
+ * are split.
  */
 public final class SurfaceAreaSplits {
     private static final int BINS = 16;
@@ -25,6 +26,15 @@ public final class SurfaceAreaSplits {
     private final int[] binCounts = new int[BINS];
     private final double[] costRight = new double[BINS];
     private final float[] grown = new float[BOX];
+
+    /** So few items are sorted along each axis: fewer than bins. */
+    private static final int SORTED = 8;
+
+    // The few items in their order along an axis, in the best order so far, and as they were.
+    private final int[] order = new int[SORTED];
+    private final int[] bestOrder = new int[SORTED];
+    private final int[] fewItems = new int[SORTED];
+    private final float[] fewBoxes = new float[BOX * SORTED];
 
     private final int few;
 
@@ -56,15 +66,25 @@ public final class SurfaceAreaSplits {
         empty(range, 0);
         empty(middles, 0);
         for (int k = BOX * from; k < BOX * to; k += BOX) {
-            for (int axis = 0; axis < 3; axis++) {
-                float low = boxes[k + axis];
-                float high = boxes[k + 3 + axis];
-                float middle = low + high;
-                range[axis] = Math.min(range[axis], low);
-                range[axis + 3] = Math.max(range[axis + 3], high);
-                middles[axis] = Math.min(middles[axis], middle);
-                middles[axis + 3] = Math.max(middles[axis + 3], middle);
-            }
+            measureAxis(boxes[k], boxes[k + 3], 0);
+            measureAxis(boxes[k + 1], boxes[k + 4], 1);
+            measureAxis(boxes[k + 2], boxes[k + 5], 2);
+        }
+    }
+
+    private void measureAxis(float low, float high, int axis) {
+        float middle = low + high;
+        if (low < range[axis]) {
+            range[axis] = low;
+        }
+        if (high > range[axis + 3]) {
+            range[axis + 3] = high;
+        }
+        if (middle < middles[axis]) {
+            middles[axis] = middle;
+        }
+        if (middle > middles[axis + 3]) {
+            middles[axis + 3] = middle;
         }
     }
 
@@ -84,8 +104,70 @@ public final class SurfaceAreaSplits {
             return from + 1;
         }
         measure(from, to);
+        if (to - from <= SORTED && depth < HEURISTIC_DEPTH) {
+            return splitFew(from, to);
+        }
         cost(from, to, depth);
         return divide(from, to);
+    }
+
+    /** Splits a range of a few items, sorted along the axis where that is best. */
+    private int splitFew(int from, int to) {
+        int size = to - from;
+        leastCost = Double.POSITIVE_INFINITY;
+        int left = size / 2;
+        for (int k = 0; k < size; k++) {
+            bestOrder[k] = k;
+        }
+        for (int axis = 0; axis < 3; axis++) {
+            if (middles[axis] < middles[axis + 3]) {
+                sort(from, size, axis);
+                int best = cheapest(from, size);
+                left = best > 0 ? best : left;
+            }
+        }
+        System.arraycopy(items, from, fewItems, 0, size);
+        System.arraycopy(boxes, BOX * from, fewBoxes, 0, BOX * size);
+        for (int k = 0; k < size; k++) {
+            items[from + k] = fewItems[bestOrder[k]];
+            System.arraycopy(fewBoxes, BOX * bestOrder[k], boxes, BOX * (from + k), BOX);
+        }
+        return from + left;
+    }
+
+    private void sort(int from, int size, int axis) {
+        for (int k = 0; k < size; k++) {
+            float middle = middle(from + k, axis);
+            int place = k;
+            while (place > 0 && middle(from + order[place - 1], axis) > middle) {
+                order[place] = order[place - 1];
+                place--;
+            }
+            order[place] = k;
+        }
+    }
+
+    /** How many of the sorted items should be in the first part; 0 where no split is better than those found so far. */
+    private int cheapest(int from, int size) {
+        empty(grown, 0);
+        for (int k = size - 1; k > 0; k--) {
+            grow(grown, 0, boxes, BOX * (from + order[k]));
+            costRight[k] = (size - k) * area(grown, 0);
+        }
+        empty(grown, 0);
+        int best = 0;
+        for (int k = 1; k < size; k++) {
+            grow(grown, 0, boxes, BOX * (from + order[k - 1]));
+            double cost = k * area(grown, 0) + costRight[k];
+            if (cost < leastCost) {
+                leastCost = cost;
+                best = k;
+            }
+        }
+        if (best > 0) {
+            System.arraycopy(order, 0, bestOrder, 0, size);
+        }
+        return best;
     }
 
     /**
@@ -253,8 +335,12 @@ public final class SurfaceAreaSplits {
 
     private static void grow(float[] of, int at, float[] by, int from) {
         for (int i = 0; i < 3; i++) {
-            of[at + i] = Math.min(of[at + i], by[from + i]);
-            of[at + 3 + i] = Math.max(of[at + 3 + i], by[from + 3 + i]);
+            if (by[from + i] < of[at + i]) {
+                of[at + i] = by[from + i];
+            }
+            if (by[from + 3 + i] > of[at + 3 + i]) {
+                of[at + 3 + i] = by[from + 3 + i];
+            }
         }
     }
 }

@@ -34,6 +34,7 @@ public final class BoxCursor {
         maxX = Hierarchy.upper(box[3]);
         maxY = Hierarchy.upper(box[4]);
         maxZ = Hierarchy.upper(box[5]);
+        through.takeIn();
         links[0] = 0;
         depth = through.size() == 0 ? 0 : 1;
     }

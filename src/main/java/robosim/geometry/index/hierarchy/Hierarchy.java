@@ -59,8 +59,17 @@ public final class Hierarchy {
     /** By node, the slot that it hangs from: 4 times the parent's number plus the child's. -1 for the root. */
     private int[] parents = new int[1];
 
-    /** By id, the slot that the object hangs from; -1 if it is not in the tree. */
+    /** By id, the slot that the object hangs from; {@link #WAITING}, or -1 if it is not in the tree. */
     private int[] slots = new int[0];
+
+    /** What stands in place of a slot for an object that is to be hung when the next query begins. */
+    private static final int WAITING = -2;
+
+    /** The objects that are to be hung, and their boxes: where they are many, the hierarchy is built with them instead. */
+    private int[] waiting = new int[0];
+
+    private float[] waitingBoxes = new float[0];
+    private int waitingCount;
 
     private int count = 1;
 
@@ -90,16 +99,16 @@ public final class Hierarchy {
         parents[0] = -1;
     }
 
-    /** The greatest float that is at most a number. */
+    /** The greatest float that is at most a number; never -0. */
     static float lower(double value) {
         float nearest = (float) value;
-        return nearest > value ? Math.nextDown(nearest) : nearest;
+        return nearest > value ? Math.nextDown(nearest) : nearest + 0f;
     }
 
-    /** The least float that is at least a number. */
+    /** The least float that is at least a number; never -0. */
     static float upper(double value) {
         float nearest = (float) value;
-        return nearest < value ? Math.nextUp(nearest) : nearest;
+        return nearest < value ? Math.nextUp(nearest) + 0f : nearest + 0f;
     }
 
     /** The number of objects. */
@@ -109,7 +118,7 @@ public final class Hierarchy {
 
     /** Whether an object is in the tree. */
     public boolean contains(int id) {
-        return id < slots.length && slots[id] >= 0;
+        return id < slots.length && slots[id] != -1;
     }
 
     /** The greatest magnitude of any coordinate of a box so far. */
@@ -126,7 +135,37 @@ public final class Hierarchy {
         size++;
         countChange();
         take(id, boxes);
-        insert(id);
+        await(id);
+    }
+
+    private void await(int id) {
+        if (waitingCount == waiting.length) {
+            waiting = Arrays.copyOf(waiting, ArrayGrowth.of(waitingCount));
+            waitingBoxes = Arrays.copyOf(waitingBoxes, PART * waiting.length);
+        }
+        slots[id] = WAITING;
+        waiting[waitingCount] = id;
+        System.arraycopy(box, 0, waitingBoxes, PART * waitingCount, PART);
+        waitingCount++;
+    }
+
+    /** Hangs the objects that wait. */
+    private void hang() {
+        if (waitingCount > FEW && 2 * waitingCount >= size) {
+            build();
+            return;
+        }
+        while (waitingCount > 0) {
+            waitingCount--;
+            System.arraycopy(waitingBoxes, PART * waitingCount, box, 0, PART);
+            insert(waiting[waitingCount]);
+        }
+    }
+
+    private void forgetWaiting() {
+        waitingCount = 0;
+        waiting = new int[0];
+        waitingBoxes = new float[0];
     }
 
     private void reserve(int id) {
@@ -144,21 +183,25 @@ public final class Hierarchy {
 
     /** Removes an object that is in the tree. */
     public void remove(int id) {
-        requireHere(id);
+        requireHung(id);
         size--;
         countChange();
         unlink(id);
     }
 
-    private void requireHere(int id) {
+    /** Makes sure that an object hangs in the tree. */
+    private void requireHung(int id) {
         if (!contains(id)) {
             throw new IllegalArgumentException("id must be in the tree (got: " + id + ")");
+        }
+        if (slots[id] == WAITING) {
+            hang();
         }
     }
 
     /** Gives an object of the tree the box that the caller has for it now. */
     public void move(int id, double[] boxes) {
-        requireHere(id);
+        requireHung(id);
         take(id, boxes);
         int slot = slots[id];
         int at = at(slot);
@@ -407,11 +450,19 @@ public final class Hierarchy {
         return changes;
     }
 
-    /** To be called before a query: builds the hierarchy anew where this is worth while. */
+    /** To be called before a query: takes in what was added since the last one. */
+    void takeIn() {
+        if (waitingCount > 0) {
+            hang();
+        }
+    }
+
+    /** To be called before a query instead: builds the hierarchy anew, too, where this is worth while. */
     public void settle() {
+        takeIn();
         if (changes != 0 && !isFrozen) {
             asked++;
-            if (changes > FEW && changes >= 4L * size && 4L * asked >= size) {
+            if (changes > FEW && changes >= 4L * size && 16L * asked >= size) {
                 build();
             }
         }
@@ -433,8 +484,15 @@ public final class Hierarchy {
             if (slots[id] >= 0) {
                 System.arraycopy(nodes, at(slots[id]), boxes, PART * found, PART);
                 ids[found++] = id;
+            } else if (slots[id] == WAITING) {
+                slots[id] = found;
+                ids[found++] = id;
             }
         }
+        for (int k = 0; k < waitingCount; k++) {
+            System.arraycopy(waitingBoxes, PART * k, boxes, PART * slots[waiting[k]], PART);
+        }
+        forgetWaiting();
         count = 1;
         free = -1;
         clear(0);

@@ -9,8 +9,8 @@ import robosim.geometry.exact.Filter;
  * <p>With S = {@link #SLACK} of all coordinates and sizes, u = 2^-53, and what the conditions below leave (a slope of
  * the side {@code |p| >= 2^-5 |d|}, half a chord of at least 2^-10 r): {@code p.m} is off by at most 14u |d||m|, so the
  * line's distance from the axis by 2^-44 |m|; half the chord by 2^10 times that, and 2^-34 r; where the ray meets the
- * side by 2^-33 of the sizes over {@code |p|}; the height there by 2^-28 of them. An axis is of unit length but for
- * 2^-40. All of this is less than S, and the intervals of {@link RayCylinder} are narrower still, so that it comes to
+ * side by 2^-33 of the sizes over {@code |p|}; the height there by 2^-28 of them, and as much for an axis whose
+ * square is 1 but for {@link #UNIT}. All of this is less than S, and the intervals of {@link RayCylinder} are narrower still, so that it comes to
  * the same verdict.
  */
 final class PlainCylinder {
@@ -24,6 +24,9 @@ final class PlainCylinder {
 
     /** Below this, squares and their products with squared slopes might underflow. */
     private static final double SMALLEST = 0x1p-300;
+
+    /** An axis whose square differs from 1 by more, which no rotation's does, is left to the other stages. */
+    private static final double UNIT = 0x1p-28;
 
     /** The least squared sine of the angle between the ray and the axis. */
     private static final double STEEPEST = 0x1p-10;
@@ -66,7 +69,8 @@ final class PlainCylinder {
         double pz = dx * ay - dy * ax;
         double pp = px * px + py * py + pz * pz;
         double dd = dx * dx + dy * dy + dz * dz;
-        if (!(pp > STEEPEST * dd && size > SMALLEST)) {
+        double aa = ax * ax + ay * ay + az * az;
+        if (!(pp > STEEPEST * dd && size > SMALLEST && Math.abs(aa - 1) < UNIT)) {
             return UNKNOWN;
         }
         double g = px * mx + py * my + pz * mz;
@@ -83,7 +87,7 @@ final class PlainCylinder {
         double wy = mz * ax - mx * az;
         double wz = mx * ay - my * ax;
         double middle = -(px * wx + py * wy + pz * wz);
-        double root = Math.sqrt((ax * ax + ay * ay + az * az) * chord);
+        double root = Math.sqrt(aa * chord);
         double first = (middle - root) / pp;
         double last = (middle + root) / pp;
         double tie = slack * slack / pp;

@@ -25,8 +25,11 @@ final class RayBox {
     private static final double SLOPE_ERROR = 5 * U;
     private static final double REST_ERROR = 10 * U;
 
-    /** The share of all coordinates that covers the roundings of the plain stage and how far columns are from orthonormal. */
-    private static final double PLAIN_ERROR = Filter.bound(0x1p-40);
+    /**
+     * The share of all coordinates that covers the roundings of the plain stage and how far columns are from orthonormal: up
+     * to 1e-9 for each product of two columns, hence less than 1e-8 of what is taken to the box's own frame.
+     */
+    private static final double PLAIN_ERROR = Filter.bound(0x1p-25);
 
     private static final double PLAIN_UNDERFLOW = Filter.bound(0x1p-800);
 

@@ -120,6 +120,7 @@ class HierarchyTest {
 
     /** Every node has the bounds of its children, rounded outward, and at least two; every object hangs once. */
     private void assertSound() {
+        tree.takeIn();
         Set<Integer> seen = new HashSet<>();
         assertSound(0, seen);
         assertThat(seen).isEqualTo(in);
@@ -387,6 +388,7 @@ class HierarchyTest {
             Arrays.fill(many, 6 * id, 6 * id + 3, -size);
             Arrays.fill(many, 6 * id + 3, 6 * id + 6, size);
             deep.add(id, many);
+            deep.takeIn();
             deepest = Math.max(deepest, depth(deep, 0));
         }
         assertThat(deepest).isBetween(100, 124);

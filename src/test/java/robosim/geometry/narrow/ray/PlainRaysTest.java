@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.exact.Rotations;
 import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.leaf.LeafKind;
 
@@ -60,6 +61,38 @@ class PlainRaysTest {
         }
         assertThat(sure).isGreaterThan(1000);
         assertThat(left).isGreaterThan(9000);
+    }
+
+    /** Rotations are kept as they are given, orthonormal to 1e-9; rays that pass an edge as near as that. */
+    @ParameterizedTest
+    @EnumSource(names = {"BOX", "UPRIGHT_BOX", "CYLINDER"})
+    void plainNumbersSayTheSameWhereColumnsAreNotQuiteOrthonormal(LeafKind kind) {
+        SplittableRandom random = new SplittableRandom(33);
+        for (int i = 0; i < 60_000; i++) {
+            double[] row = Leaves.random(kind, random, 2);
+            double off = random.nextBoolean() ? 4e-10 : 1e-11;
+            for (int k = 6; k < 15; k++) {
+                row[k] += row[k] == 0 || row[k] == 1 ? 0 : random.nextDouble(-off, off) / 2;
+            }
+            assertThat(Rotations.isOrthonormal(row, 6)).isTrue();
+            double[] to = placed(row, edge(kind, row, random, Math.scalb(1, random.nextInt(-40, -22))));
+            double[] d = Leaves.vector(random, 1);
+            double back = random.nextDouble(5);
+            double[] o = {to[0] - back * d[0], to[1] - back * d[1], to[2] - back * d[2]};
+            compare(kind, row, o, d);
+        }
+        assertThat(sure).isGreaterThan(1000);
+    }
+
+    /** A point in the shape's own frame on its surface but for a share, and on two faces at once where that is possible. */
+    private static double[] edge(LeafKind kind, double[] row, SplittableRandom random, double share) {
+        double[] own = new double[3];
+        int free = random.nextInt(3);
+        for (int axis = 0; axis < 3; axis++) {
+            double part = axis == free ? random.nextDouble(-1, 1) : random.nextBoolean() ? 1 : -1;
+            own[axis] = part * half(kind, row, axis) * (1 + share * random.nextDouble(-1, 1));
+        }
+        return own;
     }
 
     private void compare(LeafKind kind, double[] row, double[] o, double[] d) {
