@@ -63,34 +63,39 @@ public final class SurfaceAreaSplits {
 
     /** Takes the bounds of a range. */
     public void measure(int from, int to) {
-        empty(range, 0);
-        empty(middles, 0);
-        for (int k = BOX * from; k < BOX * to; k += BOX) {
-            measureAxis(boxes[k], boxes[k + 3], 0);
-            measureAxis(boxes[k + 1], boxes[k + 4], 1);
-            measureAxis(boxes[k + 2], boxes[k + 5], 2);
+        for (int axis = 0; axis < 3; axis++) {
+            measure(from, to, axis);
         }
     }
 
-    private void measureAxis(float low, float high, int axis) {
-        float middle = low + high;
-        if (low < range[axis]) {
-            range[axis] = low;
+    private void measure(int from, int to, int axis) {
+        float least = Float.POSITIVE_INFINITY;
+        float most = Float.NEGATIVE_INFINITY;
+        float leastMiddle = Float.POSITIVE_INFINITY;
+        float mostMiddle = Float.NEGATIVE_INFINITY;
+        for (int k = BOX * from + axis; k < BOX * to; k += BOX) {
+            float low = boxes[k];
+            float high = boxes[k + 3];
+            float middle = low + high;
+            least = low < least ? low : least;
+            most = high > most ? high : most;
+            leastMiddle = middle < leastMiddle ? middle : leastMiddle;
+            mostMiddle = middle > mostMiddle ? middle : mostMiddle;
         }
-        if (high > range[axis + 3]) {
-            range[axis + 3] = high;
-        }
-        if (middle < middles[axis]) {
-            middles[axis] = middle;
-        }
-        if (middle > middles[axis + 3]) {
-            middles[axis + 3] = middle;
-        }
+        range[axis] = least;
+        range[axis + 3] = most;
+        middles[axis] = leastMiddle;
+        middles[axis + 3] = mostMiddle;
     }
 
     /** Writes the bounds of the range measured last, six floats. */
     public void copyBounds(float[] to, int at) {
         System.arraycopy(range, 0, to, at, BOX);
+    }
+
+    /** Writes the bounds of twice the centres of the boxes of the range measured last, six floats. */
+    public void copyMiddles(float[] to, int at) {
+        System.arraycopy(middles, 0, to, at, BOX);
     }
 
     /** Half the surface area of the bounds of the range measured last. */
@@ -99,11 +104,31 @@ public final class SurfaceAreaSplits {
     }
 
     /** Splits a range of at least two items; returns where the second part begins, and neither is empty. */
-    public int split(int from, int to, int depth) {
+    int split(int from, int to, int depth) {
         if (to - from == 2) {
             return from + 1;
         }
         measure(from, to);
+        return splitMeasured(from, to, depth);
+    }
+
+    /**
+     * The same where the range has been measured.
+     *
+     * @param bounds what {@link #copyBounds} wrote
+     * @param centres what {@link #copyMiddles} wrote
+     * @param at where both begin
+     */
+    public int split(int from, int to, int depth, float[] bounds, float[] centres, int at) {
+        if (to - from == 2) {
+            return from + 1;
+        }
+        System.arraycopy(bounds, at, range, 0, BOX);
+        System.arraycopy(centres, at, middles, 0, BOX);
+        return splitMeasured(from, to, depth);
+    }
+
+    private int splitMeasured(int from, int to, int depth) {
         if (to - from <= SORTED && depth < HEURISTIC_DEPTH) {
             return splitFew(from, to);
         }

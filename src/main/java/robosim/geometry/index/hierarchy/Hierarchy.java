@@ -497,7 +497,7 @@ public final class Hierarchy {
         free = -1;
         clear(0);
         if (size > 0) {
-            new HierarchyBuilder(this, boxes, ids).fill(0, 0, size, 0);
+            new HierarchyBuilder(this, boxes, ids).fill(0, size);
         }
         if (ArrayGrowth.isWasteful(count, parents.length)) {
             parents = Arrays.copyOf(parents, count);

@@ -135,7 +135,20 @@ final class RayCylinder {
             case PlainCylinder.INSIDE -> 0;
             case PlainCylinder.SIDE -> side(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, plain.enter, s);
             case PlainCylinder.CAP ->
-                cap(ox, oy, oz, dx, dy, dz, b, j, ax, ay, az, enterCap(mx, my, mz, dx, dy, dz, b[j + 4], ax, ay, az), s);
+                cap(
+                        ox,
+                        oy,
+                        oz,
+                        dx,
+                        dy,
+                        dz,
+                        b,
+                        j,
+                        ax,
+                        ay,
+                        az,
+                        enterCap(mx, my, mz, dx, dy, dz, b[j + 4], ax, ay, az),
+                        s);
             default -> -1;
         };
     }

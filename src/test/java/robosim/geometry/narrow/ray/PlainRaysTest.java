@@ -116,8 +116,7 @@ class PlainRaysTest {
             case BOX -> RayBox.plain(o[0], o[1], o[2], d[0], d[1], d[2], row, 0, scratch);
             case UPRIGHT_BOX -> RayBox.plainUpright(o[0], o[1], o[2], d[0], d[1], d[2], row, 0, scratch);
             case UPRIGHT_CYLINDER -> RayCylinder.plainUpright(o[0], o[1], o[2], d[0], d[1], d[2], row, 0, scratch);
-            default ->
-                RayCylinder.plain(o[0], o[1], o[2], d[0], d[1], d[2], row, 0, row[7], row[10], row[13], scratch);
+            default -> RayCylinder.plain(o[0], o[1], o[2], d[0], d[1], d[2], row, 0, row[7], row[10], row[13], scratch);
         };
     }
 
