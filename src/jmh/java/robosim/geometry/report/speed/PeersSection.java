@@ -25,7 +25,10 @@ final class PeersSection {
             "W5", "ray among solids in space",
             "W6", "rays of camera frames among them");
 
-    private static final List<String> DRAWN = List.of("W1a", "W1b");
+    private static final List<String> DRAWN = List.of("W1a", "W1b", "W5", "W6");
+
+    /** A question of each kind of scene. */
+    private static final List<String> BUILT = List.of("W1a", "W5");
 
     private PeersSection() {}
 
@@ -44,14 +47,16 @@ final class PeersSection {
             page.picture(new Figure(
                     "peers",
                     "This module beside native engines on the same inputs, one run of bench.Peers",
-                    "Flat boxes and discs at constant density; one thread. A ray is answered with its closest hit, a disc"
-                            + " with whether it touches anything. Medians over several JVMs, the engines in turn with"
+                    "Flat boxes and discs, and boxes, cylinders and spheres at any attitude in space, at constant density;"
+                            + " one thread. A ray is answered with its closest hit, a disc with whether it touches anything."
+                            + " Medians over several JVMs, the engines in turn with"
                             + " them. What each found, and how far the JVMs differ, is in the table.",
                     panels,
-                    panels.size(),
+                    2,
                     300));
         }
         table(results, page);
+        structures(results, page);
     }
 
     /** Those of the pictures, so that each has a colour and a marker of its own, the same in all of them. */
@@ -141,6 +146,28 @@ final class PeersSection {
         page.paragraph(
                 "Medians over the JVMs of a run, then the least and the most of them. The neighbour is a thread that sweeps"
                         + " through memory larger than any cache.");
+    }
+
+    /** What the scenes cost before the first question, by size, where the file tells the memory too. */
+    private static void structures(Results results, Page page) {
+        List<List<String>> rows = new ArrayList<>();
+        for (Measure measure : results.of(PeerLines.STUDY)) {
+            if (measure.metric().equals(PeerLines.BYTES) && BUILT.contains(measure.query())) {
+                rows.add(List.of(
+                        WORKS.get(measure.query()),
+                        Words.count(Double.parseDouble(measure.scene())),
+                        measure.subject().engine(),
+                        other(results, measure, PeerLines.BUILD),
+                        Words.count(measure.value())));
+            }
+        }
+        if (!rows.isEmpty()) {
+            page.paragraph("Building and memory: objects are added and one question is asked.");
+            page.table(List.of("scene", "objects", "who", "ms", "bytes an object"), rows);
+            page.paragraph(
+                    "This module's bytes are all that a world needs beside the objects themselves, which the caller"
+                            + " has; an engine's are what it reports, without the scene that its callback reads.");
+        }
     }
 
     private static String spread(Results results, Measure measure) {

@@ -46,6 +46,17 @@ class PeersSectionTest {
         assertThat(Markdown.write(page, "")).contains("| 82 | – | 71 to 93 | 207 |");
     }
 
+    @Test
+    void whatBuildingAndMemoryCostIsInATable() {
+        Results results = new Results();
+        Subject engine = new Subject("engine", "", "", "");
+        results.add(new Measure(PeerLines.STUDY, engine, "1000", "W5", PeerLines.BUILD, 18.04));
+        results.add(new Measure(PeerLines.STUDY, engine, "1000", "W5", PeerLines.BYTES, 303.8));
+        Page page = new Page();
+        PeersSection.add(results, page);
+        assertThat(Markdown.write(page, "")).contains("| ray among solids in space | 1,000 | engine | 18 | 304 |");
+    }
+
     private static Measure measure(String engine, String work) {
         return new Measure(PeerLines.STUDY, new Subject(engine, "", "", ""), "100", work, Results.NANOS, 5);
     }

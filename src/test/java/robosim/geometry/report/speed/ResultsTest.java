@@ -73,7 +73,9 @@ class ResultsTest {
                 .contains(new Measure("peers", new Subject("embree", "", "", ""), "100", "W1a", "least", 99.5))
                 .contains(new Measure("peers", new Subject("embree", "", "", ""), "100", "W1a", "most", 131))
                 .contains(new Measure("peers", new Subject("embree", "", "", ""), "100", "W1a", "beside", 214))
-                .hasSize(9);
+                .contains(new Measure("peers", new Subject("embree", "", "", ""), "100", "W1a", "bytes", 100))
+                .contains(new Measure("peers", new Subject("robosim", "", "", ""), "100", "W1a", "bytes", 493))
+                .hasSize(11);
         Files.writeString(file, "nothing here\n");
         assertThatThrownBy(() -> PeerLines.read(file)).hasMessageContaining("peer workload size ns");
     }
