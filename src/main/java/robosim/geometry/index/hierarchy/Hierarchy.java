@@ -8,8 +8,9 @@ import robosim.geometry.index.ArrayGrowth;
  * come, go and move at any time.
  *
  * <p>A node has up to {@link #WIDTH} children, each of which is a node or an object. The bounds of children are floats,
- * rounded outward. An object that is added goes down to where the surface area grows least; one that moves stays in its
- * node as long as it is near that. When enough objects have come or gone since the hierarchy was last built, and enough
+ * rounded outward. An object that is added waits for the next query, and then goes down to where the surface area grows
+ * least; where at least as many wait as there were before, the hierarchy is built with them instead. One that moves stays
+ * in its node as long as it is near that. When enough objects have come or gone since the hierarchy was last built, and enough
  * queries have been asked since to pay for it, it is built anew by the surface area heuristic, see {@link
  * HierarchyBuilder}. So a change costs a descent, and a rebuild is charged to a quarter as many changes as there are
  * objects.

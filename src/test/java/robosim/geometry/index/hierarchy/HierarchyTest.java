@@ -404,6 +404,30 @@ class HierarchyTest {
         return most + 1;
     }
 
+    /** Many objects are not hung one by one; those that are taken away or moved before any query are hung first. */
+    @Test
+    void whatIsAddedInBulkIsBuiltAtOnce() {
+        for (int id = 0; id < MOST; id++) {
+            place(Scene.CUBE, id, 1);
+            tree.add(id, boxes);
+            in.add(id);
+        }
+        assertThat(built).isZero();
+        assertSound();
+        assertThat(built).isEqualTo(1);
+        tree.remove(3);
+        tree.add(3, boxes);
+        tree.remove(3);
+        in.remove(3);
+        tree.remove(4);
+        tree.add(4, boxes);
+        place(Scene.FAR_OUT, 4, 1);
+        tree.move(4, boxes);
+        assertThat(tree.size()).isEqualTo(MOST - 1);
+        assertSound();
+        assertThat(built).isEqualTo(1);
+    }
+
     @Test
     void refusesAnIdTwiceAndOneThatIsNotThere() {
         tree.add(7, boxes);
