@@ -72,16 +72,10 @@ public final class PlanarContact {
         normal[2] = Double.POSITIVE_INFINITY;
         sides(q, 1, p, q, normal);
         sides(p, -1, p, q, normal);
-        boolean curvedP = p.family != PlanarShape.POLYGON;
-        boolean curvedQ = q.family != PlanarShape.POLYGON;
-        if (p.family == PlanarShape.OVAL || q.family == PlanarShape.OVAL) {
-            around(p, q, normal);
-        } else if (curvedP && curvedQ) {
-            offer(p, q, p.centerX - q.centerX, p.centerZ - q.centerZ, normal);
-        } else if (curvedP) {
-            corners(q, p, 1, p, q, normal);
-        } else if (curvedQ) {
-            corners(p, q, -1, p, q, normal);
+        switch (p.outline) {
+            case OVAL -> around(p, q, normal);
+            case DISC -> fromDisc(p, q, normal);
+            case POLYGON -> fromPolygon(p, q, normal);
         }
         if (normal[2] == Double.POSITIVE_INFINITY) {
             // two coincident points, or two concentric discs: any direction will do
@@ -89,14 +83,34 @@ public final class PlanarContact {
         }
     }
 
+    private static void fromDisc(PlanarShape p, PlanarShape q, double[] normal) {
+        switch (q.outline) {
+            case OVAL -> around(p, q, normal);
+            case DISC -> offer(p, q, p.centerX - q.centerX, p.centerZ - q.centerZ, normal);
+            case POLYGON -> corners(q, p, 1, p, q, normal);
+        }
+    }
+
+    private static void fromPolygon(PlanarShape p, PlanarShape q, double[] normal) {
+        switch (q.outline) {
+            case OVAL -> around(p, q, normal);
+            case DISC -> corners(p, q, -1, p, q, normal);
+            case POLYGON -> {} // the sides are all there is
+        }
+    }
+
     private static void sides(PlanarShape of, int sign, PlanarShape p, PlanarShape q, double[] normal) {
-        if (of.family == PlanarShape.OVAL) {
-            offer(p, q, of.axisZ, -of.axisX, normal);
-            offer(p, q, -of.axisZ, of.axisX, normal);
+        switch (of.outline) {
+            case DISC -> {}
+            case OVAL -> {
+                offer(p, q, of.axisZ, -of.axisX, normal);
+                offer(p, q, -of.axisZ, of.axisX, normal);
+            }
+            case POLYGON -> edges(of, sign, p, q, normal);
         }
-        if (of.family != PlanarShape.POLYGON) {
-            return;
-        }
+    }
+
+    private static void edges(PlanarShape of, int sign, PlanarShape p, PlanarShape q, double[] normal) {
         int last = of.count - 1;
         for (int k = 0; k <= last; k++) {
             int previous = k == 0 ? last : k - 1;
@@ -174,19 +188,27 @@ public final class PlanarContact {
     // How far the foremost points along n extend along t (side 1) or against it (side -1).
     private static double end(PlanarShape shape, double nx, double nz, double tx, double tz, int side, double slack) {
         double most = shape.support(nx, nz);
-        if (shape.family == PlanarShape.OVAL
-                && Math.abs(nx * shape.axisX + nz * shape.axisZ) * (shape.reach + shape.minor) <= slack) {
-            double way = side * Math.signum(tx * shape.axisX + tz * shape.axisZ) * shape.reach;
-            double endX = shape.centerX + way * shape.axisX;
-            double endZ = shape.centerZ + way * shape.axisZ;
-            return tx * endX + tz * endZ;
-        }
-        if (shape.family != PlanarShape.POLYGON) {
-            return tx * shape.pointX + tz * shape.pointZ;
-        }
+        return switch (shape.outline) {
+            case POLYGON -> farthestCorner(shape, nx, nz, tx, tz, side, most - slack);
+            case DISC -> tx * shape.pointX + tz * shape.pointZ;
+            case OVAL -> {
+                boolean isAcross = Math.abs(nx * shape.axisX + nz * shape.axisZ) * (shape.reach + shape.minor) <= slack;
+                if (!isAcross) {
+                    yield tx * shape.pointX + tz * shape.pointZ;
+                }
+                double way = side * Math.signum(tx * shape.axisX + tz * shape.axisZ) * shape.reach;
+                double endX = shape.centerX + way * shape.axisX;
+                double endZ = shape.centerZ + way * shape.axisZ;
+                yield tx * endX + tz * endZ;
+            }
+        };
+    }
+
+    private static double farthestCorner(
+            PlanarShape shape, double nx, double nz, double tx, double tz, int side, double least) {
         double end = side * (tx * shape.pointX + tz * shape.pointZ);
         for (int k = 0; k < shape.count; k++) {
-            if (nx * shape.x[k] + nz * shape.z[k] >= most - slack) {
+            if (nx * shape.x[k] + nz * shape.z[k] >= least) {
                 end = Math.max(end, side * (tx * shape.x[k] + tz * shape.z[k]));
             }
         }

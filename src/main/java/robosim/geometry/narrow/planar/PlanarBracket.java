@@ -188,11 +188,17 @@ public final class PlanarBracket {
     }
 
     private static double middleX(PlanarShape shape) {
-        return shape.family == PlanarShape.POLYGON ? middle(shape.x, shape.count) : shape.centerX;
+        return switch (shape.outline) {
+            case POLYGON -> middle(shape.x, shape.count);
+            case DISC, OVAL -> shape.centerX;
+        };
     }
 
     private static double middleZ(PlanarShape shape) {
-        return shape.family == PlanarShape.POLYGON ? middle(shape.z, shape.count) : shape.centerZ;
+        return switch (shape.outline) {
+            case POLYGON -> middle(shape.z, shape.count);
+            case DISC, OVAL -> shape.centerZ;
+        };
     }
 
     private static double middle(double[] values, int count) {

@@ -13,9 +13,12 @@ import robosim.geometry.narrow.leaf.LeafKind;
  * polygon has two corners or one. Exact decisions start from the row itself ({@link ExactPlanar}).
  */
 public final class PlanarShape {
-    public static final int DISC = 0;
-    public static final int POLYGON = 1;
-    public static final int OVAL = 2;
+    /** What the projection is. */
+    public enum Outline {
+        DISC,
+        POLYGON,
+        OVAL
+    }
 
     /** The most corners a polygon has: those of an octagon. */
     static final int CORNERS = 8;
@@ -32,9 +35,11 @@ public final class PlanarShape {
     // A triangle's corner is one difference: off by 1u of itself.
     private static final double CORNER_ROUNDING = 0x1p-53;
 
-    public int family;
+    public Outline outline = Outline.POLYGON;
 
+    /** The number of corners; 0 of a disc or an oval. */
     public int count;
+
     public final double[] x = new double[CORNERS];
     public final double[] z = new double[CORNERS];
 
@@ -88,11 +93,11 @@ public final class PlanarShape {
     private final double[] wayX = new double[3];
     private final double[] wayZ = new double[3];
 
-    private static int family(LeafKind kind) {
+    private static Outline outline(LeafKind kind) {
         return switch (kind.fromAbove()) {
-            case DISC -> DISC;
-            case POLYGON -> POLYGON;
-            case OVAL -> OVAL;
+            case DISC -> Outline.DISC;
+            case POLYGON -> Outline.POLYGON;
+            case OVAL -> Outline.OVAL;
             case TRIANGLES -> throw kind.refused();
         };
     }
@@ -131,7 +136,7 @@ public final class PlanarShape {
 
     /** Sets this to the projection of a leaf, relative to (ox, oz). */
     public void set(LeafKind kind, double[] row, int at, double ox, double oz) {
-        family = family(kind);
+        outline = outline(kind);
         count = 0;
         switch (kind) {
             case UPRIGHT_CYLINDER, SPHERE, UPRIGHT_CAPSULE -> disc(row, at, ox, oz);
@@ -149,7 +154,7 @@ public final class PlanarShape {
 
     /** The origin itself, as a disc of radius 0. */
     public void point() {
-        family = DISC;
+        outline = Outline.DISC;
         count = 0;
         centerX = 0;
         centerZ = 0;
@@ -409,26 +414,36 @@ public final class PlanarShape {
 
     /** The maximum of n . p over the shape, for a direction of any length; stores the point in pointX and pointZ. */
     public double support(double nx, double nz) {
-        if (family == POLYGON) {
-            int best = 0;
-            double most = nx * x[0] + nz * z[0];
-            for (int k = 1; k < count; k++) {
-                double here = nx * x[k] + nz * z[k];
-                if (here > most) {
-                    most = here;
-                    best = k;
-                }
+        return switch (outline) {
+            case POLYGON -> polygonSupport(nx, nz);
+            case DISC -> discSupport(nx, nz);
+            case OVAL -> ovalSupport(nx, nz);
+        };
+    }
+
+    private double polygonSupport(double nx, double nz) {
+        int best = 0;
+        double most = nx * x[0] + nz * z[0];
+        for (int k = 1; k < count; k++) {
+            double here = nx * x[k] + nz * z[k];
+            if (here > most) {
+                most = here;
+                best = k;
             }
-            pointX = x[best];
-            pointZ = z[best];
-            return most;
         }
-        if (family == DISC) {
-            double length = Math.sqrt(nx * nx + nz * nz);
-            pointX = centerX + radius * (nx / length);
-            pointZ = centerZ + radius * (nz / length);
-            return nx * centerX + nz * centerZ + radius * length;
-        }
+        pointX = x[best];
+        pointZ = z[best];
+        return most;
+    }
+
+    private double discSupport(double nx, double nz) {
+        double length = Math.sqrt(nx * nx + nz * nz);
+        pointX = centerX + radius * (nx / length);
+        pointZ = centerZ + radius * (nz / length);
+        return nx * centerX + nz * centerZ + radius * length;
+    }
+
+    private double ovalSupport(double nx, double nz) {
         double along = nx * axisX + nz * axisZ;
         double across = nz * axisX - nx * axisZ;
         double p = minor * along;
