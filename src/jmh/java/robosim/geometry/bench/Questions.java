@@ -109,7 +109,9 @@ public final class Questions {
                 boolean ordered = subject == Subject.TRANSLATION || subject == Subject.TURN;
                 for (LeafKind a : KINDS) {
                     for (LeafKind b : KINDS) {
-                        if (ordered || a.compareTo(b) <= 0) {
+                        // An enclosure that turns becomes another one.
+                        boolean isAsked = subject != Subject.TURN || !(a.isEnclosure() || b.isEnclosure());
+                        if (isAsked && (ordered || a.compareTo(b) <= 0)) {
                             families.add(new Family(subject, planar, a, b));
                         }
                     }

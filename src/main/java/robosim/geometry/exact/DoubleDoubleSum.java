@@ -16,6 +16,15 @@ public final class DoubleDoubleSum {
     /** Whether nothing has been rounded so far, so that the sum is exactly {@link #hi}. */
     public boolean plain;
 
+    /** So many sums, each cleared. */
+    public static DoubleDoubleSum[] array(int count) {
+        DoubleDoubleSum[] sums = new DoubleDoubleSum[count];
+        for (int k = 0; k < count; k++) {
+            sums[k] = new DoubleDoubleSum();
+        }
+        return sums;
+    }
+
     public void clear() {
         hi = 0;
         lo = 0;

@@ -87,6 +87,9 @@ public final class StartContacts {
     }
 
     private boolean gather(LeafKind kindA, double[] a, int i, int t, LeafKind kindB, double[] b, int j, int u) {
+        if (kindA.isEnclosure() || kindB.isEnclosure()) {
+            return false; // rounded outward, so that what touches overlaps
+        }
         if (!touch(kindA, a, i, kindB, b, j) || ConvexOverlap.isDeep(dimension, kindA, a, i, kindB, b, j, s)) {
             return false; // no plane separates a deep overlap
         }

@@ -19,14 +19,9 @@ import robosim.geometry.reference.HullMotion;
 class ContactTimeTest {
     private static final double FREE = Double.POSITIVE_INFINITY;
     private static final LeafKind[] FLAT = {
-        LeafKind.UPRIGHT_BOX,
-        LeafKind.UPRIGHT_CYLINDER,
-        LeafKind.SPHERE,
-        LeafKind.BOX,
-        LeafKind.TRIANGLE,
-        LeafKind.PRISM
+        LeafKind.UPRIGHT_BOX, LeafKind.UPRIGHT_CYLINDER, LeafKind.SPHERE, LeafKind.BOX, LeafKind.TRIANGLE
     };
-    private static final LeafKind[] SOLID = {LeafKind.UPRIGHT_BOX, LeafKind.BOX, LeafKind.TRIANGLE, LeafKind.PRISM};
+    private static final LeafKind[] SOLID = {LeafKind.UPRIGHT_BOX, LeafKind.BOX, LeafKind.TRIANGLE};
 
     private final Scratch scratch = new Scratch();
     private final SplittableRandom random = new SplittableRandom(30051);

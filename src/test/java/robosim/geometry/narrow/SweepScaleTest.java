@@ -33,8 +33,9 @@ class SweepScaleTest {
             for (int m = 0; m < 3; m++) {
                 by[m] = Math.scalb(by[m], power);
             }
-            double degrees = k % 2 == 0 ? 0 : random.nextDouble(-400, 400);
-            boolean tilts = kindA != LeafKind.PRISM && random.nextBoolean();
+            boolean isMoved = k % 2 == 0 || kindA == LeafKind.PRISM || kindB == LeafKind.PRISM;
+            double degrees = isMoved ? 0 : random.nextDouble(-400, 400);
+            boolean tilts = random.nextBoolean();
             double tiny = share(dimension, a, b, by, degrees, tilts, 0);
             double large = share(dimension, a, b, by, degrees, tilts, Math.min(1000, -power));
             String what = "kinds %s and %s at 2^%d, turned by %s".formatted(kindA, kindB, power, degrees);
@@ -91,7 +92,8 @@ class SweepScaleTest {
             double[] by = {random.nextDouble(-3, 3), 0, random.nextDouble(-3, 3)};
             by[0] = Math.scalb(by[0], power);
             by[2] = Math.scalb(by[2], power);
-            double degrees = k % 2 == 0 ? 0 : random.nextDouble(-400, 400);
+            boolean isMoved = k % 2 == 0 || kindA == LeafKind.PRISM || kindB == LeafKind.PRISM;
+            double degrees = isMoved ? 0 : random.nextDouble(-400, 400);
             double low = share(Dimension.PLANAR, a, b, by, degrees, false, 0);
             lift(a);
             lift(b);

@@ -33,10 +33,10 @@ public final class MovedLeaf {
     /** The kind of a leaf that has been turned about any axis. */
     public static LeafKind turnedKind(LeafKind kind) {
         return switch (kind) {
-            case UPRIGHT_BOX, PRISM -> LeafKind.BOX;
+            case UPRIGHT_BOX -> LeafKind.BOX;
             case UPRIGHT_CYLINDER -> LeafKind.CYLINDER;
             case UPRIGHT_CAPSULE -> LeafKind.CAPSULE;
-            case SPHERE, BOX, CYLINDER, TRIANGLE, CAPSULE, MESH, SOLID_MESH -> kind;
+            case SPHERE, BOX, CYLINDER, TRIANGLE, PRISM, CAPSULE, MESH, SOLID_MESH -> kind;
         };
     }
 

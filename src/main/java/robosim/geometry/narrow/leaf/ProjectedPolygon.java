@@ -29,9 +29,6 @@ public final class ProjectedPolygon {
     /** How each corner is composed; see {@code DoubleDoubleCorner}. */
     public final int[] source = new int[MOST_CORNERS];
 
-    private static final int[] OCTAGON_X = {1, 1, 0, -1, -1, -1, 0, 1};
-    private static final int[] OCTAGON_Z = {0, 1, 1, 1, 0, -1, -1, -1};
-
     private final double[] gx = new double[3];
     private final double[] gz = new double[3];
     private final double[] ux = new double[3];
@@ -46,8 +43,8 @@ public final class ProjectedPolygon {
             case UPRIGHT_BOX -> rectangle(row, at, ox, oz);
             case BOX -> zonogon(row, at, ox, oz);
             case TRIANGLE -> triangle(row, at, ox, oz);
-            case PRISM -> prism(row, at, ox, oz);
-            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH ->
+                throw kind.refused();
         }
         normals = corners;
     }
@@ -196,18 +193,6 @@ public final class ProjectedPolygon {
         source[2] = q;
         source[3] = p;
         measure();
-    }
-
-    private void prism(double[] row, int at, double ox, double oz) {
-        PrismCorners.load(row, at, ox, oz, x, z);
-        corners = 8;
-        for (int k = 0; k < 8; k++) {
-            nx[k] = OCTAGON_X[k];
-            nz[k] = OCTAGON_Z[k];
-            source[k] = k;
-        }
-        measure();
-        size *= 4;
     }
 
     private void corner(int k, double[] row, int p, int q, double ox, double oz) {

@@ -7,8 +7,6 @@ import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.PairOrder;
 import robosim.geometry.narrow.leaf.Upright;
-import robosim.geometry.narrow.sat.AxisBody;
-import robosim.geometry.narrow.sat.ExactAxes;
 import robosim.geometry.narrow.sat.ExactCapsule;
 import robosim.geometry.narrow.sat.ExactCylinder;
 import robosim.geometry.narrow.sat.ExactPolytope;
@@ -32,9 +30,9 @@ public final class SpatialOverlap {
      * Whether two leaves touch or overlap; the same for (a, b) and (b, a).
      *
      * <p>Exact for the stored numbers, but for two cylinders whose axes are not parallel, a capsule and a cylinder, and
-     * a prism with what is round (or where {@link PlanarOverlap} is not). These are certified: see
+     * a prism with anything else (or where {@link PlanarOverlap} is not). These are certified: see
      * {@link CylinderCylinder#touch} and {@link CapsuleCylinder#touch};
-     * and prisms, which are enclosures and only have to miss nothing, are apart from what is round only where a slab
+     * and prisms, which are enclosures and only have to miss nothing, are apart from another kind only where a slab
      * between the two is wider than its rounding error, some 2^-48 of the sizes and the offset.
      */
     public static boolean test(LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
@@ -68,27 +66,23 @@ public final class SpatialOverlap {
         return gjk.isDeep() || exactly(kindA, a, i, kindB, b, j, s);
     }
 
-    /** What neither a slab nor a common point could decide; certain but for a prism and something round. */
+    /** What neither a slab nor a common point could decide; certain but for a prism and something else. */
     private static boolean exactly(
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
         EXACT.count();
+        if (kindA.isEnclosure() || kindB.isEnclosure()) {
+            return uncertain(s);
+        }
+        return kindA.isRound() ? round(kindA, a, i, kindB, b, j, s) : round(kindB, b, j, kindA, a, i, s);
+    }
+
+    private static boolean round(
+            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
         return switch (kindA) {
-            case UPRIGHT_BOX, BOX, TRIANGLE, PRISM -> polytope(kindA, a, i, kindB, b, j, s);
             case SPHERE -> sphere(a, i, kindB, b, j, s);
             case UPRIGHT_CYLINDER, CYLINDER -> cylinder(kindA, a, i, kindB, b, j, s);
             case UPRIGHT_CAPSULE, CAPSULE -> capsule(kindA, a, i, kindB, b, j, s);
-            case MESH, SOLID_MESH -> throw kindA.refused();
-        };
-    }
-
-    private static boolean polytope(
-            LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
-        return switch (kindB) {
-            case UPRIGHT_BOX, BOX, TRIANGLE, PRISM -> !ExactAxes.areApart(AxisBody.SPATIAL, kindA, a, i, kindB, b, j);
-            case SPHERE -> sphere(b, j, kindA, a, i, s);
-            case UPRIGHT_CYLINDER, CYLINDER -> cylinder(kindB, b, j, kindA, a, i, s);
-            case UPRIGHT_CAPSULE, CAPSULE -> capsule(kindB, b, j, kindA, a, i, s);
-            case MESH, SOLID_MESH -> throw kindB.refused();
+            case UPRIGHT_BOX, BOX, TRIANGLE, PRISM, MESH, SOLID_MESH -> throw kindA.refused();
         };
     }
 
@@ -98,8 +92,7 @@ public final class SpatialOverlap {
             case SPHERE -> new ExactSphere(a, i).touchesSphere(b, j);
             case UPRIGHT_CYLINDER, CYLINDER -> new ExactSphere(a, i).touchesCylinder(new ExactCylinder(kindB, b, j));
             case UPRIGHT_CAPSULE, CAPSULE -> capsule(kindB, b, j, LeafKind.SPHERE, a, i, s);
-            case PRISM -> uncertain(s);
-            case MESH, SOLID_MESH -> throw kindB.refused();
+            case PRISM, MESH, SOLID_MESH -> throw kindB.refused();
         };
     }
 
@@ -110,8 +103,7 @@ public final class SpatialOverlap {
                 new ExactCylinder(kindA, a, i).touchesPolytope(new ExactPolytope(kindB, b, j));
             case SPHERE -> sphere(b, j, kindA, a, i, s);
             case UPRIGHT_CAPSULE, CAPSULE -> capsule(kindB, b, j, kindA, a, i, s);
-            case UPRIGHT_CYLINDER, CYLINDER, PRISM -> uncertain(s); // two cylinders have a kernel of their own
-            case MESH, SOLID_MESH -> throw kindB.refused();
+            case UPRIGHT_CYLINDER, CYLINDER, PRISM, MESH, SOLID_MESH -> throw kindB.refused(); // CylinderCylinder
         };
     }
 
@@ -123,8 +115,7 @@ public final class SpatialOverlap {
             case SPHERE, UPRIGHT_CAPSULE, CAPSULE ->
                 new ExactCapsule(kindA, a, i).touches(new ExactCapsule(kindB, b, j));
             case UPRIGHT_CYLINDER, CYLINDER -> CapsuleCylinder.touch(kindA, a, i, kindB, b, j, s);
-            case PRISM -> uncertain(s);
-            case MESH, SOLID_MESH -> throw kindB.refused();
+            case PRISM, MESH, SOLID_MESH -> throw kindB.refused();
         };
     }
 

@@ -73,7 +73,7 @@ public final class ExactPlanar {
         return shape;
     }
 
-    boolean touches(ExactPlanar other) {
+    public boolean touches(ExactPlanar other) {
         return !isApartAlong(other, sideX, sideZ) && !isApartAlong(other, other.sideX, other.sideZ);
     }
 

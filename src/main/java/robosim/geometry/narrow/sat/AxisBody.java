@@ -2,10 +2,9 @@ package robosim.geometry.narrow.sat;
 
 import robosim.geometry.exact.Filter;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.PrismCorners;
 
 /**
- * A polytope for the method of separating axes: its extent along an axis, and the axes that it contributes.
+ * A box or a triangle for the method of separating axes: its extent along an axis, and the axes that it contributes.
  *
  * <p>Loaded relative to an origin, in space or as its projection on XZ (all y are 0). Every coordinate is off by at
  * most 8 units of roundoff (2^-53) of {@link #mx}, {@link #my}, {@link #mz}, the sums of the magnitudes that enter it.
@@ -20,7 +19,7 @@ public final class AxisBody {
     /** More than any product of doubles here loses to underflow. */
     public static final double TINY = 0x1p-1040;
 
-    private static final int MOST_POINTS = 16;
+    private static final int MOST_POINTS = 3;
     private static final int MOST_AXES = 8;
 
     /** The extent along the axis of the last {@link #project}. */
@@ -82,26 +81,6 @@ public final class AxisBody {
                 corners(row, at, ox, oy, oz, 1);
                 spatialTriangle();
             }
-            case PRISM -> {
-                PrismCorners.load(row, at, ox, oz, px, pz);
-                double low = row[at + 8] - oy;
-                double high = row[at + 9] - oy;
-                for (int k = 0; k < 8; k++) {
-                    px[k + 8] = px[k];
-                    pz[k + 8] = pz[k];
-                    py[k] = low;
-                    py[k + 8] = high;
-                }
-                points = 16;
-                octagon();
-                my = Math.max(Math.abs(low), Math.abs(high));
-                addNormal(0, 1, 0);
-                addEdge(0, 1, 0);
-                addEdge(1, 0, 0);
-                addEdge(0, 0, 1);
-                addEdge(1, 0, 1);
-                addEdge(1, 0, -1);
-            }
             case UPRIGHT_BOX, BOX -> {
                 centre(row, at, ox, oy, oz);
                 for (int k = 0; k < 3; k++) {
@@ -112,7 +91,8 @@ public final class AxisBody {
                 addCross(6, 0);
                 addCross(0, 3);
             }
-            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH ->
+                throw kind.refused();
         }
     }
 
@@ -123,12 +103,6 @@ public final class AxisBody {
             case TRIANGLE -> {
                 corners(row, at, ox, 0, oz, 0);
                 planarTriangle();
-            }
-            case PRISM -> {
-                PrismCorners.load(row, at, ox, oz, px, pz);
-                java.util.Arrays.fill(py, 0, 8, 0);
-                points = 8;
-                octagon();
             }
             case UPRIGHT_BOX, BOX -> {
                 centre(row, at, ox, row[at + 1], oz);
@@ -141,34 +115,17 @@ public final class AxisBody {
                     }
                 }
             }
-            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH ->
+                throw kind.refused();
         }
     }
 
-    /** An upright polytope: the normals of its base and the vertical. */
-    void upright(LeafKind kind, double[] row, int at, double ox, double oy, double oz) {
-        planar(kind, row, at, ox, oz);
-        switch (kind) {
-            case UPRIGHT_BOX -> {
-                cy = row[at + 1] - oy;
-                my = Math.abs(cy);
-                halfVector(row[at + 4], 0, 1, 0);
-            }
-            case PRISM -> {
-                double low = row[at + 8] - oy;
-                double high = row[at + 9] - oy;
-                for (int k = 0; k < 8; k++) {
-                    px[k + 8] = px[k];
-                    pz[k + 8] = pz[k];
-                    py[k] = low;
-                    py[k + 8] = high;
-                }
-                points = 16;
-                my = Math.max(Math.abs(low), Math.abs(high));
-            }
-            case UPRIGHT_CYLINDER, SPHERE, BOX, CYLINDER, TRIANGLE, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH ->
-                throw kind.refused();
-        }
+    /** An upright box: the normals of its base and the vertical. */
+    void upright(double[] row, int at, double ox, double oy, double oz) {
+        planar(LeafKind.UPRIGHT_BOX, row, at, ox, oz);
+        cy = row[at + 1] - oy;
+        my = Math.abs(cy);
+        halfVector(row[at + 4], 0, 1, 0);
         addNormal(0, 1, 0);
     }
 
@@ -267,22 +224,6 @@ public final class AxisBody {
             addNormal(0, 0, 1);
         }
         edges = 0;
-    }
-
-    private void octagon() {
-        double x = 0;
-        double z = 0;
-        for (int k = 0; k < 8; k++) {
-            x = Math.max(x, Math.abs(px[k]));
-            z = Math.max(z, Math.abs(pz[k]));
-        }
-        mx = 2 * (x + z);
-        mz = mx;
-        my = 0;
-        addNormal(1, 0, 0);
-        addNormal(0, 0, 1);
-        addNormal(1, 0, 1);
-        addNormal(1, 0, -1);
     }
 
     /** Whether a normal may consist of rounding errors only. */

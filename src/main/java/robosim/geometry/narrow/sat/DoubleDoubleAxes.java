@@ -28,9 +28,9 @@ final class DoubleDoubleAxes {
 
     private final DoubleDoubleBody mover = new DoubleDoubleBody();
     private final DoubleDoubleBody rest = new DoubleDoubleBody();
-    private final DoubleDoubleSum[] axis = DoubleDoubleCorners.sums(3);
-    private final DoubleDoubleSum[] p = DoubleDoubleCorners.sums(3);
-    private final DoubleDoubleSum[] q = DoubleDoubleCorners.sums(3);
+    private final DoubleDoubleSum[] axis = DoubleDoubleSum.array(3);
+    private final DoubleDoubleSum[] p = DoubleDoubleSum.array(3);
+    private final DoubleDoubleSum[] q = DoubleDoubleSum.array(3);
     private final DoubleDoubleSum gap = new DoubleDoubleSum();
     private final DoubleDoubleSum closing = new DoubleDoubleSum();
 

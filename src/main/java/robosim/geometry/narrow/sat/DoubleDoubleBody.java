@@ -6,7 +6,7 @@ import robosim.geometry.narrow.leaf.LeafKind;
 
 /** The counterpart of {@link AxisBody} in pairs of doubles: a polytope's extent along an axis. */
 final class DoubleDoubleBody {
-    private static final int MOST_POINTS = 16;
+    private static final int MOST_POINTS = 3;
     private static final int MOST_EDGES = 8;
 
     /** The extent along the axis of the last {@link #project}. */
@@ -27,7 +27,6 @@ final class DoubleDoubleBody {
     private final double[] halfTail = new double[12];
     private int halves;
 
-    private final DoubleDoubleCorners corners = new DoubleDoubleCorners();
     private final DoubleDoubleSum reach = new DoubleDoubleSum();
 
     /** Loads a leaf as {@link AxisBody} does for a mode of {@link MovingAxes}. */
@@ -38,9 +37,9 @@ final class DoubleDoubleBody {
         boolean flat = mode == AxisBody.PLANAR;
         switch (kind) {
             case TRIANGLE -> triangle(row, at, flat, ox, oy, oz);
-            case PRISM -> prism(row, at, flat, ox, oy, oz);
             case UPRIGHT_BOX, BOX -> box(row, at, mode, ox, oy, oz);
-            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH ->
+                throw kind.refused();
         }
     }
 
@@ -56,25 +55,6 @@ final class DoubleDoubleBody {
             difference(flat ? 0 : row[next + 1], flat ? 0 : row[from + 1], edge, edgeTail, k + 1);
             difference(row[next + 2], row[from + 2], edge, edgeTail, k + 2);
         }
-    }
-
-    private void prism(double[] row, int at, boolean flat, double ox, double oy, double oz) {
-        corners.load(row, at, ox, oz);
-        for (int level = 0; level < (flat ? 1 : 2); level++) {
-            for (int k = 0; k < 8; k++) {
-                int p = 3 * points++;
-                point[p] = corners.x[k].hi;
-                pointTail[p] = corners.x[k].lo;
-                difference(flat ? 0 : row[at + 8 + level], flat ? 0 : oy, point, pointTail, p + 1);
-                point[p + 2] = corners.z[k].hi;
-                pointTail[p + 2] = corners.z[k].lo;
-            }
-        }
-        addEdge(0, 1, 0);
-        addEdge(1, 0, 0);
-        addEdge(0, 0, 1);
-        addEdge(1, 0, 1);
-        addEdge(1, 0, -1);
     }
 
     private void box(double[] row, int at, int mode, double ox, double oy, double oz) {

@@ -5,13 +5,11 @@ import robosim.geometry.narrow.leaf.LeafKind;
 
 /** One corner of a polytope in pairs of doubles. */
 public final class DoubleDoubleCorner {
-    private final DoubleDoubleCorners octagon = new DoubleDoubleCorners();
-
     /**
      * Writes a corner relative to an origin; in the plane the second coordinate is 0.
      *
      * @param source for a box, the columns added, as bits, the others being subtracted; for a triangle, where the
-     * corner begins in its row; for a prism, the number of its corner, plus 8 at the top
+     * corner begins in its row
      */
     public void find(
             boolean flat,
@@ -34,12 +32,6 @@ public final class DoubleDoubleCorner {
                 difference(flat ? 0 : row[at + 1], flat ? 0 : oy, out[1]);
                 difference(row[at + 2], oz, out[2]);
             }
-            case PRISM -> {
-                octagon.load(row, at, ox, oz);
-                out[0].set(octagon.x[source % 8]);
-                difference(flat ? 0 : row[at + 8 + source / 8], flat ? 0 : oy, out[1]);
-                out[2].set(octagon.z[source % 8]);
-            }
             case UPRIGHT_BOX, BOX -> {
                 difference(row[at], ox, out[0]);
                 difference(flat ? 0 : row[at + 1], flat ? 0 : oy, out[1]);
@@ -51,7 +43,7 @@ public final class DoubleDoubleCorner {
                     addProduct(half, row[at + 12 + k], out[2]);
                 }
             }
-            case CYLINDER, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case CYLINDER, CAPSULE, PRISM, MESH, SOLID_MESH -> throw kind.refused();
         }
     }
 

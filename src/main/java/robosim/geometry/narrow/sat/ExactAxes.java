@@ -60,21 +60,6 @@ public final class ExactAxes {
         return axes;
     }
 
-    /** Whether two polytopes neither touch nor overlap. */
-    public static boolean areApart(int mode, LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j) {
-        ExactAxes axes = of(mode, kindA, a, i, 0, 0, 0, kindB, b, j);
-        return axes.directions.stream().anyMatch(d -> d.gap.signum() > 0);
-    }
-
-    /** Whether a lies wholly beyond b in a direction of the plane; (nx, nz) is used as given, of any length. */
-    public static boolean isBeyond(
-            LeafKind kindA, double[] a, int i, double nx, double nz, LeafKind kindB, double[] b, int j) {
-        Dyadic[] axis = ExactBody.vector(nx, 0, nz);
-        Dyadic[] p = ExactBody.of(AxisBody.PLANAR, kindA, a, i).project(axis);
-        Dyadic[] q = ExactBody.of(AxisBody.PLANAR, kindB, b, j).project(axis);
-        return p[0].compareTo(q[1]) > 0;
-    }
-
     private void collect(boolean triangles) {
         first.normals.forEach(this::add);
         second.normals.forEach(this::add);

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.PrismCorners;
 
 /** The exact counterpart of {@link AxisBody}: a polytope of the stored numbers, without rounding. */
 public final class ExactBody {
@@ -23,9 +22,9 @@ public final class ExactBody {
         boolean flat = mode == AxisBody.PLANAR;
         switch (kind) {
             case TRIANGLE -> body.triangle(row, at, flat);
-            case PRISM -> body.prism(row, at, mode);
             case UPRIGHT_BOX, BOX -> body.box(row, at, mode);
-            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH ->
+                throw kind.refused();
         }
         return body;
     }
@@ -90,56 +89,6 @@ public final class ExactBody {
             halves.add(vector(0, row[at + 4], 0));
             normals.add(vector(0, 1, 0));
         }
-    }
-
-    private void prism(double[] row, int at, int mode) {
-        int[] x = {1, 0, 1, 1};
-        int[] z = {0, 1, 1, -1};
-        for (int k = 0; k < 4; k++) {
-            normals.add(vector(x[k], 0, z[k]));
-        }
-        if (mode != AxisBody.PLANAR) {
-            normals.add(vector(0, 1, 0));
-        }
-        if (mode == AxisBody.SPATIAL) {
-            edges.add(vector(0, 1, 0));
-            edges.addAll(normals.subList(0, 4));
-        }
-        Dyadic low = mode == AxisBody.PLANAR ? Dyadic.ZERO : Dyadic.of(row[at + 8]);
-        Dyadic high = mode == AxisBody.PLANAR ? Dyadic.ZERO : Dyadic.of(row[at + 9]);
-        for (Dyadic[] corner : octagon(row, at)) {
-            points.add(new Dyadic[] {corner[0], low, corner[1]});
-            points.add(new Dyadic[] {corner[0], high, corner[1]});
-        }
-    }
-
-    /** The corners (x, z) of a prism's base; see {@link PrismCorners}. */
-    public static List<Dyadic[]> octagon(double[] row, int at) {
-        Dyadic x0 = Dyadic.of(row[at]);
-        Dyadic x1 = Dyadic.of(row[at + 1]);
-        Dyadic z0 = Dyadic.of(row[at + 2]);
-        Dyadic z1 = Dyadic.of(row[at + 3]);
-        Dyadic s0 = Dyadic.of(row[at + 4]);
-        Dyadic s1 = Dyadic.of(row[at + 5]);
-        Dyadic d0 = Dyadic.of(row[at + 6]);
-        Dyadic d1 = Dyadic.of(row[at + 7]);
-        Dyadic left = x0.max(s0.add(d0).scale(-1)).max(s0.subtract(z1)).max(d0.add(z0));
-        Dyadic right = x1.min(s1.add(d1).scale(-1)).min(s1.subtract(z0)).min(d1.add(z1));
-        Dyadic near = z0.max(s0.subtract(d1).scale(-1)).max(s0.subtract(x1)).max(x0.subtract(d1));
-        Dyadic far = z1.min(s1.subtract(d0).scale(-1)).min(s1.subtract(x0)).min(x1.subtract(d0));
-        s0 = s0.max(left.add(near));
-        s1 = s1.min(right.add(far));
-        d0 = d0.max(left.subtract(far));
-        d1 = d1.min(right.subtract(near));
-        return List.of(
-                new Dyadic[] {right, right.subtract(d1)},
-                new Dyadic[] {right, s1.subtract(right)},
-                new Dyadic[] {s1.subtract(far), far},
-                new Dyadic[] {d0.add(far), far},
-                new Dyadic[] {left, left.subtract(d0)},
-                new Dyadic[] {left, s0.subtract(left)},
-                new Dyadic[] {s0.subtract(near), near},
-                new Dyadic[] {d1.add(near), near});
     }
 
     static Dyadic[] vector(double x, double y, double z) {

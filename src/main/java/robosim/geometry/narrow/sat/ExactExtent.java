@@ -38,8 +38,7 @@ public record ExactExtent(Dyadic low, Dyadic high, Dyadic root, Dyadic under) {
                 Dyadic c = n.dot(ExactVector.of(row, at + 6, 1));
                 yield new ExactExtent(a.min(b).min(c), a.max(b).max(c), Dyadic.ZERO, Dyadic.ONE);
             }
-            case PRISM -> prism(n, row, at);
-            case MESH, SOLID_MESH -> throw kind.refused();
+            case PRISM, MESH, SOLID_MESH -> throw kind.refused();
         };
     }
 
@@ -82,21 +81,5 @@ public record ExactExtent(Dyadic low, Dyadic high, Dyadic root, Dyadic under) {
     private static ExactExtent around(ExactVector n, double[] row, int at, Dyadic half, Dyadic root, Dyadic under) {
         Dyadic middle = n.dot(ExactVector.of(row, at, 1));
         return new ExactExtent(middle.subtract(half), middle.add(half), root, under);
-    }
-
-    private static ExactExtent prism(ExactVector n, double[] row, int at) {
-        Dyadic least = null;
-        Dyadic most = null;
-        for (Dyadic[] corner : ExactBody.octagon(row, at)) {
-            Dyadic reach = n.x().multiply(corner[0]).add(n.z().multiply(corner[1]));
-            least = least == null ? reach : least.min(reach);
-            most = most == null ? reach : most.max(reach);
-        }
-        if (least == null || most == null) {
-            throw new IllegalStateException("an octagon must have corners");
-        }
-        Dyadic low = n.y().multiply(Dyadic.of(row[at + 8]));
-        Dyadic high = n.y().multiply(Dyadic.of(row[at + 9]));
-        return new ExactExtent(least.add(low.min(high)), most.add(low.max(high)), Dyadic.ZERO, Dyadic.ONE);
     }
 }

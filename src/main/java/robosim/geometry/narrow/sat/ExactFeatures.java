@@ -35,8 +35,7 @@ public final class ExactFeatures {
             case UPRIGHT_CAPSULE, CAPSULE -> capsule(kind, row, at);
             case UPRIGHT_CYLINDER, CYLINDER -> cylinder(kind, row, at);
             case TRIANGLE -> triangle(row, at);
-            case PRISM -> prism(row, at);
-            case MESH, SOLID_MESH -> throw kind.refused();
+            case PRISM, MESH, SOLID_MESH -> throw kind.refused();
         }
         if (flat) {
             for (ExactVector edge : edges) {
@@ -137,24 +136,6 @@ public final class ExactFeatures {
         faces.add(normal);
         for (int k = 0; k < 3; k++) {
             faces.add(edges.get(k).cross(normal)); // for objects in its plane
-        }
-    }
-
-    private void prism(double[] row, int at) {
-        Dyadic low = flat ? Dyadic.ZERO : Dyadic.of(row[at + 8]);
-        Dyadic high = flat ? Dyadic.ZERO : Dyadic.of(row[at + 9]);
-        for (Dyadic[] corner : ExactBody.octagon(row, at)) {
-            corners.add(new ExactVector(corner[0], low, corner[1]));
-            if (!flat) {
-                corners.add(new ExactVector(corner[0], high, corner[1]));
-            }
-        }
-        List<ExactVector> sides = List.of(X, Z, X.plus(Z), X.minus(Z));
-        edges.addAll(sides);
-        if (!flat) {
-            edges.add(Y);
-            faces.addAll(sides);
-            faces.add(Y);
         }
     }
 

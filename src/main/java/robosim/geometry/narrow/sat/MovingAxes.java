@@ -96,7 +96,7 @@ public final class MovingAxes {
             AxisBody body, int mode, LeafKind kind, double[] row, int at, double ox, double oy, double oz) {
         switch (mode) {
             case AxisBody.PLANAR -> body.planar(kind, row, at, ox, oz);
-            case AxisBody.UPRIGHT -> body.upright(kind, row, at, ox, oy, oz);
+            case AxisBody.UPRIGHT -> body.upright(row, at, ox, oy, oz);
             default -> body.spatial(kind, row, at, ox, oy, oz);
         }
     }

@@ -2,7 +2,6 @@ package robosim.geometry.narrow.sweep;
 
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.DoubleDoubleSum;
-import robosim.geometry.narrow.sat.DoubleDoubleCorners;
 
 /**
  * The time at which a translated sphere, or a disc in the plane, hits a corner, an edge or a face: in double-doubles,
@@ -21,10 +20,10 @@ final class DoubleDoubleBall {
     private static final double MINUTE = 0x1p-100;
 
     /** The corner, or a point on the edge or face. */
-    final DoubleDoubleSum[] point = DoubleDoubleCorners.sums(3);
+    final DoubleDoubleSum[] point = DoubleDoubleSum.array(3);
 
     /** The edge's direction or the face's normal. */
-    final DoubleDoubleSum[] along = DoubleDoubleCorners.sums(3);
+    final DoubleDoubleSum[] along = DoubleDoubleSum.array(3);
 
     final DoubleDoubleSum radius = new DoubleDoubleSum();
 
@@ -34,8 +33,8 @@ final class DoubleDoubleBall {
     /** The same of {@link #along}. */
     double alongSize;
 
-    private final DoubleDoubleSum[] crossed = DoubleDoubleCorners.sums(3);
-    private final DoubleDoubleSum[] way = DoubleDoubleCorners.sums(3);
+    private final DoubleDoubleSum[] crossed = DoubleDoubleSum.array(3);
+    private final DoubleDoubleSum[] way = DoubleDoubleSum.array(3);
     private final DoubleDoubleSum beyond = new DoubleDoubleSum();
     private final DoubleDoubleSum ahead = new DoubleDoubleSum();
     private final DoubleDoubleSum square = new DoubleDoubleSum();
@@ -196,7 +195,7 @@ final class DoubleDoubleBall {
         }
     }
 
-    private final DoubleDoubleSum[] product = DoubleDoubleCorners.sums(3);
+    private final DoubleDoubleSum[] product = DoubleDoubleSum.array(3);
 
     /** Writes the cross product; {@code out} may be one of the factors. */
     void cross(DoubleDoubleSum[] p, DoubleDoubleSum[] q, DoubleDoubleSum[] out) {

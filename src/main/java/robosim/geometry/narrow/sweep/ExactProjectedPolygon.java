@@ -5,13 +5,9 @@ import java.util.List;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.ProjectedPolygon;
-import robosim.geometry.narrow.sat.ExactBody;
 
 /** The exact twin of {@link ProjectedPolygon}; a disc is its centre, one corner without normals. */
 record ExactProjectedPolygon(List<Dyadic[]> corners, List<Dyadic[]> normals) {
-    private static final int[] OCTAGON_X = {1, 1, 0, -1, -1, -1, 0, 1};
-    private static final int[] OCTAGON_Z = {0, 1, 1, 1, 0, -1, -1, -1};
-
     static ExactProjectedPolygon of(LeafKind kind, double[] row, int at) {
         return switch (kind) {
             case UPRIGHT_CYLINDER, SPHERE, UPRIGHT_CAPSULE ->
@@ -19,8 +15,7 @@ record ExactProjectedPolygon(List<Dyadic[]> corners, List<Dyadic[]> normals) {
                         List.<Dyadic[]>of(pair(Dyadic.of(row[at]), Dyadic.of(row[at + 2]))), List.of());
             case UPRIGHT_BOX, BOX -> zonogon(row, at);
             case TRIANGLE -> triangle(row, at);
-            case PRISM -> prism(row, at);
-            case CYLINDER, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case CYLINDER, PRISM, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
         };
     }
 
@@ -130,13 +125,5 @@ record ExactProjectedPolygon(List<Dyadic[]> corners, List<Dyadic[]> normals) {
         }
         Dyadic[] back = scale(edge, Dyadic.ONE.negate());
         return new ExactProjectedPolygon(List.of(p, q, q, p), List.of(right(edge), edge, right(back), back));
-    }
-
-    private static ExactProjectedPolygon prism(double[] row, int at) {
-        List<Dyadic[]> normals = new ArrayList<>();
-        for (int k = 0; k < 8; k++) {
-            normals.add(pair(Dyadic.of(OCTAGON_X[k]), Dyadic.of(OCTAGON_Z[k])));
-        }
-        return new ExactProjectedPolygon(ExactBody.octagon(row, at), normals);
     }
 }

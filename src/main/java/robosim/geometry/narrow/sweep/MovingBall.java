@@ -6,7 +6,6 @@ import robosim.geometry.exact.ExactMath;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.sat.AxisBody;
 import robosim.geometry.narrow.sat.DoubleDoubleCorner;
-import robosim.geometry.narrow.sat.DoubleDoubleCorners;
 
 /**
  * The time at which a translated sphere hits a sphere, a box, a triangle or an upright cylinder: the second stage, for
@@ -327,8 +326,8 @@ final class MovingBall {
         return on ? time : Double.NaN;
     }
 
-    private final DoubleDoubleSum[] along = DoubleDoubleCorners.sums(3);
-    private final DoubleDoubleSum[] across = DoubleDoubleCorners.sums(3);
+    private final DoubleDoubleSum[] along = DoubleDoubleSum.array(3);
+    private final DoubleDoubleSum[] across = DoubleDoubleSum.array(3);
 
     // (p x v).n
     private static double triple(

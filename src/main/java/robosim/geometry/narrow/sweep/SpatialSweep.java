@@ -35,6 +35,12 @@ public final class SpatialSweep {
         if (HeightIntervals.parts(kindA, a, i, dy, kindB, b, j, s)) {
             return Double.POSITIVE_INFINITY;
         }
+        if (kindA.isEnclosure() && kindB.isEnclosure()) {
+            return MovingPrism.time(false, a, i, dx, dy, dz, b, j);
+        }
+        if (kindA.isEnclosure() || kindB.isEnclosure()) {
+            return s.sweep().move.time(false, kindA, a, i, dx, dy, dz, kindB, b, j, s);
+        }
         if (kindA.isPolytope() && kindB.isPolytope()) {
             boolean upright = kindA.isVerticalPrism() && kindB.isVerticalPrism();
             int mode = upright ? AxisBody.UPRIGHT : AxisBody.SPATIAL;
@@ -62,8 +68,8 @@ public final class SpatialSweep {
             double[] a, int i, double dx, double dy, double dz, LeafKind kindB, double[] b, int j, SweepScratch s) {
         boolean exact = switch (kindB) {
             case UPRIGHT_BOX, SPHERE, BOX, TRIANGLE -> true;
-            case UPRIGHT_CYLINDER, CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE -> false;
-            case MESH, SOLID_MESH -> throw kindB.refused();
+            case UPRIGHT_CYLINDER, CYLINDER, UPRIGHT_CAPSULE, CAPSULE -> false;
+            case PRISM, MESH, SOLID_MESH -> throw kindB.refused();
         };
         if (kindB == LeafKind.UPRIGHT_BOX && MovingBall.isAbove(a, i, dy, b, j)) {
             return Double.POSITIVE_INFINITY;

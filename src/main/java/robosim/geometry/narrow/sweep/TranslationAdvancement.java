@@ -291,7 +291,7 @@ final class TranslationAdvancement {
 
     /**
      * Whether a move is against all least ways out. What is across one, to rounding, is along it; but where it may be just
-     * against all and the two only touch, the planes between them decide, without rounding.
+     * against all and the two only touch, and neither is an enclosure, the planes between them decide, without rounding.
      */
     private static boolean isAgainst(
             Penetration ways,
@@ -314,7 +314,7 @@ final class TranslationAdvancement {
             }
             isAlong |= !(out < -slack);
         }
-        if (!isAlong) {
+        if (!isAlong || kindA.isEnclosure() || kindB.isEnclosure()) {
             return true;
         }
         List<ExactVector> parting = ExactFeatures.parting(planar, kindA, a, i, kindB, b, j);

@@ -37,7 +37,8 @@ public final class SpatialTurnSweep {
         if (degrees == 0) {
             return Double.POSITIVE_INFINITY;
         }
-        if (wx == 0 && wz == 0 && kindA.isVerticalPrism() && kindB.isVerticalPrism()) {
+        boolean isUpright = kindA.isVerticalPrism() && kindB.isVerticalPrism();
+        if (wx == 0 && wz == 0 && isUpright && VerticalTurn.isCovered(kindA) && VerticalTurn.isCovered(kindB)) {
             double mid = Upright.middle(kindA, a, i);
             double half = Upright.halfHeight(kindA, a, i);
             double top = Upright.top(kindA, a, i);

@@ -49,7 +49,6 @@ final class TurnAdvancement {
     private final TurnBody mover = new TurnBody();
     private final TurnBody rest = new TurnBody();
     private final double[] pose = new double[Leaf.STRIDE];
-    private final double[] box = new double[Leaf.STRIDE];
 
     private final FeatureDirections ofRest = new FeatureDirections();
     private final FeatureDirections ofMover = new FeatureDirections();
@@ -178,13 +177,7 @@ final class TurnAdvancement {
     private void pose(LeafKind kind, double[] row, int at, double px, double py, double pz, double t) {
         double cos = Radians.cos(t);
         double sin = Radians.sin(t);
-        if (kind == LeafKind.PRISM) {
-            // Its box, which is good enough for finding axes.
-            boxOf(row, at);
-            MovedLeaf.turned(LeafKind.UPRIGHT_BOX, box, 0, px, py, pz, wx, wy, wz, cos, sin, pose);
-        } else {
-            MovedLeaf.turned(kind, row, at, px, py, pz, wx, wy, wz, cos, sin, pose);
-        }
+        MovedLeaf.turned(kind, row, at, px, py, pz, wx, wy, wz, cos, sin, pose);
     }
 
     /**
@@ -294,18 +287,5 @@ final class TurnAdvancement {
             }
         }
         return best;
-    }
-
-    /** The upright box around a prism. */
-    private void boxOf(double[] prism, int at) {
-        for (int k = 0; k < 3; k++) {
-            int from = at + (k == 0 ? 0 : k == 1 ? 8 : 2);
-            box[k] = 0.5 * (prism[from] + prism[from + 1]);
-            box[k + 3] = 0.5 * (prism[from + 1] - prism[from]);
-        }
-        java.util.Arrays.fill(box, Leaf.ROTATION, Leaf.STRIDE, 0);
-        box[6] = 1;
-        box[10] = 1;
-        box[14] = 1;
     }
 }

