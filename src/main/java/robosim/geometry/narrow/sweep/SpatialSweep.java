@@ -35,11 +35,10 @@ public final class SpatialSweep {
         if (HeightIntervals.parts(kindA, a, i, dy, kindB, b, j, s)) {
             return Double.POSITIVE_INFINITY;
         }
-        if (kindA.isEnclosure() && kindB.isEnclosure()) {
-            return MovingPrism.time(false, a, i, dx, dy, dz, b, j);
-        }
         if (kindA.isEnclosure() || kindB.isEnclosure()) {
-            return s.sweep().move.time(false, kindA, a, i, dx, dy, dz, kindB, b, j, s);
+            return kindA == kindB
+                    ? MovingPrism.time(false, a, i, dx, dy, dz, b, j)
+                    : s.sweep().move.time(false, kindA, a, i, dx, dy, dz, kindB, b, j, s);
         }
         if (kindA.isPolytope() && kindB.isPolytope()) {
             boolean upright = kindA.isVerticalPrism() && kindB.isVerticalPrism();
