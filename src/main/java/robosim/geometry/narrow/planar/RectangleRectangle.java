@@ -5,7 +5,10 @@ import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.leaf.LeafKind;
 
-/** Two rectangles, the projections of upright boxes. */
+/**
+ * Two rectangles, the projections of upright boxes: {@link ZonogonZonogon} with fewer axes, as {@code
+ * robosim.geometry.bench.SeparatingAxes} measures.
+ */
 public final class RectangleRectangle {
     // With u = 2^-53 and n a stored direction, no longer than 1 + 1e-9 (the Cauchy-Schwarz inequality bounds the sums
     // of products): the offset along n is rounded three times, so off by 3u (|dx| + |dz|). A cross product is rounded

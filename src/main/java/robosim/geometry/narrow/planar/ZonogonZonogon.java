@@ -5,7 +5,10 @@ import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
-/** Two boxes at any attitude, projected: each projection is the sum of the projections of the box's own axes. */
+/**
+ * Two boxes at any attitude, projected: each projection is the sum of the projections of the box's own axes. Unlike {@link
+ * PolygonPolygon} it needs no corners; {@code robosim.geometry.bench.SeparatingAxes} measures what that is worth.
+ */
 public final class ZonogonZonogon {
     // As for two rectangles, times the length of the axis, as an own axis may be almost upright: 3u of the offset. A
     // cross product 2u, its product with a half size 1u, the sums for each box and of both 3u: 6u of the half sizes.

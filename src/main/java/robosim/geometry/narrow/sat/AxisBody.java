@@ -10,9 +10,15 @@ import robosim.geometry.narrow.leaf.LeafKind;
  * most 8 units of roundoff (2^-53) of {@link #mx}, {@link #my}, {@link #mz}, the sums of the magnitudes that enter it.
  */
 public final class AxisBody {
-    public static final int PLANAR = 0;
-    public static final int UPRIGHT = 1;
-    public static final int SPATIAL = 2;
+    /** As what two bodies are compared. */
+    public enum Mode {
+        /** As projections on XZ. */
+        PLANAR,
+        /** As upright boxes in space. */
+        UPRIGHT,
+        /** As they are, in space. */
+        SPATIAL
+    }
 
     public static final double ROUNDOFF = Filter.bound(32 * 0x1p-53);
 

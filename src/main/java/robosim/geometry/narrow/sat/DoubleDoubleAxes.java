@@ -40,7 +40,7 @@ final class DoubleDoubleAxes {
     private double lost;
 
     void load(
-            int mode,
+            AxisBody.Mode mode,
             LeafKind kindA,
             double[] a,
             int i,

@@ -30,11 +30,11 @@ final class DoubleDoubleBody {
     private final DoubleDoubleSum reach = new DoubleDoubleSum();
 
     /** Loads a leaf as {@link AxisBody} does for a mode of {@link MovingAxes}. */
-    void load(int mode, LeafKind kind, double[] row, int at, double ox, double oy, double oz) {
+    void load(AxisBody.Mode mode, LeafKind kind, double[] row, int at, double ox, double oy, double oz) {
         points = 0;
         halves = 0;
         edges = 0;
-        boolean flat = mode == AxisBody.PLANAR;
+        boolean flat = mode == AxisBody.Mode.PLANAR;
         switch (kind) {
             case TRIANGLE -> triangle(row, at, flat, ox, oy, oz);
             case UPRIGHT_BOX, BOX -> box(row, at, mode, ox, oy, oz);
@@ -57,16 +57,16 @@ final class DoubleDoubleBody {
         }
     }
 
-    private void box(double[] row, int at, int mode, double ox, double oy, double oz) {
-        boolean spatial = mode == AxisBody.SPATIAL;
-        boolean flat = mode == AxisBody.PLANAR;
+    private void box(double[] row, int at, AxisBody.Mode mode, double ox, double oy, double oz) {
+        boolean spatial = mode == AxisBody.Mode.SPATIAL;
+        boolean flat = mode == AxisBody.Mode.PLANAR;
         addPoint(row[at], ox, flat ? 0 : row[at + 1], flat ? 0 : oy, row[at + 2], oz);
         for (int k = 0; k < 3; k++) {
             double y = spatial ? row[at + 9 + k] : 0;
             addHalf(row[at + 3 + k], row[at + 6 + k], y, row[at + 12 + k]);
             addEdge(row[at + 6 + k], y, row[at + 12 + k]);
         }
-        if (mode == AxisBody.UPRIGHT) {
+        if (mode == AxisBody.Mode.UPRIGHT) {
             addHalf(row[at + 4], 0, 1, 0);
         }
     }

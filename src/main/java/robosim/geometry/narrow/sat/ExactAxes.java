@@ -5,6 +5,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.exact.Dyadic;
 import robosim.geometry.exact.ExactMath;
+import robosim.geometry.exact.ExactVector;
 import robosim.geometry.exact.StageCounters;
 import robosim.geometry.narrow.leaf.LeafKind;
 
@@ -14,14 +15,14 @@ public final class ExactAxes {
 
     private final ExactBody first;
     private final ExactBody second;
-    private final Dyadic[] move;
+    private final ExactVector move;
     private final List<Direction> directions = new ArrayList<>();
 
     // How far the mover lies beyond the other in a direction (negative: how deep), how fast that grows, and the
     // direction's squared length.
     private record Direction(Dyadic gap, Dyadic speed, Dyadic square) {}
 
-    private ExactAxes(ExactBody first, ExactBody second, Dyadic[] move) {
+    private ExactAxes(ExactBody first, ExactBody second, ExactVector move) {
         this.first = first;
         this.second = second;
         this.move = move;
@@ -29,7 +30,7 @@ public final class ExactAxes {
 
     /** As {@code PlanarSweep.translation}, for polytopes. */
     public static double time(
-            int mode,
+            AxisBody.Mode mode,
             LeafKind kindA,
             double[] a,
             int i,
@@ -40,32 +41,18 @@ public final class ExactAxes {
             double[] b,
             int j) {
         EXACT.count();
-        return of(mode, kindA, a, i, dx, dy, dz, kindB, b, j).decide();
-    }
-
-    private static ExactAxes of(
-            int mode,
-            LeafKind kindA,
-            double[] a,
-            int i,
-            double dx,
-            double dy,
-            double dz,
-            LeafKind kindB,
-            double[] b,
-            int j) {
-        Dyadic[] move = ExactBody.vector(dx, mode == AxisBody.PLANAR ? 0 : dy, dz);
+        ExactVector move = ExactVector.of(dx, mode == AxisBody.Mode.PLANAR ? 0 : dy, dz);
         ExactAxes axes = new ExactAxes(ExactBody.of(mode, kindA, a, i), ExactBody.of(mode, kindB, b, j), move);
-        axes.collect(mode == AxisBody.SPATIAL && kindA == LeafKind.TRIANGLE && kindB == LeafKind.TRIANGLE);
-        return axes;
+        axes.collect(mode == AxisBody.Mode.SPATIAL && kindA == LeafKind.TRIANGLE && kindB == LeafKind.TRIANGLE);
+        return axes.decide();
     }
 
     private void collect(boolean triangles) {
         first.normals.forEach(this::add);
         second.normals.forEach(this::add);
-        for (Dyadic[] p : first.edges) {
-            for (Dyadic[] q : second.edges) {
-                add(ExactBody.cross(p, q));
+        for (ExactVector p : first.edges) {
+            for (ExactVector q : second.edges) {
+                add(p.cross(q));
             }
         }
         if (triangles) {
@@ -77,33 +64,33 @@ public final class ExactAxes {
     // Triangles in one plane need the normals of their edges in it; degenerate ones need those of a triangle thickened
     // by a cube.
     private void inPlane(ExactBody body) {
-        Dyadic[] normal = body.normals.get(0);
-        boolean flat = ExactBody.isZero(first.normals.get(0)) || ExactBody.isZero(second.normals.get(0));
-        for (Dyadic[] edge : body.edges) {
-            add(ExactBody.cross(edge, normal));
+        ExactVector normal = body.normals.get(0);
+        boolean flat = first.normals.get(0).isZero() || second.normals.get(0).isZero();
+        for (ExactVector edge : body.edges) {
+            add(edge.cross(normal));
             if (flat) {
-                add(ExactBody.cross(edge, ExactBody.vector(1, 0, 0)));
-                add(ExactBody.cross(edge, ExactBody.vector(0, 1, 0)));
-                add(ExactBody.cross(edge, ExactBody.vector(0, 0, 1)));
+                add(edge.cross(ExactVector.of(1, 0, 0)));
+                add(edge.cross(ExactVector.of(0, 1, 0)));
+                add(edge.cross(ExactVector.of(0, 0, 1)));
             }
         }
         if (flat) {
-            add(ExactBody.vector(1, 0, 0));
-            add(ExactBody.vector(0, 1, 0));
-            add(ExactBody.vector(0, 0, 1));
+            add(ExactVector.of(1, 0, 0));
+            add(ExactVector.of(0, 1, 0));
+            add(ExactVector.of(0, 0, 1));
         }
     }
 
-    private void add(Dyadic[] axis) {
-        if (ExactBody.isZero(axis)) {
+    private void add(ExactVector axis) {
+        if (axis.isZero()) {
             return;
         }
-        Dyadic[] p = first.project(axis);
-        Dyadic[] q = second.project(axis);
-        Dyadic speed = ExactBody.dot(axis, move);
-        Dyadic square = ExactBody.dot(axis, axis);
-        directions.add(new Direction(p[0].subtract(q[1]), speed, square));
-        directions.add(new Direction(q[0].subtract(p[1]), speed.negate(), square));
+        ExactBody.Extent p = first.project(axis);
+        ExactBody.Extent q = second.project(axis);
+        Dyadic speed = axis.dot(move);
+        Dyadic square = axis.square();
+        directions.add(new Direction(p.lo().subtract(q.hi()), speed, square));
+        directions.add(new Direction(q.lo().subtract(p.hi()), speed.negate(), square));
     }
 
     private double decide() {

@@ -48,7 +48,7 @@ public final class MovingAxes {
 
     /** As {@code PlanarSweep.translation}; NaN where pairs of doubles cannot tell. */
     public double time(
-            int mode,
+            AxisBody.Mode mode,
             LeafKind kindA,
             double[] a,
             int i,
@@ -62,12 +62,12 @@ public final class MovingAxes {
         double oy = Support.originY(kindA, a, i);
         double oz = Support.originZ(kindA, a, i);
         dx = moveX;
-        dy = mode == AxisBody.PLANAR ? 0 : moveY;
+        dy = mode == AxisBody.Mode.PLANAR ? 0 : moveY;
         dz = moveZ;
         load(first, mode, kindA, a, i, ox, oy, oz);
         load(second, mode, kindB, b, j, ox, oy, oz);
         mx = first.mx + second.mx;
-        my = mode == AxisBody.PLANAR ? 0 : first.my + second.my;
+        my = mode == AxisBody.Mode.PLANAR ? 0 : first.my + second.my;
         mz = first.mz + second.mz;
         count = 0;
         if (mx + my + mz < MINUTE) {
@@ -76,7 +76,7 @@ public final class MovingAxes {
         if (separatesByNormal(first, DoubleDoubleAxes.FIRST) || separatesByNormal(second, DoubleDoubleAxes.SECOND)) {
             return Double.POSITIVE_INFINITY;
         }
-        if (mode == AxisBody.SPATIAL) {
+        if (mode == AxisBody.Mode.SPATIAL) {
             if (first.doubtful || second.doubtful) {
                 return Double.NaN;
             }
@@ -93,11 +93,11 @@ public final class MovingAxes {
     }
 
     private static void load(
-            AxisBody body, int mode, LeafKind kind, double[] row, int at, double ox, double oy, double oz) {
+            AxisBody body, AxisBody.Mode mode, LeafKind kind, double[] row, int at, double ox, double oy, double oz) {
         switch (mode) {
-            case AxisBody.PLANAR -> body.planar(kind, row, at, ox, oz);
-            case AxisBody.UPRIGHT -> body.upright(row, at, ox, oy, oz);
-            default -> body.spatial(kind, row, at, ox, oy, oz);
+            case PLANAR -> body.planar(kind, row, at, ox, oz);
+            case UPRIGHT -> body.upright(row, at, ox, oy, oz);
+            case SPATIAL -> body.spatial(kind, row, at, ox, oy, oz);
         }
     }
 

@@ -7,7 +7,8 @@ import robosim.geometry.narrow.leaf.LeafKind;
 
 /**
  * Whether two boxes or triangles, at any attitude, touch or overlap in space: separating axes in doubles, then exactly
- * in doubtful cases. An instance holds the working memory.
+ * in doubtful cases. An instance holds the working memory. {@link MovingAxes} with a motion of zero would answer the same,
+ * but this ends at the first axis that separates: {@code robosim.geometry.bench.SeparatingAxes} tells what that is worth.
  *
  * <p>The axes are the side normals of both and the cross products of their edges: 15, 13 or 11. With these few, doubt
  * always remains for a shape that is flat in the plane of the other, or for a degenerate triangle.

@@ -37,8 +37,10 @@ public final class PlanarSweep {
         }
         if (kindA.isPolytope()) {
             if (kindB.isPolytope()) {
-                double time = s.sweep().axes.time(AxisBody.PLANAR, kindA, a, i, dx, 0, dz, kindB, b, j);
-                return Double.isNaN(time) ? ExactAxes.time(AxisBody.PLANAR, kindA, a, i, dx, 0, dz, kindB, b, j) : time;
+                double time = s.sweep().axes.time(AxisBody.Mode.PLANAR, kindA, a, i, dx, 0, dz, kindB, b, j);
+                return Double.isNaN(time)
+                        ? ExactAxes.time(AxisBody.Mode.PLANAR, kindA, a, i, dx, 0, dz, kindB, b, j)
+                        : time;
             }
             if (kindB.isDisc()) {
                 return disc(b, j, -dx, -dz, kindA, a, i, s);

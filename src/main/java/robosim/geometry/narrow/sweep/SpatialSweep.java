@@ -42,7 +42,7 @@ public final class SpatialSweep {
         }
         if (kindA.isPolytope() && kindB.isPolytope()) {
             boolean upright = kindA.isVerticalPrism() && kindB.isVerticalPrism();
-            int mode = upright ? AxisBody.UPRIGHT : AxisBody.SPATIAL;
+            AxisBody.Mode mode = upright ? AxisBody.Mode.UPRIGHT : AxisBody.Mode.SPATIAL;
             double time = s.sweep().axes.time(mode, kindA, a, i, dx, dy, dz, kindB, b, j);
             return Double.isNaN(time) ? ExactAxes.time(mode, kindA, a, i, dx, dy, dz, kindB, b, j) : time;
         }
