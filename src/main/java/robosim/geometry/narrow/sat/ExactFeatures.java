@@ -13,10 +13,6 @@ import robosim.geometry.narrow.leaf.LeafKind;
  * normals.
  */
 public final class ExactFeatures {
-    private static final ExactVector X = ExactVector.of(1, 0, 0);
-    private static final ExactVector Y = ExactVector.of(0, 1, 0);
-    private static final ExactVector Z = ExactVector.of(0, 0, 1);
-
     public final List<ExactVector> corners = new ArrayList<>();
     final List<ExactVector> edges = new ArrayList<>();
     final List<ExactVector> faces = new ArrayList<>();
