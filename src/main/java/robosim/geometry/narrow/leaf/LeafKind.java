@@ -11,7 +11,7 @@ public enum LeafKind {
     BOX(Layout.CENTRE, Surface.FLAT, Heights.TURNED, FromAbove.POLYGON, 6, 15),
     CYLINDER(Layout.CENTRE, Surface.ROUND, Heights.TURNED, FromAbove.OVAL, 5, 15),
     TRIANGLE(Layout.CORNERS, Surface.FLAT, Heights.LEVELS, FromAbove.POLYGON, 9, 9),
-    PRISM(Layout.RANGES, Surface.FLAT, Heights.INTERVAL, FromAbove.POLYGON, 10, 10),
+    PRISM(Layout.RANGES, Surface.ENCLOSING, Heights.INTERVAL, FromAbove.POLYGON, 10, 10),
     UPRIGHT_CAPSULE(Layout.CENTRE, Surface.ROUND, Heights.ENDS, FromAbove.DISC, 5, 5),
     CAPSULE(Layout.CENTRE, Surface.ROUND, Heights.TURNED, FromAbove.OVAL, 5, 15),
 
@@ -36,7 +36,15 @@ public enum LeafKind {
         FLAT,
         /** Some of it is curved. */
         ROUND,
+        /** Flat, and somewhere outside what it stands for. */
+        ENCLOSING,
         TRIANGLES
+    }
+
+    /** A shape with flat sides whose numbers are its own: for kernels of these alone. */
+    public enum Polytope {
+        BOX,
+        TRIANGLE
     }
 
     /** How the least and the greatest height are told. */
@@ -98,9 +106,19 @@ public enum LeafKind {
         return surface == Surface.TRIANGLES;
     }
 
-    /** Whether it is the hull of a few corners. */
+    /** Whether it is a {@link Polytope}. */
     public boolean isPolytope() {
         return surface == Surface.FLAT;
+    }
+
+    /** Which polytope it is. */
+    public Polytope polytope() {
+        return switch (this) {
+            case UPRIGHT_BOX, BOX -> Polytope.BOX;
+            case TRIANGLE -> Polytope.TRIANGLE;
+            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH ->
+                throw refused();
+        };
     }
 
     /** Whether it is convex and some of its surface is curved, unless its radius is 0. */
@@ -134,7 +152,7 @@ public enum LeafKind {
 
     /** Whether it only stands for something inside it and is rounded outward, so that nothing about it need be exact. */
     public boolean isEnclosure() {
-        return this == PRISM;
+        return surface == Surface.ENCLOSING;
     }
 
     /** Whether it is a box, upright or turned. */

@@ -39,12 +39,15 @@ public final class ProjectedPolygon {
     private final int[] turned = new int[3];
 
     public void load(LeafKind kind, double[] row, int at, double ox, double oz) {
-        switch (kind) {
-            case UPRIGHT_BOX -> rectangle(row, at, ox, oz);
-            case BOX -> zonogon(row, at, ox, oz);
+        switch (kind.polytope()) {
+            case BOX -> {
+                if (kind == LeafKind.UPRIGHT_BOX) {
+                    rectangle(row, at, ox, oz);
+                } else {
+                    zonogon(row, at, ox, oz);
+                }
+            }
             case TRIANGLE -> triangle(row, at, ox, oz);
-            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH ->
-                throw kind.refused();
         }
         normals = corners;
     }

@@ -46,7 +46,7 @@ public final class SpatialOverlap {
 
     private static boolean ordered(
             LeafKind kindA, double[] a, int i, LeafKind kindB, double[] b, int j, OverlapScratch s) {
-        if (ExactPolytope.isKnown(kindA) && ExactPolytope.isKnown(kindB)) {
+        if (kindA.isPolytope() && kindB.isPolytope()) {
             return s.polytopes.touch(kindA, a, i, kindB, b, j);
         }
         if (kindA == LeafKind.SPHERE && kindB == LeafKind.SPHERE) {

@@ -29,11 +29,9 @@ public final class ExactPlanar {
     }
 
     public static ExactPlanar of(LeafKind kind, double[] row, int at) {
-        return switch (kind) {
-            case UPRIGHT_BOX, BOX -> box(row, at);
+        return switch (kind.polytope()) {
+            case BOX -> box(row, at);
             case TRIANGLE -> triangle(row, at);
-            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH ->
-                throw kind.refused();
         };
     }
 

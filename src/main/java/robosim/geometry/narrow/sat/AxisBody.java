@@ -82,12 +82,12 @@ public final class AxisBody {
 
     void spatial(LeafKind kind, double[] row, int at, double ox, double oy, double oz) {
         clear();
-        switch (kind) {
+        switch (kind.polytope()) {
             case TRIANGLE -> {
                 corners(row, at, ox, oy, oz, 1);
                 spatialTriangle();
             }
-            case UPRIGHT_BOX, BOX -> {
+            case BOX -> {
                 centre(row, at, ox, oy, oz);
                 for (int k = 0; k < 3; k++) {
                     halfVector(row[at + 3 + k], row[at + 6 + k], row[at + 9 + k], row[at + 12 + k]);
@@ -97,20 +97,18 @@ public final class AxisBody {
                 addCross(6, 0);
                 addCross(0, 3);
             }
-            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH ->
-                throw kind.refused();
         }
     }
 
     /** The projection on XZ, with all heights 0. */
     void planar(LeafKind kind, double[] row, int at, double ox, double oz) {
         clear();
-        switch (kind) {
+        switch (kind.polytope()) {
             case TRIANGLE -> {
                 corners(row, at, ox, 0, oz, 0);
                 planarTriangle();
             }
-            case UPRIGHT_BOX, BOX -> {
+            case BOX -> {
                 centre(row, at, ox, row[at + 1], oz);
                 for (int k = 0; k < 3; k++) {
                     double ux = row[at + 6 + k];
@@ -121,8 +119,6 @@ public final class AxisBody {
                     }
                 }
             }
-            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH ->
-                throw kind.refused();
         }
     }
 

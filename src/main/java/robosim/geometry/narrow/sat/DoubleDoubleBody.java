@@ -35,11 +35,9 @@ final class DoubleDoubleBody {
         halves = 0;
         edges = 0;
         boolean flat = mode == AxisBody.Mode.PLANAR;
-        switch (kind) {
+        switch (kind.polytope()) {
             case TRIANGLE -> triangle(row, at, flat, ox, oy, oz);
-            case UPRIGHT_BOX, BOX -> box(row, at, mode, ox, oy, oz);
-            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH ->
-                throw kind.refused();
+            case BOX -> box(row, at, mode, ox, oy, oz);
         }
     }
 

@@ -24,11 +24,9 @@ final class ExactBody {
     static ExactBody of(AxisBody.Mode mode, LeafKind kind, double[] row, int at) {
         ExactBody body = new ExactBody();
         boolean flat = mode == AxisBody.Mode.PLANAR;
-        switch (kind) {
+        switch (kind.polytope()) {
             case TRIANGLE -> body.triangle(row, at, flat);
-            case UPRIGHT_BOX, BOX -> body.box(row, at, mode);
-            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH ->
-                throw kind.refused();
+            case BOX -> body.box(row, at, mode);
         }
         return body;
     }

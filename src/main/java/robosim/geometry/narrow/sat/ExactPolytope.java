@@ -30,20 +30,10 @@ public final class ExactPolytope {
     private final List<ExactVector> faces = new ArrayList<>();
     private final List<ExactVector> edges = new ArrayList<>();
 
-    /** Whether a kind of leaf is a box or a triangle. */
-    public static boolean isKnown(LeafKind kind) {
-        return switch (kind) {
-            case UPRIGHT_BOX, BOX, TRIANGLE -> true;
-            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> false;
-        };
-    }
-
     public ExactPolytope(LeafKind kind, double[] row, int at) {
-        isBox = switch (kind) {
-            case UPRIGHT_BOX, BOX -> true;
+        isBox = switch (kind.polytope()) {
+            case BOX -> true;
             case TRIANGLE -> false;
-            case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH ->
-                throw kind.refused();
         };
         centre = ExactVector.at(row, at);
         if (isBox) {

@@ -164,11 +164,9 @@ public final class PolytopePolytope {
         private final double[] points = new double[9];
 
         void load(LeafKind kind, double[] row, int at, double ox, double oy, double oz) {
-            switch (kind) {
-                case UPRIGHT_BOX, BOX -> box(row, at, ox, oy, oz);
+            switch (kind.polytope()) {
+                case BOX -> box(row, at, ox, oy, oz);
                 case TRIANGLE -> triangle(row, at, ox, oy, oz);
-                case UPRIGHT_CYLINDER, SPHERE, CYLINDER, PRISM, UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH ->
-                    throw kind.refused();
             }
         }
 

@@ -30,10 +30,8 @@ public final class PlanarSweep {
             double[] b,
             int j,
             SweepScratch s) {
-        if (kindA.isEnclosure() || kindB.isEnclosure()) {
-            return kindA == kindB
-                    ? MovingPrism.time(true, a, i, dx, 0, dz, b, j)
-                    : s.sweep().move.time(true, kindA, a, i, dx, 0, dz, kindB, b, j, s);
+        if (kindA.isEnclosure() && kindB.isEnclosure()) {
+            return MovingPrism.time(true, a, i, dx, 0, dz, b, j);
         }
         if (kindA.isPolytope()) {
             if (kindB.isPolytope()) {

@@ -23,7 +23,7 @@ final class VerticalTurn {
     private int sign;
 
     static boolean isCovered(LeafKind kind) {
-        return (kind.isPolytope() && !kind.isEnclosure()) || kind.isDisc();
+        return kind.isPolytope() || kind.isDisc();
     }
 
     /**
