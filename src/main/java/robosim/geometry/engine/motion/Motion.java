@@ -5,8 +5,6 @@ import robosim.geometry.engine.broadphase.Candidates;
 import robosim.geometry.engine.broadphase.LeafTable;
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.engine.objects.WorldBounds;
-import robosim.geometry.model.Accuracy;
-import robosim.geometry.model.Dimension;
 import robosim.geometry.narrow.Distance;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.StartContacts;
@@ -26,8 +24,6 @@ public final class Motion {
     /** A share is taken back by so much first, then by twice as much each time. */
     private static final double FIRST_STEP = 0x1p-52;
 
-    private static final double HALF_ROOT = 0.7071067811865476;
-
     /** The largest share of what is refused. */
     private static final double MOST = Math.nextDown(1.0);
 
@@ -35,18 +31,16 @@ public final class Motion {
     private final WorldBounds worldBounds;
     private final Candidates candidates;
     private final Leg leg;
+    private final EnclosureTurn enclosure;
+    private final BoundsExit exit;
     private final ClearanceSearch search;
     private final StartContacts standing;
     private final Distance distance;
     private final double[] box = new double[6];
     private final double[] part = new double[6];
-    private final double[] swept = new double[6];
 
     /** What holds the whole leg however its places are rounded. */
     private final double[] around = new double[6];
-
-    /** Bounds of x + z and of x - z, for octagons. */
-    private final double[] diagonals = new double[4];
 
     /** The bounds of what stands for the object at the end of the leg. */
     private final double[] endBox = new double[6];
@@ -79,6 +73,8 @@ public final class Motion {
         this.worldBounds = worldBounds;
         candidates = new Candidates(objects);
         leg = new Leg(scratch);
+        enclosure = new EnclosureTurn(leg);
+        exit = new BoundsExit(worldBounds, leg);
         search = new ClearanceSearch(leg, scratch);
         standing = new StartContacts(scratch);
         distance = new Distance(scratch);
@@ -199,7 +195,7 @@ public final class Motion {
                 return true;
             }
         }
-        return !worldBounds.clearlyHolds(box) && leavesWorld() != Double.POSITIVE_INFINITY;
+        return !worldBounds.clearlyHolds(box) && exit.share(clearance) != Double.POSITIVE_INFINITY;
     }
 
     /**
@@ -224,7 +220,7 @@ public final class Motion {
                 obstaclePiece = metPiece;
             }
         }
-        double leaves = worldBounds.clearlyHolds(box) ? Double.POSITIVE_INFINITY : leavesWorld();
+        double leaves = worldBounds.clearlyHolds(box) ? Double.POSITIVE_INFINITY : exit.share(clearance);
         if (leaves != Double.POSITIVE_INFINITY) {
             double free = backOff(BORDER, Math.min(leaves, MOST));
             if (free < least) {
@@ -237,7 +233,14 @@ public final class Motion {
 
     /** The share after which an object is met, and the leaves that meet: of several the object's lower one. */
     private double met(int other) {
-        return leg.isRigid() ? metAsItIs(other) : metByEnclosure(other);
+        if (leg.isRigid()) {
+            return metAsItIs(other);
+        }
+        double met = enclosure.met(view, other, box);
+        if (met != Double.POSITIVE_INFINITY) {
+            meet(0, -1, view.table(other).first(other), -1);
+        }
+        return met;
     }
 
     private double metAsItIs(int other) {
@@ -302,123 +305,6 @@ public final class Motion {
         return !standing.isEmpty();
     }
 
-    /** A turn of an enclosure that changes as it turns: free where what holds all of it meets nothing new or deeper. */
-    private double metByEnclosure(int other) {
-        if (!view.table(other).meets(other, box)) {
-            return Double.POSITIVE_INFINITY;
-        }
-        leg.atStart.bounds(0, leg.atStart.size(), part);
-        takeDiagonals(0);
-        double before = depth(other, part);
-        if (!deepens(other, 1, before)) {
-            return Double.POSITIVE_INFINITY;
-        }
-        double low = 0;
-        double high = 1;
-        for (int halving = 0; halving < 50; halving++) {
-            double middle = low / 2 + high / 2;
-            leg.sweptBox(middle, box);
-            if (deepens(other, middle, before)) {
-                high = middle;
-            } else {
-                low = middle;
-            }
-        }
-        leg.sweptBox(1, box);
-        meet(0, -1, view.table(other).first(other), -1);
-        return low;
-    }
-
-    /** Whether what holds the object up to a share of the turn, {@link #box}, overlaps another more deeply than before. */
-    private boolean deepens(int other, double share, double before) {
-        if (depth(other, box, view.dimension) < 0) {
-            return false;
-        }
-        takeDiagonals(share);
-        double after = depth(other, box);
-        return after >= 0 && (before < 0 || after > before);
-    }
-
-    private void takeDiagonals(double share) {
-        if (view.accuracy == Accuracy.DOP) {
-            leg.sweptDiagonals(share, diagonals);
-        }
-    }
-
-    /** How deeply two enclosures overlap, below 0 where they do not: along the axes and, of octagons, between them. */
-    private double depth(int other, double[] of) {
-        double least = depth(other, of, view.dimension);
-        if (view.accuracy == Accuracy.DOP) {
-            LeafTable home = view.table(other);
-            int leaf = home.first(other);
-            double[] row = home.leaves().rows(leaf);
-            int at = home.leaves().at(leaf) + 4;
-            for (int k = 0; k < 4; k += 2) {
-                double one = diagonals[k + 1] - row[at + k];
-                double two = row[at + k + 1] - diagonals[k];
-                least = Math.min(least, HALF_ROOT * Math.min(one, two));
-            }
-        }
-        return least;
-    }
-
-    private double depth(int other, double[] of, Dimension dimension) {
-        double[] b = view.table(other).bounds();
-        int at = view.table(other).boundsAt(other);
-        double least = Double.POSITIVE_INFINITY;
-        for (int k = 0; k < 3; k += dimension == Dimension.PLANAR ? 2 : 1) {
-            double one = of[3 + k] - b[at + k];
-            double two = b[at + 3 + k] - of[k];
-            least = Math.min(least, Math.min(one, two));
-        }
-        return least;
-    }
-
-    /** The share after which the object would leave the world, +Infinity where it stays inside. */
-    private double leavesWorld() {
-        return leg.turns() ? turnLeavesWorld() : translationLeavesWorld();
-    }
-
-    private double translationLeavesWorld() {
-        if (isHeld(leg.exactAtEnd())) {
-            return Double.POSITIVE_INFINITY;
-        }
-        double dx = leg.displacement(0);
-        double dy = leg.displacement(1);
-        double dz = leg.displacement(2);
-        LeafColumn exact = leg.exactAtStart();
-        double leaves = worldBounds.share(exact, 0, exact.size(), dx, dy, dz);
-        double length = Math.sqrt(dx * dx + dy * dy + dz * dz);
-        return Math.max(0, Math.min(1, leaves) - (clearance > 0 ? clearance / length : 0));
-    }
-
-    private double turnLeavesWorld() {
-        leg.exactlySwept(1, swept);
-        if (!worldBounds.nearlyHolds(swept)) {
-            leg.tightlySwept(1, swept);
-        }
-        if (worldBounds.nearlyHolds(swept) && isHeld(leg.exactAtEnd())) {
-            return Double.POSITIVE_INFINITY;
-        }
-        double low = 0;
-        double high = 1;
-        for (int halving = 0; halving < 50; halving++) {
-            double middle = low / 2 + high / 2;
-            leg.tightlySwept(middle, swept);
-            if (worldBounds.nearlyHolds(swept)) {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        leg.turnBy(1);
-        return low;
-    }
-
-    private boolean isHeld(LeafColumn exact) {
-        return worldBounds.holds(exact, 0, exact.size());
-    }
-
     /** Whether the object, as stored at the end of the leg, overlaps one that it does not at the start. */
     private boolean endsOn(int other) {
         return view.table(other).meets(other, endBox) && touchesAnew(other, 1);
@@ -451,7 +337,7 @@ public final class Motion {
                 return false;
             }
         }
-        return isHeld(leg.exactAfter(share));
+        return exit.holds(leg.exactAfter(share));
     }
 
     /** The greatest share, not above the given one, whose place has been verified free of one object, or within the border. */
@@ -462,7 +348,7 @@ public final class Motion {
         int ownPieceMet = metOwnPiece;
         int leafMet = metLeaf;
         int pieceMet = metPiece;
-        while (free > 0 && (of == BORDER ? !isHeld(leg.exactAfter(free)) : touchesAnew(of, free))) {
+        while (free > 0 && (of == BORDER ? !exit.holds(leg.exactAfter(free)) : touchesAnew(of, free))) {
             free = from - step;
             step *= 2;
         }
@@ -487,11 +373,7 @@ public final class Motion {
     /** Contact point and normal at the end of what is free, six numbers. */
     public void contact(double[] out) {
         if (obstacle == BORDER) {
-            LeafColumn exact = leg.exactAtEnd();
-            exact.bounds(0, exact.size(), part);
-            exact = leg.exactAfter(1);
-            exact.bounds(0, exact.size(), swept);
-            worldBounds.contact(swept, part, out);
+            exit.contact(out);
             return;
         }
         touching.setPiece(leg.atEnd(), ownLeaf, ownPiece);
