@@ -23,6 +23,18 @@ final class ConeCapsule {
 
     private static final double GOLDEN = 0.6180339887498949;
 
+    /**
+     * How far from the point that doubles give pairs of doubles search first: doubles give it to about 2^-26 of the
+     * segment where the minimum is sharp.
+     */
+    private static final double NEAR = 0x1p-22;
+
+    /** And then: doubles give it more coarsely the flatter the minimum is. What the steps leave of this is 2^-58. */
+    private static final double WIDE = 0x1p-6;
+
+    /** More than the rounding of a sum of two lengths, of three coordinates each, and a radius. */
+    private static final double FARTHER = 1 + 0x1p-48;
+
     /** The required width of the bracket, as a share of the distance; wider ones are refined in pairs of doubles. */
     private static final double TIGHT = 0x1p-41;
 
@@ -60,7 +72,10 @@ final class ConeCapsule {
     private double half;
     private double r;
 
-    /** More than the distance of every point of the capsule. */
+    /** The distance of the farthest point of the capsule, if only by rounding more: what is not nearer is a miss. */
+    private double farthest;
+
+    /** More than that. */
     private double far;
 
     /** The distance of a point inside the cone, an upper bound; +Infinity where none is known. */
@@ -76,21 +91,29 @@ final class ConeCapsule {
         double lower = certify(t, 0);
         if (isOpen(lower)) {
             REFINED.count();
-            // Doubles give the point to at least about 2^-26; pairs refine it from there.
-            double around = 0x1p-22;
-            double from = Math.max(-1 - t, -around);
-            double to = Math.min(1 - t, around);
-            double rest = refine(t, from, to);
-            lower = Math.max(lower, certify(t, rest));
-            if (isOpen(lower)) {
-                lower = Math.max(lower, Math.max(certifyCrossing(t, rest), certifyGrazing(t, rest)));
-            }
+            lower = Math.max(lower, certifyAround(t, NEAR));
         }
-        return lower > far ? Double.POSITIVE_INFINITY : lower;
+        if (isOpen(lower)) {
+            // Searches only come close to an end; at it, the plane need not be perpendicular to the segment.
+            lower = Math.max(lower, certify(t < 0 ? -1 : 1, 0));
+        }
+        if (isOpen(lower)) {
+            lower = Math.max(lower, certifyAround(t, WIDE));
+        }
+        return lower > farthest ? Double.POSITIVE_INFINITY : lower;
+    }
+
+    /** The bound from the best point within so much of {@code t}, in pairs of doubles. */
+    private double certifyAround(double t, double around) {
+        double rest = refine(t, Math.max(-1 - t, -around), Math.min(1 - t, around));
+        double lower = certify(t, rest);
+        return isOpen(lower)
+                ? Math.max(lower, Math.max(certifyCrossing(t, rest), certifyGrazing(t, rest)))
+                : lower;
     }
 
     private boolean isOpen(double lower) {
-        return lower <= far && (upper == Double.POSITIVE_INFINITY || upper - lower > TIGHT * upper);
+        return lower <= farthest && (upper == Double.POSITIVE_INFINITY || upper - lower > TIGHT * upper);
     }
 
     private void take(Cone in, double[] b, int j, double ax, double ay, double az) {
@@ -110,7 +133,10 @@ final class ConeCapsule {
         hx = half * ax;
         hy = half * ay;
         hz = half * az;
-        far = 2 * (VectorMath.length(mx, my, mz) + VectorMath.length(hx, hy, hz) + r);
+        double sum = VectorMath.length(mx, my, mz) + VectorMath.length(hx, hy, hz) + r;
+        farthest = FARTHER * sum;
+        far = 2 * sum;
+        upper = Double.POSITIVE_INFINITY;
     }
 
     /** The point of the segment, from -1 to 1, whose ball is nearest. */
@@ -243,11 +269,13 @@ final class ConeCapsule {
         return true;
     }
 
-    /** The lower bound from the plane suggested by {@code t + rest}; sets {@link #upper} to the distance there. */
+    /** The lower bound from the plane suggested by {@code t + rest}; takes {@link #upper} down to the distance there. */
     private double certify(double t, double rest) {
         DoubleDoubles p = cone.pairs;
         boolean isMet = place(t, rest);
-        upper = isMet ? Math.max(0, p.get(ALONG)) : Double.POSITIVE_INFINITY;
+        if (isMet) {
+            upper = Math.min(upper, Math.max(0, p.get(ALONG)));
+        }
         if (!isBeside) {
             for (int k = 0; k < 3; k++) {
                 p.set(N + k, p.get(X + k), p.rest(X + k));

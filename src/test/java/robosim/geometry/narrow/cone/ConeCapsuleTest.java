@@ -126,6 +126,73 @@ class ConeCapsuleTest {
         assertThat(cone(new double[3], d, 0.5 + 0x1p-40, LeafKind.CAPSULE, row)).isInfinite();
     }
 
+    /** Beside a short segment that is nearest at an end, to which a search comes close only. */
+    @Test
+    void aShortSegmentIsHardlyBelowTheTruth() {
+        double[] o = {0.7041550027051194, 0.3085778573652017, -0.1111495927988969};
+        double[] d = {-0.19837810385662885, -4.239867797583155, 4.6533562501149826};
+        double[] row = new double[16];
+        double[] numbers = {
+            0.744159406988691, 0.10591009542814556, -0.14465301078602355, 0.20927192959509372, 7.144968664870911E-7
+        };
+        System.arraycopy(numbers, 0, row, 0, 5);
+        row[7] = 0.7251703615315184;
+        row[10] = 0.02941728775104118;
+        row[13] = 0.6879408186302216;
+        double cosine = StrictMath.cos(1.7292261900499056E-5);
+        take(o, d, cosine, LeafKind.CAPSULE, row);
+        BigDecimal truth = least(true)[0];
+        BigDecimal answer = new BigDecimal(cone(o, d, cosine, LeafKind.CAPSULE, row));
+        assertThat(answer).isBetween(truth.subtract(new BigDecimal(0x1p-45)), truth);
+    }
+
+    /** Thin ones that pass a narrow cone by 10^-12 to 10^-5, where the distance from the cone hardly changes along them. */
+    @Test
+    void whatIsMissedByLittleIsNotHeard() {
+        double[] o = {-1.3612539954111225, 1.7855461550813745, -1.0378057674317152};
+        double[] d = {1.0664419243522767E-4, -0.9999999922875328, 6.365493562095842E-5};
+        double[] row = new double[16];
+        row[0] = -1.361111138644569;
+        row[1] = -0.17303440448196383;
+        row[2] = -1.037910276671231;
+        row[4] = 1.9585805595633383;
+        isMissed(o, d, 1.1434148170146109E-4, LeafKind.UPRIGHT_CAPSULE, row);
+
+        o = new double[] {-2.4436706506733015, 0.7061061702098379, -1.009773318196646};
+        d = new double[] {1.1634127356854398, -8.719614090779476, -1.6131363705031816};
+        row = new double[16];
+        row[0] = -1.9439286637154725;
+        row[1] = -1.0482157567056718;
+        row[2] = -1.371636005160548;
+        row[4] = 2.286159294408648;
+        row[7] = 0.26875068058742463;
+        row[10] = -0.9433839730299987;
+        row[13] = -0.19442158088527758;
+        isMissed(o, d, 0.1430309559089543, LeafKind.CAPSULE, row);
+
+        o = new double[] {4.048684937915821, 0.9499087638184673, 3.2002982565877383};
+        d = new double[] {-3.058325500165685, -0.2611644758629321, -2.098380762228681};
+        row = new double[16];
+        row[0] = 0.8695099992353867;
+        row[1] = 0.6781559529111871;
+        row[2] = 1.018708585089707;
+        row[3] = 3.726558602259326E-8;
+        row[4] = 5.675546243502183E-4;
+        row[7] = -0.876424495136596;
+        row[10] = 0.4720453277568838;
+        row[13] = -0.09514889840381309;
+        isMissed(o, d, 6.913805323962652E-6, LeafKind.CAPSULE, row);
+    }
+
+    private void isMissed(double[] o, double[] d, double half, LeafKind kind, double[] row) {
+        double cosine = StrictMath.cos(half);
+        take(o, d, cosine, kind, row);
+        double gap = least(false)[0].subtract(radius).doubleValue();
+        double size = Math.abs(row[0] - o[0]) + Math.abs(row[1] - o[1]) + Math.abs(row[2] - o[2]) + row[3] + row[4];
+        assertThat(gap).isGreaterThan(0x1p-44 * size);
+        assertThat(cone(o, d, cosine, kind, row)).isInfinite();
+    }
+
     /** Behind the apex, beside it, and so near that the cone's border passes by the apex. */
     @Test
     void whatIsBehindIsNotHeard() {
