@@ -13,7 +13,8 @@ final class Body {
         BOX,
         CYLINDER,
         TRIANGLE,
-        SPHERE
+        SPHERE,
+        CAPSULE
     }
 
     final Type type;
@@ -23,7 +24,7 @@ final class Body {
     /** The centre; a triangle's first corner. */
     final double[] c;
 
-    /** The own axes of a box; of a cylinder the second is its axis. */
+    /** The own axes of a box; of a cylinder or a capsule the second is its axis. */
     final double[][] axes;
 
     final double[][] corners;
@@ -36,7 +37,7 @@ final class Body {
         c = new double[] {row[0], row[1], row[2]};
         axes = new double[3][];
         for (int k = 0; k < 3; k++) {
-            axes[k] = kind == LeafKind.UPRIGHT_CYLINDER || type == Type.SPHERE
+            axes[k] = isPlain(kind)
                     ? new double[] {k == 0 ? 1 : 0, k == 1 ? 1 : 0, k == 2 ? 1 : 0}
                     : new double[] {row[6 + k], row[9 + k], row[12 + k]};
         }
@@ -54,6 +55,15 @@ final class Body {
                 Type.CYLINDER,
                 upright ? LeafKind.UPRIGHT_CYLINDER : LeafKind.CYLINDER,
                 row(centre, r, radius, half, 0));
+    }
+
+    private static boolean isPlain(LeafKind kind) {
+        return kind == LeafKind.UPRIGHT_CYLINDER || kind == LeafKind.UPRIGHT_CAPSULE || kind == LeafKind.SPHERE;
+    }
+
+    static Body capsule(double[] centre, double radius, double half, double[] r, boolean upright) {
+        return new Body(
+                Type.CAPSULE, upright ? LeafKind.UPRIGHT_CAPSULE : LeafKind.CAPSULE, row(centre, r, radius, half, 0));
     }
 
     static Body sphere(double[] centre, double radius) {
@@ -88,7 +98,13 @@ final class Body {
     @Nullable
     Body shrunkBy(double by) {
         double[] smaller = row.clone();
-        int sizes = type == Type.BOX ? 3 : type == Type.CYLINDER ? 2 : type == Type.SPHERE ? 1 : 0;
+        int sizes =
+                switch (type) {
+                    case BOX -> 3;
+                    case CYLINDER -> 2;
+                    case SPHERE, CAPSULE -> 1;
+                    case TRIANGLE -> 0;
+                };
         for (int k = 3; k < 3 + sizes; k++) {
             smaller[k] -= by;
             if (smaller[k] < 0) {
@@ -113,7 +129,7 @@ final class Body {
     double size() {
         return switch (type) {
             case BOX -> row[3] + row[4] + row[5];
-            case CYLINDER -> row[3] + row[4];
+            case CYLINDER, CAPSULE -> row[3] + row[4];
             case SPHERE -> row[3];
             case TRIANGLE -> Math.max(Vec.length(Vec.minus(corners[1], c)), Vec.length(Vec.minus(corners[2], c)));
         };
@@ -174,6 +190,7 @@ final class Body {
             case CYLINDER ->
                 Vec.dot(n, c) + row[4] * Math.abs(Vec.dot(n, axes[1])) + row[3] * Vec.length(Vec.cross(n, axes[1]));
             case SPHERE -> Vec.dot(n, c) + row[3] * Vec.length(n);
+            case CAPSULE -> Vec.dot(n, c) + row[4] * Math.abs(Vec.dot(n, axes[1])) + row[3] * Vec.length(n);
             case TRIANGLE -> Math.max(Vec.dot(n, c), Math.max(Vec.dot(n, corners[1]), Vec.dot(n, corners[2])));
         };
     }
@@ -201,14 +218,50 @@ final class Body {
                 double away = Vec.length(w);
                 return Vec.plus(c, away > row[3] ? row[3] / away : 1, w);
             }
+            case CAPSULE -> {
+                double[] foot = foot(p);
+                double[] aside = Vec.minus(p, foot);
+                double away = Vec.length(aside);
+                return Vec.plus(foot, away > row[3] ? row[3] / away : 1, aside);
+            }
             default -> {
                 return projectOnTriangle(p);
             }
         }
     }
 
+    /** The nearest point of a capsule's segment. */
+    private double[] foot(double[] p) {
+        double along = Vec.dot(Vec.minus(p, c), axes[1]);
+        return Vec.plus(c, Math.max(-row[4], Math.min(row[4], along)), axes[1]);
+    }
+
+    /** A capsule's segment, as a triangle without a side of its own; the body itself if it is none. */
+    Body core() {
+        if (type != Type.CAPSULE) {
+            return this;
+        }
+        double[] corners = new double[9];
+        for (int k = 0; k < 3; k++) {
+            corners[k] = c[k] - row[4] * axes[1][k];
+            corners[3 + k] = c[k] + row[4] * axes[1][k];
+            corners[6 + k] = corners[3 + k];
+        }
+        return triangle(corners);
+    }
+
+    /** How far it reaches around its core. */
+    double around() {
+        return type == Type.CAPSULE ? row[3] : 0;
+    }
+
     /** The unit direction from it to a place outside, where the distance grows the most; zero inside. */
     double[] outward(double[] p) {
+        if (type == Type.CAPSULE) {
+            double[] away = Vec.minus(p, foot(p));
+            double length = Vec.length(away);
+            return length > row[3] ? Vec.plus(new double[3], 1 / length, away) : new double[3];
+        }
         if (type != Type.CYLINDER) {
             double[] away = Vec.minus(p, project(p));
             double length = Vec.length(away);
@@ -286,6 +339,11 @@ final class Body {
             case SPHERE -> {
                 return Vec.plus(c, row[3] / Vec.length(n), n);
             }
+            case CAPSULE -> {
+                double along = Vec.dot(n, axes[1]);
+                double t = Math.abs(along) < 1e-12 ? random.nextDouble(-1, 1) : Math.signum(along);
+                return Vec.plus(Vec.plus(c, t * row[4], axes[1]), row[3] / Vec.length(n), n);
+            }
             default -> {
                 double[] sum = new double[3];
                 double all = 0;
@@ -319,6 +377,9 @@ final class Body {
             }
             case SPHERE -> {
                 return "sphere";
+            }
+            case CAPSULE -> {
+                return Math.abs(Vec.dot(n, axes[1])) < small ? "side" : "end";
             }
             default -> {
                 double reach = reach(n);
@@ -367,7 +428,7 @@ final class Body {
                     }
                 }
             }
-            case SPHERE -> {}
+            case SPHERE, CAPSULE -> {}
         }
         return out;
     }

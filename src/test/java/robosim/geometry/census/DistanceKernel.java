@@ -56,6 +56,7 @@ final class DistanceKernel implements Kernel {
             case BOX, TRIANGLE -> List.of("corner", "edge", "face");
             case CYLINDER -> List.of("rim", "mantle", "cap");
             case SPHERE -> List.of("sphere");
+            case CAPSULE -> List.of("end", "side");
         };
     }
 

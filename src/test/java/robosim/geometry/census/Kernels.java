@@ -13,6 +13,10 @@ final class Kernels {
     private static final Form[] TIPPED = {Form.BOX, Form.TRIANGLE};
     private static final Form[] OVAL = {Form.CYLINDER};
     private static final Form[] ANY = {Form.SPHERE, Form.UPRIGHT_BOX, Form.BOX, Form.TRIANGLE, Form.CYLINDER};
+    private static final Form[] CAPSULE = {Form.CAPSULE};
+    private static final Form[] ANY_OR_CAPSULE = {
+        Form.SPHERE, Form.UPRIGHT_CAPSULE, Form.UPRIGHT_BOX, Form.BOX, Form.TRIANGLE, Form.CYLINDER, Form.CAPSULE
+    };
 
     private Kernels() {}
 
@@ -30,6 +34,7 @@ final class Kernels {
         all.add(new RayKernel());
         all.add(new CylinderCone());
         all.add(new SphereCone());
+        all.add(new CapsuleCone());
         for (PolytopeCone.Shape shape : PolytopeCone.Shape.values()) {
             all.add(new PolytopeCone(shape));
         }
@@ -44,17 +49,21 @@ final class Kernels {
         all.add(new PlanarPair("a disc and a tipped box or a triangle", DISC, TIPPED));
         all.add(new PlanarPair("boxes and triangles", POLYGONS, POLYGONS));
         all.add(new PlanarPair("a tipped cylinder and any other", OVAL, ANY));
+        all.add(new PlanarPair("a tipped capsule and any other", CAPSULE, ANY_OR_CAPSULE));
         all.add(new PlanarSight("a disc", Form.SPHERE));
         all.add(new PlanarSight("an upright box", Form.UPRIGHT_BOX));
         all.add(new PlanarSight("a tipped box or a triangle", Form.BOX, Form.TRIANGLE));
         all.add(new PlanarSight("a tipped cylinder", Form.CYLINDER));
+        all.add(new PlanarSight("a tipped capsule", Form.CAPSULE));
         all.add(new PlanarBeam("a disc", Form.SPHERE));
         all.add(new PlanarBeam("a box or a triangle", Form.UPRIGHT_BOX, Form.BOX, Form.TRIANGLE));
         all.add(new PlanarBeam("a tipped cylinder", Form.CYLINDER));
+        all.add(new PlanarBeam("a tipped capsule", Form.CAPSULE));
         all.add(new PlanarWay("discs", DISC, DISC));
         all.add(new PlanarWay("a disc and a box or a triangle", DISC, POLYGONS));
         all.add(new PlanarWay("boxes and triangles", POLYGONS, POLYGONS));
-        all.add(new PlanarOvalWay(OVAL, ANY));
+        all.add(new PlanarOvalWay("a tipped cylinder and any other", OVAL, ANY));
+        all.add(new PlanarOvalWay("a tipped capsule and any other", CAPSULE, ANY_OR_CAPSULE));
         all.add(new PlanarSpin("discs", DISC, DISC));
         all.add(new PlanarSpin("a disc and a box or a triangle", DISC, POLYGONS));
         all.add(new PlanarSpin("boxes and triangles", POLYGONS, POLYGONS));

@@ -11,7 +11,7 @@ import robosim.geometry.narrow.leaf.LocalLeaves;
 
 /** The least distance of a mesh and anything in space, a mesh too: the least of its triangles', whatever limit is given. */
 final class MeshDistanceKernel implements Kernel {
-    private static final List<String> OTHERS = List.of("box", "cylinder", "triangle", "sphere", "mesh");
+    private static final List<String> OTHERS = List.of("box", "cylinder", "triangle", "sphere", "capsule", "mesh");
     private static final int[][] FACES = {{0, 1, 2}, {1, 0, 3}};
 
     /** A gap below this share of the size is near contact. */
@@ -41,12 +41,13 @@ final class MeshDistanceKernel implements Kernel {
     public Visit ask(SplittableRandom random, boolean adversarial) {
         SpacePairs pairs = new SpacePairs(random, adversarial);
         int kind = random.nextInt(OTHERS.size());
-        Body.Type other = Body.Type.values()[kind == 4 ? 2 : kind];
+        boolean isMesh = kind == OTHERS.size() - 1;
+        Body.Type other = isMesh ? Body.Type.TRIANGLE : Body.Type.values()[kind];
         int state = random.nextInt(3) == 0 ? 0 : 65 + random.nextInt(35); // most of the others near contact
         double gap = DistanceKernel.gap(random, state, adversarial);
         pairs.facing(Body.Type.TRIANGLE, random.nextInt(3), other, random.nextInt(3), gap);
         List<Body> a = surface(pairs.a, random, -1, pairs.n);
-        List<Body> b = kind == 4 ? surface(pairs.b, random, 1, pairs.n) : List.of(pairs.b);
+        List<Body> b = isMesh ? surface(pairs.b, random, 1, pairs.n) : List.of(pairs.b);
         double low = Double.POSITIVE_INFINITY;
         double high = Double.POSITIVE_INFINITY;
         double size = 0;
@@ -61,8 +62,8 @@ final class MeshDistanceKernel implements Kernel {
             }
         }
         String regime = low <= 2 * rounding ? "touching or overlapping, " : low < NEAR * size ? "near, " : "far, ";
-        LeafColumn second = kind == 4 ? LocalLeaves.placed(mesh(b)) : column;
-        if (kind < 4) {
+        LeafColumn second = isMesh ? LocalLeaves.placed(mesh(b)) : column;
+        if (!isMesh) {
             pairs.b.writeTo(column);
         }
         return probe.compare(

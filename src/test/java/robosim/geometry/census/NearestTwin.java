@@ -7,7 +7,8 @@ import java.util.List;
  * The least distance of two convex bodies from their features: every corner, edge and rim of the one against the other in
  * closed form or by halving, and then the slab whose normal is square to what goes on at the nearest points. Both ends are
  * proven but for rounding: {@link #low} by the slab, {@link #high} by two points, whatever was found first. Where the two
- * overlap, an edge that pierces the other or projections to and fro find a point of both.
+ * overlap, an edge that pierces the other or projections to and fro find a point of both. A capsule is its segment, and all is
+ * nearer by its radius.
  */
 final class NearestTwin {
     private static final int SAMPLES = 24;
@@ -34,6 +35,12 @@ final class NearestTwin {
     }
 
     void find(Body first, Body second) {
+        findOfCores(first.core(), second.core());
+        low -= first.around() + second.around();
+        high = Math.max(0, high - first.around() - second.around());
+    }
+
+    private void findOfCores(Body first, Body second) {
         a = first;
         b = second;
         low = Double.NEGATIVE_INFINITY;
@@ -186,7 +193,7 @@ final class NearestTwin {
         return switch (body.type) {
             case BOX -> List.of(body.axes);
             case CYLINDER -> List.of(body.axes[1]);
-            case SPHERE -> List.of();
+            case SPHERE, CAPSULE -> List.of();
             case TRIANGLE -> {
                 double[] n = Vec.cross(Vec.minus(body.corners[1], body.c), Vec.minus(body.corners[2], body.c));
                 yield Vec.length(n) > 0 ? List.of(Vec.unit(n)) : List.of();

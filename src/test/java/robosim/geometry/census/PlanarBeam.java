@@ -35,14 +35,14 @@ final class PlanarBeam implements Kernel {
 
     @Override
     public double effort() {
-        return forms[0] == Form.CYLINDER ? 0.45 : 0.7; // the twin is slow, the regimes are few
+        return PlanarCases.isOval(forms[0]) ? 0.45 : 0.7; // the twin is slow, the regimes are few
     }
 
     @Override
     public List<String> regimes() {
         List<String> all = new ArrayList<>(List.of(
                 "from within", "the nearest point within", "cut by an edge", "nothing within", "an edge grazes it"));
-        if (forms[0] != Form.CYLINDER) {
+        if (!PlanarCases.isOval(forms[0])) {
             all.add("the nearest point near an edge");
         }
         return all;
@@ -94,7 +94,7 @@ final class PlanarBeam implements Kernel {
         double[] point = new double[16];
         point[0] = apex[0];
         point[2] = apex[1];
-        boolean isOval = form == Form.CYLINDER;
+        boolean isOval = PlanarCases.isOval(form);
         boolean isWithin = isOval
                 ? PlanarTwin.of(Form.SPHERE, point).parted(twin).head() <= 0x1p-46 * size
                 : PlanarTwin.exactly(number -> Truth.planar(number, Form.SPHERE, point, form, row));

@@ -19,7 +19,14 @@ final class PlanarCases {
             case SPHERE -> LeafKind.SPHERE;
             case UPRIGHT_CYLINDER -> LeafKind.UPRIGHT_CYLINDER;
             case CYLINDER -> LeafKind.CYLINDER;
+            case UPRIGHT_CAPSULE -> LeafKind.UPRIGHT_CAPSULE;
+            case CAPSULE -> LeafKind.CAPSULE;
         };
+    }
+
+    /** Whether its projection is an oval. */
+    static boolean isOval(Form form) {
+        return form == Form.CYLINDER || form == Form.CAPSULE;
     }
 
     /** Of a size of about 1, now and then thin or small; adversarial ones oftener, and by more. */

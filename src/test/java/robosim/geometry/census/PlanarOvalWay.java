@@ -7,7 +7,7 @@ import robosim.geometry.narrow.sweep.PlanarSweep;
 import robosim.geometry.reference.Truth.Form;
 
 /**
- * A straight translation in the plane with a tipped cylinder: all places up to the time told are one shape, which lines part
+ * A straight translation in the plane with a tipped cylinder or capsule: all places up to the time told are one shape, which lines part
  * from the other for certain, and at that time the gap is as small as is claimed.
  */
 final class PlanarOvalWay implements Kernel {
@@ -19,19 +19,21 @@ final class PlanarOvalWay implements Kernel {
     private static final double AT_ONCE = 0x1p-50;
     private static final double ALONG = 0x1p-12;
 
+    private final String name;
     private final PlanarPlaces places;
     private final Scratch scratch = new Scratch();
     private double dx;
     private double dz;
     private double time;
 
-    PlanarOvalWay(Form[] first, Form[] second) {
+    PlanarOvalWay(String name, Form[] first, Form[] second) {
+        this.name = name;
         places = new PlanarPlaces(first, second);
     }
 
     @Override
     public String name() {
-        return "translation of a tipped cylinder and any other, PLANAR";
+        return "translation of " + name + ", PLANAR";
     }
 
     @Override

@@ -33,7 +33,7 @@ final class PlanarPair implements Kernel {
     }
 
     private boolean hasOval() {
-        return first[0] == Form.CYLINDER;
+        return PlanarCases.isOval(first[0]);
     }
 
     private boolean hasSides() {

@@ -29,19 +29,23 @@ final class PlanarSight implements Kernel {
 
     @Override
     public double effort() {
-        return forms[0] == Form.CYLINDER ? 0.5 : 1;
+        return PlanarCases.isOval(forms[0]) ? 0.5 : 1;
     }
 
     @Override
     public List<String> regimes() {
         List<String> all = new ArrayList<>(List.of("from within", "missed beside", "missed behind", "met"));
-        if (forms[0] == Form.CYLINDER || forms[0] == Form.SPHERE) {
+        if (hasNoCorners()) {
             all.add("grazed");
         } else {
             all.add("met at a corner");
             all.add("met along a side");
         }
         return all;
+    }
+
+    private boolean hasNoCorners() {
+        return PlanarCases.isOval(forms[0]) || forms[0] == Form.SPHERE;
     }
 
     @Override
@@ -128,9 +132,11 @@ final class PlanarSight implements Kernel {
             Twofold wx = twin.x[k].minus(Twofold.of(start[0]));
             Twofold wz = twin.z[k].minus(Twofold.of(start[1]));
             double aside = PlanarTwin.cross(ux, uz, wx, wz).head() / speed.head();
-            left = Math.max(left, aside + twin.radius.head());
-            right = Math.min(right, aside - twin.radius.head());
-            ahead = Math.max(ahead, PlanarTwin.dot(ux, uz, wx, wz).head() / speed.head() + twin.radius.head());
+            double wide = twin.radius.head() + half(PlanarTwin.cross(ux, uz, twin.axisX, twin.axisZ), twin, speed);
+            double deep = twin.radius.head() + half(PlanarTwin.dot(ux, uz, twin.axisX, twin.axisZ), twin, speed);
+            left = Math.max(left, aside + wide);
+            right = Math.min(right, aside - wide);
+            ahead = Math.max(ahead, PlanarTwin.dot(ux, uz, wx, wz).head() / speed.head() + deep);
             boolean isOn = Math.abs(aside) < CLOSE * size && twin.radius.signum() == 0;
             int n = (k + 1) % twin.x.length;
             Twofold ex = twin.x[n].minus(twin.x[k]);
@@ -142,14 +148,19 @@ final class PlanarSight implements Kernel {
         if (!hit) {
             return ahead < 0 ? "missed behind" : "missed beside";
         }
-        if (isAlong && forms[0] != Form.SPHERE) {
+        if (isAlong && !hasNoCorners()) {
             return "met along a side";
         }
         boolean isGrazed = Math.min(left, -right) < CLOSE * size;
-        if (forms[0] == Form.SPHERE) {
+        if (hasNoCorners()) {
             return isGrazed ? "grazed" : "met";
         }
         return isGrazed || isCorner ? "met at a corner" : "met";
+    }
+
+    /** Half of an oval's straight part, along a way or across. */
+    private static double half(Twofold share, PlanarTwin twin, Twofold speed) {
+        return twin.reach.head() * Math.abs(share.head()) / speed.head();
     }
 
     private Visit oval(

@@ -10,7 +10,7 @@ import robosim.geometry.reference.Truth.Form;
 /**
  * The projection of a form, from its stored numbers to some 100 bits, and what is true of it: the slow twin of the kernels in
  * the plane. Verdicts are those of exact arithmetic; distances go over all corners and sides, those of an oval over the
- * directions of lines between.
+ * directions of lines between. An oval is a turned cylinder's projection, or a turned capsule's, whose ends are half discs.
  */
 final class PlanarTwin {
     /** Corners in the order from x to z; of what is round its centre alone. */
@@ -41,8 +41,8 @@ final class PlanarTwin {
 
     static PlanarTwin of(Form form, double[] row) {
         return switch (form) {
-            case SPHERE, UPRIGHT_CYLINDER -> at(row, row[3], false);
-            case CYLINDER -> oval(row);
+            case SPHERE, UPRIGHT_CYLINDER, UPRIGHT_CAPSULE -> at(row, row[3], false);
+            case CYLINDER, CAPSULE -> oval(form, row);
             case TRIANGLE -> triangle(row);
             case BOX, UPRIGHT_BOX -> box(row);
         };
@@ -55,7 +55,7 @@ final class PlanarTwin {
         return twin;
     }
 
-    private static PlanarTwin oval(double[] row) {
+    private static PlanarTwin oval(Form form, double[] row) {
         PlanarTwin twin = at(row, row[3], true);
         Twofold ax = Twofold.of(row[7]);
         Twofold ay = Twofold.of(row[10]);
@@ -67,7 +67,9 @@ final class PlanarTwin {
             twin.axisZ = az.over(level);
         }
         twin.reach = level.times(row[4]);
-        twin.minor = ay.abs().times(row[3]).over(flat.plus(ay.times(ay)).root());
+        twin.minor = form == Form.CAPSULE
+                ? twin.radius
+                : ay.abs().times(row[3]).over(flat.plus(ay.times(ay)).root());
         return twin;
     }
 

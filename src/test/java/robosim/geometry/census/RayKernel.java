@@ -25,6 +25,11 @@ final class RayKernel implements Kernel {
     }
 
     @Override
+    public double effort() {
+        return 1.3;
+    }
+
+    @Override
     public List<String> regimes() {
         return List.of(
                 "box, face",
@@ -36,10 +41,14 @@ final class RayKernel implements Kernel {
                 "triangle, edge or corner",
                 "sphere, side",
                 "sphere, tangent",
+                "capsule, end",
+                "capsule, side",
+                "capsule, tangent",
                 "box, misses by little",
                 "cylinder, misses by little",
                 "triangle, misses by little",
                 "sphere, misses by little",
+                "capsule, misses by little",
                 INSIDE,
                 MISSES);
     }
@@ -48,7 +57,7 @@ final class RayKernel implements Kernel {
     public Visit ask(SplittableRandom random, boolean adversarial) {
         SpacePairs pairs = new SpacePairs(random, adversarial);
         // A cylinder has more regimes than the others.
-        Body.Type type = random.nextInt(12) == 0 ? Body.Type.CYLINDER : Body.Type.values()[random.nextInt(4)];
+        Body.Type type = random.nextInt(12) == 0 ? Body.Type.CYLINDER : Body.Type.values()[random.nextInt(5)];
         double[] n = Vec.direction(random);
         int state = random.nextInt(32);
         // Faces, then edges and corners, then what passes by; a sphere has no edges. Of a cylinder mantles are the
@@ -142,6 +151,7 @@ final class RayKernel implements Kernel {
                     case BOX -> sides(body, w, at) > 1 ? ", edge or corner" : ", face";
                     case CYLINDER -> ", " + part(body, w, ahead, at);
                     case TRIANGLE -> isAtEdge(body, p, at) ? ", edge or corner" : ", face";
+                    case CAPSULE -> ", " + round(body, w, ahead, at);
                     case SPHERE -> Vec.length(Vec.cross(w, ahead)) > body.row[3] - at ? ", tangent" : ", side";
                 };
     }
@@ -165,6 +175,15 @@ final class RayKernel implements Kernel {
         double[] level = Vec.plus(ahead, -Vec.dot(ahead, axis), axis);
         double slope = Math.abs(Vec.dot(level, aside)) / (Vec.length(level) * Vec.length(aside));
         return slope < 1e-3 ? "rim or tangent" : "mantle";
+    }
+
+    private static String round(Body capsule, double[] w, double[] ahead, double at) {
+        double[] axis = capsule.axes[1];
+        double along = Vec.dot(w, axis);
+        boolean isEnd = Math.abs(along) > capsule.row[4];
+        double[] out = Vec.plus(w, -(isEnd ? Math.copySign(capsule.row[4], along) : along), axis);
+        double level = Vec.length(Vec.cross(out, ahead));
+        return level > capsule.row[3] - at ? "tangent" : isEnd ? "end" : "side";
     }
 
     private static boolean isAtEdge(Body triangle, double[] p, double at) {

@@ -3,12 +3,13 @@ package robosim.geometry.census;
 import java.util.SplittableRandom;
 import robosim.geometry.narrow.leaf.LeafKind;
 
-/** A convex leaf as the twins see it: corners with edges and sides, or a centre, an axis and a radius. */
+/** A convex leaf as the twins see it: corners with edges and sides, or a centre, an axis and a radius; a capsule is an edge with one. */
 final class Solid {
     private static final int[][] BOX_EDGES = {
         {0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3}, {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}
     };
     private static final int[][] TRIANGLE_EDGES = {{0, 1}, {1, 2}, {2, 0}};
+    private static final int[][] SEGMENT = {{0, 1}};
     private static final int[][] BOX_SIDES = {{0, 2, 4}, {1, 3, 5}, {0, 1, 4}, {2, 3, 6}, {0, 1, 2}, {4, 5, 6}};
     private static final int[][] TRIANGLE_SIDES = {{0, 1, 2}};
 
@@ -34,7 +35,13 @@ final class Solid {
     private Solid(LeafKind kind, double[][] corners, double[] centre, double[] axis, double radius, double half) {
         this.kind = kind;
         this.corners = corners;
-        edges = kind == LeafKind.BOX ? BOX_EDGES : kind == LeafKind.TRIANGLE ? TRIANGLE_EDGES : new int[0][];
+        edges =
+                switch (kind) {
+                    case BOX -> BOX_EDGES;
+                    case TRIANGLE -> TRIANGLE_EDGES;
+                    case CAPSULE -> SEGMENT;
+                    default -> new int[0][];
+                };
         sides = kind == LeafKind.BOX ? BOX_SIDES : kind == LeafKind.TRIANGLE ? TRIANGLE_SIDES : new int[0][];
         this.centre = centre;
         this.axis = axis;
@@ -94,7 +101,17 @@ final class Solid {
             }
             case UPRIGHT_BOX, UPRIGHT_CYLINDER, SPHERE, PRISM ->
                 new Solid(kind, new double[0][], c, new double[3], row[3], 0);
-            case UPRIGHT_CAPSULE, CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
+            case CAPSULE -> {
+                double[] arm = {row[4] * row[7], row[4] * row[10], row[4] * row[13]};
+                yield new Solid(
+                        kind,
+                        new double[][] {Space.sum(c, arm, -1), Space.sum(c, arm, 1)},
+                        c,
+                        new double[3],
+                        row[3],
+                        0);
+            }
+            case UPRIGHT_CAPSULE, MESH, SOLID_MESH -> throw kind.refused();
         };
     }
 
@@ -108,6 +125,11 @@ final class Solid {
                 kind, moved, Space.sum(Space.times(turn, centre), shift, 1), Space.times(turn, axis), radius, half);
     }
 
+    /** How far it reaches around its corners and edges. */
+    double around() {
+        return kind == LeafKind.CAPSULE ? radius : 0;
+    }
+
     boolean isPolytope() {
         return corners.length > 0;
     }
@@ -116,7 +138,7 @@ final class Solid {
     double reach() {
         double reach = isPolytope() ? 0 : Space.length(centre) + radius + half;
         for (double[] corner : corners) {
-            reach = Math.max(reach, Space.length(corner));
+            reach = Math.max(reach, Space.length(corner) + radius);
         }
         return reach;
     }
@@ -151,7 +173,7 @@ final class Solid {
                 sum = Space.sum(sum, corner, weight);
             }
         }
-        return Space.sum(new double[3], sum, 1 / weights);
+        return Space.sum(Space.sum(new double[3], sum, 1 / weights), n, around());
     }
 
     /** The direction of an edge, a cylinder's axis; of a sphere any. */
@@ -163,11 +185,11 @@ final class Solid {
         return kind == LeafKind.CYLINDER ? axis : Space.direction(random);
     }
 
-    /** The normal of a side or a cap, one way or the other; of a sphere any direction. */
+    /** The normal of a side or a cap, one way or the other; of a sphere or a capsule any direction. */
     double[] normal(SplittableRandom random) {
         double way = random.nextBoolean() ? 1 : -1;
         double[] n = kind == LeafKind.CYLINDER ? axis : Space.direction(random);
-        if (isPolytope()) {
+        if (sides.length > 0) {
             int[] side = sides[random.nextInt(sides.length)];
             n = Space.cross(
                     Space.sum(corners[side[1]], corners[side[0]], -1),

@@ -17,7 +17,8 @@ final class SolidGap {
         RIM_ON_ROUND,
         MANTLE_ON_EDGE,
         MANTLES,
-        SPHERE
+        SPHERE,
+        CAPSULE
     }
 
     private static final int SPREAD = 24;
@@ -44,6 +45,10 @@ final class SolidGap {
             mantles(a, b);
             rims(a, b);
             rims(b, a);
+        }
+        if (a.kind == LeafKind.CAPSULE || b.kind == LeafKind.CAPSULE) {
+            distance -= a.around() + b.around();
+            meeting = Meeting.CAPSULE;
         }
         return distance;
     }

@@ -58,7 +58,7 @@ final class SpacePairs {
     }
 
     private static boolean canStand(Body.Type type) {
-        return type == Body.Type.BOX || type == Body.Type.CYLINDER;
+        return type == Body.Type.BOX || type == Body.Type.CYLINDER || type == Body.Type.CAPSULE;
     }
 
     private double[] level() {
@@ -88,6 +88,7 @@ final class SpacePairs {
         return switch (type) {
             case BOX -> Body.box(origin, new double[] {length(), length(), length()}, r, true);
             case CYLINDER -> Body.cylinder(origin, length(), length(), new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1}, true);
+            case CAPSULE -> Body.capsule(origin, length(), length(), new double[] {1, 0, 0, 0, 1, 0, 0, 0, 1}, true);
             default -> turned(type, random.nextInt(3), n);
         };
     }
@@ -111,6 +112,7 @@ final class SpacePairs {
                         false);
             // The axis is its second column.
             case CYLINDER -> Body.cylinder(origin, length(), length(), Vec.turnedRound(r, 1), false);
+            case CAPSULE -> Body.capsule(origin, length(), length(), Vec.turnedRound(r, 1), false);
             case SPHERE -> Body.sphere(origin, length());
             case TRIANGLE -> triangle(feature, n, across);
         };

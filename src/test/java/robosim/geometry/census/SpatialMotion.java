@@ -9,7 +9,7 @@ import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.overlap.SpatialOverlap;
 
 /**
- * A motion in space of a box, triangle, cylinder or sphere against another, of which the twin follows the distance by pairs
+ * A motion in space of a box, triangle, cylinder, sphere or capsule against another, of which the twin follows the distance by pairs
  * of features: nothing is met earlier than told, and where something is, the two are as close as the claim says.
  *
  * <p>Half of the cases are aimed: at a share of the way two features are put so that they meet there, or pass each other by
@@ -45,7 +45,12 @@ abstract class SpatialMotion implements Kernel {
         {LeafKind.SPHERE, LeafKind.BOX},
         {LeafKind.TRIANGLE, LeafKind.BOX},
         {LeafKind.TRIANGLE, LeafKind.SPHERE},
-        {LeafKind.SPHERE, LeafKind.CYLINDER}
+        {LeafKind.SPHERE, LeafKind.CYLINDER},
+        {LeafKind.CAPSULE, LeafKind.BOX},
+        {LeafKind.TRIANGLE, LeafKind.CAPSULE},
+        {LeafKind.CAPSULE, LeafKind.CYLINDER},
+        {LeafKind.CAPSULE, LeafKind.CAPSULE},
+        {LeafKind.SPHERE, LeafKind.CAPSULE}
     };
 
     private static final int[] FLAT = {0, 0, 0, 1, 1, 1, 2, 5};
@@ -95,6 +100,7 @@ abstract class SpatialMotion implements Kernel {
                 "MANTLE_ON_EDGE",
                 "MANTLES",
                 "SPHERE",
+                "CAPSULE",
                 FREE,
                 CLOSE,
                 CLOSER,

@@ -11,7 +11,7 @@ final class SpatialTurn extends SpatialMotion {
 
     @Override
     public String name() {
-        return "turn of a box, triangle, cylinder or sphere against another, in space";
+        return "turn of a box, triangle, cylinder, sphere or capsule against another, in space";
     }
 
     @Override

@@ -10,7 +10,7 @@ final class SpatialWay extends SpatialMotion {
 
     @Override
     public String name() {
-        return "translation of a box, triangle, cylinder or sphere against another, in space";
+        return "translation of a box, triangle, cylinder, sphere or capsule against another, in space";
     }
 
     @Override

@@ -10,8 +10,8 @@ import robosim.geometry.reference.Quantity.Arithmetic;
 
 /**
  * Yes or no about forms that are given by their stored numbers, in the real-number geometry of these numbers. The
- * numbers of a form stand in a row: centre, three half sizes (or radius and half height), a row-major rotation; or the
- * nine coordinates of a triangle.
+ * numbers of a form stand in a row: centre, three half sizes (or radius and half height, of a capsule half its segment), a
+ * row-major rotation; or the nine coordinates of a triangle.
  */
 public final class Truth {
     /** With doubles, or not at all. */
@@ -27,8 +27,11 @@ public final class Truth {
         TRIANGLE,
         SPHERE,
         UPRIGHT_CYLINDER,
-        CYLINDER;
+        CYLINDER,
+        UPRIGHT_CAPSULE,
+        CAPSULE;
 
+        /** Whether it is a vertical prism. */
         boolean isUpright() {
             return this == UPRIGHT_BOX || this == UPRIGHT_CYLINDER;
         }
@@ -37,17 +40,25 @@ public final class Truth {
             return this == UPRIGHT_CYLINDER || this == CYLINDER;
         }
 
+        /** Whether it is a capsule, upright or turned. */
+        public boolean isCapsule() {
+            return this == UPRIGHT_CAPSULE || this == CAPSULE;
+        }
+
         boolean isRound() {
-            return this == SPHERE || isCylinder();
+            return this == SPHERE || isCylinder() || isCapsule();
         }
     }
 
     private Truth() {}
 
-    /** Whether the projections of two forms touch or overlap; knows no turned cylinders. */
+    /** Whether the projections of two forms touch or overlap; knows no turned cylinders, and turned capsules by discs. */
     public static boolean planar(Arithmetic n, Form formA, double[] a, Form formB, double[] b) {
         if (formA == Form.CYLINDER || formB == Form.CYLINDER) {
             throw new IllegalArgumentException("no oracle for turned cylinders (got: " + formA + ", " + formB + ")");
+        }
+        if (formA == Form.CAPSULE || formB == Form.CAPSULE) {
+            return CapsuleTruth.planar(n, formA, a, formB, b);
         }
         if (formA.isRound() && formB.isRound()) {
             Quantity[] offset = minus(flat(n, a), flat(n, b));
@@ -64,6 +75,9 @@ public final class Truth {
 
     /** Whether two forms touch or overlap; of turned cylinders, only those parallel to each other are known. */
     public static boolean spatial(Arithmetic n, Form formA, double[] a, Form formB, double[] b) {
+        if (formA.isCapsule() || formB.isCapsule()) {
+            return CapsuleTruth.spatial(n, formA, a, formB, b);
+        }
         if (formA.isUpright() && formB.isUpright()) {
             Quantity apart = abs(n.of(a[1]).minus(n.of(b[1])));
             return atMost(apart, n.of(a[4]).plus(n.of(b[4]))) && planar(n, formA, a, formB, b);
@@ -96,6 +110,9 @@ public final class Truth {
     public static boolean planarRay(Arithmetic n, double[] ray, Form form, double[] row) {
         Quantity[] start = Vectors.of(n, ray[0], 0, ray[2]);
         Quantity[] direction = Vectors.of(n, ray[3], 0, ray[5]);
+        if (form == Form.CAPSULE) {
+            return CapsuleTruth.planarRay(n, start, direction, row);
+        }
         return form.isRound()
                 ? ballIsHit(start, direction, flat(n, row), n.of(row[3]))
                 : Clip.rayMeets(start, direction, outline(n, form, row).slabs);
@@ -107,6 +124,9 @@ public final class Truth {
         Quantity[] direction = Vectors.of(n, ray[3], ray[4], ray[5]);
         if (form == Form.SPHERE) {
             return ballIsHit(start, direction, centre(n, row), n.of(row[3]));
+        }
+        if (form.isCapsule()) {
+            return CapsuleTruth.spatialRay(n, start, direction, form, row);
         }
         return form.isCylinder()
                 ? tube(n, form, row).isHitBy(start, direction)
@@ -131,7 +151,7 @@ public final class Truth {
         return dot(u, cross(v, w)).signum();
     }
 
-    private static boolean ballIsHit(Quantity[] start, Quantity[] direction, Quantity[] centre, Quantity radius) {
+    static boolean ballIsHit(Quantity[] start, Quantity[] direction, Quantity[] centre, Quantity radius) {
         Quantity[] offset = minus(centre, start);
         Quantity most = radius.times(radius);
         if (atMost(dot(offset, offset), most)) {

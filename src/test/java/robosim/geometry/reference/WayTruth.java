@@ -110,9 +110,11 @@ public final class WayTruth {
 
     /** In space, a sphere against a sphere, a box or a triangle. */
     public static boolean ball(Arithmetic n, double[] a, double[] d, Form formB, double[] b) {
-        Quantity[] from = Vectors.of(n, a[0], a[1], a[2]);
-        Quantity[] way = Vectors.of(n, d[0], d[1], d[2]);
-        Quantity radius = n.of(a[3]);
+        return ball(n, Vectors.of(n, a[0], a[1], a[2]), Vectors.of(n, d[0], d[1], d[2]), n.of(a[3]), formB, b);
+    }
+
+    static boolean ball(
+            Arithmetic n, Quantity[] from, Quantity[] way, Quantity radius, Form formB, double[] b) {
         if (formB == Form.SPHERE) {
             Quantity both = radius.plus(n.of(b[3]));
             return Hull.isNearSegment(minus(Vectors.of(n, b[0], b[1], b[2]), from), way, both.times(both));
@@ -138,7 +140,7 @@ public final class WayTruth {
     }
 
     /** Whether two segments, w from the one's start to the other's, are near each other between their ends. */
-    private static boolean isNearWithin(Quantity[] w, Quantity[] way, Quantity[] edge, Quantity most) {
+    static boolean isNearWithin(Quantity[] w, Quantity[] way, Quantity[] edge, Quantity most) {
         Quantity[] across = cross(way, edge);
         Quantity whole = dot(across, across);
         if (whole.signum() == 0) {

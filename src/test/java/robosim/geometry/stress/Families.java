@@ -1,10 +1,12 @@
 package robosim.geometry.stress;
 
 import static robosim.geometry.reference.Truth.Form.BOX;
+import static robosim.geometry.reference.Truth.Form.CAPSULE;
 import static robosim.geometry.reference.Truth.Form.CYLINDER;
 import static robosim.geometry.reference.Truth.Form.SPHERE;
 import static robosim.geometry.reference.Truth.Form.TRIANGLE;
 import static robosim.geometry.reference.Truth.Form.UPRIGHT_BOX;
+import static robosim.geometry.reference.Truth.Form.UPRIGHT_CAPSULE;
 import static robosim.geometry.reference.Truth.Form.UPRIGHT_CYLINDER;
 
 import java.util.ArrayList;
@@ -13,13 +15,15 @@ import robosim.geometry.reference.Truth.Form;
 
 /** All families of questions. */
 final class Families {
-    private static final Form[] DISCS = {UPRIGHT_CYLINDER, SPHERE};
+    private static final Form[] DISCS = {UPRIGHT_CYLINDER, SPHERE, UPRIGHT_CAPSULE};
     private static final Form[] RECTANGLE = {UPRIGHT_BOX};
     private static final Form[] POLYGONS = {BOX, UPRIGHT_BOX};
     private static final Form[] TRIANGLES = {TRIANGLE};
     private static final Form[] BALL = {SPHERE};
     private static final Form[] UPRIGHT_TUBE = {UPRIGHT_CYLINDER};
     private static final Form[] TURNED_TUBE = {CYLINDER};
+    private static final Form[] CAPSULES = {UPRIGHT_CAPSULE, CAPSULE};
+    private static final Form[] TURNED_CAPSULE = {CAPSULE};
 
     private Families() {}
 
@@ -62,6 +66,11 @@ final class Families {
         all.add(new OverlapFamily("upright cylinder-turned box", false, UPRIGHT_TUBE, new Form[] {BOX}, 1.3));
         all.add(new OverlapFamily("parallel cylinders", false, TURNED_TUBE, TURNED_TUBE, 1.4, true));
         all.add(new OverlapFamily("cylinder-triangle", false, new Form[] {UPRIGHT_CYLINDER, CYLINDER}, TRIANGLES, 1));
+        all.add(new OverlapFamily("capsule-sphere", false, CAPSULES, BALL, 1.4));
+        all.add(new OverlapFamily("capsule-box", false, CAPSULES, POLYGONS, 1.2));
+        all.add(new OverlapFamily("capsule-triangle", false, CAPSULES, TRIANGLES, 0.9));
+        all.add(new OverlapFamily("capsule-capsule", false, CAPSULES, CAPSULES, 1.1));
+        all.add(new OverlapFamily("parallel capsules", false, TURNED_CAPSULE, TURNED_CAPSULE, 1.2, true));
     }
 
     private static void rays(List<Family> all) {
@@ -74,6 +83,8 @@ final class Families {
         all.add(new RayFamily("ray-sphere", false, BALL, 1.3));
         all.add(new RayFamily("ray-upright cylinder", false, UPRIGHT_TUBE, 1.2));
         all.add(new RayFamily("ray-turned cylinder", false, TURNED_TUBE, 1.2));
+        all.add(new RayFamily("planar ray-capsule", true, TURNED_CAPSULE, 1.5));
+        all.add(new RayFamily("ray-capsule", false, CAPSULES, 1));
     }
 
     private static void meshes(List<Family> all) {

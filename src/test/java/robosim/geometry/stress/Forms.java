@@ -23,7 +23,7 @@ final class Forms {
         for (int k = 3; k < 6; k++) {
             row[k] = 0.2 + 0.8 * random.nextDouble();
         }
-        if (form == Form.BOX || form == Form.CYLINDER) {
+        if (isTurned(form)) {
             turn(random, row);
         } else {
             yaw(row, between(random, Math.PI));
@@ -43,7 +43,7 @@ final class Forms {
             row[k] = random.nextInt(-3, 4);
             row[3 + k] = random.nextInt(0, 4) * (random.nextInt(4) == 0 ? 0.5 : 1);
         }
-        if (form == Form.BOX || form == Form.CYLINDER) {
+        if (isTurned(form)) {
             switch (random.nextInt(3)) {
                 case 0 -> turn(random, row);
                 case 1 -> tilted(random, row);
@@ -202,6 +202,7 @@ final class Forms {
         return switch (form) {
             case SPHERE -> row[3];
             case UPRIGHT_CYLINDER, CYLINDER -> Math.hypot(row[3], row[4]);
+            case UPRIGHT_CAPSULE, CAPSULE -> row[3] + row[4];
             case UPRIGHT_BOX, BOX -> Math.sqrt(row[3] * row[3] + row[4] * row[4] + row[5] * row[5]);
             case TRIANGLE -> {
                 double most = 0;
@@ -245,6 +246,10 @@ final class Forms {
             }
             return;
         }
+        if (form.isCapsule()) {
+            onCapsule(form, row, share, out);
+            return;
+        }
         double x = row[3] * share[0];
         double y = row[4] * share[1];
         double z = row[form == Form.UPRIGHT_BOX || form == Form.BOX ? 5 : 3] * share[2];
@@ -253,12 +258,44 @@ final class Forms {
             x /= n;
             z /= n;
         }
-        boolean isTurned = form != Form.UPRIGHT_CYLINDER;
         for (int k = 0; k < 3; k++) {
-            out[k] = isTurned
+            out[k] = hasAxes(form)
                     ? row[k] + x * row[6 + 3 * k] + y * row[7 + 3 * k] + z * row[8 + 3 * k]
                     : row[k] + (k == 0 ? x : k == 1 ? y : z);
         }
+    }
+
+    /** At an end or beside the middle of the segment, as far off as the radius, or less. */
+    private static void onCapsule(Form form, double[] row, double[] share, double[] out) {
+        double n = Math.max(1, Math.hypot(Math.hypot(share[0], share[1]), share[2]));
+        double along = row[4] * share[1];
+        for (int k = 0; k < 3; k++) {
+            double axis = axis(form, row, k);
+            double off = form == Form.CAPSULE
+                    ? share[0] * row[6 + 3 * k] + share[1] * axis + share[2] * row[8 + 3 * k]
+                    : share[k];
+            out[k] = row[k] + along * axis + row[3] * off / n;
+        }
+    }
+
+    /** A coordinate of a capsule's own Y. */
+    static double axis(Form form, double[] row, int k) {
+        return form == Form.CAPSULE ? row[7 + 3 * k] : k == 1 ? 1 : 0;
+    }
+
+    /** Whether it has any attitude. */
+    static boolean isTurned(Form form) {
+        return form == Form.BOX || form == Form.CYLINDER || form == Form.CAPSULE;
+    }
+
+    /** Whether its row holds a rotation that counts. */
+    static boolean hasAxes(Form form) {
+        return isTurned(form) || form == Form.UPRIGHT_BOX;
+    }
+
+    /** About how far a form other than a triangle reaches along one of its axes. */
+    static double size(Form form, double[] row, int axis) {
+        return !form.isCapsule() ? row[3 + axis] : axis == 1 ? row[3] + row[4] : row[3];
     }
 
     static double between(SplittableRandom random, double size) {

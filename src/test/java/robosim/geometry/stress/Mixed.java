@@ -112,11 +112,10 @@ final class Mixed {
         }
         boolean round = form == Form.SPHERE;
         double x = row[3] * Forms.between(random, 1.3);
-        double y = row[round ? 3 : 4] * Forms.between(random, 1.3);
+        double y = (form.isCapsule() ? row[3] + row[4] : row[round ? 3 : 4]) * Forms.between(random, 1.3);
         double z = row[form == Form.UPRIGHT_BOX || form == Form.BOX ? 5 : 3] * Forms.between(random, 1.3);
-        boolean isTurned = form == Form.UPRIGHT_BOX || form == Form.BOX || form == Form.CYLINDER;
         for (int k = 0; k < 3; k++) {
-            out[k] = isTurned
+            out[k] = Forms.hasAxes(form)
                     ? row[k] + x * row[6 + 3 * k] + y * row[7 + 3 * k] + z * row[8 + 3 * k]
                     : row[k] + (k == 0 ? x : k == 1 ? y : z);
         }

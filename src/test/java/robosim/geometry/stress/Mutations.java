@@ -177,7 +177,6 @@ final class Mutations {
     static void lay(Form form, double[] row, double[] triangle, SplittableRandom random, double gap) {
         int axis = random.nextInt(3);
         double side = random.nextBoolean() ? 1 : -1;
-        boolean isTurned = form != Form.SPHERE && form != Form.UPRIGHT_CYLINDER;
         int corners = random.nextInt(1, 4); // how many lie on it; the others stand off
         for (int corner = 0; corner < 3; corner++) {
             double off = corner < corners ? gap : gap + random.nextDouble();
@@ -186,9 +185,9 @@ final class Mutations {
             for (int k = 0; k < 3; k++) {
                 double value = row[k];
                 for (int j = 0; j < 3; j++) {
-                    double size = form == Form.SPHERE ? row[3] : row[3 + j];
+                    double size = form == Form.SPHERE ? row[3] : Forms.size(form, row, j);
                     double way = share[j] * size + (j == axis ? side * off : 0);
-                    value += way * (isTurned ? row[6 + 3 * k + j] : j == k ? 1 : 0);
+                    value += way * (Forms.hasAxes(form) ? row[6 + 3 * k + j] : j == k ? 1 : 0);
                 }
                 triangle[3 * corner + k] = value;
             }
@@ -225,12 +224,16 @@ final class Mutations {
                 }
             }
         }
+        double end = random.nextInt(-1, 2);
+        double otherEnd = random.nextInt(-1, 2);
         for (int k = 0; k < 3; k++) {
             c.b[k] = p[k] + step[k];
+            c.b[k] += c.formA.isCapsule() ? end * c.a[4] * Forms.axis(c.formA, c.a, k) : 0;
+            c.b[k] -= c.formB.isCapsule() ? otherEnd * c.b[4] * Forms.axis(c.formB, c.b, k) : 0;
         }
     }
 
     private static boolean isRound(Form form) {
-        return form == Form.SPHERE || form == Form.UPRIGHT_CYLINDER || form == Form.CYLINDER;
+        return form == Form.SPHERE || form == Form.UPRIGHT_CYLINDER || form == Form.CYLINDER || form.isCapsule();
     }
 }

@@ -44,6 +44,8 @@ final class OverlapFamily extends Family {
             case SPHERE -> LeafKind.SPHERE;
             case UPRIGHT_CYLINDER -> LeafKind.UPRIGHT_CYLINDER;
             case CYLINDER -> LeafKind.CYLINDER;
+            case UPRIGHT_CAPSULE -> LeafKind.UPRIGHT_CAPSULE;
+            case CAPSULE -> LeafKind.CAPSULE;
         };
     }
 
@@ -249,7 +251,7 @@ final class OverlapFamily extends Family {
                 Mutations.lay(c.formB, c.b, c.a, random, gap);
                 return;
             }
-            if (c.formA == Form.BOX || c.formA == Form.CYLINDER || c.formB == Form.UPRIGHT_BOX) {
+            if (Forms.isTurned(c.formA) || c.formB == Form.UPRIGHT_BOX) {
                 System.arraycopy(c.a, 6, c.b, 6, 9);
                 if (c.formB == Form.UPRIGHT_BOX && c.formA != Form.UPRIGHT_BOX) {
                     Forms.yaw(c.b, Forms.between(random, 3));
@@ -260,10 +262,10 @@ final class OverlapFamily extends Family {
             double side = random.nextBoolean() ? 1 : -1;
             for (int k = 0; k < 3; k++) {
                 double share = k == axis ? side : Forms.between(random, 1);
-                double way = (c.a[3 + k] + c.b[3 + k]) * share + (k == axis ? side * gap : 0);
+                double sizes = Forms.size(c.formA, c.a, k) + Forms.size(c.formB, c.b, k);
+                double way = sizes * share + (k == axis ? side * gap : 0);
                 for (int r = 0; r < 3; r++) {
-                    boolean isTurned = c.formA != Form.SPHERE && c.formA != Form.UPRIGHT_CYLINDER;
-                    c.b[r] += way * (isTurned ? c.a[6 + 3 * r + k] : r == k ? 1 : 0);
+                    c.b[r] += way * (Forms.hasAxes(c.formA) ? c.a[6 + 3 * r + k] : r == k ? 1 : 0);
                 }
             }
         }

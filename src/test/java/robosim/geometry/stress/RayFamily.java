@@ -43,6 +43,12 @@ final class RayFamily extends Family {
         return hit ? 1 : 0;
     }
 
+    /** Where a ray meets a round end of a capsule is always told in pairs of doubles. */
+    @Override
+    double exactAtRandom() {
+        return forms[forms.length - 1] == Form.CAPSULE ? 0.7 : super.exactAtRandom();
+    }
+
     @Override
     String call() {
         return planar

@@ -61,7 +61,7 @@ class NormalsTest {
 
     /** The plan of an upright leaf is that of the leaf in space, met on the level. */
     @ParameterizedTest
-    @EnumSource(names = {"UPRIGHT_BOX", "UPRIGHT_CYLINDER", "SPHERE", "PRISM"})
+    @EnumSource(names = {"UPRIGHT_BOX", "UPRIGHT_CYLINDER", "SPHERE", "PRISM", "UPRIGHT_CAPSULE"})
     void aPlanHasTheNormalsOfTheLevel(LeafKind kind) {
         SplittableRandom random = new SplittableRandom(20 + kind.ordinal());
         int checked = 0;
@@ -86,7 +86,7 @@ class NormalsTest {
 
     /** Against the extreme points of the projection: nothing of it is beyond the tangent at the place that was hit. */
     @ParameterizedTest
-    @EnumSource(names = {"BOX", "CYLINDER", "TRIANGLE"})
+    @EnumSource(names = {"BOX", "CYLINDER", "TRIANGLE", "CAPSULE"})
     void nothingOfAPlanIsBeyondItsTangent(LeafKind kind) {
         SplittableRandom random = new SplittableRandom(40 + kind.ordinal());
         int left = 0;
@@ -116,14 +116,21 @@ class NormalsTest {
         // At a corner either face is met about as often; an oval has no corners.
         assertThat(List.of(left, right))
                 .allSatisfy(count -> assertThat(count)
-                        .isBetween(kind == LeafKind.CYLINDER ? 0 : 100, kind == LeafKind.CYLINDER ? 0 : 200));
+                        .isBetween(kind.isRound() ? 0 : 100, kind.isRound() ? 0 : 200));
     }
 
     @Test
     void aStartInsideGetsTheOppositeOfTheRay() {
         double[] box = {0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
         for (LeafKind kind :
-                new LeafKind[] {LeafKind.UPRIGHT_BOX, LeafKind.BOX, LeafKind.UPRIGHT_CYLINDER, LeafKind.SPHERE}) {
+                new LeafKind[] {
+                    LeafKind.UPRIGHT_BOX,
+                    LeafKind.BOX,
+                    LeafKind.UPRIGHT_CYLINDER,
+                    LeafKind.SPHERE,
+                    LeafKind.UPRIGHT_CAPSULE,
+                    LeafKind.CAPSULE
+                }) {
             at(new double[] {.25, .25, 0}, new double[] {3, 4, 0}, kind, box, Dimension.SPATIAL);
             assertThat(normal).containsExactly(new double[] {-.6, -.8, 0}, within(1e-15));
             at(new double[] {.25, 9, 0}, new double[] {3, 9, 4}, kind, box, Dimension.PLANAR);
@@ -168,10 +175,10 @@ class NormalsTest {
                 p[k] = (row[at] + row[at + 1]) / 2 + s[k] * (row[at + 1] - row[at]) / 2;
             } else if (kind == LeafKind.SPHERE) {
                 p[k] += s[k] * row[3];
-            } else if (kind == LeafKind.UPRIGHT_CYLINDER) {
+            } else if (kind == LeafKind.UPRIGHT_CYLINDER || kind == LeafKind.UPRIGHT_CAPSULE) {
                 p[k] += s[k] * row[k == 1 ? 4 : 3];
             } else {
-                double[] half = kind == LeafKind.CYLINDER
+                double[] half = kind.isRound()
                         ? new double[] {row[3], row[4], row[3]}
                         : new double[] {row[3], row[4], row[5]};
                 for (int own = 0; own < 3; own++) {
@@ -196,6 +203,10 @@ class NormalsTest {
         double[] along = new double[3];
         for (int i = 0; i < 3; i++) {
             along[i] = row[6 + i] * n[0] + row[12 + i] * n[2];
+        }
+        if (kind == LeafKind.CAPSULE) {
+            double end = Math.copySign(row[4], along[1]);
+            return new double[] {p[0] + end * row[7] + row[3] * n[0], 0, p[2] + end * row[13] + row[3] * n[2]};
         }
         double round = Math.hypot(along[0], along[2]);
         for (int i = 0; i < 3; i++) {
