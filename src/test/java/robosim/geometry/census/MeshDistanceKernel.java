@@ -27,6 +27,11 @@ final class MeshDistanceKernel implements Kernel {
     }
 
     @Override
+    public double effort() {
+        return 1.2;
+    }
+
+    @Override
     public List<String> regimes() {
         List<String> regimes = new ArrayList<>();
         for (String other : OTHERS) {

@@ -29,7 +29,7 @@ final class PlanarSight implements Kernel {
 
     @Override
     public double effort() {
-        return PlanarCases.isOval(forms[0]) ? 0.5 : 1;
+        return forms[0] == Form.CYLINDER ? 0.5 : 1;
     }
 
     @Override

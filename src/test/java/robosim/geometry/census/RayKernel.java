@@ -26,7 +26,7 @@ final class RayKernel implements Kernel {
 
     @Override
     public double effort() {
-        return 1.3;
+        return 1.6;
     }
 
     @Override
@@ -65,6 +65,10 @@ final class RayKernel implements Kernel {
         int faces = type == Body.Type.TRIANGLE ? 4 : 7;
         int aimed = type == Body.Type.SPHERE ? 8 : type == Body.Type.CYLINDER ? 17 : 14;
         int feature = state >= faces ? random.nextInt(3) : type == Body.Type.CYLINDER ? 1 + random.nextInt(2) : 2;
+        if (type == Body.Type.CAPSULE) {
+            feature = random.nextInt(2); // its side is met where that is in front only
+            aimed = 10;
+        }
         Body body = pairs.showing(type, feature, n);
         double[] place = Vec.plus(
                 new double[3], adversarial ? 1000 * random.nextDouble() : random.nextDouble(), Vec.direction(random));

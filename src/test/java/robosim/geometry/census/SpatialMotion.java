@@ -89,6 +89,11 @@ abstract class SpatialMotion implements Kernel {
     double[] point = new double[3];
 
     @Override
+    public double effort() {
+        return 1.2;
+    }
+
+    @Override
     public List<String> regimes() {
         return List.of(
                 "CORNER_ON_SIDE",
