@@ -45,6 +45,7 @@ class AppJarIT {
     private Run java(List<String> how, Object... arguments) throws Exception {
         List<String> command = new ArrayList<>();
         command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        command.add("-XX:TieredStopAtLevel=1");
         command.addAll(how);
         for (Object argument : arguments) {
             command.add(argument.toString());

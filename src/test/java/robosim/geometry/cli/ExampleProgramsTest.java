@@ -35,6 +35,7 @@ class ExampleProgramsTest {
         assertThat(Files.readString(source)).as("the header of %s", source).contains(command);
         List<String> words = new ArrayList<>(List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:TieredStopAtLevel=1",
                 "-cp",
                 Program.home().toString(),
                 source.toString()));

@@ -7,6 +7,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
 import robosim.geometry.model.Accuracy;
@@ -37,7 +38,8 @@ class CapsuleMovesTest {
         RandomObjects objects = new RandomObjects(random, 3);
         int met = 0;
         int free = 0;
-        for (int k = 0; k < 45; k++) {
+        int count = Effort.cases(20);
+        for (int k = 0; k < count; k++) {
             GeometryObject still = objects.plain();
             if (still.kind() == GeometryObject.Kind.GROUP || still.kind() == GeometryObject.Kind.CYLINDER) {
                 continue;
@@ -70,8 +72,8 @@ class CapsuleMovesTest {
                     .isLessThanOrEqualTo(truth.doubleValue())
                     .isGreaterThan(truth.doubleValue() - 1e-7);
         }
-        assertThat(met).isGreaterThan(10);
-        assertThat(free).isGreaterThan(1);
+        assertThat(met).isGreaterThan(count / 5);
+        assertThat(free).isPositive();
     }
 
     /** It stands on a floor of tiles of equal height, and lies on it. */

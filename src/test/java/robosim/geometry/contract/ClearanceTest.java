@@ -8,6 +8,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
 import robosim.geometry.model.Accuracy;
@@ -23,7 +24,7 @@ import robosim.geometry.model.SphereObject;
 
 /** Moves to contact of robots of several parts: all of them stay away from what one of them would meet. */
 class ClearanceTest {
-    private static final int DRIVES = 1_500;
+    private static final int DRIVES = Effort.cases(500);
 
     @Test
     void aPartThatWouldPassByStaysAwayToo() {

@@ -8,6 +8,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
 import robosim.geometry.model.Accuracy;
@@ -21,7 +22,8 @@ import robosim.geometry.reference.Reference;
 
 /** Robots that live among walls for a long time. */
 class SlideTest {
-    private static final int STEPS = 100_000;
+    private static final int STEPS = Effort.cases(25_000);
+    private static final int TURNS = 50_000;
     private static final double CLEARANCE = 1e-3;
     private static final int WALLS = 12;
 
@@ -84,7 +86,7 @@ class SlideTest {
                 noneIsOverlapped(world, dimension);
             }
         }
-        assertThat(stops).isGreaterThan(1000);
+        assertThat(stops).isGreaterThan(STEPS / 100);
         assertThat(slides).isGreaterThan(stops / 2);
     }
 
@@ -160,7 +162,7 @@ class SlideTest {
         BoxObject robot =
                 new BoxObject(new Point(1, 0, 2), 1, 1, 0.5).turned(0, 13).moveable("robot");
         assertThat(world.addObject(robot)).isTrue();
-        for (int k = 0; k < STEPS / 2; k++) {
+        for (int k = 0; k < TURNS; k++) {
             assertThat(world.simpleMove("robot", 0.01, 0, 0)).isTrue();
             assertThat(world.simpleTurn("robot", k % 2 == 0 ? 0.1 : 0.62)).isTrue();
         }

@@ -24,6 +24,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.Snapshot;
 import robosim.geometry.model.Accuracy;
@@ -37,6 +38,7 @@ import robosim.geometry.model.Point;
 /** Worlds made of a snapshot answer to the bit as the one it is of, share what stands still, and keep changes to themselves. */
 class SnapshotTest {
     private static final double SIZE = 64;
+    private static final int QUESTIONS = Effort.cases(300);
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
     /** Of all objects; one in so many moves. */
@@ -97,16 +99,16 @@ class SnapshotTest {
         Geometry copyOfCopy = copy.snapshot().toGeometry();
         List<Geometry> siblings = snapshot.toGeometries(2);
 
-        List<String> truth = kind.ask(world, 600, 5);
+        List<String> truth = kind.ask(world, QUESTIONS, 5);
         assertThat(truth).anyMatch(line -> line.contains("go true")).anyMatch(line -> line.contains("go false"));
         assertThat(truth).anyMatch(line -> line.contains("test true")).anyMatch(line -> line.contains("test false"));
-        assertThat(kind.ask(anew, 600, 5)).as("built anew").isEqualTo(truth);
-        assertThat(kind.ask(copy, 600, 5)).as("a copy").isEqualTo(truth);
-        assertThat(kind.ask(copyOfCopy, 600, 5)).as("a copy's copy").isEqualTo(truth);
-        assertThat(kind.ask(siblings.get(0), 600, 5)).as("one of two").isEqualTo(truth);
-        assertThat(kind.ask(siblings.get(1), 600, 5)).as("the other").isEqualTo(truth);
-        assertThat(kind.ask(read.toGeometry(), 600, 5)).as("read from a stream").isEqualTo(truth);
-        assertThat(kind.ask(snapshot.toGeometry(), 600, 6))
+        assertThat(kind.ask(anew, QUESTIONS, 5)).as("built anew").isEqualTo(truth);
+        assertThat(kind.ask(copy, QUESTIONS, 5)).as("a copy").isEqualTo(truth);
+        assertThat(kind.ask(copyOfCopy, QUESTIONS, 5)).as("a copy's copy").isEqualTo(truth);
+        assertThat(kind.ask(siblings.get(0), QUESTIONS, 5)).as("one of two").isEqualTo(truth);
+        assertThat(kind.ask(siblings.get(1), QUESTIONS, 5)).as("the other").isEqualTo(truth);
+        assertThat(kind.ask(read.toGeometry(), QUESTIONS, 5)).as("read from a stream").isEqualTo(truth);
+        assertThat(kind.ask(snapshot.toGeometry(), QUESTIONS, 6))
                 .as("other questions")
                 .isNotEqualTo(truth);
         assertThat(exactly(read.objects())).isEqualTo(exactly(snapshot.objects()));
@@ -128,14 +130,14 @@ class SnapshotTest {
         change(changed, kind, new SplittableRandom(8));
         change(world, kind, new SplittableRandom(8));
         assertThat(exactly(changed.objects())).isEqualTo(exactly(world.objects()));
-        List<String> truth = kind.ask(world, 500, 9);
-        assertThat(kind.ask(changed, 500, 9)).as("changed").isEqualTo(truth);
-        assertThat(kind.ask(changed.snapshot().toGeometry(), 500, 10))
+        List<String> truth = kind.ask(world, QUESTIONS, 9);
+        assertThat(kind.ask(changed, QUESTIONS, 9)).as("changed").isEqualTo(truth);
+        assertThat(kind.ask(changed.snapshot().toGeometry(), QUESTIONS, 10))
                 .as("a copy of what was changed")
-                .isEqualTo(kind.ask(world, 500, 10));
-        List<String> before = kind.ask(snapshot.toGeometry(), 500, 9);
+                .isEqualTo(kind.ask(world, QUESTIONS, 10));
+        List<String> before = kind.ask(snapshot.toGeometry(), QUESTIONS, 9);
         assertThat(before).isNotEqualTo(truth);
-        assertThat(kind.ask(untouched, 500, 9)).as("made before").isEqualTo(before);
+        assertThat(kind.ask(untouched, QUESTIONS, 9)).as("made before").isEqualTo(before);
     }
 
     /** Static and moveable objects come; then some that were shared go, and more come. */
@@ -182,13 +184,13 @@ class SnapshotTest {
                     if (changes) {
                         change(copy, kind, new SplittableRandom(8));
                     }
-                    return kind.ask(copy, 600, 5);
+                    return kind.ask(copy, QUESTIONS, 5);
                 }));
             }
             Geometry changed = snapshot.toGeometry();
             change(changed, kind, new SplittableRandom(8));
-            List<String> ofChanged = kind.ask(changed, 600, 5);
-            List<String> truth = kind.ask(world, 600, 5);
+            List<String> ofChanged = kind.ask(changed, QUESTIONS, 5);
+            List<String> truth = kind.ask(world, QUESTIONS, 5);
             for (int k = 0; k < threads; k++) {
                 assertThat(answers.get(k).get()).as("thread %d", k).isEqualTo(k % 4 == 3 ? ofChanged : truth);
             }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
 import robosim.geometry.model.Accuracy;
@@ -23,7 +24,7 @@ import robosim.geometry.reference.StandingTruth;
 
 /** Straight moves on a lattice, where contacts of all kinds are common, against the rule as linear programs know it. */
 class StandingAgainstTruthTest {
-    private static final int CASES = Integer.getInteger("standing.cases", 800);
+    private static final int CASES = Integer.getInteger("standing.cases", Effort.cases(350));
 
     @ParameterizedTest
     @EnumSource(Dimension.class)

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import robosim.geometry.Effort;
 import robosim.geometry.Geometry;
 import robosim.geometry.MoveResult;
 import robosim.geometry.RayHit;
@@ -45,7 +46,7 @@ class WorldAgainstListTest {
         Geometry world = new Geometry(SIZE, SIZE, SIZE, dimension, accuracy);
         fill(world, list, objects, random, count);
         Geometry shuffled = shuffled(list, random, dimension, accuracy);
-        for (int round = 0; round < 20; round++) {
+        for (int round = 0; round < Effort.cases(8); round++) {
             overlaps(world, shuffled, list, objects, random);
             beams(world, shuffled, list, objects, random);
             casts(world, shuffled, list, objects, random);

@@ -5,9 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
+import java.io.UncheckedIOException;
 import java.lang.reflect.InvocationTargetException;
 import java.net.URL;
 import java.net.URLClassLoader;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -15,6 +17,8 @@ import java.util.stream.Collectors;
 import javax.tools.DiagnosticCollector;
 import javax.tools.JavaCompiler;
 import javax.tools.JavaFileObject;
+import javax.tools.StandardJavaFileManager;
+import javax.tools.StandardLocation;
 import javax.tools.ToolProvider;
 import org.junit.platform.engine.TestExecutionResult;
 import org.junit.platform.engine.discovery.DiscoverySelectors;
@@ -25,15 +29,25 @@ import org.junit.platform.launcher.core.LauncherFactory;
 
 /** Compiles and runs snippets. */
 final class SnippetRunner {
+    private static final JavaCompiler COMPILER = ToolProvider.getSystemJavaCompiler();
+
+    /** One for all snippets: it keeps the jars of the class path open. */
+    private static final StandardJavaFileManager FILES =
+            COMPILER.getStandardFileManager(null, null, StandardCharsets.UTF_8);
+
     private SnippetRunner() {}
 
     /** Compiles a snippet into a folder; throws what the compiler says. */
     static void compile(Block block, Snippet snippet, Path into) {
-        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         DiagnosticCollector<JavaFileObject> said = new DiagnosticCollector<>();
-        List<String> options =
-                List.of("-proc:none", "-nowarn", "-d", into.toString(), "-cp", System.getProperty("java.class.path"));
-        if (!compiler.getTask(null, null, said, options, null, List.of(snippet.file()))
+        try {
+            FILES.setLocationFromPaths(StandardLocation.CLASS_OUTPUT, List.of(into));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        List<String> options = List.of("-proc:none", "-nowarn");
+        if (!COMPILER
+                .getTask(null, FILES, said, options, null, List.of(snippet.file()))
                 .call()) {
             List<String> lines = snippet.source.lines().toList();
             throw new AssertionError(said.getDiagnostics().stream()

@@ -7,6 +7,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Effort;
 
 class DegreesTest {
     private static final MathContext DIGITS = new MathContext(60);
@@ -51,7 +52,7 @@ class DegreesTest {
     void withinOneAndAHalfUlpOfTheSeries() {
         SplittableRandom random = new SplittableRandom(21);
         double worst = 0;
-        for (int i = 0; i < 1500; i++) {
+        for (int i = 0; i < Effort.cases(600); i++) {
             double degrees = switch (i % 4) {
                 case 0 -> random.nextDouble(-360, 360);
                 case 1 -> random.nextDouble(-1e9, 1e9);

@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Effort;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 import robosim.geometry.narrow.leaf.MovedLeaf;
@@ -32,7 +33,8 @@ class ContactTimeTest {
 
     @Test
     void flatThingsNearlyInLine() {
-        for (int k = 0; k < 700; k++) {
+        int count = Effort.cases(350);
+        for (int k = 0; k < count; k++) {
             LeafKind kindA = FLAT[random.nextInt(FLAT.length)];
             LeafKind kindB = FLAT[random.nextInt(FLAT.length)];
             double[] a = nearlyInLine(kindA);
@@ -44,15 +46,16 @@ class ContactTimeTest {
             }
             flat(kindA, a, d[0], d[2], kindB, b, 1);
         }
-        assertThat(hits).isGreaterThan(40);
-        assertThat(misses).isGreaterThan(150);
-        assertThat(contacts).isGreaterThan(40);
+        assertThat(hits).isGreaterThan(count / 18);
+        assertThat(misses).isGreaterThan(count / 5);
+        assertThat(contacts).isGreaterThan(count / 18);
         assertThat(into).isBetween(contacts / 5, contacts * 4 / 5);
     }
 
     @Test
     void flatThingsFarAwayAndOfAnySize() {
-        for (int k = 0; k < 600; k++) {
+        int count = Effort.cases(300);
+        for (int k = 0; k < count; k++) {
             LeafKind kindA = FLAT[random.nextInt(FLAT.length)];
             LeafKind kindB = FLAT[random.nextInt(FLAT.length)];
             double scale = Math.scalb(1.0, new int[] {-300, -40, 0, 40}[k % 4]);
@@ -63,13 +66,14 @@ class ContactTimeTest {
             a = shifted(kindA, a, far);
             flat(kindA, a, d[0] * scale, d[2] * scale, kindB, shifted(kindB, b, far), scale);
         }
-        assertThat(hits).isGreaterThan(50);
-        assertThat(misses).isGreaterThan(50);
+        assertThat(hits).isGreaterThan(count / 12);
+        assertThat(misses).isGreaterThan(count / 12);
     }
 
     @Test
     void solidThings() {
-        for (int k = 0; k < 400; k++) {
+        int count = Effort.cases(200);
+        for (int k = 0; k < count; k++) {
             LeafKind kindA = SOLID[random.nextInt(SOLID.length)];
             LeafKind kindB = SOLID[random.nextInt(SOLID.length)];
             double scale = Math.scalb(1.0, new int[] {-40, 0, 0, 40}[k % 4]);
@@ -83,14 +87,15 @@ class ContactTimeTest {
             }
             solid(kindA, shifted(kindA, a, far), d, kindB, shifted(kindB, b, far));
         }
-        assertThat(hits).isGreaterThan(80);
-        assertThat(misses).isGreaterThan(40);
+        assertThat(hits).isGreaterThan(count / 5);
+        assertThat(misses).isGreaterThan(count / 10);
     }
 
     @Test
     void contactAtTheStartIsJudgedExactlyOnAGrid() {
         int free = 0;
-        for (int k = 0; k < 900; k++) {
+        int count = Effort.cases(450);
+        for (int k = 0; k < count; k++) {
             LeafKind kindA = random.nextInt(3) == 0 ? LeafKind.TRIANGLE : LeafKind.BOX;
             double[] a = wholeNumbers(kindA);
             double[] b = wholeNumbers(LeafKind.BOX);
@@ -106,8 +111,8 @@ class ContactTimeTest {
             into += deeper ? 1 : 0;
             free += deeper ? 0 : 1;
         }
-        assertThat(into).isGreaterThan(40);
-        assertThat(free).isGreaterThan(40);
+        assertThat(into).isGreaterThan(count / 23);
+        assertThat(free).isGreaterThan(count / 23);
     }
 
     @Test

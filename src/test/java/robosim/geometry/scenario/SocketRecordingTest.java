@@ -199,6 +199,7 @@ class SocketRecordingTest {
     void whatAKilledProcessHasRecordedReplays() throws IOException, InterruptedException {
         Process process = new ProcessBuilder(
                         Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-XX:TieredStopAtLevel=1",
                         "-cp",
                         System.getProperty("java.class.path"),
                         Talker.class.getName(),

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
  * is where they start, {@code stress.families} a regular expression of names.
  */
 class StressTest {
-    private static final long RANDOM = Long.getLong("stress.random", 2_000);
+    private static final long RANDOM = Long.getLong("stress.random", 1_000);
     private static final long ADVERSARIAL = Long.getLong("stress.adversarial", 600);
     private static final long SEED = Long.getLong("stress.seed", 20_261_121);
     private static final String NAMES = System.getProperty("stress.families", ".*");

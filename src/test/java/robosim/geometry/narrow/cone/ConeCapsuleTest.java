@@ -9,6 +9,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.Effort;
 import robosim.geometry.narrow.Leaves;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.leaf.LeafKind;
@@ -38,7 +39,7 @@ class ConeCapsuleTest {
     @EnumSource(names = {"UPRIGHT_CAPSULE", "CAPSULE"})
     void isHardlyBelowTheTruth(LeafKind kind) {
         SplittableRandom random = new SplittableRandom(231 + kind.ordinal());
-        int count = 200;
+        int count = Effort.cases(120);
         int heard = 0;
         int silent = 0;
         int grazing = 0;

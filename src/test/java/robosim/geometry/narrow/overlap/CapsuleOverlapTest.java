@@ -7,6 +7,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.Effort;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CapsuleObject;
 import robosim.geometry.model.CylinderObject;
@@ -39,7 +40,7 @@ class CapsuleOverlapTest {
     @EnumSource(Other.class)
     void agreesWithRationals(Other other) {
         SplittableRandom random = new SplittableRandom(41 + other.ordinal());
-        int count = 500;
+        int count = Effort.cases(240);
         int hits = 0;
         int near = 0;
         int thin = 0;

@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
+import robosim.geometry.Effort;
 import robosim.geometry.narrow.Scratch;
 import robosim.geometry.narrow.SweepRows;
 import robosim.geometry.narrow.leaf.Leaf;
@@ -16,7 +17,7 @@ import robosim.geometry.narrow.leaf.LeafKind;
 /** Tipped cylinders with parallel axes that move against each other, against decimals: two discs and two intervals. */
 class TranslationAdvancementTest {
     private static final MathContext DIGITS = new MathContext(50);
-    private static final int CASES = 30_000;
+    private static final int CASES = Effort.cases(10_000);
 
     private final SplittableRandom random = new SplittableRandom(2405);
 
