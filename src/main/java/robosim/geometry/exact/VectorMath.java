@@ -20,14 +20,17 @@ public final class VectorMath {
     /** The factor that makes tiny numbers large enough to be squared; a power of two, so that nothing is rounded. */
     public static final double ENLARGED = 0x1p500;
 
+    /** The same for numbers down to the least double, 2^-1074; what is below {@link #TINY} comes to 2^500 by it. */
+    private static final double LARGEST = 0x1p950;
+
     private VectorMath() {}
 
     /** The square root of the sum of two squares, for arguments of at least 0, however small. */
     public static double legs(double x, double z) {
         if (x + z < TINY) {
-            double ex = x * ENLARGED;
-            double ez = z * ENLARGED;
-            return Math.sqrt(ex * ex + ez * ez) / ENLARGED;
+            double ex = x * LARGEST;
+            double ez = z * LARGEST;
+            return Math.sqrt(ex * ex + ez * ez) / LARGEST;
         }
         return Math.sqrt(x * x + z * z);
     }
