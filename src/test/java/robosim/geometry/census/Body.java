@@ -98,13 +98,12 @@ final class Body {
     @Nullable
     Body shrunkBy(double by) {
         double[] smaller = row.clone();
-        int sizes =
-                switch (type) {
-                    case BOX -> 3;
-                    case CYLINDER -> 2;
-                    case SPHERE, CAPSULE -> 1;
-                    case TRIANGLE -> 0;
-                };
+        int sizes = switch (type) {
+            case BOX -> 3;
+            case CYLINDER -> 2;
+            case SPHERE, CAPSULE -> 1;
+            case TRIANGLE -> 0;
+        };
         for (int k = 3; k < 3 + sizes; k++) {
             smaller[k] -= by;
             if (smaller[k] < 0) {

@@ -3,7 +3,6 @@ package robosim.geometry.census;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
-import robosim.geometry.census.Twofold.Vector;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
@@ -113,8 +112,8 @@ final class CapsuleCone implements Kernel {
         q.widen(StrictMath.toRadians(
                 adversarial ? StrictMath.pow(10, random.nextDouble(-4, 1.95)) : random.nextDouble(0.5, 89.5)));
         // The border past a point of the surface, or past the nearest one to silence.
-        double[] target = Vec.plus(
-                Vec.plus(centre, q.row[4] * random.nextDouble(-1, 1), axis), q.row[3], Vec.direction(random));
+        double[] target =
+                Vec.plus(Vec.plus(centre, q.row[4] * random.nextDouble(-1, 1), axis), q.row[3], Vec.direction(random));
         double off = random.nextDouble(-0.9, 0.9);
         if (adversarial && random.nextBoolean()) {
             off = StrictMath.pow(10, -random.nextDouble(1, 14)) * (random.nextBoolean() ? 1 : -1);

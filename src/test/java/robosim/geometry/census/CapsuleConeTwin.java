@@ -52,9 +52,7 @@ final class CapsuleConeTwin {
     }
 
     static double[] axis(ConeQuestion q) {
-        return q.kind == LeafKind.CAPSULE
-                ? new double[] {q.row[7], q.row[10], q.row[13]}
-                : new double[] {0, 1, 0};
+        return q.kind == LeafKind.CAPSULE ? new double[] {q.row[7], q.row[10], q.row[13]} : new double[] {0, 1, 0};
     }
 
     private interface Function {

@@ -35,13 +35,12 @@ final class Solid {
     private Solid(LeafKind kind, double[][] corners, double[] centre, double[] axis, double radius, double half) {
         this.kind = kind;
         this.corners = corners;
-        edges =
-                switch (kind) {
-                    case BOX -> BOX_EDGES;
-                    case TRIANGLE -> TRIANGLE_EDGES;
-                    case CAPSULE -> SEGMENT;
-                    default -> new int[0][];
-                };
+        edges = switch (kind) {
+            case BOX -> BOX_EDGES;
+            case TRIANGLE -> TRIANGLE_EDGES;
+            case CAPSULE -> SEGMENT;
+            default -> new int[0][];
+        };
         sides = kind == LeafKind.BOX ? BOX_SIDES : kind == LeafKind.TRIANGLE ? TRIANGLE_SIDES : new int[0][];
         this.centre = centre;
         this.axis = axis;

@@ -107,7 +107,9 @@ class SnapshotTest {
         assertThat(kind.ask(copyOfCopy, QUESTIONS, 5)).as("a copy's copy").isEqualTo(truth);
         assertThat(kind.ask(siblings.get(0), QUESTIONS, 5)).as("one of two").isEqualTo(truth);
         assertThat(kind.ask(siblings.get(1), QUESTIONS, 5)).as("the other").isEqualTo(truth);
-        assertThat(kind.ask(read.toGeometry(), QUESTIONS, 5)).as("read from a stream").isEqualTo(truth);
+        assertThat(kind.ask(read.toGeometry(), QUESTIONS, 5))
+                .as("read from a stream")
+                .isEqualTo(truth);
         assertThat(kind.ask(snapshot.toGeometry(), QUESTIONS, 6))
                 .as("other questions")
                 .isNotEqualTo(truth);

@@ -46,8 +46,7 @@ final class SnippetRunner {
             throw new UncheckedIOException(e);
         }
         List<String> options = List.of("-proc:none", "-nowarn");
-        if (!COMPILER
-                .getTask(null, FILES, said, options, null, List.of(snippet.file()))
+        if (!COMPILER.getTask(null, FILES, said, options, null, List.of(snippet.file()))
                 .call()) {
             List<String> lines = snippet.source.lines().toList();
             throw new AssertionError(said.getDiagnostics().stream()

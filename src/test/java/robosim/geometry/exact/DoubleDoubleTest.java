@@ -221,6 +221,8 @@ class DoubleDoubleTest {
         }
         assertThat(told).isGreaterThan(CASES * 3 / 4);
         gap.clear();
-        assertThat(DoubleDoubleSum.floorQuotient(gap, 0, closing, 0)).as("no gap").isNaN();
+        assertThat(DoubleDoubleSum.floorQuotient(gap, 0, closing, 0))
+                .as("no gap")
+                .isNaN();
     }
 }

@@ -45,7 +45,8 @@ class ExactMathTest {
             assertThat(less.square().compareTo(square)).isNegative();
         }
         assertThat(ExactMath.sqrtUp(Dyadic.of(144)).doubleValue()).isEqualTo(12);
-        assertThat(ExactMath.sqrtUp(Dyadic.of(144)).subtract(Dyadic.of(12)).signum()).isZero();
+        assertThat(ExactMath.sqrtUp(Dyadic.of(144)).subtract(Dyadic.of(12)).signum())
+                .isZero();
         assertThat(ExactMath.sqrtUp(Dyadic.of(-1)).signum()).isZero();
         assertThat(ExactMath.sqrtUp(Dyadic.ZERO).signum()).isZero();
     }

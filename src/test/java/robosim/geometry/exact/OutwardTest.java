@@ -55,9 +55,7 @@ class OutwardTest {
                 MathContext digits = new MathContext(60);
                 BigDecimal rim = across.divide(square, digits).sqrt(digits).multiply(new BigDecimal(halves[0]));
                 hardlyAbove(
-                        Outward.ofCylinder(halves[0], halves[1], row[0], row[1], row[2], length),
-                        along.add(rim),
-                        40);
+                        Outward.ofCylinder(halves[0], halves[1], row[0], row[1], row[2], length), along.add(rim), 40);
             }
         }
         assertThat(Outward.ofCapsule(0.25, 2, -1)).isEqualTo(2.25);

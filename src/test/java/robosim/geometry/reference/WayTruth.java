@@ -113,8 +113,7 @@ public final class WayTruth {
         return ball(n, Vectors.of(n, a[0], a[1], a[2]), Vectors.of(n, d[0], d[1], d[2]), n.of(a[3]), formB, b);
     }
 
-    static boolean ball(
-            Arithmetic n, Quantity[] from, Quantity[] way, Quantity radius, Form formB, double[] b) {
+    static boolean ball(Arithmetic n, Quantity[] from, Quantity[] way, Quantity radius, Form formB, double[] b) {
         if (formB == Form.SPHERE) {
             Quantity both = radius.plus(n.of(b[3]));
             return Hull.isNearSegment(minus(Vectors.of(n, b[0], b[1], b[2]), from), way, both.times(both));

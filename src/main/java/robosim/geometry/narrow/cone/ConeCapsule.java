@@ -107,9 +107,7 @@ final class ConeCapsule {
     private double certifyAround(double t, double around) {
         double rest = refine(t, Math.max(-1 - t, -around), Math.min(1 - t, around));
         double lower = certify(t, rest);
-        return isOpen(lower)
-                ? Math.max(lower, Math.max(certifyCrossing(t, rest), certifyGrazing(t, rest)))
-                : lower;
+        return isOpen(lower) ? Math.max(lower, Math.max(certifyCrossing(t, rest), certifyGrazing(t, rest))) : lower;
     }
 
     private boolean isOpen(double lower) {

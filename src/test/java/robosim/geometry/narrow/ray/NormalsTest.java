@@ -115,22 +115,20 @@ class NormalsTest {
         }
         // At a corner either face is met about as often; an oval has no corners.
         assertThat(List.of(left, right))
-                .allSatisfy(count -> assertThat(count)
-                        .isBetween(kind.isRound() ? 0 : 100, kind.isRound() ? 0 : 200));
+                .allSatisfy(count -> assertThat(count).isBetween(kind.isRound() ? 0 : 100, kind.isRound() ? 0 : 200));
     }
 
     @Test
     void aStartInsideGetsTheOppositeOfTheRay() {
         double[] box = {0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
-        for (LeafKind kind :
-                new LeafKind[] {
-                    LeafKind.UPRIGHT_BOX,
-                    LeafKind.BOX,
-                    LeafKind.UPRIGHT_CYLINDER,
-                    LeafKind.SPHERE,
-                    LeafKind.UPRIGHT_CAPSULE,
-                    LeafKind.CAPSULE
-                }) {
+        for (LeafKind kind : new LeafKind[] {
+            LeafKind.UPRIGHT_BOX,
+            LeafKind.BOX,
+            LeafKind.UPRIGHT_CYLINDER,
+            LeafKind.SPHERE,
+            LeafKind.UPRIGHT_CAPSULE,
+            LeafKind.CAPSULE
+        }) {
             at(new double[] {.25, .25, 0}, new double[] {3, 4, 0}, kind, box, Dimension.SPATIAL);
             assertThat(normal).containsExactly(new double[] {-.6, -.8, 0}, within(1e-15));
             at(new double[] {.25, 9, 0}, new double[] {3, 9, 4}, kind, box, Dimension.PLANAR);
@@ -178,9 +176,8 @@ class NormalsTest {
             } else if (kind == LeafKind.UPRIGHT_CYLINDER || kind == LeafKind.UPRIGHT_CAPSULE) {
                 p[k] += s[k] * row[k == 1 ? 4 : 3];
             } else {
-                double[] half = kind.isRound()
-                        ? new double[] {row[3], row[4], row[3]}
-                        : new double[] {row[3], row[4], row[5]};
+                double[] half =
+                        kind.isRound() ? new double[] {row[3], row[4], row[3]} : new double[] {row[3], row[4], row[5]};
                 for (int own = 0; own < 3; own++) {
                     p[k] += s[own] * half[own] * row[6 + 3 * k + own];
                 }
