@@ -7,7 +7,7 @@ import java.util.Locale;
 
 /**
  * Numbers as people read them: rounded, without needless zeros, the same text on every JVM. As in {@code 0.25}, {@code 12}
- * and, beyond a million millions or below a millionth, {@code 1.5e-9}.
+ * and, from 10<sup>15</sup> on and below a millionth, {@code 1.5e-9}.
  */
 public final class NumberText {
     private static final int LEAST_EXPONENT = -5;

@@ -80,6 +80,12 @@ class DoubleDoubleTest {
             other.clear();
             other.add(b[0], b[1]);
             assertThat(sum.isBelow(other)).isEqualTo(value(a).compareTo(value(b)) < 0);
+            assertThat(sum.isBelow(sum)).isFalse();
+            DoubleDoubleSum more = new DoubleDoubleSum();
+            more.set(sum);
+            more.lo = Math.nextUp(more.lo);
+            assertThat(sum.isBelow(more)).isTrue();
+            assertThat(more.isBelow(sum)).isFalse();
             sum.add(other);
             near(new BigDecimal(sum.hi).add(new BigDecimal(sum.lo)), plus, bound);
             sum.subtract(other);
@@ -112,6 +118,19 @@ class DoubleDoubleTest {
                 near(result(), root, root.multiply(PRODUCTS));
             }
         }
+        DoubleDoubleSum whole = new DoubleDoubleSum();
+        whole.clear();
+        whole.addProduct(3, 0, 5, 0);
+        assertThat(whole.plain).isTrue();
+        assertThat(whole.hi).isEqualTo(15);
+        whole.addProduct(0.1, 0, 0.1, 0);
+        assertThat(whole.plain).as("it takes two doubles").isFalse();
+        whole.clear();
+        whole.addProduct(3, 0x1p-60, 5, 0);
+        assertThat(whole.plain).isFalse();
+        whole.clear();
+        whole.addProduct(0x1p-600, 0, 0x1p-600, 0);
+        assertThat(whole.plain).as("lost to underflow").isFalse();
         DoubleDouble.sqrt(0, 0, out, 0);
         assertThat(out[0]).isZero();
         DoubleDouble.sqrt(-1, 0, out, 0);
@@ -166,7 +185,16 @@ class DoubleDoubleTest {
             for (int i = 0; i < 3; i++) {
                 near(register(p, 6 + i), v[i].add(v[3 + i].multiply(new BigDecimal("0.75"))), bound);
             }
+            p.multiply(13, 4, 3.0);
+            near(register(p, 13), v[4].multiply(BigDecimal.valueOf(3)), bound);
+            p.divide(14, 13, 4);
+            near(register(p, 14), BigDecimal.valueOf(3), new BigDecimal(0x1p-98));
+            p.product(14, p.get(2), 0.1);
+            assertThat(register(p, 14))
+                    .isEqualByComparingTo(new BigDecimal(p.get(2)).multiply(new BigDecimal(0.1)));
+            double next = p.get(9);
             p.subtractVector(6, 0, 3);
+            assertThat(p.get(9)).as("what is behind the vector").isEqualTo(next);
             for (int i = 0; i < 3; i++) {
                 near(register(p, 6 + i), v[i].subtract(v[3 + i]), bound);
             }

@@ -30,6 +30,7 @@ class NumberTextTest {
         assertThat(NumberText.digits(1e-6, 6)).isEqualTo("0.000001");
         assertThat(NumberText.digits(1.5e-9, 6)).isEqualTo("1.5e-9");
         assertThat(NumberText.digits(999_999_999_999_999.0, 15)).isEqualTo("999999999999999");
+        assertThat(NumberText.digits(1e14, 6)).isEqualTo("100000000000000");
         assertThat(NumberText.digits(0x1p100, 6)).isEqualTo("1.26765e30");
         assertThat(NumberText.places(Double.NEGATIVE_INFINITY, 3)).isEqualTo("-Infinity");
         assertThat(NumberText.of(new BigDecimal("1e15"))).isEqualTo("1e15");

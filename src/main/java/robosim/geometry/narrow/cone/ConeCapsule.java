@@ -23,16 +23,13 @@ final class ConeCapsule {
 
     private static final double GOLDEN = 0.6180339887498949;
 
-    /**
-     * How far from the point that doubles give pairs of doubles search first: doubles give it to about 2^-26 of the
-     * segment where the minimum is sharp.
-     */
+    /** How far around the point that doubles give pairs search first: it is within 2^-26 where the minimum is sharp. */
     private static final double NEAR = 0x1p-22;
 
-    /** And then: doubles give it more coarsely the flatter the minimum is. What the steps leave of this is 2^-58. */
+    /** And then: it is the less exact the flatter the minimum is. What the steps leave of this is 2^-58. */
     private static final double WIDE = 0x1p-6;
 
-    /** More than the rounding of a sum of two lengths, of three coordinates each, and a radius. */
+    /** More than the rounding of a sum of two lengths and a radius. */
     private static final double FARTHER = 1 + 0x1p-48;
 
     /** The required width of the bracket, as a share of the distance; wider ones are refined in pairs of doubles. */
