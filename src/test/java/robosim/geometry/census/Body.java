@@ -1,7 +1,6 @@
 package robosim.geometry.census;
 
 import java.util.Arrays;
-import java.util.List;
 import java.util.SplittableRandom;
 import org.jspecify.annotations.Nullable;
 import robosim.geometry.narrow.leaf.LeafColumn;
@@ -357,79 +356,6 @@ final class Body {
                 return Vec.plus(new double[3], 1 / all, sum);
             }
         }
-    }
-
-    /** What of it is furthest along n: a point, a line or a face. */
-    String feature(double[] n) {
-        double small = 1e-9;
-        switch (type) {
-            case BOX -> {
-                int flat = 0;
-                for (int k = 0; k < 3; k++) {
-                    flat += Math.abs(Vec.dot(n, axes[k])) < small ? 1 : 0;
-                }
-                return List.of("corner", "edge", "face").get(flat);
-            }
-            case CYLINDER -> {
-                double along = Math.abs(Vec.dot(n, axes[1]));
-                return along < small ? "mantle" : Vec.length(Vec.cross(n, axes[1])) < small ? "cap" : "rim";
-            }
-            case SPHERE -> {
-                return "sphere";
-            }
-            case CAPSULE -> {
-                return Math.abs(Vec.dot(n, axes[1])) < small ? "side" : "end";
-            }
-            default -> {
-                double reach = reach(n);
-                int tops = 0;
-                for (double[] corner : corners) {
-                    tops += reach - Vec.dot(n, corner) < small * size() ? 1 : 0;
-                }
-                return List.of("", "corner", "edge", "face").get(tops);
-            }
-        }
-    }
-
-    /** Directions in which it goes on, both ways, from a point of its surface. */
-    List<double[]> tangents(double[] p) {
-        double[] w = Vec.minus(p, c);
-        double inner = 1 - 1e-11;
-        List<double[]> out = new java.util.ArrayList<>();
-        switch (type) {
-            case BOX -> {
-                for (int k = 0; k < 3; k++) {
-                    if (Math.abs(Vec.dot(w, axes[k])) < inner * row[3 + k]) {
-                        out.add(axes[k]);
-                    }
-                }
-            }
-            case CYLINDER -> {
-                double t = Vec.dot(w, axes[1]);
-                double[] aside = Vec.plus(w, -t, axes[1]);
-                if (Math.abs(t) < inner * row[4]) {
-                    out.add(axes[1]);
-                }
-                if (Vec.length(aside) > 0) {
-                    double[] radial = Vec.unit(aside);
-                    out.add(Vec.unit(Vec.cross(axes[1], radial)));
-                    if (Vec.length(aside) < inner * row[3]) {
-                        out.add(radial);
-                    }
-                }
-            }
-            case TRIANGLE -> {
-                for (double[] edge : edges) {
-                    double[] way = {edge[3], edge[4], edge[5]};
-                    double length = Vec.length(way);
-                    if (length > 0) {
-                        out.add(Vec.plus(new double[3], 1 / length, way));
-                    }
-                }
-            }
-            case SPHERE, CAPSULE -> {}
-        }
-        return out;
     }
 
     @Override

@@ -125,10 +125,10 @@ final class DistanceKernel implements Kernel {
         if (!(twin.low > 2 * rounding)) {
             return twin.low > -rounding ? TOUCHING : OVERLAPPING;
         }
-        String ahead = a.feature(twin.n);
+        String ahead = BodyFeatures.feature(a, twin.n);
         if (twin.low > NEAR * (a.size() + b.size())) {
             return "far, " + ahead;
         }
-        return "near, " + both(ahead, b.feature(Vec.plus(new double[3], -1, twin.n)));
+        return "near, " + both(ahead, BodyFeatures.feature(b, Vec.plus(new double[3], -1, twin.n)));
     }
 }

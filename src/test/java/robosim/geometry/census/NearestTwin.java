@@ -288,8 +288,8 @@ final class NearestTwin {
             double[] to = b.type == Body.Type.SPHERE ? b.c : b.project(a.c);
             w = Vec.minus(to, from);
         }
-        List<double[]> ways = new ArrayList<>(a.tangents(pA));
-        ways.addAll(b.tangents(pB));
+        List<double[]> ways = new ArrayList<>(BodyFeatures.tangents(a, pA));
+        ways.addAll(BodyFeatures.tangents(b, pB));
         slab(w);
         for (double[] way : ways) {
             slab(Vec.squareTo(way, w));
