@@ -17,6 +17,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import robosim.geometry.Effort;
 import robosim.geometry.model.BoxObject;
 import robosim.geometry.model.CylinderObject;
 import robosim.geometry.model.GeometryObject;
@@ -40,7 +41,7 @@ import robosim.geometry.protocol.json.JsonLines;
  */
 @Timeout(120)
 class PipelinedTest {
-    private static final int CONVERSATIONS = 60;
+    private static final int CONVERSATIONS = Effort.cases(30);
     private static final int BUFFER = 8192;
 
     /** What it is sent, and what must be answered. */
@@ -180,7 +181,7 @@ class PipelinedTest {
                     .as("conversation " + k)
                     .isEqualTo(talk.answers());
         }
-        assertThat(longBehindAnother).as("long messages behind others").isGreaterThan(100);
+        assertThat(longBehindAnother).as("long messages behind others").isGreaterThan(CONVERSATIONS);
     }
 
     @ParameterizedTest
