@@ -2,7 +2,6 @@ package robosim.geometry.narrow.planar;
 
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.StageCounters;
-import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /** A disc and a convex polygon: the projection of a box, a triangle or an octagon. */
@@ -58,8 +57,9 @@ public final class DiscPolygon {
         }
         PlanarShape q = s.planarB;
         if (q.isTiny()) { // otherwise the squares would underflow
-            q.enlarge(VectorMath.ENLARGED);
-            return Math.max(0, Math.sqrt(PointPolygon.squareToOutline(0, 0, q)) / VectorMath.ENLARGED - r);
+            double power = q.enlargement();
+            q.enlarge(power);
+            return Math.max(0, Math.sqrt(PointPolygon.squareToOutline(0, 0, q)) / power - r);
         }
         return Math.max(0, Math.sqrt(PointPolygon.squareToOutline(0, 0, q)) - r);
     }

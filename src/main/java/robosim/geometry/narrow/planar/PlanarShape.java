@@ -2,6 +2,7 @@ package robosim.geometry.narrow.planar;
 
 import robosim.geometry.exact.DoubleDouble;
 import robosim.geometry.exact.Orientation;
+import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.Leaf;
 import robosim.geometry.narrow.leaf.LeafKind;
 
@@ -105,6 +106,11 @@ public final class PlanarShape {
     /** Whether it is so small and so near that products of its numbers would underflow; then no filter holds. */
     public boolean isTiny() {
         return error < 0x1p-448;
+    }
+
+    /** By how much a tiny shape has to be enlarged for its squares: down to the least double nothing underflows then. */
+    double enlargement() {
+        return error < 0x1p-900 ? 0x1p950 : VectorMath.ENLARGED;
     }
 
     /** Scales the corners by a power of two, so that nothing is rounded. */

@@ -2,7 +2,6 @@ package robosim.geometry.narrow.planar;
 
 import robosim.geometry.exact.Filter;
 import robosim.geometry.exact.StageCounters;
-import robosim.geometry.exact.VectorMath;
 import robosim.geometry.narrow.leaf.LeafKind;
 
 /** Two convex polygons in the plane: the projections of boxes, triangles and octagons. */
@@ -111,9 +110,10 @@ public final class PolygonPolygon {
             q.set(kindB, b, j, PlanarShape.originX(kindA, a, i), PlanarShape.originZ(kindA, a, i));
         }
         if (p.isTiny() && q.isTiny()) { // otherwise the squares would underflow
-            p.enlarge(VectorMath.ENLARGED);
-            q.enlarge(VectorMath.ENLARGED);
-            return Math.sqrt(Math.min(cornersToSides(p, q), cornersToSides(q, p))) / VectorMath.ENLARGED;
+            double power = Math.min(p.enlargement(), q.enlargement());
+            p.enlarge(power);
+            q.enlarge(power);
+            return Math.sqrt(Math.min(cornersToSides(p, q), cornersToSides(q, p))) / power;
         }
         return Math.sqrt(Math.min(cornersToSides(p, q), cornersToSides(q, p)));
     }

@@ -33,6 +33,28 @@ class PlanarDistanceTest {
         return distance;
     }
 
+    /** Down to the least double, whose square is far below it: a corner at (3, 4) and what is about the origin. */
+    @Test
+    void nothingIsTooSmallToBeApart() {
+        Scratch scratch = new Scratch();
+        for (int power : new int[] {0, -500, -1000, -1040, -1070}) {
+            double unit = Math.scalb(1.0, power);
+            double[] point = new double[16];
+            double[] corner = {3 * unit, 0, 4 * unit, 6 * unit, 0, 8 * unit, 9 * unit, 0, 4 * unit, 0, 0, 0, 0, 0, 0, 0};
+            double[] box = {0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0};
+            double[] small = {unit, 0, 0, 0, 0, 0, 0, 0, unit, 0, 0, 0, 0, 0, 0, 0};
+            for (LeafKind kind : new LeafKind[] {LeafKind.SPHERE, LeafKind.UPRIGHT_BOX, LeafKind.BOX}) {
+                double[] row = kind == LeafKind.SPHERE ? point : box;
+                assertThat(PlanarDistance.between(LeafKind.TRIANGLE, corner, 0, kind, row, 0, scratch))
+                        .as("%s at 2^%d", kind, power)
+                        .isEqualTo(5 * unit);
+            }
+            assertThat(PlanarDistance.between(LeafKind.TRIANGLE, corner, 0, LeafKind.TRIANGLE, small, 0, scratch))
+                    .as("triangles at 2^%d", power)
+                    .isCloseTo(Math.sqrt(18) * unit, within(unit / 2));
+        }
+    }
+
     @Test
     void randomPairsAgreeWithTheReference() {
         PlanarRows rows = new PlanarRows(31);
