@@ -128,7 +128,7 @@ public final class Cast {
         triangle = -1;
         LeafKind kind = column.kind(leaf);
         if (!kind.isMesh()) {
-            return convex(kind, column.rows(leaf), column.at(leaf));
+            return convex(kind, column.rows(leaf), column.at(leaf), limit);
         }
         takeUnit();
         if (PointInMesh.counts(dimension, column, leaf) && PointInMesh.holds(column, leaf, ox, oy, oz, s)) {
@@ -175,7 +175,7 @@ public final class Cast {
 
     private double judge(int place) {
         s.outer.corners(place, s.triangleA, 0);
-        double distance = convex(LeafKind.TRIANGLE, s.triangleA, 0);
+        double distance = convex(LeafKind.TRIANGLE, s.triangleA, 0, nearest);
         if (distance < nearest || (distance == nearest && isLower(place))) {
             nearest = distance;
             triangle = place;
@@ -187,8 +187,8 @@ public final class Cast {
         return triangle >= 0 && s.outer.triangle(place) < s.outer.triangle(triangle);
     }
 
-    private double convex(LeafKind kind, double[] row, int at) {
-        double distance = convex(ox, oy, oz, kind, row, at);
+    private double convex(LeafKind kind, double[] row, int at, double limit) {
+        double distance = convex(ox, oy, oz, kind, row, at, limit);
         // Only a small distance may have been spoiled by what underflowed.
         if (distance > UnderflowScaling.SMALL
                 || isFarFromOrigin
@@ -196,17 +196,17 @@ public final class Cast {
             return distance;
         }
         UnderflowScaling m = s.scaling;
-        return m.down(convex(m.up(ox), m.up(oy), m.up(oz), kind, m.a, 0));
+        return m.down(convex(m.up(ox), m.up(oy), m.up(oz), kind, m.a, 0, Double.POSITIVE_INFINITY));
     }
 
-    private double convex(double x, double y, double z, LeafKind kind, double[] row, int at) {
+    private double convex(double x, double y, double z, LeafKind kind, double[] row, int at, double limit) {
         if (dimension == Dimension.PLANAR) {
             return cone
                     ? PlanarCone.distance(x, z, dx, dz, halfCos, halfSin, kind, row, at, s)
                     : PlanarRay.distance(x, z, dx, dz, kind, row, at, s);
         }
         return cone
-                ? SpatialCone.distance(x, y, z, dx, dy, dz, halfCos, halfSin, kind, row, at, s)
+                ? SpatialCone.distance(x, y, z, dx, dy, dz, halfCos, halfSin, kind, row, at, limit, s)
                 : SpatialRay.distance(x, y, z, dx, dy, dz, kind, row, at, s);
     }
 

@@ -39,6 +39,9 @@ public final class Cone {
         this.ox = ox;
         this.oy = oy;
         this.oz = oz;
+        if (isSame(dx, this.dx) && isSame(dy, this.dy) && isSame(dz, this.dz) && cos == this.cos) {
+            return; // the next leaf for the same beam
+        }
         this.dx = dx;
         this.dy = dy;
         this.dz = dz;
@@ -61,6 +64,10 @@ public final class Cone {
         uy = p.get(AXIS + 1);
         uz = p.get(AXIS + 2);
         sin = p.get(SIN);
+    }
+
+    private static boolean isSame(double a, double b) {
+        return Double.doubleToRawLongBits(a) == Double.doubleToRawLongBits(b);
     }
 
     /**

@@ -62,6 +62,12 @@ final class ConeCorners {
     private boolean hasAbsent;
     private final double[] pair = new double[4];
 
+    // Of a box that is taken corner by corner: its centre, and by axis of the world its three half axes, in pairs; and which
+    // corners are there, as bits.
+    private final double[] middle = new double[6];
+    private final double[] halves = new double[18];
+    private int done;
+
     /** The largest coordinate or size. */
     double extent;
 
@@ -98,6 +104,11 @@ final class ConeCorners {
         };
     }
 
+    /** The low (0) or the high (1) face of a box across one of its axes. */
+    static int[] boxFace(int axis, int side) {
+        return BOX_FACES[2 * (2 - axis) + side];
+    }
+
     boolean isThere(int corner) {
         return !hasAbsent || !isAbsent[corner / 4];
     }
@@ -105,6 +116,47 @@ final class ConeCorners {
     /** A side of a prism is present if its edge is; the top and the bottom always are. */
     boolean isFaceThere(int[] face) {
         return face.length > 8 || isThere(face[0]);
+    }
+
+    /** Prepares a box, of which only some corners will be asked for. */
+    void setBox(Cone cone, double[] row, int j) {
+        hasAbsent = false;
+        done = 0;
+        extent = boxExtent(row, j);
+        for (int axis = 0; axis < 3; axis++) {
+            double apex = axis == 0 ? cone.ox : axis == 1 ? cone.oy : cone.oz;
+            DoubleDouble.sum(row[j + axis], -apex, middle, 2 * axis);
+            for (int i = 0; i < 3; i++) {
+                DoubleDouble.product(
+                        row[j + 3 + i], row[j + Leaf.ROTATION + 3 * axis + i], halves, 2 * (3 * axis + i));
+            }
+        }
+    }
+
+    /** Computes one corner after {@link #setBox}, to the bit as {@link #set} computes all. */
+    void take(int corner) {
+        if ((done >> corner & 1) != 0) {
+            return;
+        }
+        done |= 1 << corner;
+        for (int axis = 0; axis < 3; axis++) {
+            pair[0] = middle[2 * axis];
+            pair[1] = middle[2 * axis + 1];
+            for (int i = 0; i < 3; i++) {
+                int at = 2 * (3 * axis + i);
+                if ((corner >> i & 1) == 0) {
+                    DoubleDouble.add(pair[0], pair[1], -halves[at], -halves[at + 1], pair, 0);
+                } else {
+                    DoubleDouble.add(pair[0], pair[1], halves[at], halves[at + 1], pair, 0);
+                }
+            }
+            hi[3 * corner + axis] = pair[0];
+            lo[3 * corner + axis] = pair[1];
+        }
+    }
+
+    private static double boxExtent(double[] row, int j) {
+        return Math.max(VectorMath.largest(row[j], row[j + 1], row[j + 2]), row[j + 3] + row[j + 4] + row[j + 5]);
     }
 
     void load(DoubleDoubles p, int vector, int corner) {
@@ -129,7 +181,7 @@ final class ConeCorners {
     }
 
     private void box(Cone cone, double[] row, int j) {
-        extent = Math.max(VectorMath.largest(row[j], row[j + 1], row[j + 2]), row[j + 3] + row[j + 4] + row[j + 5]);
+        extent = boxExtent(row, j);
         // Corner by corner, the same sums would be computed many times.
         for (int axis = 0; axis < 3; axis++) {
             double apex = axis == 0 ? cone.ox : axis == 1 ? cone.oy : cone.oz;

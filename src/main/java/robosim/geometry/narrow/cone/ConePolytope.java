@@ -67,6 +67,52 @@ final class ConePolytope {
         return best;
     }
 
+    /**
+     * The same for a box, of those features only that are near a plain solution; below 0 where that is not confirmed.
+     */
+    double near(Cone cone, PlainConeBox plain, double axis, LeafKind kind, double[] row, int j) {
+        corners.setBox(cone, row, j);
+        extent = Math.max(corners.extent, VectorMath.largest(cone.ox, cone.oy, cone.oz));
+        double best = axis;
+        for (int i = 0; i < 3; i++) {
+            for (int side = 0; side < 2; side++) {
+                if (plain.isNear(i, side)) {
+                    best = Math.min(best, nearEdges(cone, plain, i, side, kind, row, j));
+                    best = Math.min(best, nearFace(cone, plain, i, side));
+                }
+            }
+        }
+        return best <= plain.atMost() ? best : -1;
+    }
+
+    /** The edges of a face and of faces across later axes. */
+    private double nearEdges(Cone cone, PlainConeBox plain, int i, int side, LeafKind kind, double[] row, int j) {
+        double best = Double.POSITIVE_INFINITY;
+        for (int other = i + 1; other < 3; other++) {
+            for (int otherSide = 0; otherSide < 2; otherSide++) {
+                if (plain.isNear(other, otherSide)) {
+                    int from = side << i | otherSide << other;
+                    int to = from | 1 << (3 - i - other);
+                    corners.take(from);
+                    corners.take(to);
+                    best = Math.min(best, edge(cone, from, to, kind, row, j));
+                }
+            }
+        }
+        return best;
+    }
+
+    private double nearFace(Cone cone, PlainConeBox plain, int i, int side) {
+        if (!plain.isFootNear(i, side)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        int[] face = ConeCorners.boxFace(i, side);
+        for (int k = 0; k < face.length; k += 2) {
+            corners.take(face[k]);
+        }
+        return face(cone, face);
+    }
+
     /** The same for a leaf that is flat in a plane through the apex and the axis: all faces are edge on and ignored. */
     double flat(Cone cone, double axis, LeafKind kind, double[] row, int j) {
         corners.set(cone, kind, row, j);

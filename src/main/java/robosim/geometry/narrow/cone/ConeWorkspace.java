@@ -3,6 +3,7 @@ package robosim.geometry.narrow.cone;
 /** Working memory for queries about cones. */
 final class ConeWorkspace {
     final Cone cone = new Cone();
+    final PlainConeBox box = new PlainConeBox();
     final ConePolytope polytope = new ConePolytope();
     final ConeCylinder cylinder = new ConeCylinder();
     final ConeCapsule capsule = new ConeCapsule();

@@ -39,17 +39,53 @@ public final class SpatialCone {
             int j,
             ConeScratch s) {
 
-        if ((kind.isBox() || kind.isCylinder() || kind.isCapsule())
-                && isSurelyBeyond(ox, oy, oz, ux, uy, uz, halfCos, kind, row, j)) {
-            return Double.POSITIVE_INFINITY;
+        return distance(ox, oy, oz, ux, uy, uz, halfCos, halfSin, kind, row, j, Double.POSITIVE_INFINITY, s);
+    }
+
+    /**
+     * The same up to a limit.
+     *
+     * @return {@code +Infinity} also where it is certainly beyond the limit
+     */
+    public static double distance(
+            double ox,
+            double oy,
+            double oz,
+            double ux,
+            double uy,
+            double uz,
+            double halfCos,
+            double halfSin,
+            LeafKind kind,
+            double[] row,
+            int j,
+            double limit,
+            ConeScratch s) {
+        if (kind.isBox() && halfSin > 0 && halfCos < 1) {
+            PlainConeBox box = s.cones().box;
+            Cone cone = set(ox, oy, oz, ux, uy, uz, halfCos, s);
+            int known = box.look(cone, row, j, limit);
+            if (known == PlainConeBox.BEYOND) {
+                return Double.POSITIVE_INFINITY;
+            }
+            if (known == PlainConeBox.FOUND) {
+                double axis = box.isAxisNear()
+                        ? SpatialRay.distance(ox, oy, oz, ux, uy, uz, kind, row, j, s)
+                        : Double.POSITIVE_INFINITY;
+                double near = s.cones().polytope.near(cone, box, axis, kind, row, j);
+                if (near >= 0) {
+                    return near;
+                }
+            }
         }
-        double axis = SpatialRay.distance(ox, oy, oz, ux, uy, uz, kind, row, j, s);
-        if (axis == 0 || !(halfSin > 0) || !(halfCos < 1)) {
-            return axis; // or so narrow that its stored cosine is that of a line
-        }
-        Cone cone = s.cones().cone;
+        return all(ox, oy, oz, ux, uy, uz, halfCos, halfSin, kind, row, j, s);
+    }
+
+    private static Cone set(
+            double ox, double oy, double oz, double ux, double uy, double uz, double halfCos, ConeScratch s) {
         double size = VectorMath.largest(ux, uy, uz);
         int power = size > 0x1p100 || size < 0x1p-100 ? -Math.getExponent(size) : 0;
+        Cone cone = s.cones().cone;
         cone.set(
                 ox,
                 oy,
@@ -58,6 +94,32 @@ public final class SpatialCone {
                 SpatialRay.scale(uy, power),
                 SpatialRay.scale(uz, power),
                 halfCos);
+        return cone;
+    }
+
+    /** The same, of all features of a leaf. */
+    static double all(
+            double ox,
+            double oy,
+            double oz,
+            double ux,
+            double uy,
+            double uz,
+            double halfCos,
+            double halfSin,
+            LeafKind kind,
+            double[] row,
+            int j,
+            ConeScratch s) {
+        if ((kind.isBox() || kind.isCylinder() || kind.isCapsule())
+                && isSurelyBeyond(ox, oy, oz, ux, uy, uz, halfCos, kind, row, j)) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double axis = SpatialRay.distance(ox, oy, oz, ux, uy, uz, kind, row, j, s);
+        if (axis == 0 || !(halfSin > 0) || !(halfCos < 1)) {
+            return axis; // or so narrow that its stored cosine is that of a line
+        }
+        Cone cone = set(ox, oy, oz, ux, uy, uz, halfCos, s);
         double nearest = switch (kind) {
             case UPRIGHT_BOX, BOX, TRIANGLE, PRISM -> s.cones().polytope.distance(cone, axis, kind, row, j);
             case SPHERE -> ConeSphere.distance(cone, row, j);
