@@ -2,8 +2,8 @@ package robosim.geometry.engine.broadphase;
 
 import robosim.geometry.engine.objects.ObjectTable;
 import robosim.geometry.index.QuadCursor;
+import robosim.geometry.index.hierarchy.ConeCursor;
 import robosim.geometry.index.hierarchy.Hierarchy;
-import robosim.geometry.index.hierarchy.NearestCursor;
 import robosim.geometry.index.hierarchy.RayCursor;
 import robosim.geometry.narrow.Cast;
 
@@ -209,7 +209,7 @@ public abstract class BeamSearch {
     private double searchSpace(LeafTable table, SpaceIndex space, double limit, int ignored) {
         takeUnit();
         if (isCone) {
-            space.nearest.cone(ox, oy, oz, ux, uy, uz, halfCos, halfSin);
+            space.cones.aim(ox, oy, oz, ux, uy, uz, halfCos, halfSin, space.most());
             return searchCone(table, space, limit, ignored);
         }
         space.rays.aim(ox, oy, oz, ux, uy, uz, space.most());
@@ -232,7 +232,7 @@ public abstract class BeamSearch {
     private double searchCone(LeafTable table, SpaceIndex space, double limit, int ignored) {
         double reach = limit;
         double slack = slack(table) + 0x1p-44 * (space.most() + Math.abs(oy));
-        NearestCursor cursor = space.nearest;
+        ConeCursor cursor = space.cones;
         cursor.start(space.still, space.moving);
         for (int local = cursor.next(loose(reach, slack)); local >= 0; local = cursor.next(loose(reach, slack))) {
             int id = local | table.mark;

@@ -1,6 +1,7 @@
 package robosim.geometry.engine.broadphase;
 
 import robosim.geometry.index.hierarchy.BoxCursor;
+import robosim.geometry.index.hierarchy.ConeCursor;
 import robosim.geometry.index.hierarchy.Hierarchy;
 import robosim.geometry.index.hierarchy.NearestCursor;
 import robosim.geometry.index.hierarchy.RayCursor;
@@ -13,6 +14,7 @@ final class SpaceIndex {
     final Hierarchy still;
     final Hierarchy moving;
     final RayCursor rays = new RayCursor();
+    final ConeCursor cones = new ConeCursor();
     final BoxCursor boxes = new BoxCursor();
     final NearestCursor nearest = new NearestCursor();
 

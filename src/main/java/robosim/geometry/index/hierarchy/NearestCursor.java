@@ -2,10 +2,7 @@ package robosim.geometry.index.hierarchy;
 
 import robosim.geometry.index.regions.EntryQueue;
 
-/**
- * Visits the objects of two hierarchies around a point, or of those only the ones that a cone from there may meet, in the order
- * of the distances of their bounds.
- */
+/** Visits the objects of two hierarchies around a point in the order of the distances of their bounds. */
 public final class NearestCursor {
     private static final int WIDTH = Hierarchy.WIDTH;
     private static final int PART = Hierarchy.PART;
@@ -22,14 +19,6 @@ public final class NearestCursor {
     private double y;
     private double z;
 
-    // The cone about a unit vector, by half its opening angle.
-    private boolean isCone;
-    private double ux;
-    private double uy;
-    private double uz;
-    private double cos;
-    private double sin;
-
     /** Links by the squares of the distances of their bounds. */
     private final EntryQueue queue = new EntryQueue();
 
@@ -38,18 +27,6 @@ public final class NearestCursor {
         x = px;
         y = py;
         z = pz;
-        isCone = false;
-    }
-
-    /** Asks for what a cone from a point may meet, about a unit vector; half its opening angle is below 90 degrees. */
-    public void cone(double px, double py, double pz, double ax, double ay, double az, double halfCos, double halfSin) {
-        around(px, py, pz);
-        isCone = true;
-        ux = ax;
-        uy = ay;
-        uz = az;
-        cos = halfCos;
-        sin = halfSin;
     }
 
     /** Starts to search two hierarchies, which share no object. */
@@ -93,38 +70,9 @@ public final class NearestCursor {
             double dz = Math.max(0, Math.max(n[k + 2] - z, z - n[k + 5]));
             double square = dx * dx + dy * dy + dz * dz;
             // A child that is missing is infinitely far.
-            if (square <= most && square < Double.POSITIVE_INFINITY && !(isCone && isBeyondCone(n, k))) {
+            if (square <= most && square < Double.POSITIVE_INFINITY) {
                 queue.push(square, Float.floatToRawIntBits(n[link]) | mark);
             }
         }
-    }
-
-    /**
-     * Whether a box lies beyond the plane that touches the cone along the line nearest to the box's centre. With e the
-     * unit vector from the axis to the centre, the plane's normal is {@code e cos - u sin}; no point of the cone is in
-     * front of it, as its distance from the axis is at most {@code sin / cos} times its position along the axis.
-     */
-    private boolean isBeyondCone(float[] of, int at) {
-        double hx = 0.5 * ((double) of[at + 3] - of[at]);
-        double hy = 0.5 * ((double) of[at + 4] - of[at + 1]);
-        double hz = 0.5 * ((double) of[at + 5] - of[at + 2]);
-        double mx = of[at] + hx - x;
-        double my = of[at + 1] + hy - y;
-        double mz = of[at + 2] + hz - z;
-        double ahead = mx * ux + my * uy + mz * uz;
-        double ex = mx - ahead * ux;
-        double ey = my - ahead * uy;
-        double ez = mz - ahead * uz;
-        double aside = Math.sqrt(ex * ex + ey * ey + ez * ez);
-        double size = Math.abs(mx) + Math.abs(my) + Math.abs(mz) + hx + hy + hz;
-        if (!(aside > 0x1p-20 * size)) {
-            return false;
-        }
-        double nx = ex / aside * cos - ux * sin;
-        double ny = ey / aside * cos - uy * sin;
-        double nz = ez / aside * cos - uz * sin;
-        double gap = nx * mx + ny * my + nz * mz - (Math.abs(nx) * hx + Math.abs(ny) * hy + Math.abs(nz) * hz);
-        // e is off by at most 2^-30 of its length along the axis, and otherwise by roundings of 2^-53.
-        return gap > 0x1p-28 * size + 0x1p-40 * (Math.abs(x) + Math.abs(y) + Math.abs(z));
     }
 }

@@ -39,6 +39,7 @@ class HierarchyTest {
     private final Hierarchy other = new Hierarchy(() -> {});
     private final RayCursor rays = new RayCursor();
     private final BoxCursor inBox = new BoxCursor();
+    private final ConeCursor cones = new ConeCursor();
     private final NearestCursor nearest = new NearestCursor();
     private int met;
     private int passedBy;
@@ -306,20 +307,25 @@ class HierarchyTest {
 
     /** What a cone leaves out has a point of its box neither at the apex nor within the cone. */
     private void askCone(double scale) {
-        double[] d = {random.nextDouble(-1, 1), random.nextDouble(-1, 1), 1};
-        double length = Math.sqrt(d[0] * d[0] + d[1] * d[1] + 1);
+        double[] d = {random.nextDouble(-1, 1), random.nextDouble(-1, 1), random.nextBoolean() ? 1 : -1};
+        if (random.nextInt(3) == 0) {
+            Arrays.fill(d, 0);
+            d[random.nextInt(3)] = random.nextBoolean() ? 1 : -1;
+        }
+        double length = Math.sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
         double half = StrictMath.toRadians(random.nextDouble(1, 89));
         double cos = StrictMath.cos(half);
-        double limit = scale * random.nextDouble(40);
+        double limit = random.nextInt(8) == 0 ? INFINITE : scale * random.nextDouble(40);
         double[] o = new double[3];
         for (int axis = 0; axis < 3; axis++) {
             d[axis] /= length;
             o[axis] = scale * random.nextDouble(-20, 20);
         }
-        nearest.cone(o[0], o[1], o[2], d[0], d[1], d[2], cos, StrictMath.sin(half));
-        startNearest();
+        cones.aim(o[0], o[1], o[2], d[0], d[1], d[2], cos, StrictMath.sin(half), tree.most());
+        boolean isFirst = random.nextBoolean();
+        cones.start(isFirst ? tree : other, isFirst ? other : tree);
         List<Integer> found = new ArrayList<>();
-        for (int id = nearest.next(limit); id >= 0; id = nearest.next(limit)) {
+        for (int id = cones.next(limit); id >= 0; id = cones.next(limit)) {
             found.add(id);
         }
         List<Integer> truth = new ArrayList<>();

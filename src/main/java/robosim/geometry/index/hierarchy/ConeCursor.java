@@ -1,0 +1,272 @@
+package robosim.geometry.index.hierarchy;
+
+import java.util.Arrays;
+
+/**
+ * Visits the objects of two hierarchies that a cone may meet, in the order of how far their bounds are within the cone, or
+ * less. All is computed in floats and on the safe side. Allocates nothing once its queue has grown.
+ *
+ * <p>Bounds begin in a direction of the axes at a plane, which the cone reaches at a distance that is its height times a
+ * factor of the cone: six directions give six lower bounds. And no point of the cone is beyond one of four planes that touch
+ * it.
+ */
+public final class ConeCursor {
+    /**
+     * The share of the coordinates by which bounds are widened. With u = 2^-24: a factor, a product with it and the sum are
+     * each off by u of the coordinates of the apex and of the plane times the factor; for a plane that touches the cone, three
+     * coordinates of the normal, and four sums: less than 12u of the coordinates in all. This is 16u.
+     */
+    private static final double PAD = 0x1p-20;
+
+    /** Coordinates below this can be multiplied by a factor as floats. */
+    private static final double LARGEST = 0x1p60;
+
+    /** The apex and bounds may all be as near as this; below, floats would underflow. */
+    private static final double SMALLEST = 0x1p-60;
+
+    /** Where the cone goes along an axis by less than this share of its length, this stands for the share. */
+    private static final double FLATTEST = 0x1p-20;
+
+    /** The factor for what the cone goes away from, so that all of it is too far. */
+    private static final double NEVER = 0x1p60;
+
+    /** No two points within coordinates are farther apart than this many times the greatest. */
+    private static final double ACROSS = 4;
+
+    /** A relative error of a few roundings to float. */
+    private static final double ROUNDED = 0x1p-21;
+
+    private static final int WIDTH = Hierarchy.WIDTH;
+    private static final int PART = Hierarchy.PART;
+    private static final int LINKS = Hierarchy.LINKS;
+
+    /** The bit that is set in the links of the second hierarchy. */
+    private static final int SECOND = 1 << 29;
+
+    private Hierarchy first = new Hierarchy(() -> {});
+    private Hierarchy second = first;
+    private boolean isWhole;
+    private double pad;
+    private double farthest;
+
+    // By axis: what gives the distance of a plane that bounds begin at, times the plane's coordinate, and to be added.
+    private float upX;
+    private float upY;
+    private float upZ;
+    private float atUpX;
+    private float atUpY;
+    private float atUpZ;
+    private float downX;
+    private float downY;
+    private float downZ;
+    private float atDownX;
+    private float atDownY;
+    private float atDownZ;
+
+    private final Side left = new Side();
+    private final Side right = new Side();
+    private final Side above = new Side();
+    private final Side below = new Side();
+
+    /**
+     * A binary heap of links, and above them of the bits of floats of at least 0, which sort like the floats.
+     */
+    private long[] heap = new long[64];
+
+    private int size;
+
+    /** A plane through the apex that touches the cone, and what of bounds is least along its outward normal. */
+    private static final class Side {
+        private float x;
+        private float y;
+        private float z;
+        private float at;
+        private int fromX;
+        private int fromY;
+        private int fromZ;
+
+        /** Across the normal e cos - u sin, given a unit vector e across the axis u. */
+        void set(double nx, double ny, double nz, double ox, double oy, double oz, double pad) {
+            x = (float) nx;
+            y = (float) ny;
+            z = (float) nz;
+            at = (float) (-(nx * ox + ny * oy + nz * oz) - pad);
+            fromX = x > 0 ? 0 : 3;
+            fromY = y > 0 ? 1 : 4;
+            fromZ = z > 0 ? 2 : 5;
+        }
+
+        /** The bits of how far bounds are beyond the plane, roughly; 0 or less where they may not be. */
+        int beyond(float[] n, int k) {
+            return Float.floatToRawIntBits(
+                    Math.fma(n[k + fromX], x, Math.fma(n[k + fromY], y, Math.fma(n[k + fromZ], z, at))));
+        }
+    }
+
+    /**
+     * Sets a cone about a unit vector; half its opening angle is below 90 degrees.
+     *
+     * @param most at least the greatest magnitude of any coordinate of a box in the hierarchies
+     */
+    public void aim(
+            double ox, double oy, double oz, double ux, double uy, double uz, double cos, double sin, double most) {
+        double reach = Math.max(most, Math.max(Math.abs(ox), Math.max(Math.abs(oy), Math.abs(oz))));
+        isWhole = !(reach < LARGEST && reach > SMALLEST);
+        pad = PAD * reach;
+        farthest = ACROSS * reach;
+        double x = factor(ux, cos, sin);
+        upX = (float) x;
+        atUpX = (float) (-ox * x - pad * x);
+        x = factor(-ux, cos, sin);
+        downX = (float) -x;
+        atDownX = (float) (ox * x - pad * x);
+        double y = factor(uy, cos, sin);
+        upY = (float) y;
+        atUpY = (float) (-oy * y - pad * y);
+        y = factor(-uy, cos, sin);
+        downY = (float) -y;
+        atDownY = (float) (oy * y - pad * y);
+        double z = factor(uz, cos, sin);
+        upZ = (float) z;
+        atUpZ = (float) (-oz * z - pad * z);
+        z = factor(-uz, cos, sin);
+        downZ = (float) -z;
+        atDownZ = (float) (oz * z - pad * z);
+        setSides(ox, oy, oz, ux, uy, uz, cos, sin);
+    }
+
+    /** The distance at which a cone reaches a plane across an axis, of which its own axis has a share, per height. */
+    private static double factor(double share, double cos, double sin) {
+        double most = share >= cos ? 1 : cos * share + sin * Math.sqrt(Math.max(0, (1 - share) * (1 + share)));
+        return most >= FLATTEST ? 1 / most : most > -FLATTEST ? 1 / FLATTEST : NEVER;
+    }
+
+    private void setSides(
+            double ox, double oy, double oz, double ux, double uy, double uz, double cos, double sin) {
+        // Across the axis: level, or along X where the axis is upright; and across both.
+        double level = Math.sqrt(ux * ux + uz * uz);
+        boolean isUpright = !(level > 0x1p-20);
+        double ex = isUpright ? 1 : uz / level;
+        double ez = isUpright ? 0 : -ux / level;
+        double fx = uy * ez;
+        double fy = uz * ex - ux * ez;
+        double fz = -uy * ex;
+        ex *= cos;
+        ez *= cos;
+        fx *= cos;
+        fy *= cos;
+        fz *= cos;
+        double sx = ux * sin;
+        double sy = uy * sin;
+        double sz = uz * sin;
+        left.set(ex - sx, -sy, ez - sz, ox, oy, oz, pad);
+        right.set(-ex - sx, -sy, -ez - sz, ox, oy, oz, pad);
+        above.set(fx - sx, fy - sy, fz - sz, ox, oy, oz, pad);
+        below.set(-fx - sx, -fy - sy, -fz - sz, ox, oy, oz, pad);
+    }
+
+    /** Starts to search two hierarchies, which share no object. */
+    public void start(Hierarchy one, Hierarchy another) {
+        if (first != one || second != another) { // writing a reference is slow
+            first = one;
+            second = another;
+        }
+        size = 0;
+        one.settle();
+        if (one.size() > 0) {
+            push(0);
+        }
+        another.settle();
+        if (another.size() > 0) {
+            push(SECOND);
+        }
+    }
+
+    /** The next object that the cone may meet within a limit; -1 after the last. The limit may shrink from call to call. */
+    public int next(double limit) {
+        int within = within(limit);
+        while (size > 0 && (isWhole || (int) (heap[0] >>> Integer.SIZE) <= within)) {
+            int link = (int) pop();
+            if (link < 0) {
+                return link & ~(Integer.MIN_VALUE | SECOND);
+            }
+            open((link & SECOND) == 0 ? first : second, link & ~SECOND, link & SECOND, within);
+        }
+        return -1;
+    }
+
+    /** The bits of a float that is at least a limit, with what the distances may be off by. */
+    private int within(double limit) {
+        return Float.floatToRawIntBits((float) (Math.min(limit, farthest) * (1 + ROUNDED) + pad));
+    }
+
+    private void open(Hierarchy tree, int node, int mark, int within) {
+        float[] n = tree.nodes;
+        int at = node * Hierarchy.STRIDE;
+        int link = at + LINKS;
+        for (int k = at; k < at + WIDTH * PART; k += PART, link++) {
+            int key = key(n, k);
+            int child = Float.floatToRawIntBits(n[link]);
+            // A child that is missing is infinitely far.
+            if (isWhole ? child != Hierarchy.NONE : key <= within && !isBeyond(n, k)) {
+                push((long) key << Integer.SIZE | ((child | mark) & 0xffffffffL));
+            }
+        }
+    }
+
+    /** The bits of a lower bound of the distance of bounds within the cone, at least 0. */
+    private int key(float[] n, int k) {
+        int x = Math.max(
+                Float.floatToRawIntBits(Math.fma(n[k], upX, atUpX)),
+                Float.floatToRawIntBits(Math.fma(n[k + 3], downX, atDownX)));
+        int y = Math.max(
+                Float.floatToRawIntBits(Math.fma(n[k + 1], upY, atUpY)),
+                Float.floatToRawIntBits(Math.fma(n[k + 4], downY, atDownY)));
+        int z = Math.max(
+                Float.floatToRawIntBits(Math.fma(n[k + 2], upZ, atUpZ)),
+                Float.floatToRawIntBits(Math.fma(n[k + 5], downZ, atDownZ)));
+        return Math.max(Math.max(0, x), Math.max(y, z));
+    }
+
+    private boolean isBeyond(float[] n, int k) {
+        return Math.max(Math.max(left.beyond(n, k), right.beyond(n, k)), Math.max(above.beyond(n, k), below.beyond(n, k)))
+                > 0;
+    }
+
+    private void push(long entry) {
+        if (size == heap.length) {
+            heap = Arrays.copyOf(heap, 2 * size);
+        }
+        long[] h = heap;
+        int at = size++;
+        while (at > 0) {
+            int up = (at - 1) >> 1;
+            if (h[up] <= entry) {
+                break;
+            }
+            h[at] = h[up];
+            at = up;
+        }
+        h[at] = entry;
+    }
+
+    private long pop() {
+        long[] h = heap;
+        long least = h[0];
+        int last = --size;
+        long entry = h[last];
+        int at = 0;
+        for (int down = 1; down < last; down = 2 * at + 1) {
+            if (down + 1 < last && h[down + 1] < h[down]) {
+                down++;
+            }
+            if (entry <= h[down]) {
+                break;
+            }
+            h[at] = h[down];
+            at = down;
+        }
+        h[at] = entry;
+        return least;
+    }
+}
