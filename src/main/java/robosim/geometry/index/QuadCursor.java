@@ -249,16 +249,15 @@ public final class QuadCursor {
     }
 
     /**
-     * Starts a query for all objects whose boxes are within a distance of a point and not wholly beyond either of two
-     * lines through it, nearest first.
+     * Starts a query for all objects whose boxes may be within a distance in a sector about a unit vector, in the order of how
+     * far they are within the sector, or less.
      *
-     * @param leftX  outward normal of one line, of length at most 1; zero for no line
-     * @param rightX outward normal of the other line
+     * @param cos of half the opening angle, which is below 90 degrees
      */
     public void startSector(
-            double x, double z, double leftX, double leftZ, double rightX, double rightZ, double limit) {
+            double x, double z, double ux, double uz, double cos, double sin, double limit) {
         tree.growRegions();
-        ordered.startSector(tree.regions, x, z, leftX, leftZ, rightX, rightZ, limit);
+        ordered.startSector(tree.regions, x, z, ux, uz, cos, sin, tree.most, limit);
     }
 
     /** The next object of a point query within the limit, which may shrink from call to call; -1 after the last. */

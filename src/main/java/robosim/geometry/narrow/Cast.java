@@ -202,7 +202,7 @@ public final class Cast {
     private double convex(double x, double y, double z, LeafKind kind, double[] row, int at, double limit) {
         if (dimension == Dimension.PLANAR) {
             return cone
-                    ? PlanarCone.distance(x, z, dx, dz, halfCos, halfSin, kind, row, at, s)
+                    ? PlanarCone.distance(x, z, dx, dz, halfCos, halfSin, kind, row, at, limit, s)
                     : PlanarRay.distance(x, z, dx, dz, kind, row, at, s);
         }
         return cone

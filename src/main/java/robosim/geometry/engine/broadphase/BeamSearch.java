@@ -195,10 +195,10 @@ public abstract class BeamSearch {
         double reach = limit;
         double slack = slack(table);
         QuadCursor cursor = table.cursor;
-        cursor.startSector(ox, oz, leftX, leftZ, rightX, rightZ, loose(reach, slack));
+        cursor.startSector(ox, oz, ux, uz, halfCos, halfSin, loose(reach, slack));
         for (int local = cursor.next(loose(reach, slack)); local >= 0; local = cursor.next(loose(reach, slack))) {
             int id = local | table.mark;
-            if (id != ignored && coneMeets(table, id, loose(reach, slack))) {
+            if (id != ignored) {
                 reach = meet(table, id, reach);
             }
         }

@@ -10,10 +10,6 @@ public final class PlaneKeys {
     private boolean isRay;
     private double fromX;
     private double fromZ;
-    private double leftX;
-    private double leftZ;
-    private double rightX;
-    private double rightZ;
     private double unit = 1;
     private final double[] flat = new double[4];
 
@@ -32,31 +28,6 @@ public final class PlaneKeys {
         fromX = x;
         fromZ = z;
         isRay = false;
-        startSector(0, 0, 0, 0);
-    }
-
-    /**
-     * Excludes boxes wholly beyond one of two lines through the point, given by their outward normals; zero for no
-     * line.
-     */
-    public void startSector(double oneX, double oneZ, double twoX, double twoZ) {
-        leftX = oneX;
-        leftZ = oneZ;
-        rightX = twoX;
-        rightZ = twoZ;
-    }
-
-    private boolean isBeyond(double[] boxes, int at, double nx, double nz) {
-        double x = boxes[nx > 0 ? at : at + 2] - fromX;
-        double z = boxes[nz > 0 ? at + 1 : at + 3] - fromZ;
-        double past = nx * x + nz * z;
-        if (!(past > 0)) {
-            return false;
-        }
-        // The margin by which a certified shape is enlarged depends on its size, not on the distance of its box.
-        double size = Math.abs(boxes[at]) + Math.abs(boxes[at + 1]) + Math.abs(boxes[at + 2]) + Math.abs(boxes[at + 3]);
-        double slack = 0x1p-40 * (size + Math.abs(fromX) + Math.abs(fromZ));
-        return past > slack;
     }
 
     /** Converts the caller's parameter to a key, rounded up. */
@@ -96,9 +67,6 @@ public final class PlaneKeys {
     }
 
     private double pointKey(double[] boxes, int at) {
-        if (isBeyond(boxes, at, leftX, leftZ) || isBeyond(boxes, at, rightX, rightZ)) {
-            return Double.POSITIVE_INFINITY;
-        }
         double dx = Math.max(0, Math.max(boxes[at] - fromX, fromX - boxes[at + 2]));
         double dz = Math.max(0, Math.max(boxes[at + 1] - fromZ, fromZ - boxes[at + 3]));
         double square = dx * dx + dz * dz;

@@ -119,6 +119,15 @@ final class ConePolytope {
         return edges(cone, ConeCorners.flatEdges(kind), axis, kind, row, j);
     }
 
+    /** The same for one edge of a box. */
+    double flatEdge(Cone cone, int from, int to, LeafKind kind, double[] row, int j) {
+        corners.setBox(cone, row, j);
+        corners.take(from);
+        corners.take(to);
+        extent = Math.max(corners.extent, VectorMath.largest(cone.ox, cone.oy, cone.oz));
+        return edge(cone, from, to, kind, row, j);
+    }
+
     private double edges(Cone cone, int[] edges, double axis, LeafKind kind, double[] row, int j) {
         extent = Math.max(corners.extent, VectorMath.largest(cone.ox, cone.oy, cone.oz));
         double best = axis;

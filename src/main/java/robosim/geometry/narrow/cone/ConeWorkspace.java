@@ -4,6 +4,7 @@ package robosim.geometry.narrow.cone;
 final class ConeWorkspace {
     final Cone cone = new Cone();
     final PlainConeBox box = new PlainConeBox();
+    final PlainSectorBox sectorBox = new PlainSectorBox();
     final ConePolytope polytope = new ConePolytope();
     final ConeCylinder cylinder = new ConeCylinder();
     final ConeCapsule capsule = new ConeCapsule();

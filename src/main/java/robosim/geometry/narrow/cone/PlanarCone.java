@@ -50,6 +50,26 @@ public final class PlanarCone {
             double[] b,
             int j,
             ConeScratch s) {
+        return distance(ox, oz, ux, uz, halfCos, halfSin, kind, b, j, Double.POSITIVE_INFINITY, s);
+    }
+
+    /**
+     * The same up to a limit.
+     *
+     * @return {@code +Infinity} also where it is certainly beyond the limit
+     */
+    public static double distance(
+            double ox,
+            double oz,
+            double ux,
+            double uz,
+            double halfCos,
+            double halfSin,
+            LeafKind kind,
+            double[] b,
+            int j,
+            double limit,
+            ConeScratch s) {
         double size = Math.max(Math.abs(ux), Math.abs(uz));
         if (!(size >= LEAST && size <= MOST)) {
             int shift = -Math.getExponent(size);
@@ -59,6 +79,56 @@ public final class PlanarCone {
         if (halfCos >= 1) { // narrower than a cosine can express: only its axis
             return PlanarRay.scaled(ox, oz, ux, uz, kind, b, j, s);
         }
+        if (kind == LeafKind.UPRIGHT_BOX) {
+            double known = plainBox(ox, oz, ux, uz, halfCos, halfSin, b, j, limit, s);
+            if (known >= 0) {
+                return known;
+            }
+        }
+        return all(ox, oz, ux, uz, halfCos, halfSin, kind, b, j, s);
+    }
+
+    /** The distance of an upright box, where plain numbers know which of its points is nearest; else below 0. */
+    private static double plainBox(
+            double ox,
+            double oz,
+            double ux,
+            double uz,
+            double halfCos,
+            double halfSin,
+            double[] b,
+            int j,
+            double limit,
+            ConeScratch s) {
+        Cone cone = s.cones().cone;
+        cone.set(ox, 0, oz, ux, 0, uz, halfCos);
+        PlainSectorBox box = s.cones().sectorBox;
+        return switch (box.look(ox, oz, cone.ux, cone.uz, halfCos, cone.sin, b, j, limit)) {
+            case PlainSectorBox.BEYOND -> Double.POSITIVE_INFINITY;
+            case PlainSectorBox.HELD -> within(ox, oz, ux, uz, halfCos, halfSin, LeafKind.UPRIGHT_BOX, b, j, s);
+            case PlainSectorBox.CROSSED -> {
+                flatten(LeafKind.UPRIGHT_BOX, b, j, s.flat);
+                double crossed = s.cones()
+                        .polytope
+                        .flatEdge(cone, box.from(), box.to(), LeafKind.UPRIGHT_BOX, s.flat, 0);
+                yield crossed <= box.atMost() ? crossed : -1;
+            }
+            default -> -1;
+        };
+    }
+
+    /** The same, of all points of a leaf. */
+    static double all(
+            double ox,
+            double oz,
+            double ux,
+            double uz,
+            double halfCos,
+            double halfSin,
+            LeafKind kind,
+            double[] b,
+            int j,
+            ConeScratch s) {
         double within = within(ox, oz, ux, uz, halfCos, halfSin, kind, b, j, s);
         // A miss by the exact shapes holds for the axis too; for a turned cylinder each is certified separately.
         boolean isCertain =
