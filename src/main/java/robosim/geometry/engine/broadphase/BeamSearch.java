@@ -77,7 +77,6 @@ public abstract class BeamSearch {
         line(x, y, z);
         isCone = true;
         takeUnit();
-        setSides(sin);
         halfCos = cos;
         halfSin = sin;
     }
@@ -142,6 +141,9 @@ public abstract class BeamSearch {
             return;
         }
         takeUnit();
+        if (isCone) {
+            setSides(halfSin);
+        }
         double slack = slack(table);
         double reach = limit;
         for (int k = 0; k < movers; k++) {

@@ -22,6 +22,10 @@ public final class BeamQuery extends BeamSearch {
     private int hit;
     private int hitLeaf;
 
+    private double lastWidth;
+    private double halfCos = 1;
+    private double halfSin;
+
     public BeamQuery(ObjectTable objects, Scratch scratch) {
         this(objects, new Cast(scratch));
     }
@@ -48,10 +52,13 @@ public final class BeamQuery extends BeamSearch {
         oy = y;
         oz = z;
         if (width > 0) {
-            double cos = Degrees.cos(width / 2);
-            double sin = Degrees.sin(width / 2);
-            cast.widen(cos, sin);
-            cone(x, y, z, cos, sin);
+            if (width != lastWidth) { // sensors mostly have one
+                lastWidth = width;
+                halfCos = Degrees.cos(width / 2);
+                halfSin = Degrees.sin(width / 2);
+            }
+            cast.widen(halfCos, halfSin);
+            cone(x, y, z, halfCos, halfSin);
         } else {
             line(x, y, z);
         }

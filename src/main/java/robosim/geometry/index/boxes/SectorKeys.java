@@ -31,7 +31,9 @@ public final class SectorKeys {
     private double atUpZ;
     private double downZ;
     private double atDownZ;
-    private double farthest;
+    /** The bits of a distance that nothing is beyond. */
+    private long farthest;
+
 
     // The outward normals of the sides, and which coordinates of a box are least along them.
     private double leftX;
@@ -54,7 +56,7 @@ public final class SectorKeys {
     public void start(double ox, double oz, double ux, double uz, double cos, double sin, double most) {
         double reach = Math.max(most, Math.max(Math.abs(ox), Math.abs(oz)));
         double pad = PAD * reach + Double.MIN_NORMAL;
-        farthest = ACROSS * reach + Double.MIN_NORMAL;
+        farthest = bits(ACROSS * reach + Double.MIN_NORMAL);
         upX = factor(ux, cos, sin);
         atUpX = (-ox - pad) * upX;
         downX = -factor(-ux, cos, sin);
@@ -83,30 +85,34 @@ public final class SectorKeys {
 
     /** The key of a box. */
     public double key(double[] boxes, int at) {
-        double left = boxes[at + fromLeftX] * leftX + boxes[at + fromLeftZ] * leftZ + atLeft;
-        double right = boxes[at + fromRightX] * rightX + boxes[at + fromRightZ] * rightZ + atRight;
-        return left > 0 || right > 0
-                ? Double.POSITIVE_INFINITY
-                : key(boxes[at], boxes[at + 1], boxes[at + 2], boxes[at + 3]);
+        return key(
+                boxes[at + fromLeftX] * leftX + boxes[at + fromLeftZ] * leftZ + atLeft,
+                boxes[at + fromRightX] * rightX + boxes[at + fromRightZ] * rightZ + atRight,
+                boxes[at],
+                boxes[at + 1],
+                boxes[at + 2],
+                boxes[at + 3]);
     }
 
     /** The key of one box of six numbers, whose heights are ignored. */
     public double keyOfObject(double[] boxes, int at) {
         double left = leftX * boxes[at + 3 * (fromLeftX >> 1)] + leftZ * boxes[at + 2 + 3 * (fromLeftZ >> 1)];
         double right = rightX * boxes[at + 3 * (fromRightX >> 1)] + rightZ * boxes[at + 2 + 3 * (fromRightZ >> 1)];
-        return left + atLeft > 0 || right + atRight > 0
+        return key(left + atLeft, right + atRight, boxes[at], boxes[at + 2], boxes[at + 3], boxes[at + 5]);
+    }
+
+    // The bits of numbers of at least 0 sort like the numbers, and those of negative ones are negative; the larger of two
+    // longs takes no branch.
+    private double key(double left, double right, double minX, double minZ, double maxX, double maxZ) {
+        long x = Math.max(bits(minX * upX + atUpX), bits(maxX * downX + atDownX));
+        long z = Math.max(bits(minZ * upZ + atUpZ), bits(maxZ * downZ + atDownZ));
+        long least = Math.max(Math.max(0, x), z);
+        return Math.max(bits(left), bits(right)) > 0 || least > farthest
                 ? Double.POSITIVE_INFINITY
-                : key(boxes[at], boxes[at + 2], boxes[at + 3], boxes[at + 5]);
+                : Double.longBitsToDouble(least);
     }
 
-    private double key(double minX, double minZ, double maxX, double maxZ) {
-        double x = larger(minX * upX + atUpX, maxX * downX + atDownX);
-        double z = larger(minZ * upZ + atUpZ, maxZ * downZ + atDownZ);
-        double least = larger(0, larger(x, z));
-        return least > farthest ? Double.POSITIVE_INFINITY : least;
-    }
-
-    private static double larger(double a, double b) {
-        return a > b ? a : b; // quicker than Math.max, which cares for 0.0 and -0.0
+    private static long bits(double x) {
+        return Double.doubleToRawLongBits(x);
     }
 }

@@ -43,6 +43,9 @@ public final class ConeCursor {
     /** The bit that is set in the links of the second hierarchy. */
     private static final int SECOND = 1 << 29;
 
+    /** More than any entry. */
+    private static final long MISSED = Long.MAX_VALUE;
+
     private Hierarchy first = new Hierarchy(() -> {});
     private Hierarchy second = first;
     private boolean isWhole;
@@ -185,14 +188,24 @@ public final class ConeCursor {
     /** The next object that the cone may meet within a limit; -1 after the last. The limit may shrink from call to call. */
     public int next(double limit) {
         int within = within(limit);
-        while (size > 0 && (isWhole || (int) (heap[0] >>> Integer.SIZE) <= within)) {
-            int link = (int) pop();
+        long nearest = MISSED;
+        while (true) {
+            if (nearest == MISSED) {
+                if (size == 0 || (!isWhole && (int) (heap[0] >>> Integer.SIZE) > within)) {
+                    return -1;
+                }
+                nearest = pop();
+            }
+            int link = (int) nearest;
             if (link < 0) {
                 return link & ~(Integer.MIN_VALUE | SECOND);
             }
-            open((link & SECOND) == 0 ? first : second, link & ~SECOND, link & SECOND, within);
+            nearest = open((link & SECOND) == 0 ? first : second, link & ~SECOND, link & SECOND, within);
+            if (size > 0 && nearest != MISSED && nearest > heap[0]) {
+                push(nearest);
+                nearest = pop();
+            }
         }
-        return -1;
     }
 
     /** The bits of a float that is at least a limit, with what the distances may be off by. */
@@ -200,18 +213,25 @@ public final class ConeCursor {
         return Float.floatToRawIntBits((float) (Math.min(limit, farthest) * (1 + ROUNDED) + pad));
     }
 
-    private void open(Hierarchy tree, int node, int mark, int within) {
+    /** Takes a node's children in, but for the nearest, which it returns. */
+    private long open(Hierarchy tree, int node, int mark, int within) {
         float[] n = tree.nodes;
         int at = node * Hierarchy.STRIDE;
         int link = at + LINKS;
+        long nearest = MISSED;
         for (int k = at; k < at + WIDTH * PART; k += PART, link++) {
             int key = key(n, k);
             int child = Float.floatToRawIntBits(n[link]);
             // A child that is missing is infinitely far.
-            if (isWhole ? child != Hierarchy.NONE : key <= within && !isBeyond(n, k)) {
-                push((long) key << Integer.SIZE | ((child | mark) & 0xffffffffL));
+            if (isWhole ? child != Hierarchy.NONE : Math.max(key - within, beyond(n, k)) <= 0) {
+                long entry = (long) key << Integer.SIZE | ((child | mark) & 0xffffffffL);
+                if (nearest != MISSED) {
+                    push(Math.max(nearest, entry));
+                }
+                nearest = Math.min(nearest, entry);
             }
         }
+        return nearest;
     }
 
     /** The bits of a lower bound of the distance of bounds within the cone, at least 0. */
@@ -228,9 +248,10 @@ public final class ConeCursor {
         return Math.max(Math.max(0, x), Math.max(y, z));
     }
 
-    private boolean isBeyond(float[] n, int k) {
-        return Math.max(Math.max(left.beyond(n, k), right.beyond(n, k)), Math.max(above.beyond(n, k), below.beyond(n, k)))
-                > 0;
+    /** The bits of how far bounds are beyond one of the planes, roughly; 0 or less where they may not be. */
+    private int beyond(float[] n, int k) {
+        return Math.max(
+                Math.max(left.beyond(n, k), right.beyond(n, k)), Math.max(above.beyond(n, k), below.beyond(n, k)));
     }
 
     private void push(long entry) {

@@ -39,13 +39,19 @@ public final class Cone {
         this.ox = ox;
         this.oy = oy;
         this.oz = oz;
-        if (isSame(dx, this.dx) && isSame(dy, this.dy) && isSame(dz, this.dz) && cos == this.cos) {
-            return; // the next leaf for the same beam
+        // The next leaf for the same beam, or the next beam of the same sensor.
+        if (!(isSame(dx, this.dx) && isSame(dy, this.dy) && isSame(dz, this.dz))) {
+            setAxis(dx, dy, dz);
         }
-        this.dx = dx;
-        this.dy = dy;
-        this.dz = dz;
-        this.cos = cos;
+        if (cos != this.cos) {
+            setWidth(cos);
+        }
+    }
+
+    private void setAxis(double x, double y, double z) {
+        dx = x;
+        dy = y;
+        dz = z;
         DoubleDoubles p = pairs;
         p.set(AXIS, dx);
         p.set(AXIS + 1, dy);
@@ -55,14 +61,19 @@ public final class Cone {
         for (int i = 0; i < 3; i++) {
             p.divide(AXIS + i, AXIS + i, 5);
         }
+        ux = p.get(AXIS);
+        uy = p.get(AXIS + 1);
+        uz = p.get(AXIS + 2);
+    }
+
+    private void setWidth(double cosine) {
+        cos = cosine;
+        DoubleDoubles p = pairs;
         p.set(COS, cos);
         p.difference(5, 1, cos);
         p.difference(6, 1, -cos);
         p.multiply(5, 5, 6);
         p.root(SIN, 5);
-        ux = p.get(AXIS);
-        uy = p.get(AXIS + 1);
-        uz = p.get(AXIS + 2);
         sin = p.get(SIN);
     }
 

@@ -62,10 +62,10 @@ final class ConeCorners {
     private boolean hasAbsent;
     private final double[] pair = new double[4];
 
-    // Of a box that is taken corner by corner: its centre, and by axis of the world its three half axes, in pairs; and which
-    // corners are there, as bits.
-    private final double[] middle = new double[6];
+    // Of a box that is taken corner by corner: its half axes in pairs, and vectors of pairs: its centre, that and one half axis
+    // less or more, and two, and three, which are the corners; and which of these have been computed, as bits.
     private final double[] halves = new double[18];
+    private final double[] sums = new double[90];
     private int done;
 
     /** The largest coordinate or size. */
@@ -121,37 +121,46 @@ final class ConeCorners {
     /** Prepares a box, of which only some corners will be asked for. */
     void setBox(Cone cone, double[] row, int j) {
         hasAbsent = false;
-        done = 0;
         extent = boxExtent(row, j);
+        done = 0;
         for (int axis = 0; axis < 3; axis++) {
             double apex = axis == 0 ? cone.ox : axis == 1 ? cone.oy : cone.oz;
-            DoubleDouble.sum(row[j + axis], -apex, middle, 2 * axis);
+            DoubleDouble.sum(row[j + axis], -apex, sums, 2 * axis);
             for (int i = 0; i < 3; i++) {
                 DoubleDouble.product(
-                        row[j + 3 + i], row[j + Leaf.ROTATION + 3 * axis + i], halves, 2 * (3 * axis + i));
+                        row[j + 3 + i], row[j + Leaf.ROTATION + 3 * axis + i], halves, 2 * (3 * i + axis));
             }
         }
     }
 
     /** Computes one corner after {@link #setBox}, to the bit as {@link #set} computes all. */
     void take(int corner) {
-        if ((done >> corner & 1) != 0) {
+        // The sums up to each half axis, of which corners share the first ones.
+        add(0, 1 + (corner & 1), 0, corner & 1);
+        add(1 + (corner & 1), 3 + (corner & 3), 1, corner >> 1 & 1);
+        add(3 + (corner & 3), 7 + corner, 2, corner >> 2);
+        int from = 6 * (7 + corner);
+        for (int axis = 0; axis < 3; axis++) {
+            hi[3 * corner + axis] = sums[from + 2 * axis];
+            lo[3 * corner + axis] = sums[from + 2 * axis + 1];
+        }
+    }
+
+    /** Adds a half axis to a sum, or subtracts it, unless that has been done. */
+    private void add(int from, int to, int half, int isPlus) {
+        if ((done >> to & 1) != 0) {
             return;
         }
-        done |= 1 << corner;
-        for (int axis = 0; axis < 3; axis++) {
-            pair[0] = middle[2 * axis];
-            pair[1] = middle[2 * axis + 1];
-            for (int i = 0; i < 3; i++) {
-                int at = 2 * (3 * axis + i);
-                if ((corner >> i & 1) == 0) {
-                    DoubleDouble.add(pair[0], pair[1], -halves[at], -halves[at + 1], pair, 0);
-                } else {
-                    DoubleDouble.add(pair[0], pair[1], halves[at], halves[at + 1], pair, 0);
-                }
-            }
-            hi[3 * corner + axis] = pair[0];
-            lo[3 * corner + axis] = pair[1];
+        done |= 1 << to;
+        double sign = isPlus == 0 ? -1 : 1;
+        for (int k = 0; k < 6; k += 2) {
+            DoubleDouble.add(
+                    sums[6 * from + k],
+                    sums[6 * from + k + 1],
+                    sign * halves[6 * half + k],
+                    sign * halves[6 * half + k + 1],
+                    sums,
+                    6 * to + k);
         }
     }
 

@@ -50,6 +50,15 @@ final class ConePolytope {
     private final ConeCorners corners = new ConeCorners();
     private double extent;
 
+    /** The unit normal of a face, from the first and the second of its edges, whose product is the largest. */
+    private double nx;
+
+    private double ny;
+    private double nz;
+    private double largest;
+    private int first;
+    private int second;
+
     /**
      * The distance; {@code axis} is the distance where the axis itself meets the leaf (+Infinity where it does not).
      */
@@ -74,11 +83,19 @@ final class ConePolytope {
         corners.setBox(cone, row, j);
         extent = Math.max(corners.extent, VectorMath.largest(cone.ox, cone.oy, cone.oz));
         double best = axis;
+        int near = 0;
         for (int i = 0; i < 3; i++) {
             for (int side = 0; side < 2; side++) {
                 if (plain.isNear(i, side)) {
+                    near++;
                     best = Math.min(best, nearEdges(cone, plain, i, side, kind, row, j));
-                    best = Math.min(best, nearFace(cone, plain, i, side));
+                }
+            }
+        }
+        for (int i = 0; i < 3; i++) {
+            for (int side = 0; side < 2; side++) {
+                if (plain.isNear(i, side) && plain.isFootNear(i, side)) {
+                    best = Math.min(best, nearFace(cone, ConeCorners.boxFace(i, side), near == 1));
                 }
             }
         }
@@ -102,15 +119,22 @@ final class ConePolytope {
         return best;
     }
 
-    private double nearFace(Cone cone, PlainConeBox plain, int i, int side) {
-        if (!plain.isFootNear(i, side)) {
-            return Double.POSITIVE_INFINITY;
-        }
-        int[] face = ConeCorners.boxFace(i, side);
+    /**
+     * The same as {@link #face} of a box's face, none of whose sides is short.
+     *
+     * @param isInside whether the foot is known to be in the face
+     */
+    private double nearFace(Cone cone, int[] face, boolean isInside) {
         for (int k = 0; k < face.length; k += 2) {
             corners.take(face[k]);
         }
-        return face(cone, face);
+        clearNormal();
+        // All but the pairs of parallel edges, which give nothing.
+        tryPair(face, 0, 2);
+        tryPair(face, 0, 6);
+        tryPair(face, 2, 4);
+        tryPair(face, 4, 6);
+        return isInside ? plane(cone, face, first, second, isSquare(cone, face)) : inPlane(cone, face);
     }
 
     /** The same for a leaf that is flat in a plane through the apex and the axis: all faces are edge on and ignored. */
@@ -317,45 +341,68 @@ final class ConePolytope {
     }
 
     private double face(Cone cone, int[] face) {
-        double[] v = corners.hi;
-        double nx = 0;
-        double ny = 0;
-        double nz = 0;
-        double largest = 0;
-        int first = 0;
-        int second = 0;
+        clearNormal();
         // Neighbours may be degenerate, so the two edges with the largest product define the plane.
         for (int i = 0; i < face.length; i += 2) {
             for (int k = i + 2; k < face.length; k += 2) {
-                int a = 3 * face[i];
-                int b = 3 * face[i + 1];
-                int c = 3 * face[k];
-                int d = 3 * face[k + 1];
-                double ex = v[b] - v[a];
-                double ey = v[b + 1] - v[a + 1];
-                double ez = v[b + 2] - v[a + 2];
-                double fx = v[d] - v[c];
-                double fy = v[d + 1] - v[c + 1];
-                double fz = v[d + 2] - v[c + 2];
-                double x = ey * fz - ez * fy;
-                double y = ez * fx - ex * fz;
-                double z = ex * fy - ey * fx;
-                double size = VectorMath.length(x, y, z);
-                double noise = 64 * U * extent * (VectorMath.length(ex, ey, ez) + VectorMath.length(fx, fy, fz));
-                if (size > largest && size > noise) {
-                    largest = size;
-                    nx = x / size;
-                    ny = y / size;
-                    nz = z / size;
-                    first = i;
-                    second = k;
-                }
+                tryPair(face, i, k);
             }
         }
+        return largest > 0 ? inPlane(cone, face) : Double.POSITIVE_INFINITY;
+    }
+
+    private void clearNormal() {
+        largest = 0;
+        nx = 0;
+        ny = 0;
+        nz = 0;
+    }
+
+    private void tryPair(int[] face, int i, int k) {
+        double[] v = corners.hi;
+        int a = 3 * face[i];
+        int b = 3 * face[i + 1];
+        int c = 3 * face[k];
+        int d = 3 * face[k + 1];
+        double ex = v[b] - v[a];
+        double ey = v[b + 1] - v[a + 1];
+        double ez = v[b + 2] - v[a + 2];
+        double fx = v[d] - v[c];
+        double fy = v[d + 1] - v[c + 1];
+        double fz = v[d + 2] - v[c + 2];
+        double x = ey * fz - ez * fy;
+        double y = ez * fx - ex * fz;
+        double z = ex * fy - ey * fx;
+        double size = VectorMath.length(x, y, z);
+        if (size > largest) {
+            double noise = 64 * U * extent * (VectorMath.length(ex, ey, ez) + VectorMath.length(fx, fy, fz));
+            if (size > noise) {
+                largest = size;
+                nx = x / size;
+                ny = y / size;
+                nz = z / size;
+                first = i;
+                second = k;
+            }
+        }
+    }
+
+    private double height(int[] face) {
+        double[] v = corners.hi;
         int at = 3 * face[0];
-        double height = nx * v[at] + ny * v[at + 1] + nz * v[at + 2];
-        if (!(largest > 0) || height == 0) {
-            return Double.POSITIVE_INFINITY; // a degenerate face, or edge on: the edges decide
+        return nx * v[at] + ny * v[at + 1] + nz * v[at + 2];
+    }
+
+    /** Whether the axis leads into the plane so squarely that the plane's own nearest point is in the cone. */
+    private boolean isSquare(Cone cone, int[] face) {
+        double sign = height(face) < 0 ? -1 : 1;
+        return sign * (nx * cone.ux + ny * cone.uy + nz * cone.uz) >= cone.cos;
+    }
+
+    private double inPlane(Cone cone, int[] face) {
+        double height = height(face);
+        if (height == 0) {
+            return Double.POSITIVE_INFINITY; // edge on: the edges decide
         }
         double sign = height < 0 ? -1 : 1;
         double ahead = sign * (nx * cone.ux + ny * cone.uy + nz * cone.uz);
@@ -373,12 +420,10 @@ final class ConePolytope {
         double x = isSquare ? sign * nx * t : t * (cone.cos * cone.ux + share * sx);
         double y = isSquare ? sign * ny * t : t * (cone.cos * cone.uy + share * sy);
         double z = isSquare ? sign * nz * t : t * (cone.cos * cone.uz + share * sz);
-        return isInside(face, x, y, z, nx, ny, nz)
-                ? plane(cone, face, first, second, isSquare)
-                : Double.POSITIVE_INFINITY;
+        return isInside(face, x, y, z) ? plane(cone, face, first, second, isSquare) : Double.POSITIVE_INFINITY;
     }
 
-    private boolean isInside(int[] face, double x, double y, double z, double nx, double ny, double nz) {
+    private boolean isInside(int[] face, double x, double y, double z) {
         double[] v = corners.hi;
         boolean isLeft = true;
         boolean isRight = true;
